@@ -1,0 +1,37 @@
+/* Batten: exact conversion between B-splines and Bézier segments. */
+#ifndef BATTEN_BEZIER_H
+#define BATTEN_BEZIER_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Number of polynomial segments (non-empty spans of the domain). */
+BAT_API int bat_curve_segment_count(const bat_curve *curve);
+/* All segments: points has segment_count * (p + 1) * dimension doubles, breaks segment_count + 1; either may
+ * be NULL. Exact to rounding. */
+BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
+/* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
+ * *points is malloc'ed: *count * 4 * dimension doubles, shared ends repeated. */
+BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, double **points, int *count);
+
+/* Releases an array that the library handed over. */
+BAT_API void bat_free(void *memory);
+
+/*
+ * One B-spline from `count` Bézier segments of one degree that follow each other (the start of each is the end
+ * of the one before; points: count * degree + 1 points, shared ends once; closed: the last point equals the
+ * first). Knot spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1;
+ * joints that are not are corners: knots of multiplicity p. Closed paths become periodic. Zero-length segments
+ * are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
+ * *error reports the measured deviation.
+ */
+BAT_API bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points, bool closed,
+                                         double corner, double tolerance, bat_curve **out, double *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

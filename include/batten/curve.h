@@ -1,0 +1,79 @@
+/*
+ * Batten: the curve. A non-uniform B-spline of degree 1 to 7 in the plane or in space.
+ *
+ * Open: n points P_0..P_{n-1}, n + p + 1 knots t_0..t_{n+p}, domain [t_p, t_n]; clamped or not.
+ * Closed: n distinct points and one period of knots t_0..t_n, domain [t_0, t_n]; the rest follows from
+ * t_{j+n} = t_j + T and P_{i+n} = P_i. N_i has support [t_i, t_{i+p+1}]. There is no seam.
+ * Interior knots (closed: all knots) repeat at most p times; end knots of open curves at most p + 1.
+ *
+ * A curve is a value: it never changes after it is made. Operations return new curves, which the caller
+ * frees. One allocation a curve. const calls on one curve are safe from many threads.
+ */
+#ifndef BATTEN_CURVE_H
+#define BATTEN_CURVE_H
+
+#include <batten/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct bat_curve bat_curve;
+
+/* Makes a curve after checking everything said above. points: count * dimension doubles, x y [z] each;
+ * knots: count + degree + 1 (open) or count + 1 (closed). Both are copied. Cost O(count). */
+BAT_API bat_status bat_curve_create(int degree, int dimension, bool closed, int count,
+                                    const double *knots, const double *points, bat_curve **out);
+BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
+BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
+
+BAT_API int bat_curve_degree(const bat_curve *curve);
+BAT_API int bat_curve_dimension(const bat_curve *curve);
+BAT_API bool bat_curve_closed(const bat_curve *curve);
+BAT_API int bat_curve_count(const bat_curve *curve);            /* control points, n */
+BAT_API int bat_curve_knot_count(const bat_curve *curve);       /* n + p + 1, or n + 1 when closed */
+BAT_API const double *bat_curve_knots(const bat_curve *curve);  /* owned by the curve */
+BAT_API const double *bat_curve_points(const bat_curve *curve); /* owned by the curve */
+BAT_API void bat_curve_domain(const bat_curve *curve, double domain[2]);
+/* Length of the diagonal of the control points' box: the "size" that relative bounds refer to. */
+BAT_API double bat_curve_size(const bat_curve *curve);
+/* Bitwise equality of shape and representation. */
+BAT_API bool bat_curve_equal(const bat_curve *a, const bat_curve *b);
+
+/*
+ * Position and derivatives up to `order` at u: out[(order + 1) * dimension], position first. Orders above
+ * the degree are zero. Open curves clamp u to the domain, closed ones take it modulo the period; a NaN u
+ * gives NaN. At a knot the limit from the right (at the end of an open domain, from the left).
+ */
+BAT_API void bat_curve_eval(const bat_curve *curve, double u, int order, double *out);
+/* The same limit from the left at knots. */
+BAT_API void bat_curve_eval_left(const bat_curve *curve, double u, int order, double *out);
+/*
+ * Bulk: count parameters, sorted ascending (closed: within one period after reduction is not needed; any
+ * ascending run is fine). out: count blocks of (order + 1) * dimension. Linear in count + spans touched;
+ * no allocation. BAT_PARAMETER when unsorted, BAT_NUMBER when NaN.
+ */
+BAT_API bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const double *u, int order,
+                                       double *out);
+/* count parameters spread evenly over the domain, ends included (closed: the end excluded). */
+BAT_API void bat_curve_spread(const bat_curve *curve, size_t count, double *u);
+
+/* Blossom (polar form) of the polynomial piece that is in force just right of u (left: just left of it),
+ * at p arguments. P&T 5, Ramshaw 1987. out: dimension doubles. */
+BAT_API void bat_curve_blossom(const bat_curve *curve, double u, bool left, const double *arguments,
+                               double *out);
+
+/* Greville abscissae: count doubles. */
+BAT_API void bat_curve_greville(const bat_curve *curve, double *out);
+/* Non-zero basis functions at u: values[p+1]; *first is the index of the first (closed: modulo n). */
+BAT_API void bat_curve_basis(const bat_curve *curve, double u, int *first, double *values);
+
+/* Affine image: matrix is dimension rows of (dimension + 1), row major, translation last. */
+BAT_API bat_status bat_curve_transform(const bat_curve *curve, const double *matrix, bat_curve **out);
+/* The planar curve in space (z = 0), or the space curve's x, y. */
+BAT_API bat_status bat_curve_to_dimension(const bat_curve *curve, int dimension, bat_curve **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,35 @@
+/* Batten: least-squares fit of points to a tolerance in real distance. */
+#ifndef BATTEN_FIT_H
+#define BATTEN_FIT_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct bat_fit_options {
+    double tolerance; /* greatest true distance from a point to the curve, document units, > 0 */
+    double smoothing; /* shortest wavelength that may bend, document units; 0: none (math-sketch 5.7) */
+    int degree;       /* 3 by default */
+    bool closed;
+    int corner_count;      /* corners[i]: indices into the points, ascending, kept as multiplicity-p knots */
+    const int *corners;
+    int solves_max; /* 0: the default budget */
+} bat_fit_options;
+
+typedef struct bat_fit_report {
+    double max_error; /* true distance */
+    int knots;        /* interior knots (closed: knots of one period) */
+    int solves;
+} bat_fit_report;
+
+BAT_API bat_fit_options bat_fit_defaults(void); /* tolerance 1, cubic, open, no corners */
+/* count points in order. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
+BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
+                           bat_curve **out, bat_fit_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

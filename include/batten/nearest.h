@@ -1,0 +1,35 @@
+/* Batten: the closest point, provably right (performance.md; Bernstein sign test). */
+#ifndef BATTEN_NEAREST_H
+#define BATTEN_NEAREST_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct bat_near {
+    double u;
+    double distance;
+    double point[BAT_DIMENSION_MAX];
+} bat_near;
+
+/* Global closest point; ties: the smaller u. */
+BAT_API bat_status bat_curve_nearest(const bat_curve *curve, const double *point, bat_near *out);
+/* All local minima of distance within `within` (document units, may be INFINITY), nearest first; at most
+ * `room` written, *count says how many there are. Ends of open curves count where distance grows inwards. */
+BAT_API bat_status bat_curve_nearest_all(const bat_curve *curve, const double *point, double within, int room,
+                                         bat_near *out, int *count);
+/* Newton re-projection from u, `steps` steps, never farther than the start: cheap, local. */
+BAT_API double bat_curve_project_near(const bat_curve *curve, const double *point, double u, int steps);
+
+/* A finder precomputes boxes of span hulls for many queries on one curve. Borrows the curve. */
+typedef struct bat_finder bat_finder;
+BAT_API bat_status bat_finder_create(const bat_curve *curve, bat_finder **out);
+BAT_API void bat_finder_free(bat_finder *finder);
+BAT_API void bat_finder_nearest(const bat_finder *finder, const double *point, bat_near *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

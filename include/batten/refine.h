@@ -1,0 +1,56 @@
+/* Batten: changes of representation, and surgery: knots in and out, degree, split, join, reverse. */
+#ifndef BATTEN_REFINE_H
+#define BATTEN_REFINE_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Inserts u `times` times (Boehm 1980; P&T A5.1). The shape does not change. BAT_KNOTS when the
+ * multiplicity would exceed p, BAT_PARAMETER outside the domain (open: ends included only up to p + 1). */
+BAT_API bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out);
+/* Inserts many at once, sorted ascending, repeats allowed: one blossom a new point, untouched points copied. */
+BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u, bat_curve **out);
+/* Refinement to a superset: knots are all the knots of the result (open: the domain's ends as in the curve). */
+BAT_API bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots, bat_curve **out);
+/* Removes u up to `times` times while the curve moves by no more than tolerance (a proven bound, document
+ * units). *removed says how often, *error the bound on the distance. P&T A5.8. */
+BAT_API bat_status bat_curve_remove_knot(const bat_curve *curve, double u, int times, double tolerance,
+                                         bat_curve **out, int *removed, double *error);
+/* Removes as many interior knots as tolerance (total, measured) permits, cheapest first; corners (multiplicity
+ * p knots whose tangents turn by more than corner radians) stay. */
+BAT_API bat_status bat_curve_simplify(const bat_curve *curve, double tolerance, double corner,
+                                      bat_curve **out, double *error);
+
+BAT_API bat_status bat_curve_elevate(const bat_curve *curve, int degree, bat_curve **out); /* exact */
+BAT_API bat_status bat_curve_clamp(const bat_curve *curve, bat_curve **out);  /* open: end knots p + 1 fold */
+BAT_API bat_status bat_curve_reverse(const bat_curve *curve, bat_curve **out);
+/* Affine map of the parameters onto [start, end]. */
+BAT_API bat_status bat_curve_reparametrise(const bat_curve *curve, double start, double end, bat_curve **out);
+
+/* Cuts an open curve at u (strictly inside the domain). */
+BAT_API bat_status bat_curve_split(const bat_curve *curve, double u, bat_curve **left, bat_curve **right);
+/* The piece over [start, end], clamped. Closed curves: start in any period, end - start at most one period. */
+BAT_API bat_status bat_curve_piece(const bat_curve *curve, double start, double end, bat_curve **out);
+/* Closed curve opened at u. */
+BAT_API bat_status bat_curve_open_at(const bat_curve *curve, double u, bat_curve **out);
+/* Open curve whose ends meet (within tolerance) made periodic, continuity 0..p-1 at the seam kept as it is
+ * measured; the seam is a knot of multiplicity p (less where removal is exact). */
+BAT_API bat_status bat_curve_close(const bat_curve *curve, double tolerance, bat_curve **out);
+/* Same shape, start of the period moved to u. */
+BAT_API bat_status bat_curve_move_seam(const bat_curve *curve, double u, bat_curve **out);
+/*
+ * Appends b to the end of a; degrees are raised to the greater. continuity 0: a's end and b's start are
+ * merged into their midpoint when within gap, else BAT_ARGUMENT. 1, 2: the parameters of b are scaled and
+ * the control points next to the joint moved as little as can be so that the joint is C1 / C2.
+ * *moved: how far the curve moved at most.
+ */
+BAT_API bat_status bat_curve_join(const bat_curve *a, const bat_curve *b, int continuity, double gap,
+                                  bat_curve **out, double *moved);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

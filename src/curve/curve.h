@@ -1,0 +1,40 @@
+/* Inside the kernel: what a curve is made of. Both kinds are stored as one open, unrolled spline, so that
+ * evaluation knows no special case. */
+#ifndef BATTEN_SRC_CURVE_H
+#define BATTEN_SRC_CURVE_H
+
+#include <batten/curve.h>
+
+struct bat_curve {
+    int degree;
+    int dimension;
+    bool closed;
+    int count;      /* control points as the user counts them, n */
+    int spread;     /* control points stored: n, or n + degree when closed */
+    double *knots;  /* spread + degree + 1; closed: t_{-p}..t_{n+p}, so that t_j is knots[j + p] */
+    double *points; /* spread * dimension; closed: P_{-p}..P_{n-1}, stored point i is P_{(i - p) mod n} */
+};
+
+/* The domain is [knots[degree], knots[spread]] in both kinds. */
+
+/* One block for header, knots and points; contents of the arrays unset. BAT_MEMORY or BAT_OK. */
+bat_status bat_curve_allocate(int degree, int dimension, bool closed, int count, bat_curve **out);
+/* Fills the wrapped knots and points of a closed curve from t_0..t_n and P_0..P_{n-1}, already in place at
+ * knots + p and points + p * dimension. No-op when open. */
+void bat_curve_unroll(bat_curve *curve);
+/* Checks knots and numbers of a filled curve: the one validator. */
+bat_status bat_curve_validate(const bat_curve *curve);
+
+/* Index i with knots[i] <= u < knots[i+1], degree <= i < spread; `hint` is tried first (any int). u must lie in
+ * the domain; at its end the last non-empty span. */
+int bat_span(const bat_curve *curve, double u, int hint);
+/* Into the domain: clamp (open) or reduce modulo the period (closed). NaN stays NaN. */
+double bat_curve_reduce(const bat_curve *curve, double u);
+/* Basis functions and derivatives of span i at u: out[(order + 1) * (degree + 1)]. */
+void bat_basis(const bat_curve *curve, int span, double u, int order, double *out);
+/* Value and derivatives in a given span, u may lie outside it (the polynomial is continued). */
+void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, double *out);
+/* Blossom of the piece of a stored span. */
+void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out);
+
+#endif
