@@ -1,0 +1,17 @@
+/* Batten: everything. */
+#ifndef BATTEN_BATTEN_H
+#define BATTEN_BATTEN_H
+
+#include <batten/base.h>
+#include <batten/curve.h>
+#include <batten/refine.h>
+#include <batten/bezier.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/fit.h>
+#include <batten/sketch.h>
+#include <batten/document.h>
+#include <batten/format.h>
+#include <batten/editor.h>
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * Batten: the document. An ordered list of objects (back to front), each an immutable value that is replaced,
+ * never changed, so that undo is an exchange of pointers.
+ */
+#ifndef BATTEN_DOCUMENT_H
+#define BATTEN_DOCUMENT_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef uint64_t bat_id; /* 0: none. Ids are given by the document, ascending, never reused. */
+
+typedef enum bat_cap { BAT_CAP_BUTT, BAT_CAP_ROUND, BAT_CAP_SQUARE } bat_cap;
+typedef enum bat_join { BAT_JOIN_MITER, BAT_JOIN_ROUND, BAT_JOIN_BEVEL } bat_join;
+
+typedef struct bat_style {
+    bool stroked, filled;
+    bool even_odd;          /* fill rule; else non-zero */
+    uint32_t stroke, fill;  /* 0xRRGGBBAA */
+    double width;           /* document units */
+    double opacity;         /* 0..1, of the whole object */
+    bat_cap cap;
+    bat_join join;
+    double miter_limit;
+} bat_style;
+
+BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
+
+/* An object: for now a path, that is one or more curves of one dimension that share a style (an O has two). */
+typedef enum bat_kind { BAT_KIND_PATH = 1 } bat_kind;
+typedef struct bat_object bat_object;
+
+/* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty. */
+BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
+                                          bat_curve *const *curves, bat_object **out);
+/* A copy that differs in one curve (taken over on success), or in style. */
+BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out);
+BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
+BAT_API bat_object *bat_object_retain(const bat_object *object); /* counts users; not atomic */
+BAT_API void bat_object_release(bat_object *object);             /* NULL is fine */
+
+BAT_API bat_id bat_object_id(const bat_object *object);
+BAT_API bat_kind bat_object_kind(const bat_object *object);
+BAT_API const char *bat_object_name(const bat_object *object); /* never NULL */
+BAT_API const bat_style *bat_object_style(const bat_object *object);
+BAT_API int bat_object_curve_count(const bat_object *object);
+BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
+/* Exact box of the outline, without stroke width: low x, low y, high x, high y. */
+BAT_API void bat_object_bounds(const bat_object *object, double box[4]);
+
+typedef struct bat_document bat_document;
+
+BAT_API bat_status bat_document_create(bat_document **out);
+BAT_API void bat_document_free(bat_document *document);
+BAT_API bat_status bat_document_copy(const bat_document *document, bat_document **out);
+BAT_API int bat_document_count(const bat_document *document);
+BAT_API const bat_object *bat_document_at(const bat_document *document, int index);
+BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index, or -1 */
+BAT_API bat_id bat_document_new_id(bat_document *document);
+/* The one way to change a document: before NULL inserts at index, after NULL removes; else replaces.
+ * Retains `after`. BAT_ARGUMENT when index or id do not fit. */
+BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after);    /* insert */
+BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
+BAT_API bat_status bat_document_remove(bat_document *document, int index);
+
+/* The page: x, y, width, height in document units (width 0: none; then the drawing's box is shown). */
+BAT_API void bat_document_page(const bat_document *document, double page[4]);
+BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
+BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
+
+/* The invariants: ids unique, below the next id; curves valid; styles in range. NULL when all hold, else which
+ * one does not (static storage). */
+BAT_API const char *bat_document_check(const bat_document *document);
+/* 64-bit digest of everything that is saved: equal documents, equal digests, on every platform. */
+BAT_API uint64_t bat_document_digest(const bat_document *document);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,139 @@
+/*
+ * Batten: the engine. A headless, deterministic editor: no clock, no randomness, no input or output of its own.
+ * The host feeds pointer events, keys, commands by name and property values; the engine answers with one frame:
+ * what to paint, what to say, what it wants of the host. Every shell (the browser page, the tests, replay) is
+ * such a host, and holds no list of commands of its own.
+ */
+#ifndef BATTEN_EDITOR_H
+#define BATTEN_EDITOR_H
+
+#include <batten/document.h>
+#include <batten/format.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct bat_editor bat_editor;
+
+BAT_API bat_status bat_editor_create(bat_editor **out);
+BAT_API void bat_editor_free(bat_editor *editor);
+BAT_API const bat_document *bat_editor_document(const bat_editor *editor);
+/* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes it over. */
+BAT_API bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name);
+
+/* ---- input ---- */
+
+typedef enum bat_pointer_phase {
+    BAT_POINTER_HOVER, BAT_POINTER_DOWN, BAT_POINTER_MOVE, BAT_POINTER_UP, BAT_POINTER_CANCEL, BAT_POINTER_LEAVE
+} bat_pointer_phase;
+typedef enum bat_device { BAT_DEVICE_MOUSE, BAT_DEVICE_PEN, BAT_DEVICE_TOUCH } bat_device;
+enum { BAT_SHIFT = 1, BAT_CTRL = 2, BAT_ALT = 4, BAT_META = 8 };
+enum { BAT_BUTTON_PRIMARY = 1, BAT_BUTTON_SECONDARY = 2, BAT_BUTTON_MIDDLE = 4, BAT_BUTTON_ERASER = 32 };
+
+typedef struct bat_pointer {
+    bat_pointer_phase phase;
+    bat_device device;
+    uint32_t contact;    /* pointer id */
+    uint32_t buttons, modifiers;
+    double x, y;         /* view pixels, origin top left */
+    double pressure;     /* 0..1 */
+    double tilt_x, tilt_y, twist; /* degrees */
+    double time;         /* milliseconds, the host's clock */
+    bool predicted;      /* for the overlay only, never part of a stroke */
+} bat_pointer;
+
+/* Events in order of time; coalesced ones are simply all there. Bad numbers are dropped. */
+BAT_API void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count);
+/* dx, dy in pixels; zoom: Ctrl or a pinch on a trackpad. */
+BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
+                              double time);
+/* key: as KeyboardEvent.key. True when the engine used it (the host then prevents its default). */
+BAT_API bool bat_editor_key(bat_editor *editor, const char *key, bool down, uint32_t modifiers, double time);
+BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio);
+/* Commands and properties by name, as the table (commands.def) lists them. BAT_UNSUPPORTED: no such name.
+ * BAT_STATE: not now (nothing to undo). */
+BAT_API bat_status bat_editor_command(bat_editor *editor, const char *name);
+BAT_API bat_status bat_editor_set(bat_editor *editor, const char *property, double value);
+BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value);
+/* The tables as JSON, for menus, panels, the shortcut sheet and the manual: static storage. */
+BAT_API const char *bat_editor_tables(void);
+/* The host has saved: the document is clean. */
+BAT_API void bat_editor_saved(bat_editor *editor);
+
+/* ---- output ---- */
+
+/* Path data: floats, relative to the frame's origin. Command, then its coordinates. */
+enum { BAT_PATH_MOVE = 0, BAT_PATH_LINE = 1, BAT_PATH_CUBIC = 2, BAT_PATH_CLOSE = 3 };
+
+/* What an item is; all but OBJECT are coloured by the host's theme. */
+typedef enum bat_role {
+    BAT_ROLE_OBJECT,     /* style in the item */
+    BAT_ROLE_HIGHLIGHT,  /* the curve that would be redrawn */
+    BAT_ROLE_STRETCH,    /* the part of it that is going to change */
+    BAT_ROLE_TRANSITION, /* where it blends */
+    BAT_ROLE_INK,        /* what the pen has drawn */
+    BAT_ROLE_FIT,        /* the curve as it will be */
+    BAT_ROLE_PREDICTED,  /* ahead of the pen */
+    BAT_ROLE_KNOT,       /* marks on the curve */
+    BAT_ROLE_PAGE        /* the page's border */
+} bat_role;
+
+enum { BAT_ITEM_STROKED = 1, BAT_ITEM_FILLED = 2, BAT_ITEM_EVEN_ODD = 4, BAT_ITEM_SCREEN_WIDTH = 8, BAT_ITEM_DASHED = 16 };
+
+typedef struct bat_item {
+    uint32_t id, version;   /* the same pair means the same path: cache it. 0, 0: do not cache */
+    uint32_t role, flags;
+    uint32_t stroke, fill;  /* 0xRRGGBBAA, role OBJECT only */
+    float width, opacity;   /* width in document units, or in view pixels with SCREEN_WIDTH */
+    uint32_t cap, join;     /* bat_cap, bat_join */
+    float miter_limit;
+    uint32_t path_count;    /* floats */
+    float bounds[4];        /* x0 y0 x1 y1 with stroke width, relative to the origin */
+    const float *path;
+} bat_item;
+
+typedef enum bat_cursor { BAT_CURSOR_CROSS, BAT_CURSOR_PEN, BAT_CURSOR_GRAB, BAT_CURSOR_GRABBING, BAT_CURSOR_WAIT } bat_cursor;
+
+/* Requests to the host, cleared once the frame has been taken. */
+enum {
+    BAT_ASK_SAVE = 1, BAT_ASK_DOWNLOAD_SVG = 2, BAT_ASK_DOWNLOAD_NATIVE = 4, BAT_ASK_OPEN = 8, BAT_ASK_JOURNAL = 16
+};
+
+typedef struct bat_frame {
+    double view[3];      /* screen = (document - (view[0], view[1])) * view[2] */
+    double origin[2];    /* added to every path coordinate */
+    uint32_t still_version; /* grows with every change of the static list */
+    uint32_t still_count;
+    const bat_item *still;  /* back to front */
+    float dirty[4];      /* what changed in the static list since the last frame; x0 > x1: nothing; relative to the origin */
+    uint32_t live_count;
+    const bat_item *live;   /* the overlay, whole, every frame */
+    uint32_t cursor, requests;
+    uint32_t unsaved, can_undo, can_redo;
+    uint32_t tool;          /* index into the tables' tools */
+    uint32_t knots_before, knots_after; /* while drawing; 0, 0: not */
+    double tolerance;       /* document units */
+    const char *hint;       /* one line on what the pen would do; UTF-8 */
+    const char *notice;     /* something just happened that the user should know; "" else */
+    const char *name;       /* of the document */
+} bat_frame;
+
+/* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */
+BAT_API const bat_frame *bat_editor_frame(bat_editor *editor);
+
+/* ---- journal ---- */
+
+/* The journal so far: JSON lines (docs/journal.md). A snapshot of the document, then every committed command. */
+BAT_API const char *bat_editor_journal(const bat_editor *editor, size_t *size);
+/* Runs a journal from its first line (a snapshot, or an empty document). check: compare the digests noted in it
+ * and the document's invariants after every entry. */
+BAT_API bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
+                                     bat_problem *problem);
+/* The editor's own invariants, over the document's: NULL when all hold. */
+BAT_API const char *bat_editor_check(const bat_editor *editor);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
