@@ -4,7 +4,10 @@
  * Open: n points P_0..P_{n-1}, n + p + 1 knots t_0..t_{n+p}, domain [t_p, t_n]; clamped or not.
  * Closed: n distinct points and one period of knots t_0..t_n, domain [t_0, t_n]; the rest follows from
  * t_{j+n} = t_j + T and P_{i+n} = P_i. N_i has support [t_i, t_{i+p+1}]. There is no seam.
- * Interior knots (closed: all knots) repeat at most p times; end knots of open curves at most p + 1.
+ * Interior knots (closed: all knots) repeat at most p times; end knots of open curves at most p + 1. The first
+ * and the last span of an open domain are not empty. A closed curve has at least two points; n may be below p.
+ * Knots are equal only when their doubles are; there is no knot tolerance. So that no later arithmetic
+ * overflows, coordinates and knots are bounded and distinct knots are no closer than BAT_SPAN_MIN.
  *
  * A curve is a value: it never changes after it is made. Operations return new curves, which the caller
  * frees. One allocation a curve. const calls on one curve are safe from many threads.
@@ -17,6 +20,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+#define BAT_COORDINATE_MAX 1e75
+#define BAT_KNOT_MAX 1e30
+#define BAT_SPAN_MIN 1e-30
 
 typedef struct bat_curve bat_curve;
 

@@ -9,7 +9,8 @@ extern "C" {
 #endif
 
 /* Inserts u `times` times (Boehm 1980; P&T A5.1). The shape does not change. BAT_KNOTS when the
- * multiplicity would exceed p, BAT_PARAMETER outside the domain (open: ends included only up to p + 1). */
+ * multiplicity would exceed p, BAT_PARAMETER outside the domain (closed: any u). The ends of an open curve take
+ * up to p + 1; an unclamped end lets go of its outermost knot and point then, so that the domain stays. */
 BAT_API bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out);
 /* Inserts many at once, sorted ascending, repeats allowed: one blossom a new point, untouched points copied. */
 BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u, bat_curve **out);

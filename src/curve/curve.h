@@ -22,14 +22,31 @@ bat_status bat_curve_allocate(int degree, int dimension, bool closed, int count,
 /* Fills the wrapped knots and points of a closed curve from t_0..t_n and P_0..P_{n-1}, already in place at
  * knots + p and points + p * dimension. No-op when open. */
 void bat_curve_unroll(bat_curve *curve);
-/* Checks knots and numbers of a filled curve: the one validator. */
+/* Checks knots and numbers of a filled curve (only t_0..t_n and P_0..P_{n-1} are read): the one validator. */
 bat_status bat_curve_validate(const bat_curve *curve);
+/* Validates and unrolls a filled curve and hands it over; frees it when it is not valid. */
+bat_status bat_curve_finish(bat_curve *curve, bat_curve **out);
+/* The user's arrays, writable while a curve is being made: t_0.. and P_0.. */
+double *bat_curve_own_knots(bat_curve *curve);
+double *bat_curve_own_points(bat_curve *curve);
+
+/* Checks `count` points' worth of knots: count + degree + 1, or count + 1 when closed. */
+bat_status bat_knots_check(int degree, bool closed, int count, const double *knots);
+/* How often u is a knot (exact equality; closed: within one period, the seam counted as one knot). */
+int bat_knot_multiplicity(const bat_curve *curve, double u);
 
 /* Index i with knots[i] <= u < knots[i+1], degree <= i < spread; `hint` is tried first (any int). u must lie in
  * the domain; at its end the last non-empty span. */
 int bat_span(const bat_curve *curve, double u, int hint);
-/* Into the domain: clamp (open) or reduce modulo the period (closed). NaN stays NaN. */
+/* Index i with knots[i] < u <= knots[i+1]; at the start of the domain the first non-empty span. */
+int bat_span_left(const bat_curve *curve, double u, int hint);
+/* Into the domain: clamp (open) or reduce modulo the period, the end excluded (closed). NaN stays NaN; infinity
+ * is NaN on a closed curve. */
 double bat_curve_reduce(const bat_curve *curve, double u);
+/* The same for limits from the left: on a closed curve the start of the domain is excluded, its end is not. */
+double bat_curve_reduce_left(const bat_curve *curve, double u);
+/* Basis functions of every degree q <= p: rows[q][0..q]. */
+void bat_basis_rows(const bat_curve *curve, int span, double u, double rows[][BAT_DEGREE_MAX + 1]);
 /* Basis functions and derivatives of span i at u: out[(order + 1) * (degree + 1)]. */
 void bat_basis(const bat_curve *curve, int span, double u, int order, double *out);
 /* Value and derivatives in a given span, u may lie outside it (the polynomial is continued). */

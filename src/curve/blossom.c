@@ -1,0 +1,33 @@
+/* The blossom (polar form): Ramshaw 1987, P&T 5; de Boor's triangle with one argument a level. */
+#include "curve/curve.h"
+
+#include <math.h>
+#include <string.h>
+
+void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out) {
+    int p = curve->degree, size = curve->dimension;
+    const double *t = curve->knots + span;
+    double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    memcpy(d, curve->points + (size_t)(span - p) * (size_t)size, (size_t)((p + 1) * size) * sizeof(double));
+    for (int r = 1; r <= p; r++)
+        for (int j = 0; j <= p - r; j++) {
+            double left = t[j + r - p], right = t[j + 1];
+            double w = (arguments[r - 1] - left) / (right - left),
+                   v = (right - arguments[r - 1]) / (right - left);
+            for (int c = 0; c < size; c++) d[j * size + c] = v * d[j * size + c] + w * d[(j + 1) * size + c];
+        }
+    memcpy(out, d, (size_t)size * sizeof(double));
+}
+
+void bat_curve_blossom(const bat_curve *curve, double u, bool left, const double *arguments, double *out) {
+    double v = left ? bat_curve_reduce_left(curve, u) : bat_curve_reduce(curve, u);
+    if (isnan(v)) {
+        for (int c = 0; c < curve->dimension; c++) out[c] = v;
+        return;
+    }
+    int span = left ? bat_span_left(curve, v, -1) : bat_span(curve, v, -1);
+    double moved[BAT_DEGREE_MAX];
+    /* On a closed curve the arguments belong to the period of u. */
+    for (int i = 0; i < curve->degree; i++) moved[i] = u == v ? arguments[i] : arguments[i] - (u - v);
+    bat_curve_blossom_span(curve, span, curve->closed ? moved : arguments, out);
+}

@@ -1,0 +1,158 @@
+/*
+ * Knot insertion: one blossom a new point (Goldman 1990; the restricted triangle of Boehm 1980), untouched
+ * points copied bitwise.
+ */
+#include "curve/curve.h"
+
+#include <batten/refine.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * Point j of the refined curve is the blossom at tau_{j+1}..tau_{j+p}. Of these, p - m are consecutive old
+ * knots t_{k+1}..t_{k+p-m} and m are new, so only m levels over P_{k-m}..P_k are left, and each is a convex
+ * combination: t_c <= t_k <= x <= t_{k+p-m+1} <= t_{c+p-r+1}.
+ */
+static void refined_point(const bat_curve *old, const double *tau, const int *rank, double *out) {
+    int p = old->degree, size = old->dimension, k = rank[0] - 1, m = p - (rank[p] - rank[0]);
+    const double *points = old->points + (size_t)(k - m) * (size_t)size;
+    if (m == 0) {
+        memcpy(out, points, (size_t)size * sizeof(double));
+        return;
+    }
+    double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    memcpy(d, points, (size_t)((m + 1) * size) * sizeof(double));
+    const double *t = old->knots + (k - m);
+    for (int r = 1, i = 1; r <= m; r++, i++) {
+        while (rank[i] != rank[i - 1]) i++;
+        for (int j = 0; j <= m - r; j++) { /* c = k - m + r + j */
+            double left = t[j + r], h = t[j + p + 1] - left, w = (tau[i] - left) / h;
+            for (int c = 0; c < size; c++)
+                d[j * size + c] = (1 - w) * d[j * size + c] + w * d[(j + 1) * size + c];
+        }
+    }
+    memcpy(out, d, (size_t)size * sizeof(double));
+}
+
+/* rank[j]: how many stored old knots are among the merged ones up to and with j. In a closed curve the merged
+ * period repeats to both sides. */
+static void unroll_rank(const bat_curve *old, const bat_curve *fresh, int *rank) {
+    int p = old->degree;
+    for (int j = p - 1; j >= 0; j--) rank[j] = rank[j + fresh->count] - old->count;
+    for (int j = fresh->spread + 1; j <= fresh->spread + p; j++)
+        rank[j] = rank[j - fresh->count] + old->count;
+}
+
+/* New knots go behind equal old ones, but before those equal to the end of the domain: every blossom then
+ * finds its old points. */
+static void merge(const bat_curve *old, int count, const double *u, double *tau, int *rank) {
+    const double *t = bat_curve_knots(old);
+    int total = bat_curve_knot_count(old), seen = old->closed ? old->degree : 0;
+    double end = old->knots[old->spread];
+    for (int i = 0, j = 0; i < total || j < count;) {
+        bool take_new = i == total || (j < count && (u[j] < t[i] || (u[j] == t[i] && u[j] == end)));
+        if (take_new)
+            *tau++ = u[j++];
+        else
+            *tau++ = t[i++], seen++;
+        *rank++ = seen;
+    }
+}
+
+/* An unclamped end that takes a knot lets go of its outermost knot and point, so that the domain stays. */
+static bat_status trim(bat_curve *fresh, int front, int back, bat_curve **out) {
+    int p = fresh->degree;
+    size_t size = (size_t)fresh->dimension;
+    bat_curve *less;
+    bat_status status = bat_curve_allocate(p, fresh->dimension, false, fresh->count - front - back, &less);
+    if (status == BAT_OK) {
+        memcpy(less->knots, fresh->knots + front, (size_t)(less->count + p + 1) * sizeof(double));
+        memcpy(less->points, fresh->points + (size_t)front * size,
+               (size_t)less->count * size * sizeof(double));
+        status = bat_curve_finish(less, out);
+    }
+    bat_curve_free(fresh);
+    return status;
+}
+
+bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u, bat_curve **out) {
+    if (!curve || !out || count < 0 || (count > 0 && !u)) return BAT_ARGUMENT;
+    if (count > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
+    double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
+    int front = 0, back = 0;
+    for (int i = 0; i < count; i++) {
+        if (isnan(u[i])) return BAT_NUMBER;
+        if (u[i] < start || u[i] > end || (i > 0 && u[i] < u[i - 1])) return BAT_PARAMETER;
+        front += u[i] == start, back += u[i] == end;
+    }
+    if (curve->closed) front = back = 0;
+    int p = curve->degree;
+    if (front + back > 0 && (front + bat_knot_multiplicity(curve, start) > p + 1 ||
+                             back + bat_knot_multiplicity(curve, end) > p + 1))
+        return BAT_KNOTS;
+
+    bat_curve *fresh;
+    bat_status status = bat_curve_allocate(p, curve->dimension, curve->closed, curve->count + count, &fresh);
+    if (status != BAT_OK) return status;
+    int *rank = malloc(((size_t)fresh->spread + (size_t)p + 1) * sizeof(int));
+    if (!rank) {
+        bat_curve_free(fresh);
+        return BAT_MEMORY;
+    }
+    merge(curve, count, u, bat_curve_own_knots(fresh), rank + (curve->closed ? p : 0));
+    if (front + back == 0) status = bat_knots_check(p, curve->closed, fresh->count, bat_curve_knots(fresh));
+    if (status == BAT_OK) {
+        if (curve->closed) unroll_rank(curve, fresh, rank);
+        bat_curve_unroll(fresh);
+        for (int j = front; j < fresh->spread - back; j++)
+            refined_point(curve, fresh->knots + j, rank + j,
+                          fresh->points + (size_t)j * (size_t)curve->dimension);
+    }
+    free(rank);
+    if (status != BAT_OK) {
+        bat_curve_free(fresh);
+        return status;
+    }
+    if (front + back > 0) return trim(fresh, front, back, out);
+    bat_curve_unroll(fresh);
+    *out = fresh;
+    return BAT_OK;
+}
+
+bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out) {
+    if (!curve || !out || times < 0) return BAT_ARGUMENT;
+    if (times > BAT_DEGREE_MAX + 1) return BAT_KNOTS;
+    double many[BAT_DEGREE_MAX + 1];
+    if (isnan(u)) return BAT_NUMBER;
+    if (curve->closed) u = bat_curve_reduce(curve, u);
+    if (isnan(u)) return BAT_NUMBER;
+    for (int i = 0; i < times; i++) many[i] = u;
+    return bat_curve_insert_knots(curve, times, many, out);
+}
+
+bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots, bat_curve **out) {
+    if (!curve || !knots || !out) return BAT_ARGUMENT;
+    int own = bat_curve_knot_count(curve), extra = knot_count - own;
+    if (extra < 0) return BAT_KNOTS;
+    if (extra > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
+    for (int i = 0; i < knot_count; i++)
+        if (isnan(knots[i])) return BAT_NUMBER;
+    double *added = malloc(((size_t)extra + 1) * sizeof(double));
+    if (!added) return BAT_MEMORY;
+    const double *t = bat_curve_knots(curve);
+    int found = 0, i = 0;
+    for (int j = 0; j < knot_count && found <= extra; j++) {
+        if (i < own && knots[j] == t[i])
+            i++;
+        else if (found < extra)
+            added[found++] = knots[j];
+        else
+            found = extra + 1;
+    }
+    bat_status status = i == own && found == extra ? bat_curve_insert_knots(curve, extra, added, out)
+                                                   : BAT_KNOTS;
+    free(added);
+    return status;
+}

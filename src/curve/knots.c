@@ -1,0 +1,70 @@
+/* The rules that every knot vector obeys (include/batten/curve.h, top). */
+#include "curve/curve.h"
+
+#include <math.h>
+
+/* Counts how often the knot at `first` repeats from there on, looking no further than `last`. */
+static int run_length(const double *knots, int first, int last) {
+    int n = 1;
+    while (first + n <= last && knots[first + n] == knots[first]) n++;
+    return n;
+}
+
+static bat_status check_open(int degree, int count, const double *knots) {
+    int last = count + degree;
+    if (!(knots[degree] < knots[degree + 1]) || !(knots[count - 1] < knots[count])) return BAT_KNOTS;
+    for (int i = 0; i <= last;) {
+        int n = run_length(knots, i, last);
+        bool inside = knots[i] > knots[degree] && knots[i] < knots[count];
+        if (n > (inside ? degree : degree + 1)) return BAT_KNOTS;
+        i += n;
+    }
+    return BAT_OK;
+}
+
+static bat_status check_closed(int degree, int count, const double *knots) {
+    if (!(knots[0] < knots[count])) return BAT_KNOTS;
+    int seam = run_length(knots, 0, count);
+    for (int i = seam; i <= count;) {
+        int n = run_length(knots, i, count);
+        /* The last knot is the first one, a period later: counted once. */
+        if (i + n > count) n += seam - 1;
+        if (n > degree) return BAT_KNOTS;
+        i += n;
+    }
+    return seam > degree ? BAT_KNOTS : BAT_OK;
+}
+
+bat_status bat_knots_check(int degree, bool closed, int count, const double *knots) {
+    int total = closed ? count + 1 : count + degree + 1;
+    for (int i = 0; i < total; i++)
+        if (!(fabs(knots[i]) <= BAT_KNOT_MAX)) return BAT_NUMBER;
+    for (int i = 1; i < total; i++) {
+        double h = knots[i] - knots[i - 1];
+        if (h < 0) return BAT_KNOTS;
+        if (h > 0 && h < BAT_SPAN_MIN) return BAT_NUMBER;
+    }
+    return closed ? check_closed(degree, count, knots) : check_open(degree, count, knots);
+}
+
+int bat_knot_multiplicity(const bat_curve *curve, double u) {
+    int p = curve->degree, first = 0, last = curve->spread + p, n = 0;
+    if (curve->closed) {
+        /* One period, its end left out; the trailing copies of the end belong to the seam. */
+        double start = curve->knots[p], end = curve->knots[curve->spread];
+        if (u == end) u = start;
+        first = p, last = curve->spread - 1;
+        if (u == start)
+            for (int i = last; i >= first && curve->knots[i] == end; i--) n++;
+    }
+    int low = first, high = last + 1; /* the first knot that is not below u */
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (curve->knots[middle] < u)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    while (low <= last && curve->knots[low] == u) low++, n++;
+    return n;
+}
