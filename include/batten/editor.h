@@ -19,7 +19,8 @@ typedef struct bat_editor bat_editor;
 BAT_API bat_status bat_editor_create(bat_editor **out);
 BAT_API void bat_editor_free(bat_editor *editor);
 BAT_API const bat_document *bat_editor_document(const bat_editor *editor);
-/* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes it over. */
+/* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes the document over
+ * on success; on failure nothing changes and it stays the caller's. A stroke under way is cancelled. */
 BAT_API bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name);
 
 /* ---- input ---- */
@@ -56,9 +57,18 @@ BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, 
 BAT_API bat_status bat_editor_command(bat_editor *editor, const char *name);
 BAT_API bat_status bat_editor_set(bat_editor *editor, const char *property, double value);
 BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value);
-/* The tables as JSON, for menus, panels, the shortcut sheet and the manual: static storage. */
-BAT_API const char *bat_editor_tables(void);
-/* The host has saved: the document is clean. */
+/* The shortcuts of a command, for this editor: keys as the tables write them ("Ctrl+Shift+Z Ctrl+Y"), "" for none,
+ * NULL for the default. BAT_UNSUPPORTED: no such command; BAT_ARGUMENT: too long or not well-formed. */
+BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys);
+/*
+ * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
+ * {"commands":[{"name","label","help","keys":[...],"hold"}], "properties":[{"name","label","help","type",
+ *  "default","low","high","step","unit"}], "tools":[{"name","label","help","hint","keys":[...],"command"}],
+ *  "strings":{key:text}}. Owned by the editor, valid until the next call of it; NULL when out of memory.
+ */
+BAT_API const char *bat_editor_tables(bat_editor *editor);
+/* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it
+ * is now): that state is clean from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);
 
 /* ---- output ---- */
@@ -75,14 +85,16 @@ typedef enum bat_role {
     BAT_ROLE_INK,        /* what the pen has drawn */
     BAT_ROLE_FIT,        /* the curve as it will be */
     BAT_ROLE_PREDICTED,  /* ahead of the pen */
-    BAT_ROLE_KNOT,       /* marks on the curve */
-    BAT_ROLE_PAGE        /* the page's border */
+    BAT_ROLE_KNOT,       /* marks on the fit's knots: small closed shapes to be filled */
+    BAT_ROLE_PAGE,       /* the page's border, first in the static list when there is a page */
+    BAT_ROLE_PENDING     /* a fit that waits for the user's yes */
 } bat_role;
 
 enum { BAT_ITEM_STROKED = 1, BAT_ITEM_FILLED = 2, BAT_ITEM_EVEN_ODD = 4, BAT_ITEM_SCREEN_WIDTH = 8, BAT_ITEM_DASHED = 16 };
 
 typedef struct bat_item {
-    uint32_t id, version;   /* the same pair means the same path: cache it. 0, 0: do not cache */
+    uint32_t id, version;   /* the same pair means the same path: cache it. 0, 0: do not cache.
+                             * Objects: the low 32 bits of their id; the page: 0xffffffff */
     uint32_t role, flags;
     uint32_t stroke, fill;  /* 0xRRGGBBAA, role OBJECT only */
     float width, opacity;   /* width in document units, or in view pixels with SCREEN_WIDTH */
@@ -101,7 +113,7 @@ enum {
 };
 
 typedef struct bat_frame {
-    double view[3];      /* screen = (document - (view[0], view[1])) * view[2] */
+    double view[4];      /* screen = (document - (view[0], view[1])) * view[2]; view[3]: rotation, 0 for now */
     double origin[2];    /* added to every path coordinate */
     uint32_t still_version; /* grows with every change of the static list */
     uint32_t still_count;
@@ -113,9 +125,13 @@ typedef struct bat_frame {
     uint32_t unsaved, can_undo, can_redo;
     uint32_t tool;          /* index into the tables' tools */
     uint32_t knots_before, knots_after; /* while drawing; 0, 0: not */
+    uint32_t busy;          /* a stroke or a drag is under way */
+    uint32_t pending;       /* a fit waits for yes (command "accept") or no ("cancel") */
+    double error;           /* of the fit shown, document units; 0 when there is none */
     double tolerance;       /* document units */
     const char *hint;       /* one line on what the pen would do; UTF-8 */
-    const char *notice;     /* something just happened that the user should know; "" else */
+    const char *notice;     /* something just happened that the user should know; "" when it has passed */
+    uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
     const char *name;       /* of the document */
 } bat_frame;
 
