@@ -1,0 +1,16 @@
+# Toolchain: C to WebAssembly with Debian's clang, lld and wasi-libc. No system underneath: the module imports
+# nothing from WASI (web/module/wasi.c stands in for the little that libc asks for).
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_EXECUTABLE_SUFFIX_C .wasm)
+set(BATTEN_WASM ON CACHE INTERNAL "Building the WASM module")
+
+# Native headers stay out: clang's own (stddef.h and friends) and wasi-libc's only.
+add_compile_options(-nostdlibinc -isystem /usr/include/wasm32-wasi -msimd128 -mbulk-memory)
+# Optimise when compiling only. With -O at link clang runs wasm-opt by itself, without -g, and the names that
+# a panic is read by are lost.
+set(CMAKE_C_FLAGS_RELEASE "-DNDEBUG")
+add_compile_options($<$<CONFIG:Release>:-O3>)

@@ -1,0 +1,27 @@
+# BATTEN_WEB_FILES: a C file with the browser shell and the WASM module as data, made anew when they change.
+# The module is built in its own tree, build/wasm, with its own preset; without a WASM compiler it is left out.
+find_program(BATTEN_CLANG clang)
+if(BATTEN_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
+  set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm)
+  file(GLOB_RECURSE MODULE_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.[ch] ${PROJECT_SOURCE_DIR}/src/*.def
+    ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch])
+  add_custom_command(OUTPUT ${BATTEN_MODULE} VERBATIM COMMENT "The WASM module, in build/wasm"
+    DEPENDS ${MODULE_INPUTS} ${PROJECT_SOURCE_DIR}/cmake/wasm.cmake ${PROJECT_SOURCE_DIR}/cmake/module.cmake
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    COMMAND ${CMAKE_COMMAND} --preset wasm --log-level=WARNING
+    COMMAND ${CMAKE_COMMAND} --build --preset wasm
+    COMMAND ${CMAKE_COMMAND} -E touch ${BATTEN_MODULE})
+else()
+  message(STATUS "No clang with wasi-libc: the program is built without the editor's module")
+  set(BATTEN_MODULE)
+endif()
+
+file(GLOB_RECURSE WEB_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/*.html ${PROJECT_SOURCE_DIR}/web/*.js
+  ${PROJECT_SOURCE_DIR}/web/*.css ${PROJECT_SOURCE_DIR}/web/*.svg ${PROJECT_SOURCE_DIR}/web/*.png
+  ${PROJECT_SOURCE_DIR}/web/*.webmanifest)
+set(BATTEN_WEB_FILES ${CMAKE_CURRENT_BINARY_DIR}/web_files.c)
+list(JOIN WEB_INPUTS "|" WEB_LIST)
+add_custom_command(OUTPUT ${BATTEN_WEB_FILES} VERBATIM COMMENT "The shell's files as C"
+  DEPENDS ${WEB_INPUTS} ${BATTEN_MODULE} ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
+  COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" -DMODULE=${BATTEN_MODULE} -DROOT=${PROJECT_SOURCE_DIR}/web
+          -DOUT=${BATTEN_WEB_FILES} -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake)
