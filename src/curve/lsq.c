@@ -1,0 +1,279 @@
+/* Normal equations of spline fits by moments: in one slot the samples enter only through sum w s^k and
+ * sum w s^k X, so that the work a sample is a handful of multiply-adds whatever the basis. The coordinate s
+ * runs from -1 to 1, which keeps the moments well scaled up to degree 7. */
+#include "curve/lsq.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { ORDERS = BAT_DEGREE_MAX + 1 };
+
+static double middle_of(const double *t) { return t[0] + 0.5 * (t[1] - t[0]); }
+
+/* Cox-de Boor with polynomials instead of numbers (see bat_basis). t: knots + span. */
+static inline void transform(const double *t, const int p, double *out) {
+    const double middle = middle_of(t), half = 0.5 * (t[1] - t[0]);
+    double row[ORDERS][ORDERS]; /* row[j][k]: coefficient of s^k of the j-th function */
+    row[0][0] = 1;
+    for (int q = 1; q <= p; q++) {
+        double saved[ORDERS] = {0};
+        for (int j = 0; j < q; j++) {
+            const double right = t[j + 1], left = t[j + 1 - q];
+            const double inverse = 1 / (right - left);
+            const double fall = (right - middle) * inverse, rise = (middle - left) * inverse;
+            const double slope = half * inverse;
+            double old[ORDERS + 1];
+            for (int k = 0; k < q; k++) old[k] = row[j][k];
+            row[j][0] = saved[0] + fall * old[0];
+            for (int k = 1; k < q; k++) row[j][k] = saved[k] + fall * old[k] - slope * old[k - 1];
+            row[j][q] = saved[q] - slope * old[q - 1];
+            saved[0] = rise * old[0];
+            for (int k = 1; k < q; k++) saved[k] = rise * old[k] + slope * old[k - 1];
+            saved[q] = slope * old[q - 1];
+        }
+        for (int k = 0; k <= q; k++) row[q][k] = saved[k];
+    }
+    for (int k = 0; k <= p; k++)
+        for (int j = 0; j <= p; j++) out[k * (p + 1) + j] = row[j][k];
+}
+
+void bat_lsq_transform(const bat_curve *space, int slot, double *out) {
+    const double *t = space->knots + space->degree + slot;
+    if (space->degree == 3) /* the usual case, unrolled */
+        transform(t, 3, out);
+    else
+        transform(t, space->degree, out);
+}
+
+void bat_lsq_ranges(const bat_curve *space, size_t count, const double *u, size_t *first) {
+    const int slots = bat_lsq_slots(space);
+    const double *t = space->knots + space->degree;
+    size_t i = 0;
+    for (int s = 0; s < slots; s++) {
+        first[s] = i;
+        if (t[s + 1] > t[s])
+            while (i < count && u[i] < t[s + 1]) i++;
+    }
+    /* What lies at the end of the domain belongs to the last non-empty slot. */
+    int s = slots;
+    first[s--] = count;
+    while (s > 0 && !(t[s + 1] > t[s])) first[s--] = count;
+}
+
+static inline void moments_of(const int p, const int dimension, double middle, double inverse, size_t count,
+                              const double *u, const double *x, const double *weight, double *out) {
+    double m[2 * BAT_DEGREE_MAX + 1] = {0}, v[ORDERS * BAT_DIMENSION_MAX] = {0};
+    for (size_t i = 0; i < count; i++) {
+        const double s = (u[i] - middle) * inverse;
+        double power = weight ? weight[i] : 1;
+        for (int k = 0; k <= p; k++) {
+            m[k] += power;
+            for (int c = 0; c < dimension; c++)
+                v[k * dimension + c] += power * x[i * (size_t)dimension + (size_t)c];
+            power *= s;
+        }
+        for (int k = p + 1; k <= 2 * p; k++) {
+            m[k] += power;
+            power *= s;
+        }
+    }
+    memcpy(out, m, (size_t)(2 * p + 1) * sizeof *out);
+    memcpy(out + 2 * p + 1, v, (size_t)((p + 1) * dimension) * sizeof *out);
+}
+
+void bat_lsq_moments(const bat_curve *space, int slot, int dimension, size_t count, const double *u,
+                     const double *x, const double *weight, double *out) {
+    const double *t = space->knots + space->degree + slot;
+    const double middle = middle_of(t), inverse = 2 / (t[1] - t[0]);
+    if (space->degree == 3 && dimension == 2)
+        moments_of(3, 2, middle, inverse, count, u, x, weight, out);
+    else
+        moments_of(space->degree, dimension, middle, inverse, count, u, x, weight, out);
+}
+
+/* a += T^T H T, where H(k, l) = m[k + l], functions of this slot only. */
+static inline void add_gram(const bat_curve *space, int slot, const int p, const double *T, const int rows,
+                            const double *m, double *a) {
+    double ht[ORDERS * ORDERS];
+    const int w = p + 1;
+    for (int k = 0; k < rows; k++)
+        for (int j = 0; j < w; j++) {
+            double sum = 0;
+            for (int l = 0; l < rows; l++) sum += m[k + l] * T[l * w + j];
+            ht[k * w + j] = sum;
+        }
+    for (int r = 0; r < w; r++) {
+        double *row = a + (size_t)bat_lsq_unknown(space, slot + r) * (size_t)w;
+        for (int s = 0; s <= r; s++) {
+            double sum = 0;
+            for (int k = 0; k < rows; k++) sum += T[k * w + r] * ht[k * w + s];
+            row[r - s] += sum;
+        }
+    }
+}
+
+static inline void add(const bat_curve *space, int slot, const int p, const int dimension, const double *T,
+                       const double *moments, double *a, double *b) {
+    const double *v = moments + 2 * p + 1;
+    const int w = p + 1;
+    add_gram(space, slot, p, T, w, moments, a);
+    for (int r = 0; r < w; r++) {
+        double *row = b + (size_t)bat_lsq_unknown(space, slot + r) * (size_t)dimension;
+        for (int k = 0; k < w; k++)
+            for (int c = 0; c < dimension; c++) row[c] += T[k * w + r] * v[k * dimension + c];
+    }
+}
+
+void bat_lsq_add(const bat_curve *space, int slot, int dimension, const double *T, const double *moments,
+                 double *a, double *b) {
+    if (space->degree == 3 && dimension == 2)
+        add(space, slot, 3, 2, T, moments, a, b);
+    else
+        add(space, slot, space->degree, dimension, T, moments, a, b);
+}
+
+void bat_lsq_assemble(const bat_curve *space, int dimension, size_t count, const double *u, const double *x,
+                      const double *weight, double *a, double *b) {
+    const double *t = space->knots + space->degree;
+    const int slots = bat_lsq_slots(space);
+    int last = slots - 1;
+    while (last > 0 && !(t[last + 1] > t[last])) last--;
+    size_t from = 0;
+    for (int s = 0; s <= last; s++) {
+        if (!(t[s + 1] > t[s])) continue;
+        size_t to = from;
+        if (s == last)
+            to = count;
+        else
+            while (to < count && u[to] < t[s + 1]) to++;
+        if (to == from) continue;
+        double T[ORDERS * ORDERS], moments[2 * BAT_DEGREE_MAX + 1 + ORDERS * BAT_DIMENSION_MAX];
+        bat_lsq_transform(space, s, T);
+        bat_lsq_moments(space, s, dimension, to - from, u + from, x + from * (size_t)dimension,
+                        weight ? weight + from : NULL, moments);
+        bat_lsq_add(space, s, dimension, T, moments, a, b);
+        from = to;
+    }
+}
+
+void bat_lsq_penalty(const bat_curve *space, int order, double mu, const double *factor, double *a) {
+    const int p = space->degree, w = p + 1, rows = w - order;
+    const double *t = space->knots + p;
+    for (int s = 0; s < bat_lsq_slots(space); s++) {
+        if (!(t[s + 1] > t[s])) continue;
+        const double half = 0.5 * (t[s + 1] - t[s]);
+        double T[ORDERS * ORDERS], D[ORDERS * ORDERS], m[2 * BAT_DEGREE_MAX + 1];
+        bat_lsq_transform(space, s, T);
+        for (int k = 0; k < rows; k++) {
+            double f = 1; /* (k + order)! / k! / half^order */
+            for (int i = 1; i <= order; i++) f *= (k + i) / half;
+            for (int j = 0; j < w; j++) D[k * w + j] = f * T[(k + order) * w + j];
+        }
+        for (int k = 0; k <= 2 * (rows - 1); k++)
+            m[k] = k % 2 ? 0 : 2.0 / (k + 1) * half * mu * (factor ? factor[s] : 1);
+        add_gram(space, s, p, D, rows, m, a);
+    }
+}
+
+void bat_lsq_local(const bat_curve *space, int dimension, const double *points, double *local) {
+    const int p = space->degree, w = p + 1;
+    const double *t = space->knots + p;
+    for (int s = 0; s < bat_lsq_slots(space); s++, local += w * dimension) {
+        if (!(t[s + 1] > t[s])) continue;
+        double T[ORDERS * ORDERS];
+        const double *P[ORDERS];
+        bat_lsq_transform(space, s, T);
+        for (int j = 0; j < w; j++) P[j] = points + (size_t)bat_lsq_unknown(space, s + j) * (size_t)dimension;
+        for (int k = 0; k < w; k++)
+            for (int c = 0; c < dimension; c++) {
+                double sum = 0;
+                for (int j = 0; j < w; j++) sum += T[k * w + j] * P[j][c];
+                local[k * dimension + c] = sum;
+            }
+    }
+}
+
+/* Position, and first and second derivative by s. */
+static inline void horner(const double *local, const int p, const int dimension, double s, double *c0,
+                          double *c1, double *c2) {
+    for (int c = 0; c < dimension; c++) {
+        double f = local[p * dimension + c], f1 = 0, f2 = 0;
+        for (int k = p - 1; k >= 0; k--) {
+            f2 = f2 * s + f1;
+            f1 = f1 * s + f;
+            f = f * s + local[k * dimension + c];
+        }
+        c0[c] = f, c1[c] = f1, c2[c] = 2 * f2;
+    }
+}
+
+static inline double error_pass(const bat_curve *space, const int p, const int dimension, const double *local,
+                                size_t count, const double *u, const double *x, int steps, double *near,
+                                double *distance) {
+    const double *t = space->knots + p;
+    const int slots = bat_lsq_slots(space);
+    const double start = t[0], end = t[slots];
+    double worst = 0, middle = 0, half = 1;
+    int slot = 0, prepared = -1;
+    for (size_t i = 0; i < count; i++) {
+        const double *X = x + i * (size_t)dimension;
+        double v = u[i], best = INFINITY, best_u = v;
+        for (int step = 0;; step++) {
+            while (slot > 0 && v < t[slot]) slot--;
+            while (slot < slots - 1 && (v >= t[slot + 1] || !(t[slot + 1] > t[slot]))) slot++;
+            while (!(t[slot + 1] > t[slot])) slot--; /* only when the last slots are empty */
+            if (slot != prepared) {
+                middle = middle_of(t + slot), half = 0.5 * (t[slot + 1] - t[slot]);
+                prepared = slot;
+            }
+            double c0[BAT_DIMENSION_MAX], c1[BAT_DIMENSION_MAX], c2[BAT_DIMENSION_MAX];
+            horner(local + (size_t)slot * (size_t)((p + 1) * dimension), p, dimension, (v - middle) / half,
+                   c0, c1, c2);
+            double d = 0, g = 0, speed = 0, bend = 0;
+            for (int c = 0; c < dimension; c++) {
+                const double r = c0[c] - X[c];
+                d += r * r, g += r * c1[c], speed += c1[c] * c1[c], bend += r * c2[c];
+            }
+            if (d < best) best = d, best_u = v;
+            if (step >= steps || d > best) break; /* a step that leads away ends the search */
+            const double h = speed + bend;
+            const double move = -g / (h > 0.25 * speed ? h : speed) * half;
+            if (!(fabs(move) < end - start)) break; /* also where the curve stands still */
+            v += move;
+            if (v < start) v = space->closed ? v + (end - start) : start;
+            if (v > end) v = space->closed ? v - (end - start) : end;
+        }
+        if (near) near[i] = best_u;
+        if (distance) distance[i] = best;
+        if (!(best <= worst)) worst = best;
+    }
+    return worst;
+}
+
+double bat_lsq_error(const bat_curve *space, int dimension, const double *local, size_t count,
+                     const double *u, const double *x, int steps, double *near, double *distance) {
+    if (space->degree == 3 && dimension == 2)
+        return error_pass(space, 3, 2, local, count, u, x, steps, near, distance);
+    return error_pass(space, space->degree, dimension, local, count, u, x, steps, near, distance);
+}
+
+void bat_lsq_rank(const bat_curve *space, int dimension, const double *local, double *rank) {
+    const int p = space->degree, slots = bat_lsq_slots(space);
+    const double *t = space->knots + p;
+    for (int s = 0; s <= slots; s++) rank[s] = INFINITY;
+    for (int s = space->closed ? 0 : 1; s < slots; s++) {
+        const int before = s > 0 ? s - 1 : slots - 1;
+        const double left = t[before + 1] - t[before], right = t[s + 1] - t[s];
+        if (!(left > 0 && right > 0)) continue;
+        const double *A = local + (size_t)before * (size_t)((p + 1) * dimension) + p * dimension;
+        const double *B = local + (size_t)s * (size_t)((p + 1) * dimension) + p * dimension;
+        double jump = 0, factorial = 1, scale_left = 1, scale_right = 1, spread = 1;
+        for (int k = 1; k <= p; k++)
+            factorial *= k, scale_left *= 2 / left, scale_right *= 2 / right, spread *= left * right;
+        for (int c = 0; c < dimension; c++) {
+            const double d = factorial * (B[c] * scale_right - A[c] * scale_left);
+            jump += d * d;
+        }
+        rank[s] = sqrt(jump * spread);
+    }
+}
