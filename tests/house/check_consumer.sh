@@ -1,0 +1,31 @@
+#!/bin/sh
+# The installed library serves a foreign project: found both ways, linked both ways, from C and C++, and run;
+# also after the installed tree was moved. Usage: check_consumer.sh BUILD_DIR CONSUMER_DIR
+set -eu
+work=$PWD/consumer
+rm -rf "$work"
+mkdir -p "$work"
+cmake --install "$1" --prefix "$work/first" > "$work/install.log"
+mv "$work/first" "$work/moved"
+tree=$work/moved
+pc=$(find "$tree" -name batten.pc)
+lib=$(dirname "$(find "$tree" -name libbatten.so)")
+export PKG_CONFIG_PATH="$(dirname "$pc")" PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
+
+count=0
+for way in find_package pkg_config; do
+    by=OFF
+    [ $way = pkg_config ] && by=ON
+    cmake -G Ninja -S "$2" -B "$work/$way" -DBY_PKG_CONFIG=$by -DCMAKE_PREFIX_PATH="$tree" > "$work/$way.log" 2>&1 &&
+        cmake --build "$work/$way" >> "$work/$way.log" 2>&1 || { cat "$work/$way.log"; exit 1; }
+    for program in static_c shared_c static_cpp shared_cpp; do
+        LD_LIBRARY_PATH=$lib "$work/$way/$program"
+        needs=$(readelf -d "$work/$way/$program" | grep -c 'NEEDED.*libbatten.so.0' || true)
+        case $program in
+            static_*) [ "$needs" = 0 ] || { echo "$way/$program is not static"; exit 1; } ;;
+            shared_*) [ "$needs" = 1 ] || { echo "$way/$program is not shared"; exit 1; } ;;
+        esac
+        count=$((count + 1))
+    done
+done
+echo "$count consumers ran"

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Both libraries show symbols that begin with bat_ and no others; the shared one shows exactly what the public
+# headers declare with BAT_API. Usage: check_symbols.sh LIBRARY_DIR INCLUDE_DIR
+set -eu
+static=$1/libbatten.a
+shared=$1/libbatten.so
+fail=0
+
+foreign=$(nm -g --defined-only "$static" | awk 'NF == 3 && $3 !~ /^bat_/ { print $3 }')
+[ -z "$foreign" ] || { echo "libbatten.a: global symbols without bat_:"; echo "$foreign"; fail=1; }
+
+shown=$(nm -D --defined-only "$shared" | awk '{ print $3 }' | sort)
+[ -n "$shown" ] || { echo "libbatten.so: no symbols at all"; fail=1; }
+foreign=$(echo "$shown" | grep -v '^bat_' || true)
+[ -z "$foreign" ] || { echo "libbatten.so: symbols without bat_:"; echo "$foreign"; fail=1; }
+
+# Mutable globals: none. Data that is only written by the loader (.data.rel.ro) is constant.
+mutable=$(nm --defined-only "$static" | awk 'NF == 3 && $2 ~ /^[bBcCdD]$/ { print $3 }' | while read -r name; do
+    objdump -t "$static" | awk -v name="$name" '$NF == name && $0 !~ /\.data\.rel\.ro/ { print name }'
+done | sort -u)
+[ -z "$mutable" ] || { echo "libbatten.a: mutable globals:"; echo "$mutable"; fail=1; }
+
+declared=$(cat "$2"/batten/*.h | tr '\n' ' ' | sed 's/BAT_API/\n&/g' | sed -n 's/^BAT_API[^(;]*[ *]\(bat_[a-z0-9_]*\)(.*/\1/p' | sort -u)
+echo "$declared" > declared.txt
+echo "$shown" > shown.txt
+hidden=$(comm -13 declared.txt shown.txt)
+[ -z "$hidden" ] || { echo "libbatten.so: shown but declared by no public header:"; echo "$hidden"; fail=1; }
+missing=$(comm -23 declared.txt shown.txt)
+[ -z "$missing" ] || { echo "declared with BAT_API but not in libbatten.so:"; echo "$missing"; }
+
+soname=$(readelf -d "$shared" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
+[ "$soname" = libbatten.so.0 ] || { echo "SONAME is '$soname', expected libbatten.so.0"; fail=1; }
+echo "$(echo "$shown" | wc -l) symbols shown, $(echo "$declared" | wc -l) declared"
+exit $fail
