@@ -33,7 +33,8 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
 typedef enum bat_kind { BAT_KIND_PATH = 1 } bat_kind;
 typedef struct bat_object bat_object;
 
-/* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty. */
+/* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
+ * BAT_ARGUMENT: id 0 or above 2^53 - 1, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
                                           bat_curve *const *curves, bat_object **out);
 /* A copy that differs in one curve (taken over on success), or in style. */
@@ -60,8 +61,8 @@ BAT_API int bat_document_count(const bat_document *document);
 BAT_API const bat_object *bat_document_at(const bat_document *document, int index);
 BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index, or -1 */
 BAT_API bat_id bat_document_new_id(bat_document *document);
-/* The one way to change a document: before NULL inserts at index, after NULL removes; else replaces.
- * Retains `after`. BAT_ARGUMENT when index or id do not fit. */
+/* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
+ * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
 BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after);    /* insert */
 BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_remove(bat_document *document, int index);
@@ -74,7 +75,8 @@ BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /
 /* The invariants: ids unique, below the next id; curves valid; styles in range. NULL when all hold, else which
  * one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
-/* 64-bit digest of everything that is saved: equal documents, equal digests, on every platform. */
+/* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is
+ * left out, so that undo brings the digest back. */
 BAT_API uint64_t bat_document_digest(const bat_document *document);
 
 #ifdef __cplusplus

@@ -1,0 +1,40 @@
+#include "document/digest.h"
+
+#include <string.h>
+
+uint64_t bat_digest_begin(void) { return 0xcbf29ce484222325u; }
+
+uint64_t bat_digest_bytes(uint64_t digest, const void *bytes, size_t size) {
+    const unsigned char *at = bytes;
+    for (size_t i = 0; i < size; i++) digest = (digest ^ at[i]) * 0x100000001b3u;
+    return digest;
+}
+
+uint64_t bat_digest_number(uint64_t digest, uint64_t number) {
+    for (int i = 0; i < 8; i++) digest = (digest ^ (number >> (8 * i) & 0xff)) * 0x100000001b3u;
+    return digest;
+}
+
+uint64_t bat_digest_double(uint64_t digest, double number) {
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bat_digest_number(digest, bits);
+}
+
+uint64_t bat_digest_text(uint64_t digest, const char *text) {
+    size_t size = strlen(text);
+    return bat_digest_bytes(bat_digest_number(digest, size), text, size);
+}
+
+uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve) {
+    digest = bat_digest_number(digest, (uint64_t)bat_curve_degree(curve));
+    digest = bat_digest_number(digest, (uint64_t)bat_curve_dimension(curve));
+    digest = bat_digest_number(digest, bat_curve_closed(curve));
+    digest = bat_digest_number(digest, (uint64_t)bat_curve_count(curve));
+    const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
+    size_t knot_count = (size_t)bat_curve_knot_count(curve);
+    size_t numbers = (size_t)bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+    for (size_t i = 0; i < knot_count; i++) digest = bat_digest_double(digest, knots[i]);
+    for (size_t i = 0; i < numbers; i++) digest = bat_digest_double(digest, points[i]);
+    return digest;
+}

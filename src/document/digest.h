@@ -1,0 +1,18 @@
+/* A 64-bit digest of canonical bytes, the same on every platform: FNV-1a over little-endian bytes. It finds
+ * accidents, not attackers. */
+#ifndef BATTEN_SRC_DIGEST_H
+#define BATTEN_SRC_DIGEST_H
+
+#include <batten/curve.h>
+
+uint64_t bat_digest_begin(void);
+uint64_t bat_digest_bytes(uint64_t digest, const void *bytes, size_t size);
+uint64_t bat_digest_number(uint64_t digest, uint64_t number);
+/* By its bits: 0.0 and -0.0 differ. */
+uint64_t bat_digest_double(uint64_t digest, double number);
+/* Length first, so that neighbouring texts cannot run into each other. */
+uint64_t bat_digest_text(uint64_t digest, const char *text);
+/* Representation of a curve: degree, dimension, closed, count, knots, points. */
+uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve);
+
+#endif

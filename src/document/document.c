@@ -1,0 +1,224 @@
+/* The document: an ordered list of counted objects, and the page. */
+#include "document/document.h"
+
+#include "curve/curve.h"
+#include "document/digest.h"
+#include "document/object.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct bat_document {
+    bat_object **objects; /* back to front */
+    int count, room;
+    bat_id next;    /* greater than every id that was ever in the document */
+    bat_id highest; /* greatest id ever in it: a greater one cannot be there, which saves the search */
+    double page[4];
+};
+
+bat_status bat_document_create(bat_document **out) {
+    if (!out) return BAT_ARGUMENT;
+    bat_document *document = malloc(sizeof *document);
+    if (!document) return BAT_MEMORY;
+    *document = (bat_document){.next = 1};
+    *out = document;
+    return BAT_OK;
+}
+
+void bat_document_free(bat_document *document) {
+    if (!document) return;
+    for (int i = 0; i < document->count; i++) bat_object_release(document->objects[i]);
+    free(document->objects);
+    free(document);
+}
+
+/* Room for at least `room` objects. */
+static bat_status reserve(bat_document *document, int room) {
+    if (room <= document->room) return BAT_OK;
+    if (room > BAT_POINTS_MAX) return BAT_COUNT;
+    int more = document->room < 8 ? 8 : document->room * 2;
+    if (more < room) more = room;
+    bat_object **objects = realloc(document->objects, (size_t)more * sizeof *objects);
+    if (!objects) return BAT_MEMORY;
+    document->objects = objects;
+    document->room = more;
+    return BAT_OK;
+}
+
+bat_status bat_document_copy(const bat_document *document, bat_document **out) {
+    if (!document || !out) return BAT_ARGUMENT;
+    bat_document *copy;
+    bat_status status = bat_document_create(&copy);
+    if (status != BAT_OK) return status;
+    status = reserve(copy, document->count);
+    if (status != BAT_OK) {
+        bat_document_free(copy);
+        return status;
+    }
+    for (int i = 0; i < document->count; i++) copy->objects[i] = bat_object_retain(document->objects[i]);
+    copy->count = document->count;
+    copy->next = document->next;
+    copy->highest = document->highest;
+    memcpy(copy->page, document->page, sizeof copy->page);
+    *out = copy;
+    return BAT_OK;
+}
+
+int bat_document_count(const bat_document *document) { return document->count; }
+
+const bat_object *bat_document_at(const bat_document *document, int index) {
+    return index >= 0 && index < document->count ? document->objects[index] : NULL;
+}
+
+int bat_document_find(const bat_document *document, bat_id id) {
+    if (id > document->highest) return -1;
+    for (int i = 0; i < document->count; i++)
+        if (bat_object_id(document->objects[i]) == id) return i;
+    return -1;
+}
+
+bat_id bat_document_new_id(bat_document *document) { return document->next++; }
+
+bat_id bat_document_next(const bat_document *document) { return document->next; }
+
+void bat_document_raise_next(bat_document *document, bat_id next) {
+    if (next > document->next) document->next = next;
+}
+
+static void note_id(bat_document *document, bat_id id) {
+    if (id > document->highest) document->highest = id;
+    bat_document_raise_next(document, id + 1);
+}
+
+bat_status bat_document_put(bat_document *document, int index, const bat_object *after) {
+    if (!document || !after || index < 0 || index > document->count) return BAT_ARGUMENT;
+    bat_id id = bat_object_id(after);
+    if (bat_document_find(document, id) >= 0) return BAT_ARGUMENT;
+    bat_status status = reserve(document, document->count + 1);
+    if (status != BAT_OK) return status;
+    memmove(document->objects + index + 1, document->objects + index,
+            (size_t)(document->count - index) * sizeof *document->objects);
+    document->objects[index] = bat_object_retain(after);
+    document->count++;
+    note_id(document, id);
+    return BAT_OK;
+}
+
+bat_status bat_document_replace(bat_document *document, int index, const bat_object *after) {
+    if (!document || !after || index < 0 || index >= document->count) return BAT_ARGUMENT;
+    bat_object *before = document->objects[index];
+    if (bat_object_id(after) != bat_object_id(before)) return BAT_ARGUMENT;
+    document->objects[index] = bat_object_retain(after);
+    bat_object_release(before);
+    return BAT_OK;
+}
+
+bat_status bat_document_remove(bat_document *document, int index) {
+    if (!document || index < 0 || index >= document->count) return BAT_ARGUMENT;
+    bat_object_release(document->objects[index]);
+    document->count--;
+    memmove(document->objects + index, document->objects + index + 1,
+            (size_t)(document->count - index) * sizeof *document->objects);
+    return BAT_OK;
+}
+
+static int compare_ids(const void *a, const void *b) {
+    bat_id x = *(const bat_id *)a, y = *(const bat_id *)b;
+    return (x > y) - (x < y);
+}
+
+/* *repeats: some id is there twice. */
+static bat_status find_repeats(int count, bat_object *const *objects, bool *repeats) {
+    bat_id *ids = malloc(((size_t)count + 1) * sizeof *ids);
+    if (!ids) return BAT_MEMORY;
+    for (int i = 0; i < count; i++) ids[i] = bat_object_id(objects[i]);
+    qsort(ids, (size_t)count, sizeof *ids, compare_ids);
+    *repeats = false;
+    for (int i = 1; i < count; i++) *repeats = *repeats || ids[i] == ids[i - 1];
+    free(ids);
+    return BAT_OK;
+}
+
+bat_status bat_document_fill(bat_document *document, int count, bat_object *const *objects) {
+    if (document->count > 0) return BAT_STATE;
+    bool repeats;
+    bat_status status = find_repeats(count, objects, &repeats);
+    if (status == BAT_OK && repeats) status = BAT_ARGUMENT;
+    if (status == BAT_OK) status = reserve(document, count);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < count; i++) {
+        document->objects[i] = objects[i];
+        note_id(document, bat_object_id(objects[i]));
+    }
+    document->count = count;
+    return BAT_OK;
+}
+
+void bat_document_page(const bat_document *document, double page[4]) {
+    memcpy(page, document->page, sizeof document->page);
+}
+
+static bool page_valid(const double page[4]) {
+    for (int i = 0; i < 4; i++)
+        if (!(fabs(page[i]) <= BAT_COORDINATE_MAX)) return false;
+    return page[2] >= 0 && page[3] >= 0;
+}
+
+bat_status bat_document_set_page(bat_document *document, const double page[4]) {
+    if (!document || !page) return BAT_ARGUMENT;
+    if (!page_valid(page)) return BAT_NUMBER;
+    memcpy(document->page, page, sizeof document->page);
+    return BAT_OK;
+}
+
+void bat_document_bounds(const bat_document *document, double box[4]) {
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < document->count; i++) {
+        double own[4];
+        bat_object_bounds(document->objects[i], own);
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], own[k]);
+            box[k + 2] = fmax(box[k + 2], own[k + 2]);
+        }
+    }
+}
+
+static const char *check_object(const bat_object *object) {
+    if (bat_object_kind(object) != BAT_KIND_PATH) return "an object is of no known kind";
+    if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";
+    int count = bat_object_curve_count(object);
+    if (count < 1) return "a path has no curve";
+    for (int i = 0; i < count; i++) {
+        const bat_curve *curve = bat_object_curve(object, i);
+        if (bat_curve_validate(curve) != BAT_OK) return "a curve is not valid";
+        if (bat_curve_dimension(curve) != bat_curve_dimension(bat_object_curve(object, 0)))
+            return "the curves of a path differ in dimension";
+    }
+    return NULL;
+}
+
+const char *bat_document_check(const bat_document *document) {
+    if (!page_valid(document->page)) return "the page is out of range";
+    for (int i = 0; i < document->count; i++) {
+        const bat_object *object = document->objects[i];
+        bat_id id = bat_object_id(object);
+        if (id == 0) return "an object has no id";
+        if (id >= document->next || id > document->highest) return "an id is not below the next one";
+        const char *wrong = check_object(object);
+        if (wrong) return wrong;
+    }
+    bool repeats;
+    if (find_repeats(document->count, document->objects, &repeats) == BAT_OK && repeats)
+        return "two objects share an id";
+    return NULL;
+}
+
+uint64_t bat_document_digest(const bat_document *document) {
+    uint64_t digest = bat_digest_begin();
+    for (int i = 0; i < 4; i++) digest = bat_digest_double(digest, document->page[i]);
+    digest = bat_digest_number(digest, (uint64_t)document->count);
+    for (int i = 0; i < document->count; i++) digest = bat_digest_object(digest, document->objects[i]);
+    return digest;
+}

@@ -1,0 +1,206 @@
+/* An object: curves of one dimension with one style. Copies share what they do not change. */
+#include "document/object.h"
+
+#include "document/digest.h"
+#include "document/utf8.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A curve with its box, counted: an object that differs in one curve of many costs one curve. */
+typedef struct part {
+    int users;
+    bat_curve *curve;
+    double box[4];
+} part;
+
+struct bat_object {
+    int users;
+    bat_kind kind;
+    bat_id id;
+    bat_style style;
+    double box[4];
+    int count;
+    part **parts;
+    const char *name; /* behind the parts, in the same block */
+};
+
+bat_style bat_style_defaults(void) {
+    return (bat_style){.stroked = true,
+                       .stroke = 0x000000ff,
+                       .fill = 0x000000ff,
+                       .width = 2,
+                       .opacity = 1,
+                       .cap = BAT_CAP_ROUND,
+                       .join = BAT_JOIN_ROUND,
+                       .miter_limit = 4};
+}
+
+bool bat_style_valid(const bat_style *style) {
+    return style->width >= 0 && style->width <= BAT_COORDINATE_MAX && style->opacity >= 0 &&
+           style->opacity <= 1 && style->miter_limit >= 1 && style->miter_limit <= BAT_COORDINATE_MAX &&
+           (unsigned)style->cap <= BAT_CAP_SQUARE && (unsigned)style->join <= BAT_JOIN_BEVEL;
+}
+
+static part *part_create(void) {
+    part *made = malloc(sizeof *made);
+    if (made) *made = (part){.users = 1};
+    return made;
+}
+
+/* For now the box of the control points, which holds the curve. */
+static void part_fill(part *made, bat_curve *curve) {
+    const double *points = bat_curve_points(curve);
+    int count = bat_curve_count(curve), dimension = bat_curve_dimension(curve);
+    made->curve = curve;
+    for (int k = 0; k < 2; k++) made->box[k] = made->box[k + 2] = points[k];
+    for (int i = 1; i < count; i++, points += dimension)
+        for (int k = 0; k < 2; k++) {
+            made->box[k] = fmin(made->box[k], points[dimension + k]);
+            made->box[k + 2] = fmax(made->box[k + 2], points[dimension + k]);
+        }
+}
+
+static void part_release(part *made) {
+    if (!made || --made->users > 0) return;
+    bat_curve_free(made->curve);
+    free(made);
+}
+
+/* One block: header, parts (unset), name. */
+static bat_object *allocate(int count, const char *name) {
+    size_t length = strlen(name) + 1;
+    bat_object *object = malloc(sizeof *object + (size_t)count * sizeof(part *) + length);
+    if (!object) return NULL;
+    part **parts = (part **)(void *)(object + 1);
+    char *text = (char *)(parts + count);
+    memcpy(text, name, length);
+    *object = (bat_object){.users = 1, .kind = BAT_KIND_PATH, .count = count, .parts = parts, .name = text};
+    return object;
+}
+
+static void measure(bat_object *object) {
+    memcpy(object->box, object->parts[0]->box, sizeof object->box);
+    for (int i = 1; i < object->count; i++) {
+        const double *box = object->parts[i]->box;
+        for (int k = 0; k < 2; k++) {
+            object->box[k] = fmin(object->box[k], box[k]);
+            object->box[k + 2] = fmax(object->box[k + 2], box[k + 2]);
+        }
+    }
+}
+
+bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
+                                  bat_curve *const *curves, bat_object **out) {
+    if (!style || !curves || !out || id == 0 || id > BAT_ID_MAX || !bat_style_valid(style))
+        return BAT_ARGUMENT;
+    if (curve_count < 1 || curve_count > BAT_POINTS_MAX) return BAT_COUNT;
+    if (!name) name = "";
+    if (!bat_utf8_valid(name, strlen(name))) return BAT_ARGUMENT;
+    for (int i = 0; i < curve_count; i++) {
+        if (!curves[i]) return BAT_ARGUMENT;
+        if (bat_curve_dimension(curves[i]) != bat_curve_dimension(curves[0])) return BAT_DIMENSION;
+    }
+    bat_object *object = allocate(curve_count, name);
+    if (!object) return BAT_MEMORY;
+    object->id = id;
+    object->style = *style;
+    for (int i = 0; i < curve_count; i++) {
+        object->parts[i] = part_create();
+        if (!object->parts[i]) {
+            while (i > 0) free(object->parts[--i]); /* the curves are still the caller's */
+            free(object);
+            return BAT_MEMORY;
+        }
+    }
+    for (int i = 0; i < curve_count; i++) part_fill(object->parts[i], curves[i]);
+    measure(object);
+    *out = object;
+    return BAT_OK;
+}
+
+/* A copy that shares every part. */
+static bat_object *share(const bat_object *object) {
+    bat_object *copy = allocate(object->count, object->name);
+    if (!copy) return NULL;
+    copy->kind = object->kind;
+    copy->id = object->id;
+    copy->style = object->style;
+    memcpy(copy->box, object->box, sizeof copy->box);
+    for (int i = 0; i < object->count; i++) {
+        copy->parts[i] = object->parts[i];
+        copy->parts[i]->users++;
+    }
+    return copy;
+}
+
+bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
+    if (!object || !curve || !out || index < 0 || index >= object->count) return BAT_ARGUMENT;
+    if (bat_curve_dimension(curve) != bat_curve_dimension(object->parts[0]->curve)) return BAT_DIMENSION;
+    part *made = part_create();
+    bat_object *copy = made ? share(object) : NULL;
+    if (!copy) {
+        free(made);
+        return BAT_MEMORY;
+    }
+    part_release(copy->parts[index]);
+    part_fill(made, curve);
+    copy->parts[index] = made;
+    measure(copy);
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out) {
+    if (!object || !style || !out || !bat_style_valid(style)) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    copy->style = *style;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_object *bat_object_retain(const bat_object *object) {
+    bat_object *user = (bat_object *)object; /* the count is no part of the value */
+    if (user) user->users++;
+    return user;
+}
+
+void bat_object_release(bat_object *object) {
+    if (!object || --object->users > 0) return;
+    for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
+    free(object);
+}
+
+bat_id bat_object_id(const bat_object *object) { return object->id; }
+bat_kind bat_object_kind(const bat_object *object) { return object->kind; }
+const char *bat_object_name(const bat_object *object) { return object->name; }
+const bat_style *bat_object_style(const bat_object *object) { return &object->style; }
+int bat_object_curve_count(const bat_object *object) { return object->count; }
+
+const bat_curve *bat_object_curve(const bat_object *object, int index) {
+    return index >= 0 && index < object->count ? object->parts[index]->curve : NULL;
+}
+
+void bat_object_bounds(const bat_object *object, double box[4]) { memcpy(box, object->box, 4 * sizeof *box); }
+
+uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
+    const bat_style *style = &object->style;
+    digest = bat_digest_number(digest, (uint64_t)object->kind);
+    digest = bat_digest_number(digest, object->id);
+    digest = bat_digest_text(digest, object->name);
+    digest = bat_digest_number(digest, style->stroked);
+    digest = bat_digest_number(digest, style->filled);
+    digest = bat_digest_number(digest, style->even_odd);
+    digest = bat_digest_number(digest, style->stroke);
+    digest = bat_digest_number(digest, style->fill);
+    digest = bat_digest_double(digest, style->width);
+    digest = bat_digest_double(digest, style->opacity);
+    digest = bat_digest_number(digest, (uint64_t)style->cap);
+    digest = bat_digest_number(digest, (uint64_t)style->join);
+    digest = bat_digest_double(digest, style->miter_limit);
+    digest = bat_digest_number(digest, (uint64_t)object->count);
+    for (int i = 0; i < object->count; i++) digest = bat_digest_curve(digest, object->parts[i]->curve);
+    return digest;
+}

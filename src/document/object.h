@@ -1,0 +1,13 @@
+/* Inside the document: objects are counted, immutable, and share their curves with their copies. */
+#ifndef BATTEN_SRC_OBJECT_H
+#define BATTEN_SRC_OBJECT_H
+
+#include <batten/document.h>
+
+/* Greatest id: every integer up to it is a double, so that JSON carries it. */
+#define BAT_ID_MAX (((bat_id)1 << 53) - 1)
+
+bool bat_style_valid(const bat_style *style);
+uint64_t bat_digest_object(uint64_t digest, const bat_object *object);
+
+#endif

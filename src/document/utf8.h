@@ -1,0 +1,13 @@
+/* UTF-8 as Unicode 15 table 3-7 defines it: no overlong forms, no surrogates, nothing above U+10FFFF. */
+#ifndef BATTEN_SRC_UTF8_H
+#define BATTEN_SRC_UTF8_H
+
+#include <batten/base.h>
+
+/* Bytes of the character at text (1..4), 0 when it is not well-formed; *code is its number. size > 0. */
+int bat_utf8_decode(const char *text, size_t size, uint32_t *code);
+/* Writes 1..4 bytes for a code point up to U+10FFFF that is no surrogate. */
+int bat_utf8_encode(uint32_t code, char out[4]);
+bool bat_utf8_valid(const char *text, size_t size);
+
+#endif
