@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""clang-tidy over the library, the program and the module, two files at a time. A file whose preprocessed text
+and whose configuration were clean before is not read again.
+
+Usage: check_tidy.py ROOT
+"""
+import concurrent.futures
+import hashlib
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(sys.argv[1])
+CLEAN = pathlib.Path("tidy")
+FLAGS = ["-std=c17", f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}/apps/batten", "-D_POSIX_C_SOURCE=200809L"]
+WASM = ["--target=wasm32-wasi", "-nostdlibinc", "-isystem", "/usr/include/wasm32-wasi"]
+
+
+def check(path):
+    """(path, text of the findings, whether it was read)"""
+    flags = FLAGS + (WASM if "module" in path.parts else [])
+    text = subprocess.run(["clang", *flags, "-E", str(path)], capture_output=True, check=False).stdout
+    key = hashlib.sha256(text + (ROOT / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes())
+    mark = CLEAN / key.hexdigest()
+    if mark.exists():
+        return path, "", False
+    run = subprocess.run(["clang-tidy", "--quiet", str(path), "--", *flags], capture_output=True, text=True,
+                         check=False)
+    if run.returncode == 0:
+        mark.touch()
+        return path, "", True
+    return path, run.stdout + run.stderr, True
+
+
+CLEAN.mkdir(exist_ok=True)
+files = [path for pattern in ("src/*/*.c", "apps/batten/*.c", "web/module/*.c") for path in
+         sorted(ROOT.glob(pattern))]
+with concurrent.futures.ThreadPoolExecutor(2) as pool:
+    results = list(pool.map(check, files))
+faulty = [(path, text) for path, text, _ in results if text]
+for path, text in faulty:
+    print(f"{path.relative_to(ROOT)}:\n{text}")
+print(f"{len(files)} files, {sum(read for _, _, read in results)} read anew, {len(faulty)} with findings")
+sys.exit(1 if faulty or not files else 0)

@@ -1,0 +1,9 @@
+#!/bin/sh
+# The JavaScript of the shell holds what its JSDoc types say. Usage: check_types.sh ROOT
+set -eu
+cd "$1"
+tsc=tests/web/node_modules/.bin/tsc
+[ -x $tsc ] || { echo "npm ci in tests/web first"; exit 1; }
+config=web/jsconfig.json
+[ -f $config ] || config=tests/web/jsconfig.json
+$tsc --project "$config" --noEmit

@@ -1,0 +1,67 @@
+# Sourced by ./run and ./test: installs Debian packages, only those that are missing.
+
+say() { printf '\033[1m== %s\033[0m\n' "$*"; }
+
+# need PACKAGE PROBE: the package is wanted unless the probe is there (a command, or a path; a path may have
+# wildcards).
+missing=
+need() {
+    case $2 in
+        /*) for path in $2; do [ -e "$path" ] && return 0; done ;;
+        *) command -v "$2" > /dev/null && return 0 ;;
+    esac
+    missing="$missing $1"
+}
+
+install_missing() {
+    [ -n "$missing" ] || { say "Debian packages: all there"; return 0; }
+    say "Debian packages to install:$missing"
+    command -v apt-get > /dev/null || { echo "This is not Debian. Install by hand what matches:$missing" >&2; exit 1; }
+    as_root=
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo > /dev/null || { echo "Install as root: apt-get install$missing" >&2; exit 1; }
+        as_root=sudo
+    fi
+    $as_root apt-get update -q
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+    missing=
+}
+
+need_to_build() {
+    need gcc cc
+    need libc6-dev /usr/include/stdio.h
+    need cmake cmake
+    need ninja-build ninja
+    need pkg-config pkg-config
+    need libexpat1-dev /usr/include/expat.h
+    need libmicrohttpd-dev /usr/include/microhttpd.h
+    need clang clang
+    need lld wasm-ld
+    need wasi-libc /usr/include/wasm32-wasi/wasi/api.h
+    need libclang-rt-14-dev-wasm32 '/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a'
+    need binaryen wasm-opt
+}
+
+need_to_test() {
+    need_to_build
+    need g++ g++
+    need libcmocka-dev /usr/include/cmocka.h
+    need libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan*.a'
+    need clang-format clang-format
+    need clang-tidy clang-tidy
+    need git git
+    need curl curl
+    need jq jq
+    need python3 python3
+    need python3-scipy '/usr/lib/python3/dist-packages/scipy'
+    need librsvg2-bin rsvg-convert
+    need nodejs node
+    need npm npm
+    need chromium chromium
+}
+
+# build PRESET: configures and builds build/PRESET.
+build() {
+    say "Building build/$1"
+    cmake --preset "$1" --log-level=WARNING && cmake --build --preset "$1" ${2:+--target "$2"}
+}
