@@ -239,15 +239,18 @@ static inline double polish(const int p, const int m, const double *local, doubl
             s0 = s;
         else
             s1 = s;
-        double next = h > 0 ? s - g / h : s0;
-        if (!(next > s0 && next < s1)) {
-            next = 0.5 * (s0 + s1);
-            if (!(next > s0 && next < s1)) return s;
+        const double move = h > 0 ? -g / h : 2 * (s1 - s0);
+        if (fabs(move) < 2 * DBL_EPSILON) return s;
+        if (s + move > s0 && s + move < s1) {
+            s += move;
+            /* Quadratic: from here a step leaves less than rounding. Evaluate where it landed, and be done.
+             */
+            if (fabs(move) < 1e-9) step = 79;
+        } else {
+            const double middle = 0.5 * (s0 + s1);
+            if (!(middle > s0 && middle < s1)) return s;
+            s = middle;
         }
-        const double move = next - s;
-        s = next;
-        /* From 1e-6 a Newton step leaves less than rounding; evaluate once more where it landed. */
-        if (fabs(move) < 1e-9) step = step < 79 ? 79 : step;
     }
 }
 
