@@ -1,5 +1,6 @@
 /* The curve as a value: made, checked, read, copied, compared, transformed. */
 #include "curve/curve.h"
+#include "curve/real.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -122,7 +123,7 @@ double bat_curve_size(const bat_curve *curve) {
             double x = points[(size_t)i * (size_t)curve->dimension + (size_t)d];
             low = fmin(low, x), high = fmax(high, x);
         }
-        sum = hypot(sum, high - low);
+        sum = bat_hypot(sum, high - low);
     }
     return sum;
 }

@@ -13,6 +13,7 @@
 #include <batten/nearest.h>
 
 #include "curve/lsq.h"
+#include "curve/real.h"
 
 #include <float.h>
 #include <math.h>
@@ -386,7 +387,7 @@ static void near_of(const bat_finder *finder, const span *on, double s, const do
         if (s == -1) x = on->data[c]; /* ends are exact */
         if (s == 1) x = on->data[p * m + c];
         out->point[c] = x;
-        distance = hypot(distance, x - point[c]);
+        distance = bat_hypot(distance, x - point[c]);
     }
     out->distance = distance;
 }

@@ -133,7 +133,7 @@ static bat_status find_repeats(int count, bat_object *const *objects, bool *repe
     bat_id *ids = malloc(((size_t)count + 1) * sizeof *ids);
     if (!ids) return BAT_MEMORY;
     for (int i = 0; i < count; i++) ids[i] = bat_object_id(objects[i]);
-    qsort(ids, (size_t)count, sizeof *ids, compare_ids);
+    qsort(ids, (size_t)count, sizeof *ids, compare_ids); /* no ties that could be told apart */
     *repeats = false;
     for (int i = 1; i < count; i++) *repeats = *repeats || ids[i] == ids[i - 1];
     free(ids);
