@@ -35,15 +35,16 @@ bat_status bat_knots_check(int degree, bool closed, int count, const double *kno
 /* How often u is a knot (exact equality; closed: within one period, the seam counted as one knot). */
 int bat_knot_multiplicity(const bat_curve *curve, double u);
 
-/* Index i with knots[i] <= u < knots[i+1], degree <= i < spread; `hint` is tried first (any int). u must lie in
- * the domain; at its end the last non-empty span. */
+/* Index i with knots[i] <= u < knots[i+1], degree <= i < spread; `hint` is tried first (any int). u must lie
+ * in the domain; at its end the last non-empty span. */
 int bat_span(const bat_curve *curve, double u, int hint);
 /* Index i with knots[i] < u <= knots[i+1]; at the start of the domain the first non-empty span. */
 int bat_span_left(const bat_curve *curve, double u, int hint);
-/* Into the domain: clamp (open) or reduce modulo the period, the end excluded (closed). NaN stays NaN; infinity
- * is NaN on a closed curve. */
+/* Into the domain: clamp (open) or reduce modulo the period, the end excluded (closed). NaN stays NaN;
+ * infinity is NaN on a closed curve. */
 double bat_curve_reduce(const bat_curve *curve, double u);
-/* The same for limits from the left: on a closed curve the start of the domain is excluded, its end is not. */
+/* The same for limits from the left: on a closed curve the start of the domain is excluded, its end is not.
+ */
 double bat_curve_reduce_left(const bat_curve *curve, double u);
 /* Basis functions of every degree q <= p: rows[q][0..q]. */
 void bat_basis_rows(const bat_curve *curve, int span, double u, double rows[][BAT_DEGREE_MAX + 1]);
@@ -53,5 +54,19 @@ void bat_basis(const bat_curve *curve, int span, double u, int order, double *ou
 void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, double *out);
 /* Blossom of the piece of a stored span. */
 void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out);
+
+/* The blossom at old knots t_{k+1}..t_{k+p-m} and m new arguments x between t_k and t_{k+p-m+1}, ascending
+ * (stored indices): m levels of de Boor's triangle over P_{k-m}..P_k. m = 0 copies P_k. */
+void bat_refined_point(const bat_curve *old, int k, int m, const double *x, double *out);
+/* The points first..last-1 of a closed curve's periodic sequence, and their knots, as an open curve that is
+ * only looked at (its ends need not be valid). */
+bat_status bat_curve_unwind(const bat_curve *curve, int first, int last, bat_curve **out);
+/* Closed: the same curve numbered from knot and point `shift` (-n < shift < n). */
+bat_status bat_curve_rotate(const bat_curve *curve, int shift, bat_curve **out);
+/* Closed: the same curve with all copies of the seam at the start of the period. Open: a copy. */
+bat_status bat_curve_gather_seam(const bat_curve *curve, bat_curve **out);
+/* Does the curve's tangent turn by more than `angle` at the knot whose last copy is stored knot r
+ * (multiplicity p or more)? Tangents that vanish count as turning. */
+bool bat_curve_corner_at(const bat_curve *curve, int r, double angle);
 
 #endif

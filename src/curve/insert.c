@@ -10,13 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/*
- * Point j of the refined curve is the blossom at tau_{j+1}..tau_{j+p}. Of these, p - m are consecutive old
- * knots t_{k+1}..t_{k+p-m} and m are new, so only m levels over P_{k-m}..P_k are left, and each is a convex
- * combination: t_c <= t_k <= x <= t_{k+p-m+1} <= t_{c+p-r+1}.
- */
-static void refined_point(const bat_curve *old, const double *tau, const int *rank, double *out) {
-    int p = old->degree, size = old->dimension, k = rank[0] - 1, m = p - (rank[p] - rank[0]);
+/* Each level is a convex combination: t_c <= t_k <= x <= t_{k+p-m+1} <= t_{c+p-r+1}. */
+void bat_refined_point(const bat_curve *old, int k, int m, const double *x, double *out) {
+    int p = old->degree, size = old->dimension;
     const double *points = old->points + (size_t)(k - m) * (size_t)size;
     if (m == 0) {
         memcpy(out, points, (size_t)size * sizeof(double));
@@ -25,15 +21,22 @@ static void refined_point(const bat_curve *old, const double *tau, const int *ra
     double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
     memcpy(d, points, (size_t)((m + 1) * size) * sizeof(double));
     const double *t = old->knots + (k - m);
-    for (int r = 1, i = 1; r <= m; r++, i++) {
-        while (rank[i] != rank[i - 1]) i++;
+    for (int r = 1; r <= m; r++)
         for (int j = 0; j <= m - r; j++) { /* c = k - m + r + j */
-            double left = t[j + r], h = t[j + p + 1] - left, w = (tau[i] - left) / h;
+            double left = t[j + r], h = t[j + p + 1] - left, w = (x[r - 1] - left) / h;
             for (int c = 0; c < size; c++)
                 d[j * size + c] = (1 - w) * d[j * size + c] + w * d[(j + 1) * size + c];
         }
-    }
     memcpy(out, d, (size_t)size * sizeof(double));
+}
+
+/* Point j of the refined curve is the blossom at tau_{j+1}..tau_{j+p}; rank tells which of these are new. */
+static void point_of(const bat_curve *old, const double *tau, const int *rank, double *out) {
+    double x[BAT_DEGREE_MAX];
+    int m = 0;
+    for (int i = 1; i <= old->degree; i++)
+        if (rank[i] == rank[i - 1]) x[m++] = tau[i];
+    bat_refined_point(old, rank[0] - 1, m, x, out);
 }
 
 /* rank[j]: how many stored old knots are among the merged ones up to and with j. In a closed curve the merged
@@ -107,8 +110,7 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const doubl
         if (curve->closed) unroll_rank(curve, fresh, rank);
         bat_curve_unroll(fresh);
         for (int j = front; j < fresh->spread - back; j++)
-            refined_point(curve, fresh->knots + j, rank + j,
-                          fresh->points + (size_t)j * (size_t)curve->dimension);
+            point_of(curve, fresh->knots + j, rank + j, fresh->points + (size_t)j * (size_t)curve->dimension);
     }
     free(rank);
     if (status != BAT_OK) {

@@ -1,0 +1,148 @@
+/*
+ * One B-spline from a path of Bézier segments. Every joint starts as a knot of multiplicity p, which is
+ * exact. A joint is C1 when the handles beside it are collinear and in proportion to the spans beside it, so
+ * at a smooth joint the next span's length is the last one's times |outgoing handle| / |incoming handle|.
+ * Removal then takes out what is not needed. Runs of smooth joints start at a corner where there is one.
+ */
+#include "curve/curve.h"
+
+#include <batten/bezier.h>
+#include <batten/refine.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SPEED_RANGE = 100000 }; /* a run whose speed leaves 1/range..range of where it began is broken */
+
+static const double SPAN_LEAST = 1e-10; /* of the mean span */
+
+static double distance(const double *a, const double *b, int size) {
+    double d = 0;
+    for (int c = 0; c < size; c++) d = hypot(d, a[c] - b[c]);
+    return d;
+}
+
+static double polygon(const double *points, int degree, int size) {
+    double length = 0;
+    for (int i = 0; i < degree; i++) length += distance(points + i * size, points + (i + 1) * size, size);
+    return length;
+}
+
+/* Angle between the handles at a joint; pi when one has no length. */
+static double turn(const double *before, const double *joint, const double *after, int size) {
+    double in = distance(before, joint, size), out = distance(joint, after, size), sum = 0, difference = 0;
+    if (in == 0 || out == 0) return 4;
+    for (int c = 0; c < size; c++) {
+        double a = (joint[c] - before[c]) / in, b = (after[c] - joint[c]) / out;
+        sum = hypot(sum, a + b), difference = hypot(difference, a - b);
+    }
+    return 2 * atan2(difference, sum);
+}
+
+/* Length of span i's parameter, when the one before (`last`, of handle length `in`) is joined smoothly. */
+static void choose_spans(int degree, int size, int count, const double *points, bool closed, double corner,
+                         double *spans) {
+    int first = 0, step = degree * size;
+    double mean = 0;
+    for (int i = 0; i < count; i++) mean += polygon(points + (size_t)i * (size_t)step, degree, size) / count;
+    /* The joint before segment i: its handles. */
+    for (int i = 1; closed && i < count; i++) {
+        const double *joint = points + (size_t)i * (size_t)step;
+        if (turn(joint - size, joint, joint + size, size) > corner) {
+            first = i;
+            break;
+        }
+    }
+    const double *end = points + (size_t)count * (size_t)step;
+    if (closed && turn(end - size, points, points + size, size) > corner) first = 0;
+    double begun = 1;
+    for (int k = 0; k < count; k++) {
+        int i = (first + k) % count, before = (i + count - 1) % count;
+        const double *here = points + (size_t)i * (size_t)step;
+        const double *inner = points + (size_t)before * (size_t)step + (size_t)((degree - 1) * size);
+        double natural = polygon(here, degree, size) / mean;
+        spans[i] = natural;
+        if (k > 0 && turn(inner, here, here + size, size) <= corner) {
+            double h = spans[before] * (distance(here, here + size, size) / distance(inner, here, size));
+            double slow = h / natural / begun;
+            if (slow > 1.0 / SPEED_RANGE && slow < SPEED_RANGE) spans[i] = h;
+        }
+        if (spans[i] == natural) begun = 1;
+        spans[i] = fmax(spans[i], SPAN_LEAST);
+    }
+}
+
+/* Segments whose points all coincide (to 1e-12 of the mean) are left out; returns how many are left. */
+static int drop_points(int degree, int size, int count, double *points, double *moved) {
+    size_t step = (size_t)(degree * size);
+    double mean = 0;
+    for (int i = 0; i < count; i++) mean += polygon(points + (size_t)i * step, degree, size) / count;
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        double length = polygon(points + (size_t)i * step, degree, size);
+        if (!(length > 1e-12 * mean)) {
+            *moved += length;
+            continue;
+        }
+        memmove(points + (size_t)kept * step + (size_t)size, points + (size_t)i * step + (size_t)size,
+                step * sizeof(double));
+        kept++;
+    }
+    return kept;
+}
+
+static bat_status assemble(int degree, int size, int count, const double *points, bool closed,
+                           const double *spans, bat_curve **out) {
+    bat_curve *curve;
+    int n = count * degree + (closed ? 0 : 1);
+    bat_status status = bat_curve_allocate(degree, size, closed, n, &curve);
+    if (status != BAT_OK) return status;
+    double *knots = bat_curve_own_knots(curve), t = 0;
+    if (!closed) *knots++ = 0;
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < degree; k++) *knots++ = t;
+        t += spans[i];
+    }
+    for (int k = 0; k < (closed ? 1 : degree + 1); k++) *knots++ = t;
+    /* Closed: P_i has knots t_{i+1}..t_{i+p}, so that the list begins with the second point. */
+    memcpy(bat_curve_own_points(curve), closed ? points + size : points, (size_t)(n * size) * sizeof(double));
+    return bat_curve_finish(curve, out);
+}
+
+bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points, bool closed,
+                                 double corner, double tolerance, bat_curve **out, double *error) {
+    if (!points || !out || !(corner >= 0) || !(tolerance >= 0)) return BAT_ARGUMENT;
+    if (degree < 1 || degree > BAT_DEGREE_MAX) return BAT_DEGREE;
+    if (dimension < 2 || dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
+    if (count < 1 || count > BAT_POINTS_MAX / degree - 1) return BAT_COUNT;
+    size_t total = ((size_t)count * (size_t)degree + 1) * (size_t)dimension;
+    double greatest = 0, moved = 0, removal = 0;
+    for (size_t i = 0; i < total; i++) {
+        if (!(fabs(points[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+        greatest = fmax(greatest, fabs(points[i]));
+    }
+    for (int c = 0; closed && c < dimension; c++)
+        if (points[c] != points[total - (size_t)dimension + (size_t)c]) return BAT_ARGUMENT;
+    double *copy = malloc((total + (size_t)count) * sizeof(double)), *spans = copy + total;
+    if (!copy) return BAT_MEMORY;
+    memcpy(copy, points, total * sizeof(double));
+    bat_status status = BAT_OK;
+    int kept = drop_points(degree, dimension, count, copy, &moved);
+    if (kept < 1 || (closed && kept * degree < 2)) status = BAT_COUNT;
+    bat_curve *exact, *simple;
+    if (status == BAT_OK) {
+        choose_spans(degree, dimension, kept, copy, closed, corner, spans);
+        status = assemble(degree, dimension, kept, copy, closed, spans, &exact);
+    }
+    free(copy);
+    if (status != BAT_OK) return status;
+    /* Exact means to rounding. */
+    status = bat_curve_simplify(exact, fmax(tolerance, 64 * DBL_EPSILON * greatest), corner, &simple,
+                                &removal);
+    bat_curve_free(exact);
+    if (status != BAT_OK) return status;
+    *out = simple;
+    if (error) *error = moved + removal;
+    return BAT_OK;
+}
