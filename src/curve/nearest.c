@@ -70,16 +70,6 @@ static const double binomial[15][15] = {
 
 /* ---- Building ---- */
 
-/* Control points of one stored span as a Bezier segment: blossom at (a^(p-j), b^j). */
-static void bezier_of(const bat_curve *curve, int i, double *out) {
-    const int p = curve->degree;
-    double arguments[BAT_DEGREE_MAX];
-    for (int j = 0; j <= p; j++) {
-        for (int k = 0; k < p; k++) arguments[k] = curve->knots[k < p - j ? i : i + 1];
-        bat_curve_blossom_span(curve, i, arguments, out + j * curve->dimension);
-    }
-}
-
 static void clear(node *n) {
     for (int c = 0; c < BAT_DIMENSION_MAX; c++)
         for (int k = 0; k < FAN; k++) n->low[c][k] = INFINITY, n->high[c][k] = -INFINITY;
@@ -95,7 +85,7 @@ static void fill_spans(bat_finder *finder, const bat_curve *curve) {
         span *s = (span *)(void *)record;
         double T[MOST * MOST];
         s->middle = t[i] + 0.5 * (t[i + 1] - t[i]), s->half = 0.5 * (t[i + 1] - t[i]);
-        bezier_of(curve, i, s->data);
+        bat_lsq_bezier(curve, i, s->data);
         bat_lsq_transform(curve, i - p, T);
         for (int k = 0; k <= p; k++)
             for (int c = 0; c < m; c++) {

@@ -1,0 +1,339 @@
+/* Lengths, boxes, curvature, inflections and the distance of two curves. */
+#include <batten/measure.h>
+
+#include <batten/nearest.h>
+#include "curve/lsq.h"
+#include "curve/roots.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { ORDERS = BAT_DEGREE_MAX + 1 };
+
+/* ---- Length ---- */
+
+/* C' by u, as a polynomial of the local coordinate of one slot. */
+typedef struct hodograph {
+    int terms, dimension;
+    double middle, half;
+    double c[ORDERS * BAT_DIMENSION_MAX];
+} hodograph;
+
+static void hodograph_of(const bat_curve *curve, int slot, hodograph *out) {
+    const int p = curve->degree, m = curve->dimension, w = p + 1;
+    const double *t = curve->knots + p + slot;
+    const double *P = curve->points + (size_t)slot * (size_t)m;
+    double T[ORDERS * ORDERS];
+    bat_lsq_transform(curve, slot, T);
+    out->terms = p, out->dimension = m, out->middle = t[0] + 0.5 * (t[1] - t[0]),
+    out->half = 0.5 * (t[1] - t[0]);
+    for (int k = 1; k <= p; k++)
+        for (int c = 0; c < m; c++) {
+            double sum = 0; /* relative to the first point: far from the origin no digits are lost */
+            for (int j = 1; j < w; j++) sum += T[k * w + j] * (P[j * m + c] - P[c]);
+            out->c[(k - 1) * m + c] = sum * k / out->half;
+        }
+}
+
+static double speed(const hodograph *h, double u) {
+    const double s = (u - h->middle) / h->half;
+    double sum = 0;
+    for (int c = 0; c < h->dimension; c++) {
+        double d = 0;
+        for (int k = h->terms - 1; k >= 0; k--) d = d * s + h->c[k * h->dimension + c];
+        sum += d * d;
+    }
+    return sqrt(sum);
+}
+
+/* Gauss-Legendre, eight nodes. */
+static double gauss(const hodograph *h, double a, double b) {
+    static const double node[4] = {0.1834346424956498049394761, 0.5255324099163289858177390,
+                                   0.7966664774136267395915539, 0.9602898564975362316835609};
+    static const double weight[4] = {0.3626837833783619829651504, 0.3137066458778872873379622,
+                                     0.2223810344533744705443560, 0.1012285362903762591525314};
+    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
+    double sum = 0;
+    for (int i = 0; i < 4; i++)
+        sum += weight[i] * (speed(h, middle - half * node[i]) + speed(h, middle + half * node[i]));
+    return sum * half;
+}
+
+/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to `density` a unit of u.
+ * At a cusp only the one branch goes deep, and the depth is limited. */
+static double adapt(const hodograph *h, double a, double b, double whole, double relative, double density,
+                    int depth) {
+    const double middle = 0.5 * (a + b);
+    const double left = gauss(h, a, middle), right = gauss(h, middle, b), sum = left + right;
+    const double gap = fabs(sum - whole);
+    if (depth == 0 || !(gap > relative * sum && gap > density * (b - a)) || !(middle > a && middle < b))
+        return sum;
+    return adapt(h, a, middle, left, relative, density, depth - 1) +
+           adapt(h, middle, b, right, relative, density, depth - 1);
+}
+
+static double piece_length(const hodograph *h, double a, double b, double relative, double density) {
+    return b > a ? adapt(h, a, b, gauss(h, a, b), relative, density, 40) : 0;
+}
+
+/* Error allowed a unit of u, from the length of the control polygon. */
+static double density_of(const bat_curve *curve, double relative) {
+    double sum = 0;
+    const int m = curve->dimension;
+    for (int i = 1; i < curve->spread; i++) {
+        double d = 0;
+        for (int c = 0; c < m; c++)
+            d = hypot(d, curve->points[(size_t)i * (size_t)m + (size_t)c] -
+                             curve->points[(size_t)(i - 1) * (size_t)m + (size_t)c]);
+        sum += d;
+    }
+    return 0.1 * relative * sum / (curve->knots[curve->spread] - curve->knots[curve->degree]);
+}
+
+static double sane(double relative) { return !(relative > 1e-14) ? 1e-14 : relative > 1 ? 1 : relative; }
+
+/* Within the domain, a <= b. */
+static double length_inside(const bat_curve *curve, double a, double b, double relative) {
+    if (!(b > a)) return 0;
+    const double *t = curve->knots;
+    const double density = density_of(curve, relative);
+    double sum = 0;
+    hodograph h;
+    for (int i = bat_span(curve, a, -1); i < curve->spread && t[i] < b; i++) {
+        if (!(t[i + 1] > t[i])) continue;
+        hodograph_of(curve, i - curve->degree, &h);
+        sum += piece_length(&h, a > t[i] ? a : t[i], b < t[i + 1] ? b : t[i + 1], relative, density);
+    }
+    return sum;
+}
+
+double bat_curve_length(const bat_curve *curve, double u0, double u1, double relative) {
+    if (isnan(u0) || isnan(u1)) return (double)NAN;
+    if (u1 < u0) return -bat_curve_length(curve, u1, u0, relative);
+    const double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
+    relative = sane(relative);
+    if (!curve->closed) return length_inside(curve, fmax(u0, start), fmin(u1, end), relative);
+    const double period = end - start, turns = floor((u1 - u0) / period);
+    if (!isfinite(turns)) return turns;
+    const double a = bat_curve_reduce(curve, u0), b = a + fmin(fmax((u1 - u0) - turns * period, 0), period);
+    double sum = turns > 0 ? turns * length_inside(curve, start, end, relative) : 0;
+    sum += length_inside(curve, a, fmin(b, end), relative);
+    if (b > end) sum += length_inside(curve, start, b - period, relative);
+    return sum;
+}
+
+/* Where the length from a reaches s, forwards, a <= u <= b in one slot; total: the length of a..b. */
+static double invert(const hodograph *h, double a, double b, double s, double total, double relative,
+                     double density) {
+    double low = a, high = b, before = 0, u = a + (b - a) * (s / total);
+    for (int step = 0; step < 100; step++) {
+        if (!(u > low && u < high)) u = 0.5 * (low + high);
+        if (!(u > low && u < high)) break;
+        const double at = before + piece_length(h, low, u, relative, density), miss = s - at;
+        if (fabs(miss) <= 0.1 * relative * total) return u;
+        const double v = speed(h, u);
+        if (miss > 0)
+            low = u, before = at;
+        else
+            high = u;
+        u = v > 0 ? u + miss / v : high;
+    }
+    return u;
+}
+
+double bat_curve_at_length(const bat_curve *curve, double u0, double s, double relative) {
+    if (isnan(u0) || isnan(s)) return (double)NAN;
+    const int p = curve->degree;
+    const double *t = curve->knots, start = t[p], end = t[curve->spread], period = end - start;
+    const double from = bat_curve_reduce(curve, u0);
+    if (isnan(from)) return from;
+    if (s == 0) return curve->closed ? u0 : from;
+    relative = sane(relative);
+    const double density = density_of(curve, relative);
+    double shift = curve->closed ? u0 - from : 0; /* the turn in which the result lies */
+    if (curve->closed) {
+        const double all = length_inside(curve, start, end, relative);
+        if (!(all > 0) || !isfinite(s / all)) return u0;
+        const double turns = trunc(s / all);
+        shift += turns * period, s -= turns * all;
+        if (s == 0) return from + shift;
+    }
+    double u = from, rest = fabs(s);
+    hodograph h;
+    if (s > 0) {
+        for (int i = bat_span(curve, u, -1);; i++) {
+            if (i >= curve->spread) {
+                if (!curve->closed) return end;
+                i = p, u = start, shift += period;
+            }
+            if (!(t[i + 1] > t[i])) continue;
+            hodograph_of(curve, i - p, &h);
+            const double all = piece_length(&h, u, t[i + 1], relative, density);
+            if (rest < all) return invert(&h, u, t[i + 1], rest, all, relative, density) + shift;
+            rest -= all, u = t[i + 1];
+            if (rest <= 0) return u + shift;
+        }
+    }
+    for (int i = bat_span_left(curve, u, -1);; i--) {
+        if (i < p || u == start) {
+            if (!curve->closed) return start;
+            i = curve->spread - 1, u = end, shift -= period;
+        }
+        if (!(t[i + 1] > t[i])) continue;
+        hodograph_of(curve, i - p, &h);
+        const double all = piece_length(&h, t[i], u, relative, density);
+        if (rest < all) return invert(&h, t[i], u, all - rest, all, relative, density) + shift;
+        rest -= all, u = t[i];
+        if (rest <= 0) return u + shift;
+    }
+}
+
+/* ---- Box ---- */
+
+void bat_curve_bounds(const bat_curve *curve, double *low, double *high) {
+    const int p = curve->degree, m = curve->dimension;
+    for (int c = 0; c < m; c++) low[c] = INFINITY, high[c] = -INFINITY;
+    for (int i = p; i < curve->spread; i++) {
+        if (!(curve->knots[i + 1] > curve->knots[i])) continue;
+        double b[ORDERS * BAT_DIMENSION_MAX];
+        bat_lsq_bezier(curve, i, b);
+        for (int c = 0; c < m; c++) {
+            low[c] = fmin(low[c], fmin(b[c], b[p * m + c]));
+            high[c] = fmax(high[c], fmax(b[c], b[p * m + c]));
+            bool inside = true;
+            for (int j = 1; j < p; j++) inside = inside && b[j * m + c] >= low[c] && b[j * m + c] <= high[c];
+            if (inside) continue;
+            double d[ORDERS], x[ORDERS + 1];
+            for (int j = 0; j < p; j++) d[j] = b[(j + 1) * m + c] - b[j * m + c];
+            bat_signs signs = {0, 0};
+            const int count = bat_bernstein_crossings(p - 1, d, 0, &signs, x);
+            for (int k = 0; k < count; k++) {
+                double f[ORDERS];
+                for (int j = 0; j <= p; j++) f[j] = b[j * m + c];
+                for (int r = p; r > 0; r--)
+                    for (int j = 0; j < r; j++) f[j] += (f[j + 1] - f[j]) * x[k];
+                low[c] = fmin(low[c], f[0]), high[c] = fmax(high[c], f[0]);
+            }
+        }
+    }
+}
+
+/* ---- Curvature ---- */
+
+double bat_curve_curvature(const bat_curve *curve, double u) {
+    const int m = curve->dimension;
+    double d[3 * BAT_DIMENSION_MAX];
+    bat_curve_eval(curve, u, 2, d);
+    const double *a = d + m, *b = d + 2 * m;
+    const double v = m == 2 ? hypot(a[0], a[1]) : hypot(hypot(a[0], a[1]), a[2]);
+    if (isnan(v)) return v;
+    if (!(v > 0)) return 0;
+    /* Divided early so that great and small curves neither overflow nor vanish. */
+    const double z = (a[0] / v * b[1] - a[1] / v * b[0]) / v / v;
+    double k = z;
+    if (m == 3) {
+        const double x = (a[1] / v * b[2] - a[2] / v * b[1]) / v / v;
+        const double y = (a[2] / v * b[0] - a[0] / v * b[2]) / v / v;
+        k = hypot(hypot(x, y), z);
+    }
+    return isfinite(k) ? k : 0;
+}
+
+int bat_curve_inflections(const bat_curve *curve, double *u, int room) {
+    static const double binomial[7][7] = {{1},
+                                          {1, 1},
+                                          {1, 2, 1},
+                                          {1, 3, 3, 1},
+                                          {1, 4, 6, 4, 1},
+                                          {1, 5, 10, 10, 5, 1},
+                                          {1, 6, 15, 20, 15, 6, 1}};
+    const int p = curve->degree;
+    if (curve->dimension != 2 || p < 2) return 0;
+    int count = 0;
+    bat_signs signs = {0, 0};
+    for (int i = p; i < curve->spread; i++) {
+        const double t0 = curve->knots[i], t1 = curve->knots[i + 1];
+        if (!(t1 > t0)) continue;
+        /* C' x C'' in Bernstein form, degree 2p - 3, without its binomial divisors: the signs are the same...
+         */
+        double b[ORDERS * 2], cross[2 * ORDERS] = {0}, weight[2 * ORDERS] = {0}, x[2 * ORDERS];
+        double first = 0, second = 0, size = 0;
+        bat_lsq_bezier(curve, i, b);
+        for (int j = 0; j <= p; j++) size = fmax(size, fabs(b[2 * j]) + fabs(b[2 * j + 1]));
+        for (int j = 0; j < p; j++) {
+            const double dx = b[2 * j + 2] - b[2 * j], dy = b[2 * j + 3] - b[2 * j + 1];
+            first = fmax(first, fabs(dx) + fabs(dy));
+            for (int k = 0; k + 2 <= p; k++) {
+                const double ex = b[2 * k + 4] - 2 * b[2 * k + 2] + b[2 * k];
+                const double ey = b[2 * k + 5] - 2 * b[2 * k + 3] + b[2 * k + 1];
+                const double w = binomial[p - 1][j] * binomial[p - 2][k];
+                second = fmax(second, fabs(ex) + fabs(ey));
+                cross[j + k] += w * (dx * ey - dy * ex), weight[j + k] += w;
+            }
+        }
+        for (int k = 0; k <= 2 * p - 3; k++) cross[k] /= weight[k]; /* ... but not the places */
+        const double zero = 32 * DBL_EPSILON * (first * second + size * (first + second));
+        const int found = bat_bernstein_crossings(2 * p - 3, cross, zero, &signs, x);
+        for (int k = 0; k < found; k++, count++)
+            if (count < room) u[count] = t0 + (t1 - t0) * x[k];
+    }
+    /* The seam: where the last sign and the first differ, the start is an inflection too. */
+    if (curve->closed && signs.before == -signs.opening && signs.before != 0) {
+        const double start = curve->knots[p];
+        for (int k = count < room ? count : room - 1; k > 0; k--) u[k] = u[k - 1];
+        if (room > 0) u[0] = start;
+        count++;
+    }
+    return count;
+}
+
+/* ---- Two curves ---- */
+
+static double gap_at(const bat_curve *curve, const bat_finder *finder, double u) {
+    double point[BAT_DIMENSION_MAX];
+    bat_near near;
+    bat_curve_eval(curve, u, 0, point);
+    bat_finder_nearest(finder, point, &near);
+    return near.distance;
+}
+
+static double one_way(const bat_curve *a, const bat_finder *finder, int per_span) {
+    const double *t = a->knots;
+    double worst = -1, best_u = 0, step = 0;
+    for (int i = a->degree; i < a->spread; i++) {
+        if (!(t[i + 1] > t[i])) continue;
+        for (int k = 0; k <= per_span; k++) {
+            const double u = t[i] + (t[i + 1] - t[i]) * k / per_span, gap = gap_at(a, finder, u);
+            if (gap > worst) worst = gap, best_u = u, step = (t[i + 1] - t[i]) / per_span;
+        }
+    }
+    /* Golden section between the neighbours of the worst sample. */
+    double low = best_u - step, high = best_u + step;
+    for (int k = 0; k < 40; k++) {
+        const double u0 = high - 0.6180339887498949 * (high - low),
+                     u1 = low + 0.6180339887498949 * (high - low);
+        const double g0 = gap_at(a, finder, u0), g1 = gap_at(a, finder, u1);
+        worst = fmax(worst, fmax(g0, g1));
+        if (g0 > g1)
+            high = u1;
+        else
+            low = u0;
+    }
+    return worst;
+}
+
+bat_status bat_curve_distance(const bat_curve *a, const bat_curve *b, int per_span, double *a_to_b,
+                              double *b_to_a) {
+    if (!a || !b || !a_to_b || !b_to_a || per_span < 1 || per_span > 1 << 20) return BAT_ARGUMENT;
+    if (a->dimension != b->dimension) return BAT_DIMENSION;
+    bat_finder *on_a, *on_b;
+    bat_status status = bat_finder_create(a, &on_a);
+    if (status != BAT_OK) return status;
+    status = bat_finder_create(b, &on_b);
+    if (status == BAT_OK) {
+        *a_to_b = one_way(a, on_b, per_span), *b_to_a = one_way(b, on_a, per_span);
+        bat_finder_free(on_b);
+    }
+    bat_finder_free(on_a);
+    return status;
+}

@@ -1,0 +1,88 @@
+#include "curve/roots.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { DEPTH = 45 };
+
+typedef struct piece {
+    double a[BAT_BERNSTEIN_MAX + 1];
+    double x0, x1;
+    int depth;
+} piece;
+
+static double value(int degree, const double *a, double x) {
+    double b[BAT_BERNSTEIN_MAX + 1];
+    memcpy(b, a, (size_t)(degree + 1) * sizeof *b);
+    for (int r = degree; r > 0; r--)
+        for (int i = 0; i < r; i++) b[i] += (b[i + 1] - b[i]) * x;
+    return b[0];
+}
+
+static void halve(int degree, piece *left, piece *right) {
+    for (int r = 0; r <= degree; r++) {
+        right->a[degree - r] = left->a[degree];
+        for (int i = degree; i > r; i--) left->a[i] = 0.5 * (left->a[i - 1] + left->a[i]);
+    }
+    const double middle = 0.5 * (left->x0 + left->x1);
+    right->x0 = middle, right->x1 = left->x1, left->x1 = middle;
+    right->depth = ++left->depth;
+}
+
+/* Regula falsi of the Illinois kind; f goes from sign first to the other one. */
+static double bracketed(int degree, const double *a, int first) {
+    double x0 = 0, x1 = 1, f0 = first * a[0], f1 = first * a[degree];
+    if (f0 <= 0) f0 = 1e-300; /* a zero at the end, whose sign is that of its inside */
+    if (f1 >= 0) f1 = -1e-300;
+    int side = 0;
+    for (int step = 0; step < 100 && x1 - x0 > 1e-16; step++) {
+        double x = step % 4 == 3 ? 0.5 * (x0 + x1) : x0 + (x1 - x0) * (f0 / (f0 - f1));
+        if (!(x > x0 && x < x1)) x = 0.5 * (x0 + x1);
+        if (!(x > x0 && x < x1)) break;
+        const double f = first * value(degree, a, x);
+        if (f == 0) return x;
+        if (f > 0) {
+            x0 = x, f0 = f;
+            if (side == 1) f1 *= 0.5;
+            side = 1;
+        } else {
+            x1 = x, f1 = f;
+            if (side == -1) f0 *= 0.5;
+            side = -1;
+        }
+    }
+    return 0.5 * (x0 + x1);
+}
+
+int bat_bernstein_crossings(int degree, const double *coefficients, double zero, bat_signs *signs,
+                            double *x) {
+    piece stack[DEPTH + 2];
+    int top = 0, found = 0;
+    memcpy(stack[0].a, coefficients, (size_t)(degree + 1) * sizeof(double));
+    stack[0].x0 = 0, stack[0].x1 = 1, stack[0].depth = 0;
+    while (top >= 0) {
+        piece *now = stack + top;
+        int first = 0, final = 0, changes = 0;
+        for (int i = 0; i <= degree; i++) {
+            const int sign = (now->a[i] > zero) - (now->a[i] < -zero);
+            if (!sign) continue;
+            if (!first) first = sign;
+            if (final && sign != final) changes++;
+            final = sign;
+        }
+        if (changes > 1 && now->depth < DEPTH) {
+            piece left = *now;
+            halve(degree, &left, now);
+            stack[++top] = left;
+            continue;
+        }
+        top--;
+        if (!first) continue;
+        if (!signs->opening) signs->opening = first;
+        if (signs->before == -first && found <= degree) x[found++] = now->x0;
+        if (first != final && found <= degree)
+            x[found++] = now->x0 + (now->x1 - now->x0) * bracketed(degree, now->a, first);
+        signs->before = final;
+    }
+    return found;
+}
