@@ -3,6 +3,7 @@
 
 #include <batten/nearest.h>
 #include "curve/lsq.h"
+#include "curve/real.h"
 #include "curve/roots.h"
 
 #include <float.h>
@@ -83,8 +84,8 @@ static double density_of(const bat_curve *curve, double relative) {
     for (int i = 1; i < curve->spread; i++) {
         double d = 0;
         for (int c = 0; c < m; c++)
-            d = hypot(d, curve->points[(size_t)i * (size_t)m + (size_t)c] -
-                             curve->points[(size_t)(i - 1) * (size_t)m + (size_t)c]);
+            d = bat_hypot(d, curve->points[(size_t)i * (size_t)m + (size_t)c] -
+                                 curve->points[(size_t)(i - 1) * (size_t)m + (size_t)c]);
         sum += d;
     }
     return 0.1 * relative * sum / (curve->knots[curve->spread] - curve->knots[curve->degree]);
@@ -225,7 +226,7 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
     double d[3 * BAT_DIMENSION_MAX];
     bat_curve_eval(curve, u, 2, d);
     const double *a = d + m, *b = d + 2 * m;
-    const double v = m == 2 ? hypot(a[0], a[1]) : hypot(hypot(a[0], a[1]), a[2]);
+    const double v = m == 2 ? bat_hypot(a[0], a[1]) : bat_hypot(bat_hypot(a[0], a[1]), a[2]);
     if (isnan(v)) return v;
     if (!(v > 0)) return 0;
     /* Divided early so that great and small curves neither overflow nor vanish. */
@@ -234,7 +235,7 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
     if (m == 3) {
         const double x = (a[1] / v * b[2] - a[2] / v * b[1]) / v / v;
         const double y = (a[2] / v * b[0] - a[0] / v * b[2]) / v / v;
-        k = hypot(hypot(x, y), z);
+        k = bat_hypot(bat_hypot(x, y), z);
     }
     return isfinite(k) ? k : 0;
 }

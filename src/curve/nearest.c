@@ -14,6 +14,7 @@
 
 #include "curve/lsq.h"
 #include "curve/real.h"
+#include "curve/real.h"
 
 #include <float.h>
 #include <math.h>
