@@ -1,16 +1,22 @@
 # build/wasm/batten.wasm: the library and the glue of the browser shell (web/module) in one module.
-file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
-add_executable(batten_module $<TARGET_OBJECTS:batten_objects> ${MODULE_SOURCES})
-target_include_directories(batten_module PRIVATE include src)
-target_link_libraries(batten_module PRIVATE batten_options)
-set_target_properties(batten_module PROPERTIES OUTPUT_NAME batten)
-# Stack first: an overflow traps instead of writing over data; the default of 64 KB is too small.
-target_link_options(batten_module PRIVATE -mexec-model=reactor -Wl,--strip-debug -Wl,--stack-first
-  -Wl,-z,stack-size=1048576)
-
+# build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
 find_program(WASM_OPT wasm-opt)
-if(WASM_OPT)
-  add_custom_command(TARGET batten_module POST_BUILD VERBATIM
-    COMMAND ${WASM_OPT} -O3 -g --enable-simd --enable-bulk-memory
-            $<TARGET_FILE:batten_module> -o $<TARGET_FILE:batten_module>)
-endif()
+
+function(add_module target name)
+  add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/wasi.c ${ARGN})
+  target_include_directories(${target} PRIVATE include src tests)
+  target_link_libraries(${target} PRIVATE batten_options)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  # Stack first: an overflow traps instead of writing over data; the default of 64 KB is too small.
+  target_link_options(${target} PRIVATE -mexec-model=reactor -Wl,--strip-debug -Wl,--stack-first
+    -Wl,-z,stack-size=1048576)
+  if(WASM_OPT)
+    add_custom_command(TARGET ${target} POST_BUILD VERBATIM
+      COMMAND ${WASM_OPT} -O3 -g --enable-simd --enable-bulk-memory
+              $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>)
+  endif()
+endfunction()
+
+file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
+add_module(batten_module batten ${MODULE_SOURCES})
+add_module(parity_module parity tests/wasm/parity.c tests/wasm/parity_module.c)

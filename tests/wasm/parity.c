@@ -1,0 +1,105 @@
+/* The vectors. Curves and strokes are random but seeded; what comes out is not judged here, only compared. */
+#include "wasm/parity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <batten/batten.h>
+#include "curve/real.h"
+#include "support/random_curve.h"
+
+static void put(parity_sink *sink, double value) {
+    if (sink->count < sink->room) sink->values[sink->count] = value;
+    sink->count++;
+}
+
+static void put_many(parity_sink *sink, size_t count, const double *values) {
+    for (size_t i = 0; i < count; i++) put(sink, values[i]);
+}
+
+static void put_curve(parity_sink *sink, bat_status status, bat_curve *curve) {
+    put(sink, status);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return;
+    put(sink, bat_curve_count(curve));
+    put_many(sink, (size_t)bat_curve_knot_count(curve), bat_curve_knots(curve));
+    put_many(sink, (size_t)(bat_curve_count(curve) * bat_curve_dimension(curve)), bat_curve_points(curve));
+    bat_curve_free(curve);
+}
+
+static void elementary(parity_sink *sink) {
+    random_source r = {1};
+    for (int i = 0; i < 500; i++) {
+        double x = random_between(&r, -20, 20), y = random_between(&r, -1, 1);
+        put(sink, bat_hypot(x, y)), put(sink, bat_exp(x)), put(sink, bat_log(fabs(x))), put(sink, bat_sin(x));
+        put(sink, bat_cos(x)), put(sink, bat_atan2(x, y)), put(sink, bat_acos(y)), put(sink, sqrt(fabs(x)));
+    }
+}
+
+/* Numbers to text and back: every journal and document passes through this. */
+static void text(parity_sink *sink) {
+    random_source r = {2};
+    for (int i = 0; i < 500; i++) {
+        char digits[40];
+        int exponent = random_int(&r, -300, 300), precision = random_int(&r, 3, 17);
+        double x = ldexp(random_between(&r, -1, 1), exponent);
+        snprintf(digits, sizeof digits, "%.*g", precision, x);
+        put(sink, (double)strlen(digits));
+        for (const char *c = digits; *c; c++) put(sink, *c);
+        put(sink, strtod(digits, NULL));
+    }
+}
+
+static void each_curve(parity_sink *sink, uint64_t seed,
+                       void (*run)(parity_sink *, random_source *, bat_curve *)) {
+    random_source r = {seed};
+    for (int degree = 1; degree <= BAT_DEGREE_MAX; degree++)
+        for (int dimension = 2; dimension <= 3; dimension++)
+            for (int kind = 0; kind < 3; kind++) {
+                bat_curve *curve = random_curve(&r, degree, dimension, kind, 9);
+                run(sink, &r, curve);
+                bat_curve_free(curve);
+            }
+}
+
+static void eval_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    double domain[2], out[3 * BAT_DIMENSION_MAX], many[20 * BAT_DIMENSION_MAX], u[20];
+    size_t m = (size_t)bat_curve_dimension(curve);
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < 20; i++) {
+        bat_curve_eval(curve, random_between(r, domain[0], domain[1]), 2, out);
+        put_many(sink, 3 * m, out);
+    }
+    bat_curve_spread(curve, 20, u);
+    put(sink, bat_curve_eval_many(curve, 20, u, 0, many));
+    put_many(sink, 20 * m, many);
+}
+static void eval(parity_sink *sink) { each_curve(sink, 3, eval_one); }
+
+static void insert_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    double domain[2], u[5];
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < 5; i++) u[i] = domain[0] + (domain[1] - domain[0]) * (i + random_unit(r)) / 5;
+    bat_curve *finer = NULL;
+    bat_status status = bat_curve_insert_knots(curve, 5, u, &finer);
+    put_curve(sink, status, finer);
+}
+static void insert(parity_sink *sink) { each_curve(sink, 4, insert_one); }
+
+static void nearest_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    for (int i = 0; i < 10; i++) {
+        double point[3];
+        for (int c = 0; c < 3; c++) point[c] = random_between(r, -5, 5);
+        bat_near near = {0};
+        put(sink, bat_curve_nearest(curve, point, &near));
+        put(sink, near.u), put(sink, near.distance);
+    }
+}
+static void nearest(parity_sink *sink) { each_curve(sink, 5, nearest_one); }
+
+const parity_section parity_sections[] = {{"elementary functions", elementary},
+                                          {"numbers as text", text},
+                                          {"evaluation", eval},
+                                          {"knot insertion", insert},
+                                          {"closest point", nearest}};
+const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);
