@@ -9,7 +9,9 @@
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/fit.h>
+#include <batten/frames.h>
 #include <batten/sketch.h>
+#include <batten/tangents.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/editor.h>

@@ -20,8 +20,8 @@ MAY_USE = {
 # The layer of each public header. A new header needs a line here.
 LAYER_OF_HEADER = {
     "base": "curve", "curve": "curve", "refine": "curve", "bezier": "curve", "measure": "curve",
-    "nearest": "curve", "fit": "curve",
-    "sketch": "shape",
+    "nearest": "curve", "fit": "curve", "frames": "curve",
+    "sketch": "shape", "tangents": "shape",
     "document": "document",
     "format": "format",
     "editor": "editor",

@@ -1,0 +1,62 @@
+/*
+ * Batten: frames along a curve. Rotation-minimising by double reflection (Wang et al. 2008), Frenet, or
+ * fixed. Columns [t s r], right-handed, r = t x s; points and vectors have three coordinates, also for planar
+ * curves, whose frames are t = (tx, ty, 0), s = (-ty, tx, 0), r = (0, 0, 1). Source: multilevel-2016 3.2;
+ * math 2.
+ */
+#ifndef BATTEN_FRAMES_H
+#define BATTEN_FRAMES_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum bat_frame_rule {
+    BAT_FRAMES_RMF,
+    BAT_FRAMES_FRENET, /* keeps the last normal where the curvature vanishes, and flips behind inflections */
+    BAT_FRAMES_FIXED   /* the world's axes everywhere */
+} bat_frame_rule;
+
+typedef struct bat_frame_options {
+    bat_frame_rule rule;
+    int substeps;   /* steps of the chain a span, at least; 0: 8, more where the turn exceeds 30 degrees */
+    bool has_first; /* first: s at the start, projected on the normal plane there */
+    double first[3];
+    bool has_reference;    /* the persistent pair (math 2.2): s(0) is ref_s turned by the least rotation */
+    double reference_t[3]; /* that takes ref_t to t(0). Goes before `first` */
+    double reference_s[3];
+} bat_frame_options;
+
+typedef struct bat_frame3 {
+    double u;
+    double point[3], t[3], s[3], r[3];
+} bat_frame3;
+
+BAT_API bat_frame_options bat_frame_defaults(void);
+
+/*
+ * Frames at count parameters in any order (closed curves: any period; open: clamped). A frame depends on the
+ * curve and the options alone, not on which others are asked for. *holonomy (may be NULL): on closed curves
+ * the angle of s, transported once round, from s(0), signed about t(0), in (-pi, pi], before it is spread by
+ * arc length (math 2.3); 0 on open ones. Never NaN for a valid curve. Cost: spans * substeps + count.
+ */
+BAT_API bat_status bat_frames(const bat_curve *curve, const bat_frame_options *options, size_t count,
+                              const double *u, bat_frame3 *out, double *holonomy);
+
+/*
+ * The same chain, kept: built once in O(spans * substeps), then any frame in O(log) for animation, levels and
+ * sweeps. Copies what it needs of the curve.
+ */
+typedef struct bat_frame_chain bat_frame_chain;
+BAT_API bat_status bat_frame_chain_create(const bat_curve *curve, const bat_frame_options *options,
+                                          bat_frame_chain **out);
+BAT_API void bat_frame_chain_free(bat_frame_chain *chain); /* NULL is fine */
+BAT_API void bat_frame_chain_at(const bat_frame_chain *chain, double u, bat_frame3 *out);
+BAT_API double bat_frame_chain_holonomy(const bat_frame_chain *chain);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

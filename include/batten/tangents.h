@@ -1,0 +1,71 @@
+/*
+ * Batten: the tangents hand. Points, and a direction at each: an interpolating G1 spline of cubic segments.
+ * Source: tangents-1994 Eqs. 4, 5, 7, as docs/math/tangents.md (math 1) corrects and completes them.
+ */
+#ifndef BATTEN_TANGENTS_H
+#define BATTEN_TANGENTS_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum bat_tangents_mode {
+    BAT_TANGENTS_FAITHFUL, /* any direction is honoured exactly */
+    BAT_TANGENTS_PAPER /* directions are clamped to the wedge that the formula reaches, k to [0.02, 0.98] */
+} bat_tangents_mode;
+
+/* What stands in for a direction that the user did not give. */
+typedef enum bat_tangents_default {
+    BAT_TANGENTS_CENTRIPETAL, /* k = sqrt(d0) / (sqrt(d0) + sqrt(d1)): the bisector of the chords */
+    BAT_TANGENTS_UNIFORM,     /* k = 1/2: Catmull-Rom */
+    BAT_TANGENTS_CHORDAL      /* k = d0 / (d0 + d1) */
+} bat_tangents_default;
+
+typedef struct bat_tangents_options {
+    bat_tangents_mode mode;
+    bat_tangents_default missing;
+} bat_tangents_options;
+
+/* The user's side of a G1 spline; borrowed arrays. */
+typedef struct bat_spline {
+    int dimension;
+    bool closed;
+    int count;
+    const double *points;   /* count * dimension */
+    const double *tangents; /* count * dimension, any length; a zero vector: none given. NULL: none at all */
+    const double *tension; /* count * 2: factors on the incoming and the outgoing handle, >= 0. NULL: all 1 */
+} bat_spline;
+
+/* What became of one point. */
+typedef struct bat_joint {
+    double k;       /* shape parameter; NaN where the formula does not apply (open ends, outside the wedge) */
+    double left[3]; /* D_L, D_R: derivatives of the segments before and after, each over [0, 1]; the Bézier */
+    double right[3]; /* handles are a third of them. Zero on the missing side of an open end */
+    double
+        angle_in; /* radians between the tangent and the incoming chord, and the outgoing one; NaN at ends */
+    double angle_out;
+    bool inside;  /* the direction lies in the wedge */
+    bool dropped; /* the point repeats the one before it and was left out */
+} bat_joint;
+
+BAT_API bat_tangents_options bat_tangents_defaults(void); /* faithful, centripetal */
+
+/* k of a direction at a joint between chords c0 (incoming) and c1 (outgoing); math 1.2. NaN outside the wedge
+ * or when the chords are parallel. Cost O(1), no trigonometry. */
+BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1, const double *direction);
+
+/*
+ * Builds the spline. joints: count of them, or NULL. *bezier: bat_free'd by the caller, *segments * 4 *
+ * dimension doubles, or bezier and segments NULL. *out: the same as one B-spline (math 1.3), or out NULL:
+ * cubic, knots x4 at the ends, x2 inside, x3 where C1 is out of reach (width ratio above 1e5, or the seam of
+ * a loop whose widths do not close). BAT_COUNT: fewer than two distinct points. Cost O(count).
+ */
+BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
+                                bat_joint *joints, double **bezier, int *segments, bat_curve **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
