@@ -59,9 +59,7 @@ static double hermite_cubic(const double *b, int p, int size, double *cubic) {
     memcpy(raised, cubic, (size_t)(4 * size) * sizeof(double));
     for (int q = 3; q < p; q++) raise_degree(raised, q, size);
     for (int i = 0; i <= p; i++) {
-        double d = 0;
-        for (int c = 0; c < size; c++) d = hypot(d, raised[i * size + c] - b[i * size + c]);
-        worst = fmax(worst, d);
+        worst = fmax(worst, bat_distance(raised + i * size, b + i * size, size));
     }
     return worst;
 }

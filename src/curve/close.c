@@ -55,8 +55,8 @@ bat_status bat_curve_close(const bat_curve *curve, double tolerance, bat_curve *
     bat_status status = bat_curve_clamp(curve, &clamped);
     if (status != BAT_OK) return status;
     int p = clamped->degree, n = clamped->count, size = clamped->dimension;
-    double *last = clamped->points + (size_t)(n - 1) * (size_t)size, gap = 0, greatest = 0;
-    for (int c = 0; c < size; c++) gap = hypot(gap, last[c] - clamped->points[c]);
+    double *last = clamped->points + (size_t)(n - 1) * (size_t)size, greatest = 0;
+    double gap = bat_distance(last, clamped->points, size);
     status = gap <= tolerance ? bat_curve_allocate(p, size, true, n - 1, &round) : BAT_ARGUMENT;
     if (status == BAT_OK) {
         for (int c = 0; c < size; c++) last[c] = 0.5 * clamped->points[c] + 0.5 * last[c];

@@ -65,6 +65,10 @@ bat_status bat_curve_unwind(const bat_curve *curve, int first, int last, bat_cur
 bat_status bat_curve_rotate(const bat_curve *curve, int shift, bat_curve **out);
 /* Closed: the same curve with all copies of the seam at the start of the period. Open: a copy. */
 bat_status bat_curve_gather_seam(const bat_curve *curve, bat_curve **out);
+/* Euclidean distance of two points. */
+double bat_distance(const double *a, const double *b, int size);
+/* Angle by which a polygon turns at a point, 0..pi; 4 when a side has no length. */
+double bat_turn(const double *before, const double *at, const double *after, int size);
 /* Does the curve's tangent turn by more than `angle` at the knot whose last copy is stored knot r
  * (multiplicity p or more)? Tangents that vanish count as turning. */
 bool bat_curve_corner_at(const bat_curve *curve, int r, double angle);

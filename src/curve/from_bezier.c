@@ -17,27 +17,10 @@ enum { SPEED_RANGE = 100000 }; /* a run whose speed leaves 1/range..range of whe
 
 static const double SPAN_LEAST = 1e-10; /* of the mean span */
 
-static double distance(const double *a, const double *b, int size) {
-    double d = 0;
-    for (int c = 0; c < size; c++) d = hypot(d, a[c] - b[c]);
-    return d;
-}
-
 static double polygon(const double *points, int degree, int size) {
     double length = 0;
-    for (int i = 0; i < degree; i++) length += distance(points + i * size, points + (i + 1) * size, size);
+    for (int i = 0; i < degree; i++) length += bat_distance(points + i * size, points + (i + 1) * size, size);
     return length;
-}
-
-/* Angle between the handles at a joint; pi when one has no length. */
-static double turn(const double *before, const double *joint, const double *after, int size) {
-    double in = distance(before, joint, size), out = distance(joint, after, size), sum = 0, difference = 0;
-    if (in == 0 || out == 0) return 4;
-    for (int c = 0; c < size; c++) {
-        double a = (joint[c] - before[c]) / in, b = (after[c] - joint[c]) / out;
-        sum = hypot(sum, a + b), difference = hypot(difference, a - b);
-    }
-    return 2 * atan2(difference, sum);
 }
 
 /* Length of span i's parameter, when the one before (`last`, of handle length `in`) is joined smoothly. */
@@ -49,13 +32,13 @@ static void choose_spans(int degree, int size, int count, const double *points, 
     /* The joint before segment i: its handles. */
     for (int i = 1; closed && i < count; i++) {
         const double *joint = points + (size_t)i * (size_t)step;
-        if (turn(joint - size, joint, joint + size, size) > corner) {
+        if (bat_turn(joint - size, joint, joint + size, size) > corner) {
             first = i;
             break;
         }
     }
     const double *end = points + (size_t)count * (size_t)step;
-    if (closed && turn(end - size, points, points + size, size) > corner) first = 0;
+    if (closed && bat_turn(end - size, points, points + size, size) > corner) first = 0;
     double begun = 1;
     for (int k = 0; k < count; k++) {
         int i = (first + k) % count, before = (i + count - 1) % count;
@@ -63,8 +46,9 @@ static void choose_spans(int degree, int size, int count, const double *points, 
         const double *inner = points + (size_t)before * (size_t)step + (size_t)((degree - 1) * size);
         double natural = polygon(here, degree, size) / mean;
         spans[i] = natural;
-        if (k > 0 && turn(inner, here, here + size, size) <= corner) {
-            double h = spans[before] * (distance(here, here + size, size) / distance(inner, here, size));
+        if (k > 0 && bat_turn(inner, here, here + size, size) <= corner) {
+            double h = spans[before] *
+                       (bat_distance(here, here + size, size) / bat_distance(inner, here, size));
             double slow = h / natural / begun;
             if (slow > 1.0 / SPEED_RANGE && slow < SPEED_RANGE) spans[i] = h;
         }

@@ -11,12 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double distance(const double *a, const double *b, int size) {
-    double d = 0;
-    for (int c = 0; c < size; c++) d = hypot(d, a[c] - b[c]);
-    return d;
-}
-
 /* b's knots over a's end, scaled: as clamped curves of one degree. */
 static bat_status concatenate(const bat_curve *a, const bat_curve *b, double scale, bat_curve **out) {
     int p = a->degree;
@@ -44,8 +38,8 @@ static bat_status concatenate(const bat_curve *a, const bat_curve *b, double sca
 static double speed_ratio(const bat_curve *a, const bat_curve *b) {
     int p = a->degree, size = a->dimension, n = a->count;
     double ha = a->knots[n] - a->knots[n - 1], hb = b->knots[p + 1] - b->knots[p];
-    double va = distance(a->points + (n - 2) * size, a->points + (n - 1) * size, size) / ha;
-    double vb = distance(b->points, b->points + size, size) / hb;
+    double va = bat_distance(a->points + (n - 2) * size, a->points + (n - 1) * size, size) / ha;
+    double vb = bat_distance(b->points, b->points + size, size) / hb;
     double ratio = vb / va;
     return ratio > 1e-5 && ratio < 1e5 ? ratio : 1;
 }
@@ -55,8 +49,8 @@ static void project(double rows[2][5], int count, double *q, int size) {
     double g00 = 0, g01 = 0, g11 = 0;
     for (int r = 0; r < count; r++) { /* unit rows: the two conditions weigh alike */
         double norm = 0;
-        for (int i = 0; i < 5; i++) norm = hypot(norm, rows[r][i]);
-        for (int i = 0; i < 5; i++) rows[r][i] /= norm;
+        for (int i = 0; i < 5; i++) norm += rows[r][i] * rows[r][i];
+        for (int i = 0; i < 5; i++) rows[r][i] /= sqrt(norm);
     }
     for (int i = 0; i < 5; i++)
         g00 += rows[0][i] * rows[0][i], g01 += rows[0][i] * rows[1][i], g11 += rows[1][i] * rows[1][i];
@@ -109,8 +103,8 @@ static bat_status joined(const bat_curve *a, const bat_curve *b, int continuity,
     for (int i = j - continuity; i <= j + continuity; i++) {
         const double *old = i <= j ? a->points + i * size : b->points + (i - j) * size,
                      *now = both->points + i * size;
-        most = fmax(most, distance(old, now, size));
-        if (i == j) most = fmax(most, distance(b->points, now, size));
+        most = fmax(most, bat_distance(old, now, size));
+        if (i == j) most = fmax(most, bat_distance(b->points, now, size));
     }
     if (continuity > 0) {
         /* The conditions hold to rounding, so the knots go for nothing. */
@@ -152,7 +146,7 @@ bat_status bat_curve_join(const bat_curve *a, const bat_curve *b, int continuity
     }
     if (status == BAT_OK) {
         int size = a->dimension;
-        double apart = distance(parts[0]->points + (parts[0]->count - 1) * size, parts[1]->points, size);
+        double apart = bat_distance(parts[0]->points + (parts[0]->count - 1) * size, parts[1]->points, size);
         status = apart <= gap ? joined(parts[0], parts[1], continuity, out, moved) : BAT_ARGUMENT;
     }
     bat_curve_free(parts[0]);

@@ -58,12 +58,10 @@ void bat_removal_plan(const bat_curve *curve, int r, int s, bat_removal *out) {
     /* The bound is measured on what is handed over, rounding and all. */
     double worst = 0;
     for (int i = 0; i < rows; i++) {
-        double e = 0;
-        for (int c = 0; c < size; c++) {
-            double again = a[i] * all[(i + 1) * size + c] + (1 - a[i]) * all[i * size + c];
-            e = hypot(e, point_at(curve, first + i)[c] - again);
-        }
-        worst = fmax(worst, e);
+        double again[BAT_DIMENSION_MAX];
+        for (int c = 0; c < size; c++)
+            again[c] = a[i] * all[(i + 1) * size + c] + (1 - a[i]) * all[i * size + c];
+        worst = fmax(worst, bat_distance(point_at(curve, first + i), again, size));
     }
     out->bound = isfinite(worst) ? worst : INFINITY;
 }

@@ -15,27 +15,16 @@
 
 bool bat_curve_corner_at(const bat_curve *curve, int r, double angle) {
     int p = curve->degree, size = curve->dimension;
-    const double *at = curve->points + (size_t)(r - p) * (size_t)size;
-    double side[2][BAT_DIMENSION_MAX], length[2] = {0, 0};
+    const double *at = curve->points + (size_t)(r - p) * (size_t)size, *side[2] = {at, at};
     for (int k = 0; k < 2; k++)
-        for (int i = 1; i <= p && length[k] == 0; i++) {
+        for (int i = 1; i <= p && bat_distance(side[k], at, size) == 0; i++) {
             int j = r - p + (k == 0 ? -i : i);
             if (curve->closed) /* stored points repeat with the period */
                 j = j < 0 ? j + curve->count : j >= curve->spread ? j - curve->count : j;
             if (j < 0 || j >= curve->spread) break;
-            for (int c = 0; c < size; c++) {
-                double d = curve->points[(size_t)j * (size_t)size + (size_t)c] - at[c];
-                side[k][c] = k == 0 ? -d : d;
-                length[k] = hypot(length[k], d);
-            }
+            side[k] = curve->points + (size_t)j * (size_t)size;
         }
-    if (length[0] == 0 || length[1] == 0) return true;
-    double sum = 0, difference = 0;
-    for (int c = 0; c < size; c++) {
-        double a = side[0][c] / length[0], b = side[1][c] / length[1];
-        sum = hypot(sum, a + b), difference = hypot(difference, a - b);
-    }
-    return 2 * atan2(difference, sum) > angle;
+    return bat_turn(side[0], at, side[1], size) > angle;
 }
 
 typedef struct work {
@@ -93,7 +82,7 @@ static int plan_all(work *w, double limit) {
 static int choose(work *w, int count) {
     const bat_curve *now = w->now;
     int p = now->degree, kept = 0, least = now->closed ? now->degree + 3 : 0;
-    qsort(w->plans, (size_t)count, sizeof(bat_removal), by_bound);
+    qsort(w->plans, (size_t)count, sizeof(bat_removal), by_bound); /* no ties */
     memset(w->busy, 0, (size_t)bat_curve_knot_count(now) * sizeof(bool));
     for (int k = 0; k < count; k++) {
         int r = w->plans[k].r;
@@ -159,11 +148,8 @@ static bat_status measure(work *w, double *worst) {
             interval++;
         double most = 0;
         for (int i = span - p; i <= span; i++) {
-            double d = 0;
-            for (int c = 0; c < size; c++)
-                d = hypot(d, fine->points[(size_t)i * (size_t)size + (size_t)c] -
-                                 original->points[(size_t)i * (size_t)size + (size_t)c]);
-            most = fmax(most, d);
+            size_t k = (size_t)i * (size_t)size;
+            most = fmax(most, bat_distance(fine->points + k, original->points + k, size));
         }
         int j = interval - offset;
         if (j >= 0 && j < knots) w->moved[j] = fmax(w->moved[j], most);

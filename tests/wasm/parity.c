@@ -97,9 +97,50 @@ static void nearest_one(parity_sink *sink, random_source *r, bat_curve *curve) {
 }
 static void nearest(parity_sink *sink) { each_curve(sink, 5, nearest_one); }
 
+static void measure_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    double domain[2], box[2 * BAT_DIMENSION_MAX], turns[32];
+    bat_curve_domain(curve, domain);
+    double length = bat_curve_length(curve, domain[0], domain[1], 1e-12);
+    put(sink, length);
+    for (int i = 0; i < 5; i++) {
+        double u = bat_curve_at_length(curve, domain[0], length * random_unit(r), 1e-10);
+        put(sink, u), put(sink, bat_curve_curvature(curve, u));
+    }
+    bat_curve_bounds(curve, box, box + bat_curve_dimension(curve));
+    put_many(sink, 2 * (size_t)bat_curve_dimension(curve), box);
+    int count = bat_curve_dimension(curve) == 2 ? bat_curve_inflections(curve, turns, 32) : 0;
+    put(sink, count), put_many(sink, (size_t)(count < 32 ? count : 32), turns);
+}
+static void measure(parity_sink *sink) { each_curve(sink, 6, measure_one); }
+
+static void surgery_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    double domain[2], error = 0;
+    bat_curve_domain(curve, domain);
+    double cut = domain[0] + (domain[1] - domain[0]) * random_between(r, 0.3, 0.7);
+    bat_curve *piece = NULL, *raised = NULL, *simple = NULL;
+    bat_status cut_off = bat_curve_piece(curve, domain[0], cut, &piece);
+    put_curve(sink, cut_off, piece);
+    if (bat_curve_degree(curve) < BAT_DEGREE_MAX) {
+        bat_status status = bat_curve_elevate(curve, bat_curve_degree(curve) + 1, &raised);
+        put_curve(sink, status, raised);
+    }
+    bat_status status = bat_curve_simplify(curve, 0.05, 0.1, &simple, &error);
+    put_curve(sink, status, simple), put(sink, error);
+    int segments = bat_curve_segment_count(curve);
+    size_t room = (size_t)segments * (size_t)(bat_curve_degree(curve) + 1) *
+                  (size_t)bat_curve_dimension(curve);
+    double *points = malloc(room * sizeof *points);
+    put(sink, points ? bat_curve_to_bezier(curve, points, NULL) : BAT_MEMORY);
+    if (points) put_many(sink, room, points);
+    free(points);
+}
+static void surgery(parity_sink *sink) { each_curve(sink, 7, surgery_one); }
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
                                           {"knot insertion", insert},
-                                          {"closest point", nearest}};
+                                          {"closest point", nearest},
+                                          {"measures", measure},
+                                          {"surgery", surgery}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);
