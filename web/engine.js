@@ -1,0 +1,519 @@
+// The engine: batten.wasm behind a plain class. Views into its memory are made afresh after each call, since any
+// call may grow the memory and detach them. When the module traps, its instance is dropped and the journal is
+// replayed into a new one.
+
+/** @typedef {import('./types.js').Frame} Frame */
+/** @typedef {import('./types.js').Item} Item */
+/** @typedef {import('./types.js').Pointer} Pointer */
+/** @typedef {import('./types.js').Tables} Tables */
+
+/** @typedef {Record<string, (...args: any[]) => any> & { memory: WebAssembly.Memory }} Exports */
+
+export const Phase = Object.freeze({ HOVER: 0, DOWN: 1, MOVE: 2, UP: 3, CANCEL: 4, LEAVE: 5 });
+export const Device = Object.freeze({ MOUSE: 0, PEN: 1, TOUCH: 2 });
+export const Modifier = Object.freeze({ SHIFT: 1, CTRL: 2, ALT: 4, META: 8 });
+export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16 });
+
+const SCRATCH = 1024; // bytes for what a call hands back
+const EVENTS = 64; // pointer events sent in one call
+const OK = 0;
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+/** Something the engine refused: its words are for the user. */
+export class Refusal extends Error {}
+
+/** A check inside the module failed. */
+class Panic extends Error {}
+
+/**
+ * @param {string} url
+ * @returns {Promise<WebAssembly.Module>}
+ */
+export async function loadModule(url) {
+  const response = await fetch(url);
+  if (!response.ok) {
+    throw new Error(`${url}: ${response.status} ${response.statusText}`);
+  }
+  return WebAssembly.compileStreaming(response);
+}
+
+export class Engine {
+  /**
+   * @param {WebAssembly.Module} module
+   */
+  constructor(module) {
+    this.module = module;
+    /** Called after a trap. whole: every step came back. @type {(whole: boolean, error: unknown) => void} */
+    this.onrecovery = () => {};
+    /** The journal up to the last call that returned, outside of the module's memory. */
+    this.journal = new Uint8Array(0);
+    this.size = [1, 1, 1];
+    /** @type {Exports} */
+    this.wasm = /** @type {any} */ (null);
+    /** @type {Record<string, number>} */
+    this.layout = {};
+    this.editor = 0;
+    this.scratch = 0;
+    this.events = 0;
+    /** @type {Item[]} */
+    this.still = [];
+    this.stillVersion = -1;
+    this.#start();
+  }
+
+  /** A new instance with an empty editor. */
+  #start() {
+    const host = {
+      /** @param {number} file @param {number} line @param {number} text */
+      panic: (file, line, text) => {
+        throw new Panic(`${this.#string(file)}:${line}: ${this.#string(text)}`);
+      },
+    };
+    const instance = new WebAssembly.Instance(this.module, { host });
+    this.wasm = /** @type {any} */ (instance.exports);
+    this.wasm._initialize?.();
+    this.layout = this.#readLayout();
+    this.scratch = this.#alloc(SCRATCH);
+    this.events = this.#alloc(EVENTS * this.layout['pointer.size']);
+    this.editor = this.wasm.editor_create();
+    if (!this.editor) {
+      throw new Error('The engine could not start: not enough memory.');
+    }
+    this.stillVersion = -1;
+    this.wasm.editor_resize(this.editor, ...this.size);
+  }
+
+  // ---- memory ----
+
+  #view() {
+    return new DataView(this.wasm.memory.buffer);
+  }
+
+  /** @param {number} size */
+  #alloc(size) {
+    const address = this.wasm.memory_alloc(size);
+    if (!address) {
+      throw new Refusal('Not enough memory.');
+    }
+    return address;
+  }
+
+  /** A string that ends with a NUL. @param {number} address */
+  #string(address) {
+    const bytes = new Uint8Array(this.wasm.memory.buffer);
+    return decoder.decode(bytes.subarray(address, bytes.indexOf(0, address)));
+  }
+
+  /**
+   * Runs `work` with the address of the bytes, copied into the module with a NUL behind them.
+   * @template T
+   * @param {Uint8Array | string} data
+   * @param {(address: number, size: number) => T} work
+   * @returns {T}
+   */
+  #lend(data, work) {
+    const bytes = typeof data === 'string' ? encoder.encode(data) : data;
+    const address = this.#alloc(bytes.length + 1);
+    const memory = new Uint8Array(this.wasm.memory.buffer);
+    memory.set(bytes, address);
+    memory[address + bytes.length] = 0;
+    const result = work(address, bytes.length);
+    this.wasm.memory_free(address);
+    return result;
+  }
+
+  /** @returns {Record<string, number>} */
+  #readLayout() {
+    const view = this.#view();
+    /** @type {Record<string, number>} */
+    const layout = {};
+    for (let at = this.wasm.module_layout(); view.getUint32(at, true); at += 8) {
+      layout[this.#string(view.getUint32(at, true))] = view.getUint32(at + 4, true);
+    }
+    return layout;
+  }
+
+  // ---- traps ----
+
+  /**
+   * Runs a call into the module. After a trap the editor is rebuilt and `fallback` is the answer.
+   * @template T
+   * @param {() => T} work
+   * @param {T} fallback
+   * @returns {T}
+   */
+  #guard(work, fallback) {
+    try {
+      return work();
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError || error instanceof Panic || error instanceof RangeError)) {
+        throw error;
+      }
+      this.#recover(error);
+      return fallback;
+    }
+  }
+
+  /** @param {unknown} error */
+  #recover(error) {
+    const whole = this.journal;
+    let part = whole;
+    // The step that broke the module may break it again: give up the last steps, one after the other.
+    for (let lost = 0; lost < 8 && part.length > 0; lost++) {
+      try {
+        this.#start();
+        if (this.#lend(part, (text, size) => this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)) === OK) {
+          this.journal = part;
+          this.onrecovery(lost === 0, error);
+          return;
+        }
+      } catch {
+        // The instance is broken; the next turn makes another.
+      }
+      part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
+    }
+    this.#start();
+    this.onrecovery(whole.length === 0, error);
+  }
+
+  // ---- input ----
+
+  /**
+   * @param {number} width view pixels
+   * @param {number} height
+   * @param {number} ratio device pixels in a view pixel
+   */
+  resize(width, height, ratio) {
+    this.size = [width, height, ratio];
+    this.#guard(() => this.wasm.editor_resize(this.editor, width, height, ratio), undefined);
+  }
+
+  /** @param {Pointer[]} pointers in order of time */
+  pointer(pointers) {
+    this.#guard(() => {
+      for (let first = 0; first < pointers.length; first += EVENTS) {
+        const count = Math.min(EVENTS, pointers.length - first);
+        const view = this.#view();
+        for (let i = 0; i < count; i++) {
+          this.#writePointer(view, this.events + i * this.layout['pointer.size'], pointers[first + i]);
+        }
+        this.wasm.editor_pointer(this.editor, this.events, count);
+      }
+    }, undefined);
+  }
+
+  /**
+   * @param {DataView} view
+   * @param {number} at
+   * @param {Pointer} pointer
+   */
+  #writePointer(view, at, pointer) {
+    const place = this.layout;
+    view.setUint32(at + place['pointer.phase'], pointer.phase, true);
+    view.setUint32(at + place['pointer.device'], pointer.device, true);
+    view.setUint32(at + place['pointer.contact'], pointer.contact, true);
+    view.setUint32(at + place['pointer.buttons'], pointer.buttons, true);
+    view.setUint32(at + place['pointer.modifiers'], pointer.modifiers, true);
+    view.setFloat64(at + place['pointer.x'], pointer.x, true);
+    view.setFloat64(at + place['pointer.y'], pointer.y, true);
+    view.setFloat64(at + place['pointer.pressure'], pointer.pressure, true);
+    view.setFloat64(at + place['pointer.tilt_x'], pointer.tiltX, true);
+    view.setFloat64(at + place['pointer.tilt_y'], pointer.tiltY, true);
+    view.setFloat64(at + place['pointer.twist'], pointer.twist, true);
+    view.setFloat64(at + place['pointer.time'], pointer.time, true);
+    view.setUint8(at + place['pointer.predicted'], pointer.predicted ? 1 : 0);
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} dx pixels
+   * @param {number} dy
+   * @param {number} modifiers
+   * @param {number} time
+   */
+  wheel(x, y, dx, dy, modifiers, time) {
+    this.#guard(() => this.wasm.editor_wheel(this.editor, x, y, dx, dy, modifiers, time), undefined);
+  }
+
+  /**
+   * @param {string} key as KeyboardEvent.key
+   * @param {boolean} down
+   * @param {number} modifiers
+   * @param {number} time
+   * @returns {boolean} the engine used it
+   */
+  key(key, down, modifiers, time) {
+    const call = (/** @type {number} */ name) =>
+      this.wasm.editor_key(this.editor, name, down ? 1 : 0, modifiers, time) !== 0;
+    return this.#guard(() => this.#lend(key, call), false);
+  }
+
+  /** @param {string} name @returns {boolean} it could be done now */
+  command(name) {
+    return this.#guard(() => this.#lend(name, (text) => this.wasm.editor_command(this.editor, text)) === OK, false);
+  }
+
+  /** @param {string} property @param {number} value @returns {boolean} it was taken */
+  set(property, value) {
+    return this.#guard(() => this.#lend(property, (text) => this.wasm.editor_set(this.editor, text, value)) === OK,
+      false);
+  }
+
+  /** @param {string} property @returns {number} NaN when there is none */
+  get(property) {
+    return this.#guard(() => this.#lend(property, (text) => this.wasm.editor_get(this.editor, text)), NaN);
+  }
+
+  /** @returns {Tables} */
+  tables() {
+    return JSON.parse(this.#string(this.wasm.editor_tables()));
+  }
+
+  // ---- files ----
+
+  /**
+   * A native document.
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   */
+  openNative(bytes, name) {
+    const broken = -1;
+    const status = this.#guard(() => this.#lend(bytes, (text, size) => this.#lend(name, (title) =>
+      this.wasm.editor_open_native(this.editor, text, size, title, this.scratch))), broken);
+    this.#opened(status);
+  }
+
+  /**
+   * An SVG document as the browser's own parser understood it.
+   * @param {Element} root
+   * @param {string} name
+   * @returns {string} what was left out, '' when nothing was
+   */
+  openSvg(root, name) {
+    const broken = -1;
+    const room = 256;
+    const line = this.scratch + SCRATCH - room;
+    const status = this.#guard(() => {
+      const reader = this.wasm.svg_begin();
+      if (!reader) {
+        throw new Refusal('Not enough memory.');
+      }
+      const refused = this.#walk(reader, root);
+      if (refused !== OK) {
+        this.wasm.svg_cancel(reader);
+        return refused;
+      }
+      return this.#lend(name, (title) =>
+        this.wasm.svg_finish(reader, this.editor, title, line, room, this.scratch));
+    }, broken);
+    this.#opened(status);
+    return this.#string(line);
+  }
+
+  /**
+   * Tells the reader of an element and all in it, in document order, without recursion: files may nest deeply.
+   * @param {number} reader
+   * @param {Element} root
+   * @returns {number} status
+   */
+  #walk(reader, root) {
+    /** @type {Node | null} */
+    let node = root;
+    while (node) {
+      let status = OK;
+      if (node.nodeType === Node.ELEMENT_NODE) {
+        const element = /** @type {Element} */ (node);
+        const strings = [element.nodeName];
+        for (const attribute of element.attributes) {
+          strings.push(attribute.name, attribute.value);
+        }
+        const pairs = element.attributes.length;
+        status = this.#lend(strings.join('\0'), (text) => this.wasm.svg_start(reader, text, pairs));
+      } else if (node.nodeType === Node.TEXT_NODE || node.nodeType === Node.CDATA_SECTION_NODE) {
+        status = this.#lend(node.nodeValue ?? '', (text, size) => this.wasm.svg_text(reader, text, size));
+      }
+      if (status !== OK) {
+        return status;
+      }
+      if (node.firstChild) {
+        node = node.firstChild;
+        continue;
+      }
+      for (;;) {
+        if (node.nodeType === Node.ELEMENT_NODE) {
+          status = this.wasm.svg_end(reader);
+          if (status !== OK) {
+            return status;
+          }
+        }
+        if (node === root) {
+          return OK;
+        }
+        if (node.nextSibling) {
+          node = node.nextSibling;
+          break;
+        }
+        node = /** @type {Node} */ (node.parentNode);
+      }
+    }
+    return OK;
+  }
+
+  /** @param {number} status */
+  #opened(status) {
+    if (status === OK) {
+      return;
+    }
+    if (status < 0) {
+      throw new Refusal('This file broke the reader.');
+    }
+    const place = this.#string(this.scratch + this.layout['problem.place']);
+    const message = this.#string(this.scratch + this.layout['problem.message']);
+    throw new Refusal([place, message || this.#string(this.wasm.status_message(status))].filter(Boolean).join(': '));
+  }
+
+  /**
+   * The document as the bytes of a file.
+   * @param {boolean} native the native format, else SVG
+   * @returns {Uint8Array}
+   */
+  save(native) {
+    /** @type {Uint8Array | null} */
+    const none = null;
+    const bytes = this.#guard(() => {
+      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, this.scratch);
+      if (status !== OK) {
+        throw new Refusal(this.#string(this.wasm.status_message(status)));
+      }
+      const view = this.#view();
+      const data = view.getUint32(this.scratch + this.layout['bytes.data'], true);
+      const size = view.getUint32(this.scratch + this.layout['bytes.size'], true);
+      const copy = new Uint8Array(this.wasm.memory.buffer).slice(data, data + size);
+      this.wasm.memory_free(data);
+      return copy;
+    }, /** @type {Uint8Array | null} */ (none));
+    if (!bytes) {
+      throw new Refusal('Writing the file failed; the drawing was brought back from its journal. Try again.');
+    }
+    return bytes;
+  }
+
+  /** The host has saved: the document is clean. */
+  saved() {
+    this.#guard(() => this.wasm.editor_saved(this.editor), undefined);
+  }
+
+  /** 64 bits that tell documents apart. @returns {string} */
+  digest() {
+    return BigInt.asUintN(64, this.wasm.editor_digest(this.editor)).toString(16).padStart(16, '0');
+  }
+
+  /** Which invariant does not hold, '' when all do. @returns {string} */
+  check() {
+    const address = this.wasm.editor_check(this.editor);
+    return address ? this.#string(address) : '';
+  }
+
+  // ---- output ----
+
+  /**
+   * What is to be painted and said now. Paths are views into the module's memory: use them before the next call.
+   * @returns {Frame | null} null after a trap; the next one is whole again
+   */
+  frame() {
+    return this.#guard(() => {
+      this.#keepJournal();
+      return this.#readFrame(this.wasm.editor_frame(this.editor));
+    }, null);
+  }
+
+  /** Copies what the journal has gained. */
+  #keepJournal() {
+    const address = this.wasm.editor_journal(this.editor, this.scratch);
+    const size = this.#view().getUint32(this.scratch, true);
+    if (size === this.journal.length || !address) {
+      return;
+    }
+    this.journal = new Uint8Array(this.wasm.memory.buffer).slice(address, address + size);
+  }
+
+  /**
+   * @param {number} at
+   * @returns {Frame}
+   */
+  #readFrame(at) {
+    const view = this.#view();
+    const place = this.layout;
+    const word = (/** @type {string} */ name) => view.getUint32(at + place[name], true);
+    const double = (/** @type {string} */ name, index = 0) => view.getFloat64(at + place[name] + 8 * index, true);
+    const single = (/** @type {string} */ name, index = 0) => view.getFloat32(at + place[name] + 4 * index, true);
+    const stillVersion = word('frame.still_version');
+    const stillChanged = stillVersion !== this.stillVersion;
+    if (stillChanged) {
+      this.still = this.#readItems(view, word('frame.still'), word('frame.still_count'));
+      this.stillVersion = stillVersion;
+    }
+    return {
+      x: double('frame.view', 0),
+      y: double('frame.view', 1),
+      zoom: double('frame.view', 2),
+      originX: double('frame.origin', 0),
+      originY: double('frame.origin', 1),
+      stillChanged,
+      still: this.still,
+      dirty: [single('frame.dirty', 0), single('frame.dirty', 1), single('frame.dirty', 2), single('frame.dirty', 3)],
+      live: this.#readItems(view, word('frame.live'), word('frame.live_count')),
+      cursor: word('frame.cursor'),
+      requests: word('frame.requests'),
+      unsaved: word('frame.unsaved') !== 0,
+      canUndo: word('frame.can_undo') !== 0,
+      canRedo: word('frame.can_redo') !== 0,
+      tool: word('frame.tool'),
+      knotsBefore: word('frame.knots_before'),
+      knotsAfter: word('frame.knots_after'),
+      tolerance: double('frame.tolerance'),
+      hint: this.#string(word('frame.hint')),
+      notice: this.#string(word('frame.notice')),
+      name: this.#string(word('frame.name')),
+    };
+  }
+
+  /**
+   * @param {DataView} view
+   * @param {number} first
+   * @param {number} count
+   * @returns {Item[]}
+   */
+  #readItems(view, first, count) {
+    const place = this.layout;
+    /** @type {Item[]} */
+    const items = [];
+    for (let i = 0; i < count; i++) {
+      const at = first + i * place['item.size'];
+      const path = view.getUint32(at + place['item.path'], true);
+      const bounds = at + place['item.bounds'];
+      items.push({
+        id: view.getUint32(at + place['item.id'], true),
+        version: view.getUint32(at + place['item.version'], true),
+        role: view.getUint32(at + place['item.role'], true),
+        flags: view.getUint32(at + place['item.flags'], true),
+        stroke: view.getUint32(at + place['item.stroke'], true),
+        fill: view.getUint32(at + place['item.fill'], true),
+        width: view.getFloat32(at + place['item.width'], true),
+        opacity: view.getFloat32(at + place['item.opacity'], true),
+        cap: view.getUint32(at + place['item.cap'], true),
+        join: view.getUint32(at + place['item.join'], true),
+        miterLimit: view.getFloat32(at + place['item.miter_limit'], true),
+        x0: view.getFloat32(bounds, true),
+        y0: view.getFloat32(bounds + 4, true),
+        x1: view.getFloat32(bounds + 8, true),
+        y1: view.getFloat32(bounds + 12, true),
+        path: new Float32Array(this.wasm.memory.buffer, path, view.getUint32(at + place['item.path_count'], true)),
+      });
+    }
+    return items;
+  }
+}

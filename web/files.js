@@ -1,0 +1,234 @@
+// Files: in by drop, picker or server, out to the server or as a download.
+
+import { Changed } from './server.js';
+
+/** @typedef {import('./engine.js').Engine} Engine */
+/** @typedef {import('./notice.js').Notice} Notice */
+/** @typedef {import('./server.js').Server} Server */
+
+const SVG = 'image/svg+xml';
+const JSON_TYPE = 'application/json';
+const KEPT_OUT = 'Foreign content of the file is not kept when it is saved.';
+
+/** @param {string} name */
+const isNative = (name) => name.toLowerCase().endsWith('.batten');
+
+/**
+ * The text of an XML file in whatever encoding it declares.
+ * @param {Uint8Array} bytes
+ */
+function decodeXml(bytes) {
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200));
+  let label = /^<\?xml[^>]*encoding=["']([\w.:-]+)["']/.exec(start)?.[1] ?? 'utf-8';
+  if (start.startsWith('\xff\xfe') || start.startsWith('\xfe\xff')) {
+    label = start.startsWith('\xff') ? 'utf-16le' : 'utf-16be';
+  }
+  try {
+    return new TextDecoder(label).decode(bytes);
+  } catch {
+    return new TextDecoder().decode(bytes);
+  }
+}
+
+/**
+ * @param {Uint8Array} bytes
+ * @returns {Element} the root
+ */
+function parseSvg(bytes) {
+  const tree = new DOMParser().parseFromString(decodeXml(bytes), SVG);
+  const problem = tree.getElementsByTagName('parsererror')[0];
+  if (problem) {
+    const line = /line \d+[^:]*/.exec(problem.textContent ?? '')?.[0] ?? '';
+    throw new Error(`Not a well-formed SVG file${line ? `, ${line}` : ''}.`);
+  }
+  return tree.documentElement;
+}
+
+export class Files {
+  /**
+   * @param {Engine} engine
+   * @param {Server} server
+   * @param {Notice} notice
+   * @param {() => void} wake
+   */
+  constructor(engine, server, notice, wake) {
+    this.engine = engine;
+    this.server = server;
+    this.notice = notice;
+    this.wake = wake;
+    this.name = 'drawing.svg';
+    /** The document is the server's file, so that it is saved there. */
+    this.bound = false;
+    this.unsaved = false;
+    this.saving = false;
+    this.picker = /** @type {HTMLInputElement} */ (document.getElementById('picker'));
+    this.#listen();
+  }
+
+  #listen() {
+    const drop = /** @type {HTMLElement} */ (document.getElementById('drop'));
+    this.picker.addEventListener('change', () => {
+      const file = this.picker.files?.[0];
+      this.picker.value = '';
+      void this.#openFile(file);
+    });
+    addEventListener('dragover', (event) => {
+      event.preventDefault();
+      drop.hidden = !event.dataTransfer?.types.includes('Files');
+    });
+    addEventListener('dragleave', (event) => {
+      drop.hidden = event.relatedTarget === null || drop.hidden;
+    });
+    addEventListener('drop', (event) => {
+      event.preventDefault();
+      drop.hidden = true;
+      void this.#openFile(event.dataTransfer?.files[0]);
+    });
+    addEventListener('beforeunload', (event) => {
+      if (this.unsaved) {
+        event.preventDefault();
+      }
+    });
+  }
+
+  /** Asks for a file. */
+  pick() {
+    this.picker.click();
+  }
+
+  /** The server's file, when there is a server. */
+  async openServed() {
+    try {
+      const { name, bytes } = await this.server.load();
+      this.bound = this.open(bytes, name);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** @param {File | undefined} file */
+  async #openFile(file) {
+    if (!file || (this.unsaved && !(await this.#mayReplace()))) {
+      return;
+    }
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (this.open(bytes, file.name)) {
+      this.bound = false;
+    }
+  }
+
+  /** @returns {Promise<boolean>} the unsaved drawing may go */
+  #mayReplace() {
+    const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('question'));
+    const text = /** @type {HTMLElement} */ (document.getElementById('question-text'));
+    text.textContent = `“${this.name}” is not saved. Open another file and lose the changes?`;
+    dialog.returnValue = '';
+    dialog.showModal();
+    return new Promise((resolve) => {
+      dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), { once: true });
+    });
+  }
+
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   * @returns {boolean} it is open now; else the user was told why not
+   */
+  open(bytes, name) {
+    try {
+      const native = isNative(name) || bytes.find((byte) => byte > 32) === 123; // a brace
+      if (native) {
+        this.engine.openNative(bytes, name);
+      } else {
+        const left = this.engine.openSvg(parseSvg(bytes), name);
+        if (left) {
+          this.notice.say(`${left} ${KEPT_OUT}`);
+        }
+      }
+      this.name = name;
+      return true;
+    } catch (error) {
+      this.#complain(new Error(`${name} was not opened. ${error instanceof Error ? error.message : ''}`));
+      return false;
+    } finally {
+      this.wake();
+    }
+  }
+
+  /** To the file that the server holds, else as a download. */
+  async save() {
+    const native = isNative(this.name);
+    if (!this.bound) {
+      if (this.download(native)) {
+        this.engine.saved();
+        this.wake();
+      }
+      return;
+    }
+    if (this.saving) {
+      return;
+    }
+    this.saving = true;
+    try {
+      const bytes = this.engine.save(native);
+      const digest = this.engine.digest();
+      await this.server.save(bytes, native ? JSON_TYPE : SVG);
+      // What was drawn in the meantime is not saved.
+      if (this.engine.digest() === digest) {
+        this.engine.saved();
+      }
+      this.notice.say(`Saved ${this.name}`);
+    } catch (error) {
+      this.#complain(error, native);
+    } finally {
+      this.saving = false;
+      this.wake();
+    }
+  }
+
+  /**
+   * A copy, in the browser's folder for downloads.
+   * @param {boolean} native
+   * @returns {boolean}
+   */
+  download(native) {
+    try {
+      const stem = this.name.replace(/\.(svg|batten)$/i, '');
+      this.#deliver(this.engine.save(native), `${stem}.${native ? 'batten' : 'svg'}`, native ? JSON_TYPE : SVG);
+      return true;
+    } catch (error) {
+      this.#complain(error);
+      return false;
+    }
+  }
+
+  /** All steps since opening. */
+  downloadJournal() {
+    const stem = this.name.replace(/\.(svg|batten)$/i, '');
+    this.#deliver(this.engine.journal, `${stem}.journal`, 'application/x-ndjson');
+  }
+
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   * @param {string} type
+   */
+  #deliver(bytes, name, type) {
+    const address = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
+    const link = document.createElement('a');
+    link.href = address;
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(address), 10000);
+  }
+
+  /**
+   * @param {unknown} error
+   * @param {boolean} [native] what a copy would be
+   */
+  #complain(error, native = false) {
+    const text = error instanceof Error ? error.message : String(error);
+    const copy = { label: 'Download a copy', run: () => void this.download(native) };
+    this.notice.say(text, error instanceof Changed ? copy : undefined);
+  }
+}

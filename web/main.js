@@ -1,0 +1,140 @@
+// The page: ties engine, input, painting, files and panel together, one frame at a time.
+
+import { Ask, Engine, loadModule } from './engine.js';
+import { Files } from './files.js';
+import { Input } from './input.js';
+import { Notice } from './notice.js';
+import { Painter } from './paint.js';
+import { loadIcons, Panel } from './panel.js';
+import { Server } from './server.js';
+import { Theme } from './theme.js';
+
+const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait'];
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+class Shell {
+  /** @param {WebAssembly.Module} module */
+  constructor(module) {
+    this.stage = part('stage');
+    this.notice = new Notice();
+    this.server = new Server();
+    this.engine = new Engine(module);
+    this.theme = new Theme();
+    this.painter = new Painter(/** @type {HTMLCanvasElement} */ (part('still')),
+      /** @type {HTMLCanvasElement} */ (part('overlay')), this.theme);
+    this.wake = this.wake.bind(this);
+    this.panel = new Panel(this.engine, this.wake);
+    this.files = new Files(this.engine, this.server, this.notice, this.wake);
+    this.input = new Input(this.stage, this.engine, this.wake);
+    this.due = false;
+    /** Frames painted and the time they took, for tests and measurements. */
+    this.cost = { frames: 0, engine: 0, paint: 0 };
+    this.#connect();
+  }
+
+  #connect() {
+    this.painter.onidle = this.wake;
+    this.theme.onchange = () => {
+      this.painter.retheme();
+      this.wake();
+    };
+    this.panel.themeButton?.addEventListener('click', () => this.theme.toggle());
+    this.engine.onrecovery = (whole, error) => {
+      console.error(error);
+      const text = whole ? 'Something broke inside. The drawing was brought back from its journal.' :
+        'Something broke inside. The last steps could not be brought back.';
+      this.notice.say(text, { label: 'Download the journal', run: () => this.files.downloadJournal() });
+      this.wake();
+    };
+    new ResizeObserver(() => this.#resize()).observe(this.stage);
+    this.#watchRatio();
+    this.#resize();
+  }
+
+  /** The window may move to a screen of other density. */
+  #watchRatio() {
+    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    query.addEventListener('change', () => {
+      this.#resize();
+      this.#watchRatio();
+    }, { once: true });
+  }
+
+  #resize() {
+    const { clientWidth, clientHeight } = this.stage;
+    this.engine.resize(clientWidth, clientHeight, devicePixelRatio);
+    this.painter.resize(clientWidth, clientHeight, devicePixelRatio);
+    this.wake();
+  }
+
+  /** Asks for a frame, once. */
+  wake() {
+    if (!this.due) {
+      this.due = true;
+      requestAnimationFrame(() => this.#frame());
+    }
+  }
+
+  #frame() {
+    this.due = false;
+    const start = performance.now();
+    const frame = this.engine.frame();
+    if (!frame) {
+      this.wake();
+      return;
+    }
+    const made = performance.now();
+    this.painter.paint(frame);
+    this.panel.show(frame);
+    this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
+    part('welcome').hidden = frame.still.length > 0 || frame.live.length > 0;
+    this.files.unsaved = frame.unsaved;
+    if (frame.notice) {
+      this.notice.say(frame.notice);
+    }
+    this.cost.frames++;
+    this.cost.engine += made - start;
+    this.cost.paint += performance.now() - made;
+    this.#grant(frame.requests);
+  }
+
+  /** What the engine asks of its host. @param {number} requests */
+  #grant(requests) {
+    if (requests & Ask.SAVE) {
+      void this.files.save();
+    }
+    if (requests & Ask.DOWNLOAD_SVG) {
+      this.files.download(false);
+    }
+    if (requests & Ask.DOWNLOAD_NATIVE) {
+      this.files.download(true);
+    }
+    if (requests & Ask.JOURNAL) {
+      this.files.downloadJournal();
+    }
+    if (requests & Ask.OPEN) {
+      this.files.pick();
+    }
+  }
+}
+
+async function start() {
+  try {
+    const [module] = await Promise.all([loadModule('batten.wasm'), loadIcons()]);
+    const shell = new Shell(module);
+    if (shell.server.there) {
+      await shell.files.openServed();
+    }
+    // For the console, and for tests.
+    Object.assign(globalThis, { batten: shell });
+    document.documentElement.dataset.ready = 'yes';
+  } catch (error) {
+    console.error(error);
+    new Notice().say(`Batten could not start. ${error instanceof Error ? error.message : ''}`, {
+      label: 'Try again', run: () => location.reload() });
+  }
+}
+
+void start();

@@ -1,0 +1,272 @@
+// Painting: a still canvas for the drawing and an overlay canvas for what is under the pen. The still canvas is
+// repainted only where the drawing changed. When the view moves over a heavy drawing, the painted layer is moved
+// at once and painted afresh when the hand rests.
+
+/** @typedef {import('./types.js').Frame} Frame */
+/** @typedef {import('./types.js').Item} Item */
+/** @typedef {import('./theme.js').Theme} Theme */
+/** @typedef {{ x: number, y: number, zoom: number, originX: number, originY: number }} View */
+/** @typedef {{ item: Item, shape: Path2D, weight: number }} Painted */
+
+const STROKED = 1;
+const FILLED = 2;
+const EVEN_ODD = 4;
+const SCREEN_WIDTH = 8;
+const DASHED = 16;
+const ROLE_OBJECT = 0;
+
+/** @type {CanvasLineCap[]} */
+const CAPS = ['butt', 'round', 'square'];
+/** @type {CanvasLineJoin[]} */
+const JOINS = ['miter', 'round', 'bevel'];
+
+/** Path numbers that can be painted within a frame; a heavier view is moved first and painted when idle. */
+const LIGHT = 15000;
+const IDLE = 90; // milliseconds without a move
+const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
+
+/**
+ * @param {Float32Array} path commands and coordinates, as editor.h says
+ * @returns {Path2D}
+ */
+function shapeOf(path) {
+  const shape = new Path2D();
+  let i = 0;
+  while (i < path.length) {
+    switch (path[i]) {
+      case 0:
+        shape.moveTo(path[i + 1], path[i + 2]);
+        i += 3;
+        break;
+      case 1:
+        shape.lineTo(path[i + 1], path[i + 2]);
+        i += 3;
+        break;
+      case 2:
+        shape.bezierCurveTo(path[i + 1], path[i + 2], path[i + 3], path[i + 4], path[i + 5], path[i + 6]);
+        i += 7;
+        break;
+      default:
+        shape.closePath();
+        i += 1;
+    }
+  }
+  return shape;
+}
+
+export class Painter {
+  /**
+   * @param {HTMLCanvasElement} still
+   * @param {HTMLCanvasElement} overlay
+   * @param {Theme} theme
+   */
+  constructor(still, overlay, theme) {
+    this.still = still;
+    this.overlay = overlay;
+    this.theme = theme;
+    this.stillContext = /** @type {CanvasRenderingContext2D} */ (still.getContext('2d'));
+    this.overlayContext = /** @type {CanvasRenderingContext2D} */ (overlay.getContext('2d'));
+    this.width = 1;
+    this.height = 1;
+    this.ratio = 1;
+    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    this.cache = new Map();
+    /** @type {Painted[]} */
+    this.list = [];
+    /** The view that the still canvas shows; null: nothing yet. @type {View | null} */
+    this.painted = null;
+    this.overlayEmpty = true;
+    this.stale = true;
+    this.timer = 0;
+    /** Asks for another frame. */
+    this.onidle = () => {};
+    /** Counts for tests and measurements. */
+    this.counts = { full: 0, part: 0, moved: 0 };
+  }
+
+  /**
+   * @param {number} width view pixels
+   * @param {number} height
+   * @param {number} ratio
+   */
+  resize(width, height, ratio) {
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    for (const canvas of [this.still, this.overlay]) {
+      canvas.width = Math.max(1, Math.round(width * ratio));
+      canvas.height = Math.max(1, Math.round(height * ratio));
+    }
+    this.stale = true;
+    this.overlayEmpty = true;
+  }
+
+  /** The theme's colours are others now. */
+  retheme() {
+    this.stale = true;
+  }
+
+  /** @param {Frame} frame */
+  paint(frame) {
+    if (frame.stillChanged) {
+      this.#collect(frame.still);
+    }
+    this.#paintStill(frame);
+    this.#paintOverlay(frame);
+  }
+
+  /** @param {Item[]} items */
+  #collect(items) {
+    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    const kept = new Map();
+    this.list = items.map((item) => {
+      const known = this.cache.get(item.id);
+      const shape = item.id !== 0 && known?.version === item.version ? known.shape : shapeOf(item.path);
+      if (item.id !== 0) {
+        kept.set(item.id, { version: item.version, shape });
+      }
+      return { item, shape, weight: item.path.length };
+    });
+    this.cache = kept;
+  }
+
+  /** @param {Frame} frame */
+  #paintStill(frame) {
+    const dirty = frame.dirty[0] <= frame.dirty[2] && frame.dirty[1] <= frame.dirty[3];
+    const was = this.painted;
+    const moved = !was || was.x !== frame.x || was.y !== frame.y || was.zoom !== frame.zoom ||
+      was.originX !== frame.originX || was.originY !== frame.originY;
+    if (!moved && !this.stale) {
+      if (dirty) {
+        this.#repaint(frame, frame.dirty);
+      }
+      return;
+    }
+    if (was && !this.stale && !dirty && this.#weight(frame) > LIGHT) {
+      this.#moveLayer(was, frame);
+      return;
+    }
+    this.#repaint(frame, null);
+  }
+
+  /** How much there is to paint: numbers in the paths in sight. @param {View} view */
+  #weight(view) {
+    const [x0, y0, x1, y1] = this.#sight(view);
+    let weight = 0;
+    for (const { item, weight: numbers } of this.list) {
+      if (item.x1 >= x0 && item.x0 <= x1 && item.y1 >= y0 && item.y0 <= y1) {
+        weight += numbers;
+      }
+    }
+    return weight;
+  }
+
+  /** The window, relative to the origin. @param {View} view @returns {[number, number, number, number]} */
+  #sight(view) {
+    const x = view.x - view.originX;
+    const y = view.y - view.originY;
+    return [x, y, x + this.width / view.zoom, y + this.height / view.zoom];
+  }
+
+  /** Shows the layer as painted, where the view now has it. @param {View} was @param {View} now */
+  #moveLayer(was, now) {
+    const scale = now.zoom / was.zoom;
+    const x = (was.x - now.x) * now.zoom;
+    const y = (was.y - now.y) * now.zoom;
+    this.still.style.transform = `translate(${x}px, ${y}px) scale(${scale})`;
+    this.counts.moved++;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.stale = true;
+      this.onidle();
+    }, IDLE);
+  }
+
+  /**
+   * Paints what lies in the box (relative to the origin), or everything.
+   * @param {Frame} frame
+   * @param {[number, number, number, number] | null} box
+   */
+  #repaint(frame, box) {
+    const context = this.stillContext;
+    const { width, height } = this.still;
+    const scale = frame.zoom * this.ratio;
+    const left = (frame.originX - frame.x) * scale;
+    const top = (frame.originY - frame.y) * scale;
+    let [x0, y0, x1, y1] = [0, 0, width, height];
+    if (box) {
+      // Whole device pixels with one to spare, so that no half-covered seam stays behind.
+      x0 = Math.max(0, Math.floor(left + box[0] * scale) - 2);
+      y0 = Math.max(0, Math.floor(top + box[1] * scale) - 2);
+      x1 = Math.min(width, Math.ceil(left + box[2] * scale) + 2);
+      y1 = Math.min(height, Math.ceil(top + box[3] * scale) + 2);
+      this.counts.part++;
+    } else {
+      clearTimeout(this.timer);
+      this.still.style.transform = '';
+      this.stale = false;
+      this.painted = { x: frame.x, y: frame.y, zoom: frame.zoom, originX: frame.originX, originY: frame.originY };
+      this.counts.full++;
+    }
+    if (x0 >= x1 || y0 >= y1) {
+      return;
+    }
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.beginPath();
+    context.rect(x0, y0, x1 - x0, y1 - y0);
+    context.clip();
+    context.clearRect(x0, y0, x1 - x0, y1 - y0);
+    context.setTransform(scale, 0, 0, scale, left, top);
+    const margin = 2 / frame.zoom;
+    const low = [(x0 - left) / scale - margin, (y0 - top) / scale - margin];
+    const high = [(x1 - left) / scale + margin, (y1 - top) / scale + margin];
+    for (const { item, shape } of this.list) {
+      if (item.x1 >= low[0] && item.x0 <= high[0] && item.y1 >= low[1] && item.y0 <= high[1]) {
+        this.#draw(context, item, shape, frame.zoom);
+      }
+    }
+    context.restore();
+  }
+
+  /** @param {Frame} frame */
+  #paintOverlay(frame) {
+    const context = this.overlayContext;
+    if (!this.overlayEmpty) {
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.clearRect(0, 0, this.overlay.width, this.overlay.height);
+    }
+    this.overlayEmpty = frame.live.length === 0;
+    const scale = frame.zoom * this.ratio;
+    context.setTransform(scale, 0, 0, scale, (frame.originX - frame.x) * scale, (frame.originY - frame.y) * scale);
+    for (const item of frame.live) {
+      this.#draw(context, item, shapeOf(item.path), frame.zoom);
+    }
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Path2D} shape
+   * @param {number} zoom
+   */
+  #draw(context, item, shape, zoom) {
+    const own = item.role === ROLE_OBJECT;
+    const look = this.theme.roles[item.role] ?? this.theme.roles[1];
+    context.globalAlpha = item.opacity;
+    if (item.flags & FILLED) {
+      context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
+      context.fill(shape, item.flags & EVEN_ODD ? 'evenodd' : 'nonzero');
+    }
+    if (item.flags & STROKED) {
+      context.strokeStyle = own ? this.theme.colour(item.stroke) : look.stroke;
+      const width = item.flags & SCREEN_WIDTH ? item.width / zoom : item.width;
+      context.lineWidth = Math.max(width, HAIRLINE / zoom);
+      context.lineCap = CAPS[item.cap] ?? 'round';
+      context.lineJoin = JOINS[item.join] ?? 'round';
+      context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
+      context.setLineDash(item.flags & DASHED ? [6 / zoom, 5 / zoom] : []);
+      context.stroke(shape);
+    }
+  }
+}

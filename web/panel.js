@@ -1,0 +1,357 @@
+// The toolbar, the sheets and the readouts, made from the engine's tables. There is no list of commands here: a tool
+// always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
+
+/** @typedef {import('./engine.js').Engine} Engine */
+/** @typedef {import('./types.js').Frame} Frame */
+/** @typedef {import('./types.js').CommandRow} CommandRow */
+/** @typedef {import('./types.js').PropertyRow} PropertyRow */
+/** @typedef {import('./types.js').Tables} Tables */
+
+const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
+const MAC = /Mac|iP(hone|ad)/.test(navigator.platform);
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+/** A length or number, short: three figures. @param {number} value */
+function short(value) {
+  return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : '';
+}
+
+/** A shortcut as this machine writes it. @param {string} key */
+function keyName(key) {
+  /** @type {Record<string, string>} */
+  const known = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', Escape: 'Esc' };
+  if (MAC) {
+    Object.assign(known, { Ctrl: '⌘', Shift: '⇧', Alt: '⌥' });
+  }
+  // "Ctrl++" is Ctrl and the key "+".
+  const parts = key.split(/\+(?=.)/);
+  return parts.map((piece) => known[piece] ?? piece).join(MAC ? '' : '+');
+}
+
+/** @param {string} name @returns {SVGSVGElement | null} null when the sprite has none */
+function icon(name) {
+  if (!document.getElementById(`icon-${name}`)) {
+    return null;
+  }
+  const picture = document.createElementNS(SVG_NAMESPACE, 'svg');
+  picture.setAttribute('class', 'icon');
+  picture.setAttribute('aria-hidden', 'true');
+  const use = document.createElementNS(SVG_NAMESPACE, 'use');
+  use.setAttribute('href', `#icon-${name}`);
+  picture.append(use);
+  return picture;
+}
+
+/** Puts the icons into the page, so that symbols can be used and asked for. */
+export async function loadIcons() {
+  const response = await fetch('icons/sprite.svg');
+  const sprite = new DOMParser().parseFromString(await response.text(), 'image/svg+xml').documentElement;
+  sprite.setAttribute('hidden', '');
+  document.body.append(sprite);
+}
+
+export class Panel {
+  /**
+   * @param {Engine} engine
+   * @param {() => void} wake
+   */
+  constructor(engine, wake) {
+    this.engine = engine;
+    this.wake = wake;
+    this.tables = engine.tables();
+    /** @type {Map<string, HTMLButtonElement>} */
+    this.buttons = new Map();
+    /** @type {(() => void)[]} */
+    this.controls = [];
+    this.shown = '';
+    this.#fillBar();
+    this.#fillSettings();
+    this.#fillMenu();
+    this.#fillReadouts();
+  }
+
+  // ---- the bar ----
+
+  #fillBar() {
+    const bar = part('tools');
+    const tools = this.#group(bar, 'Tools');
+    for (const tool of this.tables.tools) {
+      const row = this.tables.commands.find((command) => command.name === tool.command);
+      tools.append(this.#button(tool.command, tool.label, tool.help, row?.keys ?? []));
+    }
+    const groups = new Map();
+    for (const row of this.tables.commands) {
+      const symbol = document.getElementById(`icon-${row.name}`);
+      const group = symbol?.dataset.group;
+      if (!group || this.buttons.has(row.name)) {
+        continue;
+      }
+      if (!groups.has(group)) {
+        groups.set(group, this.#group(bar, group));
+      }
+      groups.get(group).append(this.#button(row.name, row.label, row.help, row.keys));
+    }
+    const own = this.#group(bar, 'Window');
+    own.append(this.#sheetButton('settings', 'Settings'), this.#sheetButton('menu', 'All commands'));
+    this.themeButton = this.#plainButton('theme', 'Light or dark', '');
+    own.append(this.themeButton);
+  }
+
+  /** @param {HTMLElement} bar @param {string} label */
+  #group(bar, label) {
+    const group = document.createElement('div');
+    group.className = 'group';
+    group.setAttribute('role', 'group');
+    group.setAttribute('aria-label', label);
+    bar.append(group);
+    return group;
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} label
+   * @param {string} title
+   */
+  #plainButton(name, label, title) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'tool';
+    button.dataset.name = name;
+    const picture = icon(name);
+    if (picture) {
+      button.setAttribute('aria-label', label);
+      button.append(picture);
+    } else {
+      button.textContent = label;
+    }
+    button.title = title ? `${label}: ${title}` : label;
+    // A click with the pointer leaves the keyboard to the drawing; one with the keyboard stays where it is.
+    button.addEventListener('click', (event) => {
+      if (event.detail > 0) {
+        part('stage').focus({ preventScroll: true });
+      }
+    });
+    return button;
+  }
+
+  /**
+   * @param {string} command
+   * @param {string} label
+   * @param {string} help
+   * @param {string[]} keys
+   */
+  #button(command, label, help, keys) {
+    const button = this.#plainButton(command, label, keys.length > 0 ? `${help} (${keyName(keys[0])})` : help);
+    button.addEventListener('click', () => this.#run(command));
+    this.buttons.set(command, button);
+    return button;
+  }
+
+  /** @param {string} sheet @param {string} label */
+  #sheetButton(sheet, label) {
+    const button = this.#plainButton(sheet, label, '');
+    button.setAttribute('popovertarget', sheet);
+    return button;
+  }
+
+  /** @param {string} command */
+  #run(command) {
+    this.engine.command(command);
+    this.wake();
+  }
+
+  // ---- the sheets ----
+
+  #fillSettings() {
+    const sheet = part('settings');
+    sheet.append(this.#heading('Settings'));
+    for (const row of this.tables.properties) {
+      sheet.append(this.#control(row, 'setting'));
+    }
+    sheet.addEventListener('toggle', () => this.refresh());
+  }
+
+  #fillMenu() {
+    const sheet = part('menu');
+    sheet.append(this.#heading('All commands'));
+    const list = document.createElement('ul');
+    list.className = 'commands';
+    for (const row of this.tables.commands) {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.title = row.help;
+      button.dataset.command = row.name;
+      const label = document.createElement('span');
+      label.textContent = row.label;
+      const keys = document.createElement('span');
+      keys.className = 'keys';
+      for (const key of row.keys) {
+        const cap = document.createElement('kbd');
+        cap.textContent = keyName(key);
+        keys.append(cap);
+      }
+      button.append(label, keys);
+      button.addEventListener('click', () => {
+        sheet.hidePopover();
+        part('stage').focus({ preventScroll: true });
+        this.#run(row.name);
+      });
+      const entry = document.createElement('li');
+      entry.append(button);
+      list.append(entry);
+    }
+    sheet.append(list);
+  }
+
+  /** @param {string} text */
+  #heading(text) {
+    const heading = document.createElement('h2');
+    heading.textContent = text;
+    return heading;
+  }
+
+  /**
+   * A labelled control of a property.
+   * @param {PropertyRow} row
+   * @param {string} kind
+   */
+  #control(row, kind) {
+    const box = document.createElement('div');
+    box.className = `control ${row.type}`;
+    const input = document.createElement('input');
+    input.id = `${kind}-${row.name}`;
+    input.dataset.property = row.name;
+    const label = document.createElement('label');
+    label.htmlFor = input.id;
+    label.textContent = row.label;
+    label.title = row.help;
+    input.type = row.type === 'switch' ? 'checkbox' : row.type === 'colour' ? 'color' : 'number';
+    if (row.type === 'number') {
+      input.min = String(row.low);
+      input.max = String(row.high);
+      input.step = 'any';
+      input.inputMode = 'decimal';
+      input.addEventListener('keydown', (event) => this.#step(event, row, input));
+    }
+    const write = () => {
+      const value = row.type === 'switch' ? Number(input.checked) :
+        row.type === 'colour' ? Number.parseInt(`${input.value.slice(1)}ff`, 16) : input.valueAsNumber;
+      if (!this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)))) {
+        this.refresh();
+      }
+      this.wake();
+    };
+    input.addEventListener(row.type === 'number' ? 'change' : 'input', write);
+    this.controls.push(() => {
+      const value = this.engine.get(row.name);
+      if (row.type === 'switch') {
+        input.checked = value !== 0;
+      } else if (row.type === 'colour') {
+        input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
+      } else if (document.activeElement !== input || input.valueAsNumber !== value) {
+        input.value = short(value);
+      }
+    });
+    box.append(label, input);
+    if (row.unit) {
+      const unit = document.createElement('span');
+      unit.className = 'unit';
+      unit.textContent = row.unit === 'unit' ? 'units' : row.unit;
+      box.append(unit);
+    }
+    return box;
+  }
+
+  /**
+   * The arrow keys walk in the table's steps.
+   * @param {KeyboardEvent} event
+   * @param {PropertyRow} row
+   * @param {HTMLInputElement} input
+   */
+  #step(event, row, input) {
+    const steps = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
+    if (steps === 0) {
+      return;
+    }
+    event.preventDefault();
+    const value = input.valueAsNumber + steps * row.step;
+    input.value = short(Math.min(row.high, Math.max(row.low, value)));
+    input.dispatchEvent(new Event('change'));
+  }
+
+  // ---- the readouts ----
+
+  #fillReadouts() {
+    const list = part('readouts');
+    this.knots = this.#readout(list, 'Knots');
+    const row = this.tables.properties.find((property) => property.name === 'tolerance');
+    this.tolerance = this.#readout(list, 'Tolerance');
+    if (row) {
+      const control = this.#control(row, 'readout');
+      control.querySelector('label')?.classList.add('hidden');
+      this.tolerance.before(control);
+      this.tolerance.parentElement?.classList.add('with-control');
+    }
+    this.zoom = this.#readout(list, 'Zoom');
+  }
+
+  /** @param {HTMLElement} list @param {string} label */
+  #readout(list, label) {
+    const group = document.createElement('div');
+    const term = document.createElement('dt');
+    const value = document.createElement('dd');
+    term.textContent = label;
+    const text = document.createElement('span');
+    text.className = 'value';
+    value.append(text);
+    group.append(term, value);
+    list.append(group);
+    return text;
+  }
+
+  /** Reads every control's value again. */
+  refresh() {
+    for (const control of this.controls) {
+      control();
+    }
+  }
+
+  /** @param {Frame} frame */
+  show(frame) {
+    const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
+    // Touching the page costs more than comparing a line of text.
+    const shown = [frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
+      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint].join('\n');
+    if (shown === this.shown) {
+      return;
+    }
+    this.shown = shown;
+    const name = frame.name || 'Untitled';
+    part('name').textContent = name;
+    part('unsaved').hidden = !frame.unsaved;
+    document.title = `${frame.unsaved ? '• ' : ''}${name} – Batten`;
+    part('hint').textContent = frame.hint;
+    this.#able('undo', frame.canUndo);
+    this.#able('redo', frame.canRedo);
+    this.tables.tools.forEach((tool, index) => {
+      this.buttons.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
+    });
+    const knots = /** @type {HTMLElement} */ (this.knots);
+    /** @type {HTMLElement} */ (knots.closest('div')).hidden = !drawing;
+    const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
+    knots.textContent = `${before}${frame.knotsAfter}`;
+    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${short(frame.tolerance)} units`;
+    /** @type {HTMLElement} */ (this.zoom).textContent = `${short(frame.zoom * 100)} %`;
+    this.refresh();
+  }
+
+  /** @param {string} command @param {boolean} able */
+  #able(command, able) {
+    const button = this.buttons.get(command);
+    if (button) {
+      button.disabled = !able;
+    }
+  }
+}

@@ -1,0 +1,66 @@
+// The loopback server that `batten edit` runs: the file it was started with, and saving back to it.
+
+/** The file changed on disk after it was opened. */
+export class Changed extends Error {}
+
+/** @typedef {{ name: string, bytes: Uint8Array }} FileBytes */
+
+/** What the server's refusals mean. @type {Record<number, string>} */
+const REASONS = {
+  403: 'The server refused: this page belongs to another run of Batten. Open the address it printed.',
+  413: 'The server refused: the drawing is too large.',
+  415: 'The server refused: the file is of another format.',
+};
+
+export class Server {
+  constructor() {
+    const token = document.querySelector('meta[name=batten-token]')?.getAttribute('content') ?? '';
+    /** '' when the page was served by something else. */
+    this.token = token.startsWith('%') ? '' : token;
+    this.tag = '';
+  }
+
+  get there() {
+    return this.token !== '';
+  }
+
+  /** @returns {Promise<FileBytes>} */
+  async load() {
+    const response = await this.#ask('GET', {}, null);
+    this.tag = response.headers.get('ETag') ?? '';
+    const name = decodeURIComponent(response.headers.get('X-Batten-Name') ?? 'drawing.svg');
+    return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
+  }
+
+  /**
+   * Puts the bytes where the file was.
+   * @param {Uint8Array} bytes
+   * @param {string} type media type
+   */
+  async save(bytes, type) {
+    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': this.tag }, bytes);
+    this.tag = response.headers.get('ETag') ?? '';
+  }
+
+  /**
+   * @param {string} method
+   * @param {Record<string, string>} headers
+   * @param {Uint8Array | null} bytes
+   */
+  async #ask(method, headers, bytes) {
+    let response;
+    try {
+      const body = /** @type {BodyInit | null} */ (bytes);
+      response = await fetch('/document', { method, headers: { ...headers, 'X-Batten-Token': this.token }, body });
+    } catch {
+      throw new Error('The server does not answer. Is `batten edit` still running?');
+    }
+    if (response.status === 412) {
+      throw new Changed('The file changed on disk since it was opened. It was not touched.');
+    }
+    if (!response.ok) {
+      throw new Error(REASONS[response.status] ?? `The server answered ${response.status} ${response.statusText}.`);
+    }
+    return response;
+  }
+}

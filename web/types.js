@@ -1,0 +1,95 @@
+// The shapes of what crosses between the engine and the shell; include/batten/editor.h says what they mean.
+
+/**
+ * @typedef {object} Pointer one sample of a pen, a mouse or a finger
+ * @property {number} phase
+ * @property {number} device
+ * @property {number} contact
+ * @property {number} buttons
+ * @property {number} modifiers
+ * @property {number} x view pixels
+ * @property {number} y
+ * @property {number} pressure 0..1
+ * @property {number} tiltX degrees
+ * @property {number} tiltY
+ * @property {number} twist
+ * @property {number} time milliseconds
+ * @property {boolean} predicted
+ */
+
+/**
+ * @typedef {object} Item something to paint; coordinates relative to the frame's origin
+ * @property {number} id 0: not to be cached
+ * @property {number} version
+ * @property {number} role
+ * @property {number} flags
+ * @property {number} stroke 0xRRGGBBAA
+ * @property {number} fill
+ * @property {number} width
+ * @property {number} opacity
+ * @property {number} cap
+ * @property {number} join
+ * @property {number} miterLimit
+ * @property {number} x0
+ * @property {number} y0
+ * @property {number} x1
+ * @property {number} y1
+ * @property {Float32Array} path a view into the module's memory
+ */
+
+/**
+ * @typedef {object} Frame
+ * @property {number} x screen = (document - (x, y)) * zoom
+ * @property {number} y
+ * @property {number} zoom
+ * @property {number} originX
+ * @property {number} originY
+ * @property {boolean} stillChanged
+ * @property {Item[]} still back to front
+ * @property {[number, number, number, number]} dirty x0 > x1: nothing
+ * @property {Item[]} live
+ * @property {number} cursor
+ * @property {number} requests
+ * @property {boolean} unsaved
+ * @property {boolean} canUndo
+ * @property {boolean} canRedo
+ * @property {number} tool
+ * @property {number} knotsBefore
+ * @property {number} knotsAfter
+ * @property {number} tolerance document units
+ * @property {string} hint
+ * @property {string} notice
+ * @property {string} name
+ */
+
+/**
+ * @typedef {object} CommandRow
+ * @property {string} name
+ * @property {string} label
+ * @property {string} help
+ * @property {string[]} keys
+ *
+ * @typedef {object} PropertyRow
+ * @property {string} name
+ * @property {'number' | 'switch' | 'colour'} type
+ * @property {string} label
+ * @property {string} help
+ * @property {number} default
+ * @property {number} low
+ * @property {number} high
+ * @property {number} step
+ * @property {string} unit
+ *
+ * @typedef {object} ToolRow
+ * @property {string} name
+ * @property {string} command
+ * @property {string} label
+ * @property {string} help
+ *
+ * @typedef {object} Tables
+ * @property {CommandRow[]} commands
+ * @property {PropertyRow[]} properties
+ * @property {ToolRow[]} tools
+ */
+
+export {};
