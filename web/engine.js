@@ -269,7 +269,7 @@ export class Engine {
 
   /** @returns {Tables} */
   tables() {
-    return JSON.parse(this.#string(this.wasm.editor_tables()));
+    return JSON.parse(this.#string(this.wasm.editor_tables(this.editor)));
   }
 
   // ---- files ----
@@ -474,9 +474,12 @@ export class Engine {
       tool: word('frame.tool'),
       knotsBefore: word('frame.knots_before'),
       knotsAfter: word('frame.knots_after'),
+      pending: word('frame.pending') !== 0,
+      error: double('frame.error'),
       tolerance: double('frame.tolerance'),
       hint: this.#string(word('frame.hint')),
       notice: this.#string(word('frame.notice')),
+      noticeVersion: word('frame.notice_version'),
       name: this.#string(word('frame.name')),
     };
   }

@@ -170,13 +170,9 @@ export class Files {
     }
     this.saving = true;
     try {
-      const bytes = this.engine.save(native);
-      const digest = this.engine.digest();
-      await this.server.save(bytes, native ? JSON_TYPE : SVG);
-      // What was drawn in the meantime is not saved.
-      if (this.engine.digest() === digest) {
-        this.engine.saved();
-      }
+      // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
+      await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG);
+      this.engine.saved();
       this.notice.say(`Saved ${this.name}`);
     } catch (error) {
       this.#complain(error, native);

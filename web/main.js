@@ -29,6 +29,7 @@ class Shell {
     this.files = new Files(this.engine, this.server, this.notice, this.wake);
     this.input = new Input(this.stage, this.engine, this.wake);
     this.due = false;
+    this.noticeVersion = 0;
     /** Frames painted and the time they took, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
     this.#connect();
@@ -91,9 +92,10 @@ class Shell {
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     part('welcome').hidden = frame.still.length > 0 || frame.live.length > 0;
     this.files.unsaved = frame.unsaved;
-    if (frame.notice) {
+    if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
       this.notice.say(frame.notice);
     }
+    this.noticeVersion = frame.noticeVersion;
     this.cost.frames++;
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;

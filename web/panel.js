@@ -70,6 +70,7 @@ export class Panel {
     this.#fillSettings();
     this.#fillMenu();
     this.#fillReadouts();
+    this.#fillPending();
   }
 
   // ---- the bar ----
@@ -78,8 +79,7 @@ export class Panel {
     const bar = part('tools');
     const tools = this.#group(bar, 'Tools');
     for (const tool of this.tables.tools) {
-      const row = this.tables.commands.find((command) => command.name === tool.command);
-      tools.append(this.#button(tool.command, tool.label, tool.help, row?.keys ?? []));
+      tools.append(this.#button(tool.command, tool.label, tool.help, tool.keys));
     }
     const groups = new Map();
     for (const row of this.tables.commands) {
@@ -311,6 +311,24 @@ export class Panel {
     return text;
   }
 
+  /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
+  #fillPending() {
+    for (const name of ['accept', 'cancel']) {
+      const row = this.tables.commands.find((command) => command.name === name);
+      if (row) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = row.label;
+        button.title = row.help;
+        button.addEventListener('click', () => {
+          part('stage').focus({ preventScroll: true });
+          this.#run(name);
+        });
+        part('pending').append(button);
+      }
+    }
+  }
+
   /** Reads every control's value again. */
   refresh() {
     for (const control of this.controls) {
@@ -323,7 +341,7 @@ export class Panel {
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     const shown = [frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
-      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint].join('\n');
+      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint, frame.pending, frame.error].join('\n');
     if (shown === this.shown) {
       return;
     }
@@ -338,6 +356,9 @@ export class Panel {
     this.tables.tools.forEach((tool, index) => {
       this.buttons.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
     });
+    part('pending').hidden = !frame.pending;
+    const miss = frame.error > 0 ? ` It is off by ${short(frame.error)} units.` : '';
+    part('pending-text').textContent = frame.pending ? `The tolerance could not be met.${miss}` : '';
     const knots = /** @type {HTMLElement} */ (this.knots);
     /** @type {HTMLElement} */ (knots.closest('div')).hidden = !drawing;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';

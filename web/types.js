@@ -56,9 +56,12 @@
  * @property {number} tool
  * @property {number} knotsBefore
  * @property {number} knotsAfter
+ * @property {boolean} pending a fit waits for a yes or a no
+ * @property {number} error of the fit shown, document units; 0: there is none
  * @property {number} tolerance document units
  * @property {string} hint
  * @property {string} notice
+ * @property {number} noticeVersion grows with every notice
  * @property {string} name
  */
 
@@ -83,6 +86,7 @@
  * @typedef {object} ToolRow
  * @property {string} name
  * @property {string} command
+ * @property {string[]} keys
  * @property {string} label
  * @property {string} help
  *
@@ -90,6 +94,7 @@
  * @property {CommandRow[]} commands
  * @property {PropertyRow[]} properties
  * @property {ToolRow[]} tools
+ * @property {Record<string, string>} strings
  */
 
 export {};

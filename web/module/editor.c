@@ -16,7 +16,7 @@ void editor_resize(bat_editor *editor, double width, double height, double pixel
 MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char *name);
 MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
 MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
-MODULE_EXPORT(editor_tables) const char *editor_tables(void);
+MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
@@ -73,7 +73,10 @@ double editor_get(const bat_editor *editor, const char *property) {
     return bat_editor_get(editor, property, &value) == BAT_OK ? value : (double)NAN;
 }
 
-const char *editor_tables(void) { return bat_editor_tables(); }
+const char *editor_tables(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_tables(editor);
+}
 
 void editor_saved(bat_editor *editor) {
     MODULE_CHECK(editor);
