@@ -103,8 +103,11 @@ export class Input {
 
   /** @param {PointerEvent} event */
   #down(event) {
-    this.stage.focus({ preventScroll: true });
-    event.preventDefault();
+    // Drawing takes the keyboard back from a field or a button, without showing a focus ring.
+    const focused = document.activeElement;
+    if (focused instanceof HTMLElement && focused !== this.stage) {
+      focused.blur();
+    }
     try {
       this.stage.setPointerCapture(event.pointerId);
     } catch {

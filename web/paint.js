@@ -14,6 +14,7 @@ const EVEN_ODD = 4;
 const SCREEN_WIDTH = 8;
 const DASHED = 16;
 const ROLE_OBJECT = 0;
+const ROLE_PAGE = 8;
 
 /** @type {CanvasLineCap[]} */
 const CAPS = ['butt', 'round', 'square'];
@@ -254,7 +255,8 @@ export class Painter {
     const own = item.role === ROLE_OBJECT;
     const look = this.theme.roles[item.role] ?? this.theme.roles[1];
     context.globalAlpha = item.opacity;
-    if (item.flags & FILLED) {
+    // Paper lies on the ground, whatever the engine says of its border.
+    if (item.flags & FILLED || item.role === ROLE_PAGE) {
       context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
       context.fill(shape, item.flags & EVEN_ODD ? 'evenodd' : 'nonzero');
     }

@@ -130,7 +130,7 @@ export class Panel {
     // A click with the pointer leaves the keyboard to the drawing; one with the keyboard stays where it is.
     button.addEventListener('click', (event) => {
       if (event.detail > 0) {
-        part('stage').focus({ preventScroll: true });
+        button.blur();
       }
     });
     return button;
@@ -195,7 +195,6 @@ export class Panel {
       button.append(label, keys);
       button.addEventListener('click', () => {
         sheet.hidePopover();
-        part('stage').focus({ preventScroll: true });
         this.#run(row.name);
       });
       const entry = document.createElement('li');
@@ -254,13 +253,10 @@ export class Panel {
         input.value = short(value);
       }
     });
-    box.append(label, input);
-    if (row.unit) {
-      const unit = document.createElement('span');
-      unit.className = 'unit';
-      unit.textContent = row.unit === 'unit' ? 'units' : row.unit;
-      box.append(unit);
-    }
+    const unit = document.createElement('span');
+    unit.className = 'unit';
+    unit.textContent = row.unit === 'unit' ? 'units' : row.unit;
+    box.append(label, input, unit);
     return box;
   }
 
@@ -321,7 +317,6 @@ export class Panel {
         button.textContent = row.label;
         button.title = row.help;
         button.addEventListener('click', () => {
-          part('stage').focus({ preventScroll: true });
           this.#run(name);
         });
         part('pending').append(button);

@@ -24,7 +24,8 @@ export function turnOver(red, green, blue) {
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
   const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-  const lightness = 0.93 - 0.71 * (0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s);
+  const light = Math.max(0, 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s);
+  const lightness = 0.97 - 0.75 * light ** 1.4; // the dark end spreads, so that ink is not grey
   const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
   const c = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
   const l3 = (lightness + 0.3963377774 * a + 0.2158037573 * c) ** 3;

@@ -1,0 +1,162 @@
+// A browser, a page with the editor in it, and hands: a pen, a mouse, fingers, all through the browser's own
+// input pipeline, so that events are trusted, coalesced and captured as a user's are.
+import fs from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+
+export const SCREENSHOTS = path.resolve(import.meta.dirname, '../../build/screenshots');
+
+export function launch() {
+  fs.mkdirSync(SCREENSHOTS, { recursive: true });
+  return chromium.launch({
+    executablePath: process.env.BATTEN_CHROMIUM ?? '/usr/bin/chromium',
+    headless: true,
+    args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+      '--disable-component-update', '--disable-sync'],
+  });
+}
+
+/**
+ * A page with the editor, ready. Anything it says on the console as an error is kept in `faults`.
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} address
+ * @param {import('playwright-core').BrowserContextOptions} [options]
+ */
+export async function open(browser, address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') {
+      faults.push(message.text());
+    }
+  });
+  await page.goto(address);
+  await ready(page);
+  const client = await context.newCDPSession(page);
+  return { context, page, client, faults, hand: new Hand(page, client) };
+}
+
+export async function ready(page) {
+  await page.waitForSelector('html[data-ready=yes]', { timeout: 15000 });
+  await settle(page);
+}
+
+/** Two frames: what was told is painted. */
+export function settle(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+}
+
+/** What the engine says now: without asking it for a frame of our own. */
+export function state(page) {
+  return page.evaluate(() => ({
+    digest: batten.engine.digest(),
+    check: batten.engine.check(),
+    hint: document.getElementById('hint').textContent,
+    notice: document.getElementById('notice-text').textContent,
+    unsaved: !document.getElementById('unsaved').hidden,
+    zoom: batten.painter.painted.zoom,
+    counts: { ...batten.painter.counts },
+  }));
+}
+
+/** The window position of a point of the document. */
+export function place(page, x, y) {
+  return page.evaluate(([px, py]) => {
+    const { x: left, y: top, zoom } = batten.painter.painted;
+    const box = document.getElementById('stage').getBoundingClientRect();
+    return [box.left + (px - left) * zoom, box.top + (py - top) * zoom];
+  }, [x, y]);
+}
+
+/** How many pixels of a canvas are not clear. */
+export function inked(page, id) {
+  return page.evaluate((name) => {
+    const canvas = document.getElementById(name);
+    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let count = 0;
+    for (let i = 3; i < data.length; i += 4) {
+      count += data[i] > 0 ? 1 : 0;
+    }
+    return count;
+  }, id);
+}
+
+export class Hand {
+  constructor(page, client) {
+    this.page = page;
+    this.client = client;
+    this.time = Date.now() / 1000;
+  }
+
+  #mouse(type, [x, y], more) {
+    this.time += 0.004;
+    return this.client.send('Input.dispatchMouseEvent', { type, x, y, timestamp: this.time, ...more });
+  }
+
+  /** Brings the pen near, not touching. */
+  async hover(point, pointerType = 'pen') {
+    await this.#mouse('mouseMoved', point, { pointerType, button: 'none', buttons: 0 });
+    await settle(this.page);
+  }
+
+  /**
+   * A stroke through window positions, samples `step` pixels apart, 4 ms each. Sent without waiting for each other,
+   * as a tablet sends them. `lift`: false leaves the pen down. `during` runs while it is still down.
+   */
+  async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null } = {}) {
+    const dense = densify(points, step);
+    const pen = (force) => ({ pointerType, button: 'left', buttons: 1, force, tiltX: 20, tiltY: 10, modifiers });
+    const sent = [];
+    await this.#mouse('mouseMoved', dense[0], { pointerType, button: 'none', buttons: 0, modifiers });
+    sent.push(this.#mouse('mousePressed', dense[0], { ...pen(0.3), clickCount: 1 }));
+    dense.slice(1).forEach((point, i) => sent.push(this.#mouse('mouseMoved', point, pen(0.3 + (0.4 * i) / dense.length))));
+    await Promise.all(sent);
+    await settle(this.page);
+    if (during) {
+      await during();
+    }
+    if (lift) {
+      await this.#mouse('mouseReleased', dense[dense.length - 1], { ...pen(0), buttons: 0, clickCount: 1 });
+      await settle(this.page);
+    }
+    return dense;
+  }
+
+  /** Fingers: an array of frames, each an array of positions; the last lifts. */
+  async fingers(frames) {
+    let before = 0;
+    for (const frame of frames) {
+      const touchPoints = frame.map(([x, y], id) => ({ x, y, id, force: 0.5, radiusX: 6, radiusY: 6 }));
+      await this.client.send('Input.dispatchTouchEvent', {
+        type: before < frame.length ? 'touchStart' : 'touchMove', touchPoints });
+      before = frame.length;
+    }
+    await this.client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await settle(this.page);
+  }
+}
+
+/** The polyline with points at most `step` apart. */
+export function densify(points, step) {
+  const dense = [points[0]];
+  for (let i = 1; i < points.length; i++) {
+    const [x0, y0] = points[i - 1];
+    const [x1, y1] = points[i];
+    const count = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / step));
+    for (let k = 1; k <= count; k++) {
+      dense.push([x0 + ((x1 - x0) * k) / count, y0 + ((y1 - y0) * k) / count]);
+    }
+  }
+  return dense;
+}
+
+/** Points of a cubic Bézier. */
+export function bezier(p0, p1, p2, p3, count = 40) {
+  return Array.from({ length: count + 1 }, (_, i) => {
+    const t = i / count;
+    const s = 1 - t;
+    return [0, 1].map((k) => s * s * s * p0[k] + 3 * s * s * t * p1[k] + 3 * s * t * t * p2[k] + t * t * t * p3[k]);
+  });
+}

@@ -1,0 +1,78 @@
+// A stand-in for the server of `batten edit`: the shell's files with its headers, and one document.
+// It exists so that a test can look at, and spoil, what the real one would hold.
+import crypto from 'node:crypto';
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+
+const ROOT = path.resolve(import.meta.dirname, '../..');
+const WEB = path.join(ROOT, 'web');
+export const MODULE = process.env.BATTEN_MODULE ?? path.join(ROOT, 'build/wasm/batten.wasm');
+export const EXAMPLE = path.join(ROOT, 'examples/car.svg');
+
+const TYPES = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
+  "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
+
+/**
+ * @param {{ name?: string, bytes?: Buffer }} [document] none: the page is served without a token
+ */
+export async function serve(document) {
+  const token = crypto.randomBytes(16).toString('hex');
+  const state = { bytes: document?.bytes, saves: 0, address: '', close: () => {} };
+  const server = http.createServer((request, response) => {
+    const where = new URL(request.url, 'http://localhost').pathname;
+    if (where === '/document') {
+      answerDocument(request, response);
+      return;
+    }
+    const file = where === '/batten.wasm' ? MODULE : path.join(WEB, where === '/' ? 'index.html' : where);
+    if (!file.startsWith(WEB) && file !== MODULE || !fs.existsSync(file)) {
+      response.writeHead(404).end();
+      return;
+    }
+    let body = fs.readFileSync(file);
+    if (where === '/' && document) {
+      body = Buffer.from(body.toString().replace('%TOKEN%', token));
+    }
+    response.writeHead(200, { 'Content-Type': TYPES[path.extname(file)], 'Content-Security-Policy': POLICY,
+      'Cache-Control': 'no-store' });
+    response.end(body);
+  });
+
+  function answerDocument(request, response) {
+    if (!document || request.headers['x-batten-token'] !== token) {
+      response.writeHead(403).end();
+    } else if (request.method === 'GET') {
+      response.writeHead(200, { 'X-Batten-Name': encodeURIComponent(document.name), ETag: tagOf(state.bytes) });
+      response.end(state.bytes);
+    } else if (request.headers['if-match'] !== tagOf(state.bytes)) {
+      request.resume();
+      response.writeHead(412).end();
+    } else {
+      const parts = [];
+      request.on('data', (part) => parts.push(part));
+      request.on('end', () => {
+        state.bytes = Buffer.concat(parts);
+        state.saves++;
+        response.writeHead(200, { ETag: tagOf(state.bytes) }).end();
+      });
+    }
+  }
+
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  state.address = `http://127.0.0.1:${server.address().port}/`;
+  state.close = () => {
+    server.closeAllConnections();
+    server.close();
+  };
+  return state;
+}
