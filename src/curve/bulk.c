@@ -1,17 +1,187 @@
-/* Position and derivatives at many parameters. */
+/*
+ * Position and derivatives at many parameters: a span becomes its Taylor polynomial about the middle once,
+ * and the run of parameters in that span goes through Horner's rule. About the middle |s| <= h / 2, so
+ * coefficients are no larger than Chebyshev's bound allows and no digits are lost.
+ */
 #include "curve/curve.h"
 
 #include <math.h>
 
+/* Several instruction sets in one binary. Contraction is off everywhere, so that all give the same bits. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                 \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
+#define CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define CLONES
+#endif
+#if defined(__GNUC__)
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+enum { ROWS = BAT_DEGREE_MAX + 1, ROOM = ROWS * BAT_DIMENSION_MAX };
+
+/* c[k * dimension + d]: coefficient of (u - middle)^k. */
+typedef struct piece {
+    double middle;
+    double c[ROOM];
+} piece;
+
+/* Cubic Taylor coefficients straight from knots and points: six divisions. With f's blossom about m, and the
+ * span's ends a, b relative to m: f1(a,b) = f1 + f2 (a+b)/2 + f3 ab/2, f(a,b,m) = f + f1 (a+b)/3 + f2 ab/6
+ * (f1 to f3: the derivatives at m). a + b is not quite zero: m is rounded, and counts for what it is. */
+INLINE void cubic_piece(const double *t, const double *points, piece *out, int size) {
+    double m = 0.5 * t[0] + 0.5 * t[1], a = t[0] - m, b = t[1] - m, sum = a + b, ab = a * b;
+    double r0 = 3 / (t[1] - t[-2]), r1 = 3 / (t[2] - t[-1]), r2 = 3 / (t[3] - t[0]);
+    double s0 = 2 / (t[1] - t[-1]), s1 = 2 / (t[2] - t[0]), q = 1 / (t[1] - t[0]);
+    double w = (m - t[-1]) * (1.0 / 3), v0 = b * q, v1 = -a * q;
+    for (int c = 0; c < size; c++) {
+        double p1 = points[size + c], p2 = points[2 * size + c];
+        double d0 = (p1 - points[c]) * r0, d1 = (p2 - p1) * r1, d2 = (points[3 * size + c] - p2) * r2;
+        double e0 = (d1 - d0) * s0, e1 = (d2 - d1) * s1, third = (e1 - e0) * q;
+        double second = v0 * e0 + v1 * e1, first = d1 - 0.5 * (second * sum + third * ab);
+        out->c[3 * size + c] = third * (1.0 / 6);
+        out->c[2 * size + c] = 0.5 * second;
+        out->c[size + c] = first;
+        out->c[c] = p1 + w * d1 - first * sum * (1.0 / 3) - second * ab * (1.0 / 6);
+    }
+    out->middle = m;
+}
+
+static void any_piece(const bat_curve *curve, int span, piece *out) {
+    int p = curve->degree, size = curve->dimension;
+    double scale = 1;
+    out->middle = 0.5 * curve->knots[span] + 0.5 * curve->knots[span + 1];
+    bat_curve_eval_span(curve, span, out->middle, p, out->c);
+    for (int k = 2; k <= p; k++) {
+        scale /= k;
+        for (int c = 0; c < size; c++) out->c[k * size + c] *= scale;
+    }
+}
+
+/* Derivatives are written as cubics too, with zeros in front: one rule for the whole block, which compilers
+ * turn into vectors across the block; without derivatives they do across the points. */
+INLINE void cubic_run(const piece *f, size_t count, const double *restrict u, double *restrict out, int size,
+                      int order) {
+    double m = f->middle, a[4][3 * BAT_DIMENSION_MAX];
+    int block = size * (order + 1);
+    for (int k = 0; k <= order; k++)
+        for (int c = 0; c < size; c++)
+            for (int j = 0; j < 4; j++) {
+                double factor = k == 0 ? 1 : k == 1 ? j + 1 : (j + 1) * (j + 2);
+                a[j][k * size + c] = j + k > 3 ? 0 : factor * f->c[(j + k) * size + c];
+            }
+    for (size_t i = 0; i < count; i++, out += block) {
+        double s = u[i] - m;
+        for (int j = 0; j < block; j++) out[j] = ((a[3][j] * s + a[2][j]) * s + a[1][j]) * s + a[0][j];
+    }
+}
+
+static void any_run(const piece *f, int p, int size, size_t count, const double *u, int order, double *out) {
+    for (size_t i = 0; i < count; i++) {
+        double s = u[i] - f->middle;
+        for (int k = 0; k <= order; k++, out += size) {
+            for (int c = 0; c < size; c++) {
+                double value = 0;
+                for (int j = p; j >= k; j--) {
+                    double factor = 1; /* j (j-1) .. (j-k+1) */
+                    for (int n = 0; n < k; n++) factor *= j - n;
+                    value = value * s + factor * f->c[j * size + c];
+                }
+                out[c] = value;
+            }
+        }
+    }
+}
+
+/* How many of u[0..count) are below `end` (or equal to it, when `with` says so); the first is. */
+static size_t run_length(const double *u, size_t count, double end, bool with) {
+    size_t low = 0, step = 1;
+    while (low + step < count && (u[low + step] < end || (with && u[low + step] == end)))
+        low += step, step *= 2;
+    size_t high = low + step < count ? low + step : count; /* u[low] is in, u[high] is out */
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (u[middle] < end || (with && u[middle] == end))
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+INLINE void cubic_spans(const bat_curve *curve, size_t count, const double *u, double *out, int size,
+                        int order) {
+    int span = -1, last = bat_span(curve, curve->knots[curve->spread], -1);
+    piece f;
+    for (size_t i = 0; i < count;) {
+        span = bat_span(curve, u[i], span);
+        size_t n = run_length(u + i, count - i, curve->knots[span + 1], span == last);
+        cubic_piece(curve->knots + span, curve->points + (span - 3) * size, &f, size);
+        cubic_run(&f, n, u + i, out + i * (size_t)(size * (order + 1)), size, order);
+        i += n;
+    }
+}
+
+#define CUBIC(name, size, order)                                                                             \
+    CLONES static void name(const bat_curve *curve, size_t count, const double *u, double *out) {            \
+        cubic_spans(curve, count, u, out, size, order);                                                      \
+    }
+CUBIC(cubic_2_0, 2, 0)
+CUBIC(cubic_2_1, 2, 1)
+CUBIC(cubic_2_2, 2, 2)
+CUBIC(cubic_3_0, 3, 0)
+CUBIC(cubic_3_1, 3, 1)
+CUBIC(cubic_3_2, 3, 2)
+
+static void any_spans(const bat_curve *curve, size_t count, const double *u, int order, double *out) {
+    int span = -1, last = bat_span(curve, curve->knots[curve->spread], -1);
+    size_t block = ((size_t)order + 1) * (size_t)curve->dimension;
+    for (size_t i = 0; i < count;) {
+        piece f;
+        span = bat_span(curve, u[i], span);
+        size_t n = run_length(u + i, count - i, curve->knots[span + 1], span == last);
+        any_piece(curve, span, &f);
+        any_run(&f, curve->degree, curve->dimension, n, u + i, order, out + i * block);
+        i += n;
+    }
+}
+
+/* Not one NaN, and ascending: one pass without branches. */
+CLONES static bool ascending(const double *u, size_t count) {
+    int fault = 0;
+    for (size_t i = 1; i < count; i++) fault |= !(u[i - 1] <= u[i]);
+    return !fault;
+}
+
 bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const double *u, int order,
                                double *out) {
+    typedef void cubic(const bat_curve *, size_t, const double *, double *);
+    static cubic *const cubics[2][3] = {{cubic_2_0, cubic_2_1, cubic_2_2}, {cubic_3_0, cubic_3_1, cubic_3_2}};
     if (!curve || order < 0 || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
-    for (size_t i = 0; i < count; i++)
-        if (isnan(u[i])) return BAT_NUMBER;
-    for (size_t i = 1; i < count; i++)
-        if (u[i] < u[i - 1]) return BAT_PARAMETER;
-    size_t block = ((size_t)order + 1) * (size_t)curve->dimension;
-    for (size_t i = 0; i < count; i++) bat_curve_eval(curve, u[i], order, out + i * block);
+    if (count == 0) return BAT_OK;
+    if (isnan(u[0]) || !ascending(u, count)) {
+        for (size_t i = 0; i < count; i++)
+            if (isnan(u[i])) return BAT_NUMBER;
+        return BAT_PARAMETER;
+    }
+    size_t block = ((size_t)order + 1) * (size_t)curve->dimension, first = 0, last;
+    double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
+    /* Parameters outside the domain are clamped or taken modulo the period one by one. */
+    for (; first < count && u[first] < start; first++)
+        bat_curve_eval(curve, u[first], order, out + first * block);
+    bool with = !curve->closed;
+    last = first;
+    if (first < count && (u[first] < end || (with && u[first] == end)))
+        last += run_length(u + first, count - first, end, with);
+    if (last > first) {
+        if (curve->degree == 3 && order <= 2)
+            cubics[curve->dimension - 2][order](curve, last - first, u + first, out + first * block);
+        else
+            any_spans(curve, last - first, u + first, order, out + first * block);
+    }
+    for (; last < count; last++) bat_curve_eval(curve, u[last], order, out + last * block);
     return BAT_OK;
 }
 

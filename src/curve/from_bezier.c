@@ -126,6 +126,22 @@ bat_status bat_curve_from_bezier(int degree, int dimension, int count, const dou
                                 &removal);
     bat_curve_free(exact);
     if (status != BAT_OK) return status;
+    if (closed) { /* the seam is a joint like any other */
+        bat_curve *whole = NULL;
+        double seam = simple->knots[degree], more = 0;
+        int removed = 0;
+        double left = fmax(tolerance - removal, 64 * DBL_EPSILON * greatest);
+        if (bat_knot_multiplicity(simple, seam) == 1)
+            status = bat_curve_remove_knot(simple, seam, 1, left, &whole, &removed, &more);
+        if (status != BAT_OK) {
+            bat_curve_free(simple);
+            return status;
+        }
+        if (whole) {
+            bat_curve_free(simple);
+            simple = whole, removal += more;
+        }
+    }
     *out = simple;
     if (error) *error = moved + removal;
     return BAT_OK;

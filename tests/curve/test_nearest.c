@@ -37,7 +37,7 @@ static void check_query(const bat_curve *curve, const bat_finder *finder, const 
         if (d < best) best = d, best_u = u[i];
     }
     bat_curve_eval(curve, bat_curve_project_near(curve, point, best_u, 20), 0, at);
-    assert_true(distance_of(at, point, m) <= best);
+    assert_true(distance_of(at, point, m) <= best + 1e-13 * size); /* bulk and single differ by rounding */
     best = distance_of(at, point, m);
     assert_true(near.distance <= best + 1e-12 * size);
 }
