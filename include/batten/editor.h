@@ -63,7 +63,7 @@ BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, cons
 /*
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
  * {"commands":[{"name","label","help","keys":[...],"hold"}], "properties":[{"name","label","help","type",
- *  "default","low","high","step","unit"}], "tools":[{"name","label","help","hint","keys":[...],"command"}],
+ *  "default","low","high","step","unit"}], "tools":[{"name","label","help","command","keys":[...]}],
  *  "strings":{key:text}}. Owned by the editor, valid until the next call of it; NULL when out of memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);

@@ -1,0 +1,149 @@
+/* The dispatcher: what each command of the table does. */
+#include "editor/editor.h"
+#include <math.h>
+#include <string.h>
+
+typedef bat_status command_function(bat_editor *editor, bool down);
+
+/* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
+static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(bat_history *, bat_document *),
+                       bat_status (*back)(bat_history *, bat_document *)) {
+    bat_status status = go(&editor->history, editor->document);
+    if (status != BAT_OK) return status;
+    bat_line line = {0};
+    bat_line_text(&line, "{\"do\":\"");
+    bat_line_text(&line, name);
+    bat_line_text(&line, "\",\"digest\":");
+    bat_line_digest(&line, bat_document_digest(editor->document));
+    bat_line_text(&line, "}");
+    status = bat_journal_append(&editor->journal, &line);
+    bat_line_free(&line);
+    if (status != BAT_OK) back(&editor->history, editor->document);
+    editor->revision++;
+    return status;
+}
+
+static bool drop(bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    return tool->cancel && tool->cancel(editor);
+}
+
+static bat_status undo(bat_editor *editor, bool down) {
+    (void)down;
+    /* What has not been committed yet is what the user wants gone first. */
+    if (drop(editor)) return BAT_OK;
+    bat_status status = step(editor, "undo", bat_history_undo, bat_history_redo);
+    bat_editor_notice(editor, status == BAT_OK ? BAT_TEXT_NOTICE_UNDONE
+                              : status == BAT_STATE ? BAT_TEXT_NOTICE_NOTHING_TO_UNDO : BAT_TEXT_NOTICE_MEMORY);
+    return status;
+}
+
+static bat_status redo(bat_editor *editor, bool down) {
+    (void)down;
+    drop(editor);
+    bat_status status = step(editor, "redo", bat_history_redo, bat_history_undo);
+    bat_editor_notice(editor, status == BAT_OK ? BAT_TEXT_NOTICE_REDONE
+                              : status == BAT_STATE ? BAT_TEXT_NOTICE_NOTHING_TO_REDO : BAT_TEXT_NOTICE_MEMORY);
+    return status;
+}
+
+static bat_status accept(bat_editor *editor, bool down) {
+    (void)down;
+    const bat_tool *tool = bat_editor_tool(editor);
+    return tool->accept && tool->accept(editor) ? BAT_OK : BAT_STATE;
+}
+
+static bat_status cancel(bat_editor *editor, bool down) {
+    (void)down;
+    return drop(editor) ? BAT_OK : BAT_STATE;
+}
+
+static bat_status ask(bat_editor *editor, uint32_t request) {
+    editor->requests |= request;
+    return BAT_OK;
+}
+static bat_status open(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_OPEN); }
+static bat_status save(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_SAVE); }
+static bat_status download_svg(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_DOWNLOAD_SVG); }
+static bat_status download_native(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_DOWNLOAD_NATIVE); }
+static bat_status download_journal(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_JOURNAL); }
+
+static bat_status view_fit(bat_editor *editor, bool down) {
+    (void)down;
+    return bat_editor_fit(editor) ? BAT_OK : BAT_STATE;
+}
+
+static bat_status zoom(bat_editor *editor, double factor) {
+    double middle[2] = {editor->view.width / 2, editor->view.height / 2};
+    bat_view_zoom(&editor->view, middle, factor);
+    return BAT_OK;
+}
+static bat_status zoom_in(bat_editor *editor, bool down) { (void)down; return zoom(editor, sqrt(2)); }
+static bat_status zoom_out(bat_editor *editor, bool down) { (void)down; return zoom(editor, 1 / sqrt(2)); }
+static bat_status zoom_100(bat_editor *editor, bool down) { (void)down; return zoom(editor, 1 / editor->view.zoom); }
+
+/* A tenth of the window. */
+static bat_status pan(bat_editor *editor, double x, double y) {
+    double to[2] = {-x * editor->view.width / 10, -y * editor->view.height / 10};
+    bat_view_pan(&editor->view, (double[]){0, 0}, to);
+    return BAT_OK;
+}
+static bat_status pan_left(bat_editor *editor, bool down) { (void)down; return pan(editor, -1, 0); }
+static bat_status pan_right(bat_editor *editor, bool down) { (void)down; return pan(editor, 1, 0); }
+static bat_status pan_up(bat_editor *editor, bool down) { (void)down; return pan(editor, 0, -1); }
+static bat_status pan_down(bat_editor *editor, bool down) { (void)down; return pan(editor, 0, 1); }
+
+/* The next value of a ladder whose rungs lie about a third apart. */
+static bat_status step_tolerance(bat_editor *editor, int direction) {
+    static const double rungs[] = {0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20};
+    const int count = (int)(sizeof rungs / sizeof *rungs);
+    double now = editor->values[BAT_PROPERTY_TOLERANCE];
+    int i = direction > 0 ? 0 : count - 1;
+    while (i >= 0 && i < count && (rungs[i] - now) * direction <= 1e-9) i += direction;
+    if (i < 0 || i >= count) return BAT_STATE;
+    editor->values[BAT_PROPERTY_TOLERANCE] = rungs[i];
+    return BAT_OK;
+}
+static bat_status tolerance_down(bat_editor *editor, bool down) { (void)down; return step_tolerance(editor, -1); }
+static bat_status tolerance_up(bat_editor *editor, bool down) { (void)down; return step_tolerance(editor, 1); }
+
+static bat_status choose(bat_editor *editor, bat_tool_id tool) {
+    drop(editor);
+    const bat_tool *before = bat_editor_tool(editor);
+    if (before->leave) before->leave(editor);
+    editor->tool = tool;
+    return BAT_OK;
+}
+static bat_status tool_sketch(bat_editor *editor, bool down) { (void)down; return choose(editor, BAT_TOOL_SKETCH); }
+static bat_status tool_pan(bat_editor *editor, bool down) { (void)down; return choose(editor, BAT_TOOL_PAN); }
+
+static bat_status hold_pan(bat_editor *editor, bool down) {
+    editor->holding_pan = down;
+    return BAT_OK;
+}
+
+static command_function *const functions[BAT_COMMAND_COUNT] = {
+#define COMMAND(id, name, keys, when, hold, function) function,
+#include "editor/commands.def"
+};
+
+bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down) {
+    const bat_command_row *row = bat_command_at(id);
+    if (row->when == BAT_WHEN_IDLE && (bat_editor_busy(editor) || editor->transaction.open)) return BAT_STATE;
+    return functions[id](editor, down);
+}
+
+bat_status bat_editor_command(bat_editor *editor, const char *name) {
+    bat_command_id id = bat_command_named(name);
+    if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
+    return bat_command_run(editor, id, true);
+}
+
+bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys) {
+    bat_command_id id = bat_command_named(command);
+    if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
+    if (!keys) keys = bat_command_at(id)->keys;
+    if (!bat_keys_valid(keys)) return BAT_ARGUMENT;
+    memcpy(editor->keys[id], keys, strlen(keys) + 1);
+    return BAT_OK;
+}

@@ -1,0 +1,44 @@
+#include "editor/editor.h"
+#include <math.h>
+#include <string.h>
+
+int bat_contacts_find(const bat_contacts *contacts, bat_device device, uint32_t id) {
+    for (int i = 0; i < contacts->count; i++)
+        if (contacts->list[i].device == device && contacts->list[i].id == id) return i;
+    return -1;
+}
+
+int bat_contacts_count(const bat_contacts *contacts, bat_duty duty, int *first) {
+    int count = 0;
+    for (int i = 0; i < contacts->count; i++)
+        if (contacts->list[i].duty == duty && count++ == 0 && first) *first = i;
+    return count;
+}
+
+void bat_contacts_remove(bat_contacts *contacts, int index) {
+    contacts->count--;
+    memmove(contacts->list + index, contacts->list + index + 1,
+            (size_t)(contacts->count - index) * sizeof *contacts->list);
+}
+
+void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
+    bat_contact *moved = &editor->contacts.list[index];
+    const bat_contact *other = NULL;
+    for (int i = 0; i < editor->contacts.count; i++)
+        if (i != index && editor->contacts.list[i].duty == BAT_DUTY_NAVIGATE) other = &editor->contacts.list[i];
+    if (other) {
+        /* Both fingers keep their document points as well as pan and zoom can: about the middle between them. */
+        double before[2], after[2];
+        for (int k = 0; k < 2; k++) {
+            before[k] = (moved->at[k] + other->at[k]) / 2;
+            after[k] = (to[k] + other->at[k]) / 2;
+        }
+        double apart = hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
+        double now = hypot(to[0] - other->at[0], to[1] - other->at[1]);
+        if (apart >= 1 && now >= 1) bat_view_zoom(&editor->view, before, now / apart);
+        bat_view_pan(&editor->view, before, after);
+    } else {
+        bat_view_pan(&editor->view, moved->at, to);
+    }
+    memcpy(moved->at, to, sizeof moved->at);
+}

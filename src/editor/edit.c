@@ -1,0 +1,128 @@
+#include "editor/edit.h"
+#include "editor/editor.h"
+#include "editor/edit_codec.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* One row a kind: its name in the journal, and what undo says of it. */
+static const struct {
+    const char *name;
+    bat_text label;
+} KINDS[BAT_EDIT_COUNT] = {
+    [BAT_EDIT_NEW] = {"sketch-new", BAT_TEXT_STEP_NEW},
+    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_TEXT_STEP_REDRAW},
+    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_TEXT_STEP_SMOOTH},
+    [BAT_EDIT_JOIN] = {"sketch-join", BAT_TEXT_STEP_JOIN},
+};
+
+const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
+bat_text bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
+
+bat_edit_kind bat_edit_named(const char *name) {
+    int i = 0;
+    while (i < BAT_EDIT_COUNT && strcmp(KINDS[i].name, name)) i++;
+    return (bat_edit_kind)i;
+}
+
+const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {
+    const bat_object *found = bat_document_at(document, bat_document_find(document, object));
+    if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
+    const bat_curve *target = bat_object_curve(found, curve);
+    return bat_curve_dimension(target) == 2 ? target : NULL;
+}
+
+static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out, bat_sketch_report *report) {
+    const bat_document *document = editor->document;
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
+    const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
+    if (!target) return BAT_ARGUMENT;
+    if (edit->kind == BAT_EDIT_REDRAW) return bat_sketch(target, &stroke, &edit->options, out, report);
+    if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
+    const bat_curve *other = bat_edit_target(document, edit->other, edit->other_curve);
+    if (!other || other == target) return BAT_ARGUMENT;
+    return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
+}
+
+bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live, bat_curve **out,
+                            bat_sketch_report *report) {
+    bat_curve *curve = NULL;
+    *report = (bat_sketch_report){0};
+    bat_status status = live ? bat_sketch_commit(live, &curve, report) : compute(editor, edit, &curve, report);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    if (!curve) return BAT_SINGULAR;
+    *out = curve;
+    return status;
+}
+
+/* The object without one of its curves; *out NULL when none is left. */
+static bat_status without_curve(const bat_object *object, int index, bat_object **out) {
+    int count = bat_object_curve_count(object), kept = 0;
+    *out = NULL;
+    if (count == 1) return BAT_OK;
+    bat_curve **curves = calloc((size_t)count, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++)
+        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK) kept++;
+    if (status == BAT_OK)
+        status = bat_object_create_path(bat_object_id(object), bat_object_name(object), bat_object_style(object), kept,
+                                        curves, out);
+    if (status != BAT_OK)
+        for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
+    free(curves);
+    return status;
+}
+
+/* Takes the curve over, whatever it returns. */
+static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    bat_object *object = NULL;
+    bat_status status = bat_object_create_path(edit->object, NULL, &edit->style, 1, &curve, &object);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    status = bat_transaction_insert(editor, bat_document_count(editor->document), object);
+    bat_object_release(object);
+    return status;
+}
+
+/* Takes the curve over, whatever it returns. */
+static bat_status put_curve(bat_editor *editor, bat_id id, int index, bat_curve *curve) {
+    int at = bat_document_find(editor->document, id);
+    bat_object *after = NULL;
+    bat_status status = at < 0 ? BAT_ARGUMENT
+                               : bat_object_with_curve(bat_document_at(editor->document, at), index, curve, &after);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    status = bat_transaction_replace(editor, at, after);
+    bat_object_release(after);
+    return status;
+}
+
+static bat_status remove_curve(bat_editor *editor, bat_id id, int index) {
+    int at = bat_document_find(editor->document, id);
+    if (at < 0) return BAT_ARGUMENT;
+    bat_object *after = NULL;
+    bat_status status = without_curve(bat_document_at(editor->document, at), index, &after);
+    if (status != BAT_OK) return status;
+    status = after ? bat_transaction_replace(editor, at, after) : bat_transaction_remove(editor, at);
+    bat_object_release(after);
+    return status;
+}
+
+bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    bat_line line = {0};
+    bat_edit_write(edit, &line);
+    bat_status status = bat_transaction_begin(editor);
+    if (status != BAT_OK) bat_curve_free(curve);
+    else if (edit->kind == BAT_EDIT_NEW) status = insert_new(editor, edit, curve);
+    else status = put_curve(editor, edit->object, edit->curve, curve);
+    /* The joined curve replaces the first; the second has become part of it. */
+    if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN) status = remove_curve(editor, edit->other, edit->other_curve);
+    if (status == BAT_OK) status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
+    else bat_transaction_cancel(editor);
+    bat_line_free(&line);
+    return status;
+}

@@ -1,0 +1,167 @@
+/* The editor as a whole: made, opened, saved, ended. */
+#include "editor/editor.h"
+#include <batten/bezier.h>
+#include <stdlib.h>
+#include <string.h>
+
+const bat_tool *bat_editor_tool(const bat_editor *editor) {
+    static const bat_tool *const tools[BAT_TOOL_COUNT] = {
+#define TOOL(id, name, command, behaviour) &behaviour,
+#include "editor/commands.def"
+    };
+    return tools[editor->tool];
+}
+
+bool bat_editor_busy(const bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    return tool->busy && tool->busy(editor);
+}
+
+void bat_editor_notice(bat_editor *editor, bat_text text) {
+    editor->notice = text;
+    if (text != BAT_TEXT_COUNT) editor->notice_version++;
+}
+
+void bat_editor_notice_failure(bat_editor *editor, bat_status status) {
+    bat_editor_notice(editor, status == BAT_MEMORY ? BAT_TEXT_NOTICE_MEMORY : BAT_TEXT_NOTICE_FAILED);
+}
+
+const char *bat_editor_text(const bat_editor *editor, bat_text text) {
+    (void)editor; /* the language will be its property */
+    return bat_text_english(text);
+}
+
+void bat_editor_sync(bat_editor *editor) {
+    if (bat_scene_sync(&editor->scene, editor->document, editor->revision) != BAT_OK)
+        bat_editor_notice(editor, BAT_TEXT_NOTICE_MEMORY);
+}
+
+void bat_editor_interrupt(bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->cancel) tool->cancel(editor);
+    if (tool->leave) tool->leave(editor);
+    editor->contacts.count = 0;
+    editor->holding_pan = false;
+}
+
+bool bat_editor_fit(bat_editor *editor) {
+    double page[4], box[4];
+    bat_document_page(editor->document, page);
+    if (page[2] > 0 && page[3] > 0) {
+        double corners[4] = {page[0], page[1], page[0] + page[2], page[1] + page[3]};
+        memcpy(box, corners, sizeof box);
+    } else {
+        bat_document_bounds(editor->document, box);
+    }
+    return bat_view_fit(&editor->view, box, BAT_FIT_MARGIN);
+}
+
+bat_status bat_editor_create(bat_editor **out) {
+    if (!out) return BAT_ARGUMENT;
+    bat_editor *editor = calloc(1, sizeof *editor);
+    if (!editor) return BAT_MEMORY;
+    editor->view = bat_view_defaults();
+    editor->notice = BAT_TEXT_COUNT;
+    bat_scene_init(&editor->scene);
+    for (int i = 0; i < BAT_PROPERTY_COUNT; i++) editor->values[i] = bat_property_at((bat_property_id)i)->standard;
+    for (int i = 0; i < BAT_COMMAND_COUNT; i++)
+        strcpy(editor->keys[i], bat_command_at((bat_command_id)i)->keys);
+    bat_document *document = NULL;
+    bat_status status = bat_document_create(&document);
+    if (status == BAT_OK) {
+        status = bat_editor_open(editor, document, "");
+        if (status != BAT_OK) bat_document_free(document);
+    }
+    if (status != BAT_OK) {
+        bat_editor_free(editor);
+        return status;
+    }
+    *out = editor;
+    return BAT_OK;
+}
+
+void bat_editor_free(bat_editor *editor) {
+    if (!editor) return;
+    if (editor->document) bat_editor_interrupt(editor);
+    bat_samples_free(&editor->sketching.edit.samples);
+    bat_samples_free(&editor->sketching.pending.samples);
+    bat_scene_free(&editor->scene);
+    free(editor->overlay.path.data);
+    bat_history_clear(&editor->history);
+    bat_journal_free(&editor->journal);
+    bat_document_free(editor->document);
+    free(editor->name);
+    free(editor->tables);
+    free(editor);
+}
+
+const bat_document *bat_editor_document(const bat_editor *editor) { return editor->document; }
+
+/* The journal's first line: the document as it is when the journal begins. JSON may be broken over lines; a
+ * journal's line may not, and outside strings a line's end is as good as a space. */
+static bat_status begin_journal(const bat_document *document, const char *name, bat_journal *journal) {
+    char *text = NULL;
+    size_t size = 0;
+    bat_status status = bat_document_write(document, &text, &size);
+    if (status != BAT_OK) return status;
+    for (size_t i = 0; i < size; i++)
+        if (text[i] == '\n' || text[i] == '\r') text[i] = ' ';
+    while (size && text[size - 1] == ' ') size--;
+    bat_line line = {0};
+    bat_line_text(&line, "{\"journal\":\"batten\",\"version\":1,\"name\":");
+    bat_line_string(&line, name);
+    bat_line_text(&line, ",\"digest\":");
+    bat_line_digest(&line, bat_document_digest(document));
+    bat_line_text(&line, ",\"document\":");
+    bat_line_bytes(&line, text, size);
+    bat_line_text(&line, "}");
+    bat_free(text);
+    status = bat_journal_append(journal, &line);
+    bat_line_free(&line);
+    return status;
+}
+
+bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name) {
+    if (!document) return BAT_ARGUMENT;
+    if (!name) name = "";
+    char *own_name = malloc(strlen(name) + 1);
+    bat_journal journal = {0};
+    bat_status status = own_name ? begin_journal(document, name, &journal) : BAT_MEMORY;
+    if (status != BAT_OK) {
+        free(own_name);
+        bat_journal_free(&journal);
+        return status;
+    }
+    strcpy(own_name, name);
+    if (editor->document) bat_editor_interrupt(editor);
+    bat_history_clear(&editor->history);
+    bat_journal_free(&editor->journal);
+    free(editor->name);
+    bat_document_free(editor->document);
+    editor->document = document;
+    editor->name = own_name;
+    editor->journal = journal;
+    editor->revision++;
+    editor->saved_state = editor->history.state;
+    editor->asked = false;
+    bat_editor_notice(editor, BAT_TEXT_COUNT);
+    /* A look at nothing begins at the origin, one to one. */
+    double x = editor->view.width, y = editor->view.height, ratio = editor->view.ratio;
+    editor->view = bat_view_defaults();
+    editor->view.width = x;
+    editor->view.height = y;
+    editor->view.ratio = ratio;
+    editor->fit_wanted = !bat_editor_fit(editor);
+    return BAT_OK;
+}
+
+void bat_editor_saved(bat_editor *editor) {
+    editor->saved_state = editor->asked ? editor->asked_state : editor->history.state;
+    editor->asked = false;
+    bat_editor_notice(editor, BAT_TEXT_NOTICE_SAVED);
+}
+
+const char *bat_editor_journal(const bat_editor *editor, size_t *size) {
+    if (size) *size = editor->journal.size;
+    return editor->journal.text;
+}

@@ -1,0 +1,72 @@
+/* The engine's state, and the calls between its parts. */
+#ifndef BATTEN_SRC_EDITOR_H
+#define BATTEN_SRC_EDITOR_H
+
+#include "document/history.h"
+#include "document/journal.h"
+#include "editor/contacts.h"
+#include "editor/overlay.h"
+#include "editor/scene.h"
+#include "editor/sketching.h"
+#include "editor/tables.h"
+#include "editor/tool.h"
+#include "editor/transaction.h"
+#include "editor/view.h"
+#include <batten/editor.h>
+
+enum { BAT_KEYS_ROOM = 64, BAT_FIT_MARGIN = 32 };
+
+struct bat_editor {
+    bat_document *document;
+    char *name;
+    uint64_t revision; /* grows with every change of the document */
+
+    bat_history history;
+    uint64_t saved_state, asked_state; /* states of the history: on disk; when the host last took a save request */
+    bool asked;
+    bat_transaction transaction;
+    bat_journal journal;
+
+    double values[BAT_PROPERTY_COUNT];
+    char keys[BAT_COMMAND_COUNT][BAT_KEYS_ROOM]; /* shortcuts as they are now */
+    bat_tool_id tool;
+    bat_sketching sketching;
+
+    bat_view view;
+    bool fit_wanted; /* the view is to be fitted as soon as the window has a size */
+    bat_contacts contacts;
+    uint32_t modifiers;
+    double time;
+    bool holding_pan, pen_seen;
+
+    bat_scene scene;
+    bat_overlay overlay;
+    uint32_t requests;
+    bat_text notice; /* BAT_TEXT_COUNT: none */
+    uint32_t notice_version;
+    bat_frame frame;
+    char *tables; /* JSON, made when asked for */
+};
+
+/* editor.c */
+const bat_tool *bat_editor_tool(const bat_editor *editor);
+bool bat_editor_busy(const bat_editor *editor); /* the tool is between down and up */
+void bat_editor_notice(bat_editor *editor, bat_text text);
+void bat_editor_notice_failure(bat_editor *editor, bat_status status); /* out of memory, or no curve */
+const char *bat_editor_text(const bat_editor *editor, bat_text text);
+/* Brings the scene up to date before it is asked something. */
+void bat_editor_sync(bat_editor *editor);
+/* Ends every contact and whatever the tool has under way. */
+void bat_editor_interrupt(bat_editor *editor);
+
+/* commands.c */
+bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down);
+
+/* view commands need the document's box: fit.c's one rule for what "all" is. False: nothing to fit to. */
+bool bat_editor_fit(bat_editor *editor);
+
+/* keys.c */
+bool bat_keys_valid(const char *keys);
+bool bat_keys_match(const char *keys, const char *key, uint32_t modifiers);
+
+#endif

@@ -1,0 +1,197 @@
+/* Events come in here: bad numbers are kept out, and every contact gets its duty. */
+#include "editor/editor.h"
+#include <math.h>
+#include <string.h>
+
+static const double PINCH_SOON = 250; /* ms within which a second finger turns a stroke into a pinch */
+static const double PINCH_NEAR = 24;  /* px that the first may have moved meanwhile */
+
+static double bounded(double value, double low, double high, double otherwise) {
+    return isfinite(value) ? fmin(fmax(value, low), high) : otherwise;
+}
+
+/* Numbers made fit to use. False: there is no place to speak of, drop it. */
+static bool clean(const bat_editor *editor, bat_pointer *event, const bat_contact *contact) {
+    bool placed = isfinite(event->x) && isfinite(event->y);
+    if (!placed) {
+        bool ends = event->phase == BAT_POINTER_UP || event->phase == BAT_POINTER_CANCEL;
+        if (event->phase == BAT_POINTER_LEAVE) event->x = event->y = 0;
+        else if (ends && contact) { /* an end must not be lost, or the contact would stay for ever */
+            event->x = contact->at[0];
+            event->y = contact->at[1];
+        } else return false;
+    }
+    event->x = bat_samples_round(bounded(event->x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
+    event->y = bat_samples_round(bounded(event->y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
+    event->pressure = bat_samples_round(bounded(event->pressure, 0, 1, 0), 1e4);
+    event->tilt_x = bat_samples_round(bounded(event->tilt_x, -90, 90, 0), 100);
+    event->tilt_y = bat_samples_round(bounded(event->tilt_y, -90, 90, 0), 100);
+    event->twist = bounded(event->twist, 0, 360, 0);
+    event->time = bounded(event->time, 0, 1e13, editor->time);
+    return true;
+}
+
+static void set_modifiers(bat_editor *editor, uint32_t modifiers) {
+    if (editor->modifiers == modifiers) return;
+    editor->modifiers = modifiers;
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->modifiers) tool->modifiers(editor);
+}
+
+static void cancel_tool(bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->cancel) tool->cancel(editor);
+}
+
+/* What a contact that comes down is to do; may end what the tool does. */
+static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
+    bat_contacts *contacts = &editor->contacts;
+    int at_work = -1;
+    bool working = bat_contacts_count(contacts, BAT_DUTY_TOOL, &at_work) > 0;
+    int navigating = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
+    bool palm = editor->pen_seen && editor->values[BAT_PROPERTY_PALM_REJECTION] != 0;
+
+    if (working) {
+        bat_contact *first = &contacts->list[at_work];
+        if (event->device != BAT_DEVICE_TOUCH || first->device != BAT_DEVICE_TOUCH) return BAT_DUTY_IGNORED;
+        bool soon = event->time - first->start_time <= PINCH_SOON;
+        bool near = hypot(first->at[0] - first->start[0], first->at[1] - first->start[1]) <= PINCH_NEAR;
+        if (!soon || !near) return BAT_DUTY_IGNORED;
+        cancel_tool(editor);
+        bat_editor_notice(editor, BAT_TEXT_COUNT); /* a pinch is no news */
+        first->duty = BAT_DUTY_NAVIGATE;
+        return BAT_DUTY_NAVIGATE;
+    }
+    if (navigating > 0) return event->device == BAT_DEVICE_TOUCH && navigating == 1 ? BAT_DUTY_NAVIGATE : BAT_DUTY_IGNORED;
+    if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
+    if (event->buttons & BAT_BUTTON_ERASER) {
+        bat_editor_notice(editor, BAT_TEXT_NOTICE_ERASER);
+        return BAT_DUTY_IGNORED;
+    }
+    if (editor->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || editor->tool == BAT_TOOL_PAN)
+        return BAT_DUTY_NAVIGATE;
+    return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
+}
+
+static void down(bat_editor *editor, const bat_pointer *event) {
+    bat_contacts *contacts = &editor->contacts;
+    if (contacts->count == BAT_CONTACTS_MAX || editor->transaction.open) return;
+    bat_duty duty = assign(editor, event);
+    contacts->list[contacts->count++] = (bat_contact){
+        event->contact, event->device, duty, {event->x, event->y}, {event->x, event->y}, event->time};
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (duty == BAT_DUTY_TOOL && tool->down) tool->down(editor, event);
+}
+
+static void move(bat_editor *editor, const bat_pointer *event, int index) {
+    bat_contact *contact = &editor->contacts.list[index];
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (contact->duty == BAT_DUTY_TOOL) {
+        if (tool->move) tool->move(editor, event);
+    } else if (contact->duty == BAT_DUTY_NAVIGATE && !event->predicted) {
+        bat_contacts_navigate(editor, index, (double[]){event->x, event->y});
+    }
+    if (event->predicted) return;
+    contact->at[0] = event->x;
+    contact->at[1] = event->y;
+}
+
+static void end(bat_editor *editor, const bat_pointer *event, int index) {
+    bat_duty duty = editor->contacts.list[index].duty;
+    if (event->phase == BAT_POINTER_UP) move(editor, event, index);
+    bat_contacts_remove(&editor->contacts, index);
+    if (duty != BAT_DUTY_TOOL) return;
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (event->phase == BAT_POINTER_CANCEL) cancel_tool(editor);
+    else if (tool->up) tool->up(editor, event);
+}
+
+static void one(bat_editor *editor, bat_pointer event) {
+    if ((unsigned)event.phase > BAT_POINTER_LEAVE || (unsigned)event.device > BAT_DEVICE_TOUCH) return;
+    int index = bat_contacts_find(&editor->contacts, event.device, event.contact);
+    if (!clean(editor, &event, index < 0 ? NULL : &editor->contacts.list[index])) return;
+    if (event.predicted) {
+        if (index >= 0 && event.phase == BAT_POINTER_MOVE) move(editor, &event, index);
+        return;
+    }
+    editor->time = event.time;
+    if (event.device == BAT_DEVICE_PEN) editor->pen_seen = true;
+    set_modifiers(editor, event.modifiers);
+    const bat_tool *tool = bat_editor_tool(editor);
+    switch (event.phase) {
+    case BAT_POINTER_DOWN:
+        if (index >= 0) move(editor, &event, index); /* another button of the same pointer */
+        else down(editor, &event);
+        break;
+    case BAT_POINTER_UP:
+    case BAT_POINTER_CANCEL:
+        if (index >= 0) end(editor, &event, index);
+        break;
+    case BAT_POINTER_MOVE:
+    case BAT_POINTER_HOVER:
+        if (index >= 0) move(editor, &event, index);
+        else if (event.device != BAT_DEVICE_TOUCH && !editor->contacts.count && tool->hover)
+            tool->hover(editor, &event);
+        break;
+    case BAT_POINTER_LEAVE:
+        if (index < 0 && tool->leave && !bat_editor_busy(editor)) tool->leave(editor);
+        break;
+    }
+}
+
+void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
+    for (size_t i = 0; i < count; i++) one(editor, events[i]);
+}
+
+void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers, double time) {
+    if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
+    editor->time = bounded(time, 0, 1e13, editor->time);
+    /* A stroke's samples are pixels of one view. */
+    if (bat_editor_busy(editor)) return;
+    double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
+    if (modifiers & BAT_CTRL) {
+        bat_view_zoom(&editor->view, at, exp(-bounded(dy, -300, 300, 0) / 200));
+    } else {
+        if (modifiers & BAT_SHIFT && dx == 0) {
+            dx = dy;
+            dy = 0;
+        }
+        double to[2] = {-bounded(dx, -1e4, 1e4, 0), -bounded(dy, -1e4, 1e4, 0)};
+        bat_view_pan(&editor->view, (double[]){0, 0}, to);
+    }
+}
+
+bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t modifiers, double time) {
+    if (!key) return false;
+    editor->time = bounded(time, 0, 1e13, editor->time);
+    set_modifiers(editor, modifiers);
+    for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
+        bat_command_id id = (bat_command_id)i;
+        bool hold = bat_command_at(id)->hold;
+        /* A held key is let go whatever else is pressed by then. */
+        if (!pressed && !(hold && bat_keys_match(editor->keys[i], key, 0))) continue;
+        if (pressed && !bat_keys_match(editor->keys[i], key, modifiers)) continue;
+        bat_status status = bat_command_run(editor, id, pressed);
+        /* Enter and Escape with nothing to say yes or no to are the host's. */
+        return status == BAT_OK || (id != BAT_COMMAND_ACCEPT && id != BAT_COMMAND_CANCEL);
+    }
+    return false;
+}
+
+void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio) {
+    bat_view *view = &editor->view;
+    double middle[2];
+    bool had_size = view->width > 0 && view->height > 0, busy = bat_editor_busy(editor);
+    bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
+    view->width = bounded(width, 0, BAT_PIXELS_MAX, 0);
+    view->height = bounded(height, 0, BAT_PIXELS_MAX, 0);
+    view->ratio = bounded(pixel_ratio, 0.1, 16, 1);
+    if (editor->fit_wanted && !busy) {
+        if (bat_editor_fit(editor)) editor->fit_wanted = false;
+    } else if (had_size && view->width > 0 && view->height > 0 && !busy) {
+        /* The middle stays in the middle. */
+        double screen[2];
+        bat_view_to_screen(view, middle, screen);
+        bat_view_pan(view, screen, (double[]){view->width / 2, view->height / 2});
+    }
+}

@@ -1,0 +1,72 @@
+#include "editor/overlay.h"
+#include <batten/refine.h>
+#include <string.h>
+
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2]) {
+    overlay->count = 0;
+    overlay->path.count = 0;
+    overlay->path.failed = false;
+    memcpy(overlay->path.origin, origin, sizeof overlay->path.origin);
+}
+
+void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width) {
+    if (overlay->count == BAT_OVERLAY_ITEMS) return; /* the last item then takes what follows */
+    overlay->starts[overlay->count] = overlay->path.count;
+    overlay->items[overlay->count++] = (bat_item){.role = (uint32_t)role,
+                                                  .flags = flags | BAT_ITEM_SCREEN_WIDTH,
+                                                  .width = width,
+                                                  .opacity = 1,
+                                                  .cap = BAT_CAP_ROUND,
+                                                  .join = BAT_JOIN_ROUND};
+}
+
+void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points) {
+    if (count < 2) return;
+    bat_path_move(&overlay->path, points[0], points[1]);
+    for (size_t i = 1; i < count; i++) bat_path_line(&overlay->path, points[2 * i], points[2 * i + 1]);
+}
+
+void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1) {
+    bat_curve *piece = NULL;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    if (u1 - u0 >= domain[1] - domain[0]) {
+        bat_path_curve(&overlay->path, curve);
+        return;
+    }
+    if (bat_curve_piece(curve, u0, u1, &piece) != BAT_OK) return;
+    bat_path_curve(&overlay->path, piece);
+    bat_curve_free(piece);
+}
+
+void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius) {
+    bat_path *path = &overlay->path;
+    bat_path_move(path, point[0] - radius, point[1]);
+    bat_path_line(path, point[0], point[1] - radius);
+    bat_path_line(path, point[0] + radius, point[1]);
+    bat_path_line(path, point[0], point[1] + radius);
+    bat_path_close(path);
+}
+
+void bat_overlay_end(bat_overlay *overlay, double pixel) {
+    uint32_t kept = 0;
+    /* A command cut off by a failed allocation would leave a torn item: commands are added whole or not at all. */
+    size_t whole = overlay->path.count;
+    for (uint32_t i = 0; i < overlay->count; i++) {
+        size_t start = overlay->starts[i], end = i + 1 < overlay->count ? overlay->starts[i + 1] : whole;
+        if (end <= start) continue;
+        bat_item item = overlay->items[i];
+        bat_path part = overlay->path;
+        part.count = end;
+        bat_path_bounds(&part, start, item.bounds);
+        float more = item.flags & BAT_ITEM_STROKED ? bat_path_float(item.width / 2 * pixel) : 0;
+        item.bounds[0] -= more;
+        item.bounds[1] -= more;
+        item.bounds[2] += more;
+        item.bounds[3] += more;
+        item.path_count = (uint32_t)(end - start);
+        item.path = overlay->path.data + start;
+        overlay->items[kept++] = item;
+    }
+    overlay->count = kept;
+}

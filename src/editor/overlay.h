@@ -1,0 +1,28 @@
+/* The overlay: the live list, made anew for every frame by the tool at work. */
+#ifndef BATTEN_SRC_OVERLAY_H
+#define BATTEN_SRC_OVERLAY_H
+
+#include "editor/path.h"
+
+enum { BAT_OVERLAY_ITEMS = 32 };
+
+typedef struct bat_overlay {
+    bat_path path; /* of all items, one after the other */
+    bat_item items[BAT_OVERLAY_ITEMS];
+    size_t starts[BAT_OVERLAY_ITEMS];
+    uint32_t count;
+} bat_overlay;
+
+/* Empties the list, keeps the memory. */
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2]);
+/* A new item; what is added to overlay->path from now on is its path. width: view pixels. */
+void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width);
+void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points);
+/* The stretch u0..u1 of the curve; nothing when it cannot be cut out. */
+void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1);
+/* A small square on its corner around a point; radius in document units. */
+void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius);
+/* Sets pointers and bounds; items without a path fall out. pixel: a view pixel in document units. */
+void bat_overlay_end(bat_overlay *overlay, double pixel);
+
+#endif

@@ -1,0 +1,66 @@
+/* What is made of commands.def and strings.def: names, ranges, words, shortcuts. */
+#ifndef BATTEN_SRC_TABLES_H
+#define BATTEN_SRC_TABLES_H
+
+#include <batten/base.h>
+
+typedef enum bat_text {
+#define TEXT(id, key, english) BAT_TEXT_##id,
+#include "editor/strings.def"
+#undef TEXT
+    BAT_TEXT_COUNT
+} bat_text;
+
+typedef enum bat_command_id {
+#define COMMAND(id, name, keys, when, hold, function) BAT_COMMAND_##id,
+#include "editor/commands.def"
+    BAT_COMMAND_COUNT
+} bat_command_id;
+
+typedef enum bat_property_id {
+#define PROPERTY(id, name, type, standard, low, high, step, unit) BAT_PROPERTY_##id,
+#include "editor/commands.def"
+    BAT_PROPERTY_COUNT
+} bat_property_id;
+
+typedef enum bat_tool_id {
+#define TOOL(id, name, command, behaviour) BAT_TOOL_##id,
+#include "editor/commands.def"
+    BAT_TOOL_COUNT
+} bat_tool_id;
+
+typedef enum bat_property_type { BAT_PROPERTY_NUMBER, BAT_PROPERTY_SWITCH, BAT_PROPERTY_COLOUR } bat_property_type;
+typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE } bat_when;
+
+typedef struct bat_command_row {
+    const char *name, *keys;
+    bat_when when;
+    bool hold;
+    bat_text label, help;
+} bat_command_row;
+
+typedef struct bat_property_row {
+    const char *name;
+    bat_property_type type;
+    double standard, low, high, step;
+    const char *unit;
+    bat_text label, help;
+} bat_property_row;
+
+typedef struct bat_tool_row {
+    const char *name;
+    bat_command_id command;
+    bat_text label, help;
+} bat_tool_row;
+
+const bat_command_row *bat_command_at(bat_command_id id);
+const bat_property_row *bat_property_at(bat_property_id id);
+const bat_tool_row *bat_tool_at(bat_tool_id id);
+/* The id of a name; the count when there is none. */
+bat_command_id bat_command_named(const char *name);
+bat_property_id bat_property_named(const char *name);
+
+const char *bat_text_key(bat_text id);
+const char *bat_text_english(bat_text id);
+
+#endif

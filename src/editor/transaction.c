@@ -1,0 +1,90 @@
+#include "editor/editor.h"
+#include <stdlib.h>
+
+bat_status bat_transaction_begin(bat_editor *editor) {
+    if (editor->transaction.open) return BAT_STATE;
+    editor->transaction.open = true;
+    return BAT_OK;
+}
+
+static bat_status add(bat_editor *editor, int index, const bat_object *before, bat_object *after) {
+    bat_transaction *transaction = &editor->transaction;
+    if (!transaction->open) return BAT_STATE;
+    if (transaction->count == transaction->room) {
+        int room = transaction->room ? 2 * transaction->room : 4;
+        bat_delta *deltas = realloc(transaction->deltas, (size_t)room * sizeof *deltas);
+        if (!deltas) return BAT_MEMORY;
+        transaction->deltas = deltas;
+        transaction->room = room;
+    }
+    bat_delta delta = {index, before ? bat_object_retain(before) : NULL, after ? bat_object_retain(after) : NULL};
+    bat_status status = bat_delta_apply(&delta, editor->document, true);
+    if (status != BAT_OK) {
+        bat_object_release(delta.before);
+        bat_object_release(delta.after);
+        return status;
+    }
+    transaction->deltas[transaction->count++] = delta;
+    editor->revision++;
+    return BAT_OK;
+}
+
+bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *object) {
+    return object ? add(editor, index, NULL, object) : BAT_ARGUMENT;
+}
+
+bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object) {
+    bat_transaction *transaction = &editor->transaction;
+    const bat_object *before = bat_document_at(editor->document, index);
+    if (!before || !object) return BAT_ARGUMENT;
+    /* A drag replaces the same object again and again: one delta for all of it. */
+    for (int i = transaction->count - 1; i >= 0; i--) {
+        bat_delta *delta = &transaction->deltas[i];
+        if (!delta->before || !delta->after) break; /* indices before an insertion mean something else */
+        if (delta->index != index) continue;
+        bat_status status = bat_document_replace(editor->document, index, object);
+        if (status != BAT_OK) return status;
+        bat_object_release(delta->after);
+        delta->after = bat_object_retain(object);
+        editor->revision++;
+        return BAT_OK;
+    }
+    return add(editor, index, before, object);
+}
+
+bat_status bat_transaction_remove(bat_editor *editor, int index) {
+    const bat_object *before = bat_document_at(editor->document, index);
+    return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
+}
+
+bat_status bat_transaction_commit(bat_editor *editor, bat_text label, bat_line *line) {
+    bat_transaction *transaction = &editor->transaction;
+    if (!transaction->open) return BAT_STATE;
+    if (transaction->count == 0) {
+        bat_transaction_cancel(editor);
+        return BAT_OK;
+    }
+    bat_line_text(line, ",\"digest\":");
+    bat_line_digest(line, bat_document_digest(editor->document));
+    bat_line_text(line, "}");
+    bat_status status = bat_history_reserve(&editor->history);
+    if (status == BAT_OK) status = bat_journal_append(&editor->journal, line);
+    if (status != BAT_OK) {
+        bat_transaction_cancel(editor);
+        return status;
+    }
+    bat_history_push(&editor->history, (int)label, transaction->count, transaction->deltas);
+    *transaction = (bat_transaction){0};
+    return BAT_OK;
+}
+
+void bat_transaction_cancel(bat_editor *editor) {
+    bat_transaction *transaction = &editor->transaction;
+    /* Taking back needs no memory: the document keeps the room it had. */
+    if (transaction->count) {
+        bat_deltas_apply(transaction->deltas, transaction->count, editor->document, false);
+        editor->revision++;
+    }
+    bat_deltas_free(transaction->deltas, transaction->count);
+    *transaction = (bat_transaction){0};
+}

@@ -1,0 +1,30 @@
+/* The view: which part of the document the window shows. screen = (document - (x, y)) * zoom, in view pixels. */
+#ifndef BATTEN_SRC_VIEW_H
+#define BATTEN_SRC_VIEW_H
+
+#include <batten/base.h>
+
+#define BAT_ZOOM_MIN 1e-6
+#define BAT_ZOOM_MAX 1e6
+#define BAT_VIEW_REACH 1e12 /* document coordinates of the view's corner stay within it */
+#define BAT_PIXELS_MAX 1e6  /* view pixels of events and sizes stay within it */
+
+typedef struct bat_view {
+    double x, y, zoom;            /* document coordinates of the top left corner; pixels per unit, > 0 */
+    double width, height, ratio;  /* view pixels; device pixels per view pixel */
+} bat_view;
+
+bat_view bat_view_defaults(void);
+/* Size of a view pixel in document units. */
+double bat_view_pixel(const bat_view *view);
+void bat_view_to_document(const bat_view *view, const double screen[2], double document[2]);
+void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]);
+/* The document point under `from` comes under `to` (view pixels). */
+void bat_view_pan(bat_view *view, const double from[2], const double to[2]);
+/* Multiplies the zoom, within its limits, so that the document point under `about` stays there. */
+void bat_view_zoom(bat_view *view, const double about[2], double factor);
+/* Shows the box (x0 y0 x1 y1, document units) whole and centred, `margin` pixels free around it. A box without
+ * extent is centred at the zoom there is; an empty or unbounded one, or a window without size: false. */
+bool bat_view_fit(bat_view *view, const double box[4], double margin);
+
+#endif
