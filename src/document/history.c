@@ -31,7 +31,8 @@ void bat_deltas_free(bat_delta *deltas, int count) {
 }
 
 static void drop_steps(bat_history *history, int first, int count) {
-    for (int i = first; i < first + count; i++) bat_deltas_free(history->steps[i].deltas, history->steps[i].count);
+    for (int i = first; i < first + count; i++)
+        bat_deltas_free(history->steps[i].deltas, history->steps[i].count);
     memmove(history->steps + first, history->steps + first + count,
             (size_t)(history->count - first - count) * sizeof *history->steps);
     history->count -= count;

@@ -19,7 +19,7 @@ typedef struct bat_delta {
 typedef struct bat_step {
     int label; /* what the step did, as the engine numbers its texts */
     int count;
-    bat_delta *deltas; /* owned */
+    bat_delta *deltas;      /* owned */
     uint64_t before, after; /* serial numbers of the states it leads from and to */
 } bat_step;
 

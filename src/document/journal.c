@@ -39,9 +39,12 @@ void bat_line_string(bat_line *line, const char *text) {
     bat_line_text(line, "\"");
     for (const char *at = text; *at; at++) {
         unsigned char c = (unsigned char)*at;
-        if (c == '"' || c == '\\') bat_line_bytes(line, (char[]){'\\', (char)c}, 2);
-        else if (c < 0x20) bat_line_bytes(line, (char[]){'\\', 'u', '0', '0', hex[c >> 4], hex[c & 15]}, 6);
-        else bat_line_bytes(line, at, 1);
+        if (c == '"' || c == '\\')
+            bat_line_bytes(line, (char[]){'\\', (char)c}, 2);
+        else if (c < 0x20)
+            bat_line_bytes(line, (char[]){'\\', 'u', '0', '0', hex[c >> 4], hex[c & 15]}, 6);
+        else
+            bat_line_bytes(line, at, 1);
     }
     bat_line_text(line, "\"");
 }

@@ -1,4 +1,5 @@
-/* The journal: JSON lines, appended to and never changed (docs/journal.md); and the writer of one such line. */
+/* The journal: JSON lines, appended to and never changed (docs/journal.md); and the writer of one such line.
+ */
 #ifndef BATTEN_SRC_JOURNAL_H
 #define BATTEN_SRC_JOURNAL_H
 

@@ -33,8 +33,9 @@ static bat_status undo(bat_editor *editor, bool down) {
     /* What has not been committed yet is what the user wants gone first. */
     if (drop(editor)) return BAT_OK;
     bat_status status = step(editor, "undo", bat_history_undo, bat_history_redo);
-    bat_editor_notice(editor, status == BAT_OK ? BAT_TEXT_NOTICE_UNDONE
-                              : status == BAT_STATE ? BAT_TEXT_NOTICE_NOTHING_TO_UNDO : BAT_TEXT_NOTICE_MEMORY);
+    bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_UNDONE
+                              : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_UNDO
+                                                    : BAT_STRING_NOTICE_MEMORY);
     return status;
 }
 
@@ -42,8 +43,9 @@ static bat_status redo(bat_editor *editor, bool down) {
     (void)down;
     drop(editor);
     bat_status status = step(editor, "redo", bat_history_redo, bat_history_undo);
-    bat_editor_notice(editor, status == BAT_OK ? BAT_TEXT_NOTICE_REDONE
-                              : status == BAT_STATE ? BAT_TEXT_NOTICE_NOTHING_TO_REDO : BAT_TEXT_NOTICE_MEMORY);
+    bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_REDONE
+                              : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_REDO
+                                                    : BAT_STRING_NOTICE_MEMORY);
     return status;
 }
 
@@ -62,11 +64,26 @@ static bat_status ask(bat_editor *editor, uint32_t request) {
     editor->requests |= request;
     return BAT_OK;
 }
-static bat_status open(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_OPEN); }
-static bat_status save(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_SAVE); }
-static bat_status download_svg(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_DOWNLOAD_SVG); }
-static bat_status download_native(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_DOWNLOAD_NATIVE); }
-static bat_status download_journal(bat_editor *editor, bool down) { (void)down; return ask(editor, BAT_ASK_JOURNAL); }
+static bat_status open(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_OPEN);
+}
+static bat_status save(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_SAVE);
+}
+static bat_status download_svg(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_DOWNLOAD_SVG);
+}
+static bat_status download_native(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_DOWNLOAD_NATIVE);
+}
+static bat_status download_journal(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_JOURNAL);
+}
 
 static bat_status view_fit(bat_editor *editor, bool down) {
     (void)down;
@@ -78,9 +95,18 @@ static bat_status zoom(bat_editor *editor, double factor) {
     bat_view_zoom(&editor->view, middle, factor);
     return BAT_OK;
 }
-static bat_status zoom_in(bat_editor *editor, bool down) { (void)down; return zoom(editor, sqrt(2)); }
-static bat_status zoom_out(bat_editor *editor, bool down) { (void)down; return zoom(editor, 1 / sqrt(2)); }
-static bat_status zoom_100(bat_editor *editor, bool down) { (void)down; return zoom(editor, 1 / editor->view.zoom); }
+static bat_status zoom_in(bat_editor *editor, bool down) {
+    (void)down;
+    return zoom(editor, sqrt(2));
+}
+static bat_status zoom_out(bat_editor *editor, bool down) {
+    (void)down;
+    return zoom(editor, 1 / sqrt(2));
+}
+static bat_status zoom_100(bat_editor *editor, bool down) {
+    (void)down;
+    return zoom(editor, 1 / editor->view.zoom);
+}
 
 /* A tenth of the window. */
 static bat_status pan(bat_editor *editor, double x, double y) {
@@ -88,10 +114,22 @@ static bat_status pan(bat_editor *editor, double x, double y) {
     bat_view_pan(&editor->view, (double[]){0, 0}, to);
     return BAT_OK;
 }
-static bat_status pan_left(bat_editor *editor, bool down) { (void)down; return pan(editor, -1, 0); }
-static bat_status pan_right(bat_editor *editor, bool down) { (void)down; return pan(editor, 1, 0); }
-static bat_status pan_up(bat_editor *editor, bool down) { (void)down; return pan(editor, 0, -1); }
-static bat_status pan_down(bat_editor *editor, bool down) { (void)down; return pan(editor, 0, 1); }
+static bat_status pan_left(bat_editor *editor, bool down) {
+    (void)down;
+    return pan(editor, -1, 0);
+}
+static bat_status pan_right(bat_editor *editor, bool down) {
+    (void)down;
+    return pan(editor, 1, 0);
+}
+static bat_status pan_up(bat_editor *editor, bool down) {
+    (void)down;
+    return pan(editor, 0, -1);
+}
+static bat_status pan_down(bat_editor *editor, bool down) {
+    (void)down;
+    return pan(editor, 0, 1);
+}
 
 /* The next value of a ladder whose rungs lie about a third apart. */
 static bat_status step_tolerance(bat_editor *editor, int direction) {
@@ -104,8 +142,14 @@ static bat_status step_tolerance(bat_editor *editor, int direction) {
     editor->values[BAT_PROPERTY_TOLERANCE] = rungs[i];
     return BAT_OK;
 }
-static bat_status tolerance_down(bat_editor *editor, bool down) { (void)down; return step_tolerance(editor, -1); }
-static bat_status tolerance_up(bat_editor *editor, bool down) { (void)down; return step_tolerance(editor, 1); }
+static bat_status tolerance_down(bat_editor *editor, bool down) {
+    (void)down;
+    return step_tolerance(editor, -1);
+}
+static bat_status tolerance_up(bat_editor *editor, bool down) {
+    (void)down;
+    return step_tolerance(editor, 1);
+}
 
 static bat_status choose(bat_editor *editor, bat_tool_id tool) {
     drop(editor);
@@ -114,8 +158,14 @@ static bat_status choose(bat_editor *editor, bat_tool_id tool) {
     editor->tool = tool;
     return BAT_OK;
 }
-static bat_status tool_sketch(bat_editor *editor, bool down) { (void)down; return choose(editor, BAT_TOOL_SKETCH); }
-static bat_status tool_pan(bat_editor *editor, bool down) { (void)down; return choose(editor, BAT_TOOL_PAN); }
+static bat_status tool_sketch(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_SKETCH);
+}
+static bat_status tool_pan(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_PAN);
+}
 
 static bat_status hold_pan(bat_editor *editor, bool down) {
     editor->holding_pan = down;

@@ -1,4 +1,5 @@
 #include "editor/editor.h"
+#include "curve/real.h"
 #include <math.h>
 #include <string.h>
 
@@ -25,16 +26,18 @@ void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
     bat_contact *moved = &editor->contacts.list[index];
     const bat_contact *other = NULL;
     for (int i = 0; i < editor->contacts.count; i++)
-        if (i != index && editor->contacts.list[i].duty == BAT_DUTY_NAVIGATE) other = &editor->contacts.list[i];
+        if (i != index && editor->contacts.list[i].duty == BAT_DUTY_NAVIGATE)
+            other = &editor->contacts.list[i];
     if (other) {
-        /* Both fingers keep their document points as well as pan and zoom can: about the middle between them. */
+        /* Both fingers keep their document points as well as pan and zoom can: about the middle between them.
+         */
         double before[2], after[2];
         for (int k = 0; k < 2; k++) {
             before[k] = (moved->at[k] + other->at[k]) / 2;
             after[k] = (to[k] + other->at[k]) / 2;
         }
-        double apart = hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
-        double now = hypot(to[0] - other->at[0], to[1] - other->at[1]);
+        double apart = bat_hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
+        double now = bat_hypot(to[0] - other->at[0], to[1] - other->at[1]);
         if (apart >= 1 && now >= 1) bat_view_zoom(&editor->view, before, now / apart);
         bat_view_pan(&editor->view, before, after);
     } else {

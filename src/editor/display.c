@@ -11,15 +11,17 @@ static bat_cursor cursor(const bat_editor *editor) {
 
 static const char *hint(const bat_editor *editor) {
     const bat_tool *tool = bat_editor_tool(editor);
-    if (editor->holding_pan && !bat_editor_busy(editor)) return bat_editor_text(editor, BAT_TEXT_HINT_PAN);
+    if (editor->holding_pan && !bat_editor_busy(editor)) return bat_editor_text(editor, BAT_STRING_HINT_PAN);
     return tool->hint ? bat_editor_text(editor, tool->hint(editor)) : "";
 }
 
 static void drawing(const bat_editor *editor, bat_frame *frame) {
     const bat_sketching *sketching = &editor->sketching;
     const bat_sketch_report *report = NULL;
-    if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve) report = &sketching->preview.report;
-    else if (sketching->has_pending) report = &sketching->pending_report;
+    if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
+        report = &sketching->preview.report;
+    else if (sketching->has_pending)
+        report = &sketching->pending_report;
     frame->pending = sketching->has_pending;
     frame->busy = bat_editor_busy(editor);
     if (!report) return;
@@ -40,24 +42,25 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 
     bat_frame *frame = &editor->frame;
-    *frame = (bat_frame){.view = {editor->view.x, editor->view.y, editor->view.zoom, 0},
-                         .origin = {scene->origin[0], scene->origin[1]},
-                         .still_version = scene->still_version,
-                         .still_count = (uint32_t)scene->item_count,
-                         .still = scene->items,
-                         .live_count = editor->overlay.count,
-                         .live = editor->overlay.items,
-                         .cursor = (uint32_t)cursor(editor),
-                         .requests = editor->requests,
-                         .unsaved = editor->history.state != editor->saved_state,
-                         .can_undo = bat_history_can_undo(&editor->history),
-                         .can_redo = bat_history_can_redo(&editor->history),
-                         .tool = (uint32_t)editor->tool,
-                         .tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view),
-                         .hint = hint(editor),
-                         .notice = editor->notice == BAT_TEXT_COUNT ? "" : bat_editor_text(editor, editor->notice),
-                         .notice_version = editor->notice_version,
-                         .name = editor->name};
+    *frame = (bat_frame){
+        .view = {editor->view.x, editor->view.y, editor->view.zoom, 0},
+        .origin = {scene->origin[0], scene->origin[1]},
+        .still_version = scene->still_version,
+        .still_count = (uint32_t)scene->item_count,
+        .still = scene->items,
+        .live_count = editor->overlay.count,
+        .live = editor->overlay.items,
+        .cursor = (uint32_t)cursor(editor),
+        .requests = editor->requests,
+        .unsaved = editor->history.state != editor->saved_state,
+        .can_undo = bat_history_can_undo(&editor->history),
+        .can_redo = bat_history_can_redo(&editor->history),
+        .tool = (uint32_t)editor->tool,
+        .tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view),
+        .hint = hint(editor),
+        .notice = editor->notice == BAT_STRING_COUNT ? "" : bat_editor_text(editor, editor->notice),
+        .notice_version = editor->notice_version,
+        .name = editor->name};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     drawing(editor, frame);

@@ -7,16 +7,16 @@
 /* One row a kind: its name in the journal, and what undo says of it. */
 static const struct {
     const char *name;
-    bat_text label;
+    bat_string label;
 } KINDS[BAT_EDIT_COUNT] = {
-    [BAT_EDIT_NEW] = {"sketch-new", BAT_TEXT_STEP_NEW},
-    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_TEXT_STEP_REDRAW},
-    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_TEXT_STEP_SMOOTH},
-    [BAT_EDIT_JOIN] = {"sketch-join", BAT_TEXT_STEP_JOIN},
+    [BAT_EDIT_NEW] = {"sketch-new", BAT_STRING_STEP_NEW},
+    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
+    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
+    [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
 };
 
 const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
-bat_text bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
+bat_string bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
 
 bat_edit_kind bat_edit_named(const char *name) {
     int i = 0;
@@ -31,7 +31,8 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
     return bat_curve_dimension(target) == 2 ? target : NULL;
 }
 
-static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out, bat_sketch_report *report) {
+static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out,
+                          bat_sketch_report *report) {
     const bat_document *document = editor->document;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
@@ -44,11 +45,12 @@ static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_cu
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
 
-bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live, bat_curve **out,
-                            bat_sketch_report *report) {
+bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+                            bat_curve **out, bat_sketch_report *report) {
     bat_curve *curve = NULL;
     *report = (bat_sketch_report){0};
-    bat_status status = live ? bat_sketch_commit(live, &curve, report) : compute(editor, edit, &curve, report);
+    bat_status status = live ? bat_sketch_commit(live, &curve, report)
+                             : compute(editor, edit, &curve, report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     if (!curve) return BAT_SINGULAR;
     *out = curve;
@@ -63,10 +65,11 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
     bat_curve **curves = calloc((size_t)count, sizeof *curves);
     bat_status status = curves ? BAT_OK : BAT_MEMORY;
     for (int i = 0; i < count && status == BAT_OK; i++)
-        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK) kept++;
+        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
+            kept++;
     if (status == BAT_OK)
-        status = bat_object_create_path(bat_object_id(object), bat_object_name(object), bat_object_style(object), kept,
-                                        curves, out);
+        status = bat_object_create_path(bat_object_id(object), bat_object_name(object),
+                                        bat_object_style(object), kept, curves, out);
     if (status != BAT_OK)
         for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
     free(curves);
@@ -91,7 +94,8 @@ static bat_status put_curve(bat_editor *editor, bat_id id, int index, bat_curve 
     int at = bat_document_find(editor->document, id);
     bat_object *after = NULL;
     bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_curve(bat_document_at(editor->document, at), index, curve, &after);
+                               : bat_object_with_curve(bat_document_at(editor->document, at), index, curve,
+                                                       &after);
     if (status != BAT_OK) {
         bat_curve_free(curve);
         return status;
@@ -116,13 +120,19 @@ bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *
     bat_line line = {0};
     bat_edit_write(edit, &line);
     bat_status status = bat_transaction_begin(editor);
-    if (status != BAT_OK) bat_curve_free(curve);
-    else if (edit->kind == BAT_EDIT_NEW) status = insert_new(editor, edit, curve);
-    else status = put_curve(editor, edit->object, edit->curve, curve);
+    if (status != BAT_OK)
+        bat_curve_free(curve);
+    else if (edit->kind == BAT_EDIT_NEW)
+        status = insert_new(editor, edit, curve);
+    else
+        status = put_curve(editor, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */
-    if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN) status = remove_curve(editor, edit->other, edit->other_curve);
-    if (status == BAT_OK) status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
-    else bat_transaction_cancel(editor);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
+        status = remove_curve(editor, edit->other, edit->other_curve);
+    if (status == BAT_OK)
+        status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
+    else
+        bat_transaction_cancel(editor);
     bat_line_free(&line);
     return status;
 }

@@ -1,7 +1,8 @@
 /*
- * An edit: one change of the document with all that it needs to be made again, anywhere, with the same result.
- * Tools make edits, the journal keeps them, replay performs them: the same two calls for all three.
- * A new kind of edit adds a row to KINDS in edit.c, its case in bat_edit_commit, and its words in strings.def.
+ * An edit: one change of the document with all that it needs to be made again, anywhere, with the same
+ * result. Tools make edits, the journal keeps them, replay performs them: the same two calls for all three.
+ * A new kind of edit adds a row to KINDS in edit.c, its case in bat_edit_commit, and its words in
+ * strings.def.
  */
 #ifndef BATTEN_SRC_EDIT_H
 #define BATTEN_SRC_EDIT_H
@@ -9,7 +10,13 @@
 #include "editor/samples.h"
 #include "editor/tables.h"
 
-typedef enum bat_edit_kind { BAT_EDIT_NEW, BAT_EDIT_REDRAW, BAT_EDIT_SMOOTH, BAT_EDIT_JOIN, BAT_EDIT_COUNT } bat_edit_kind;
+typedef enum bat_edit_kind {
+    BAT_EDIT_NEW,
+    BAT_EDIT_REDRAW,
+    BAT_EDIT_SMOOTH,
+    BAT_EDIT_JOIN,
+    BAT_EDIT_COUNT
+} bat_edit_kind;
 
 typedef struct bat_edit {
     bat_edit_kind kind;
@@ -26,7 +33,7 @@ typedef struct bat_edit {
 
 const char *bat_edit_name(bat_edit_kind kind);
 bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */
-bat_text bat_edit_label(bat_edit_kind kind);
+bat_string bat_edit_label(bat_edit_kind kind);
 
 /* The curve an edit works on, or NULL when the document has none such. */
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
@@ -34,10 +41,10 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
  * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
  * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.
  */
-bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live, bat_curve **out,
-                            bat_sketch_report *report);
-/* Puts the curve into the document as one step of the history and one line of the journal, or changes nothing.
- * Takes the curve over, whatever it returns. */
+bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+                            bat_curve **out, bat_sketch_report *report);
+/* Puts the curve into the document as one step of the history and one line of the journal, or changes
+ * nothing. Takes the curve over, whatever it returns. */
 bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve);
 
 #endif

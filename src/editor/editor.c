@@ -5,11 +5,13 @@
 #include <string.h>
 
 const bat_tool *bat_editor_tool(const bat_editor *editor) {
-    static const bat_tool *const tools[BAT_TOOL_COUNT] = {
-#define TOOL(id, name, command, behaviour) &behaviour,
-#include "editor/commands.def"
-    };
-    return tools[editor->tool];
+    switch (editor->tool) {
+#define TOOL(id, name, command, behaviour)                                                                   \
+    case BAT_TOOL_##id: return behaviour();                                                                  \
+        #include "editor/commands.def"
+    case BAT_TOOL_COUNT: break;
+    }
+    return bat_tool_pan();
 }
 
 bool bat_editor_busy(const bat_editor *editor) {
@@ -17,23 +19,23 @@ bool bat_editor_busy(const bat_editor *editor) {
     return tool->busy && tool->busy(editor);
 }
 
-void bat_editor_notice(bat_editor *editor, bat_text text) {
+void bat_editor_notice(bat_editor *editor, bat_string text) {
     editor->notice = text;
-    if (text != BAT_TEXT_COUNT) editor->notice_version++;
+    if (text != BAT_STRING_COUNT) editor->notice_version++;
 }
 
 void bat_editor_notice_failure(bat_editor *editor, bat_status status) {
-    bat_editor_notice(editor, status == BAT_MEMORY ? BAT_TEXT_NOTICE_MEMORY : BAT_TEXT_NOTICE_FAILED);
+    bat_editor_notice(editor, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
 }
 
-const char *bat_editor_text(const bat_editor *editor, bat_text text) {
+const char *bat_editor_text(const bat_editor *editor, bat_string text) {
     (void)editor; /* the language will be its property */
-    return bat_text_english(text);
+    return bat_string_english(text);
 }
 
 void bat_editor_sync(bat_editor *editor) {
     if (bat_scene_sync(&editor->scene, editor->document, editor->revision) != BAT_OK)
-        bat_editor_notice(editor, BAT_TEXT_NOTICE_MEMORY);
+        bat_editor_notice(editor, BAT_STRING_NOTICE_MEMORY);
 }
 
 void bat_editor_interrupt(bat_editor *editor) {
@@ -61,9 +63,10 @@ bat_status bat_editor_create(bat_editor **out) {
     bat_editor *editor = calloc(1, sizeof *editor);
     if (!editor) return BAT_MEMORY;
     editor->view = bat_view_defaults();
-    editor->notice = BAT_TEXT_COUNT;
+    editor->notice = BAT_STRING_COUNT;
     bat_scene_init(&editor->scene);
-    for (int i = 0; i < BAT_PROPERTY_COUNT; i++) editor->values[i] = bat_property_at((bat_property_id)i)->standard;
+    for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
+        editor->values[i] = bat_property_at((bat_property_id)i)->standard;
     for (int i = 0; i < BAT_COMMAND_COUNT; i++)
         strcpy(editor->keys[i], bat_command_at((bat_command_id)i)->keys);
     bat_document *document = NULL;
@@ -144,7 +147,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     editor->revision++;
     editor->saved_state = editor->history.state;
     editor->asked = false;
-    bat_editor_notice(editor, BAT_TEXT_COUNT);
+    bat_editor_notice(editor, BAT_STRING_COUNT);
     /* A look at nothing begins at the origin, one to one. */
     double x = editor->view.width, y = editor->view.height, ratio = editor->view.ratio;
     editor->view = bat_view_defaults();
@@ -158,7 +161,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
 void bat_editor_saved(bat_editor *editor) {
     editor->saved_state = editor->asked ? editor->asked_state : editor->history.state;
     editor->asked = false;
-    bat_editor_notice(editor, BAT_TEXT_NOTICE_SAVED);
+    bat_editor_notice(editor, BAT_STRING_NOTICE_SAVED);
 }
 
 const char *bat_editor_journal(const bat_editor *editor, size_t *size) {

@@ -22,7 +22,8 @@ struct bat_editor {
     uint64_t revision; /* grows with every change of the document */
 
     bat_history history;
-    uint64_t saved_state, asked_state; /* states of the history: on disk; when the host last took a save request */
+    uint64_t saved_state,
+        asked_state; /* states of the history: on disk; when the host last took a save request */
     bool asked;
     bat_transaction transaction;
     bat_journal journal;
@@ -42,7 +43,7 @@ struct bat_editor {
     bat_scene scene;
     bat_overlay overlay;
     uint32_t requests;
-    bat_text notice; /* BAT_TEXT_COUNT: none */
+    bat_string notice; /* BAT_STRING_COUNT: none */
     uint32_t notice_version;
     bat_frame frame;
     char *tables; /* JSON, made when asked for */
@@ -51,9 +52,9 @@ struct bat_editor {
 /* editor.c */
 const bat_tool *bat_editor_tool(const bat_editor *editor);
 bool bat_editor_busy(const bat_editor *editor); /* the tool is between down and up */
-void bat_editor_notice(bat_editor *editor, bat_text text);
+void bat_editor_notice(bat_editor *editor, bat_string text);
 void bat_editor_notice_failure(bat_editor *editor, bat_status status); /* out of memory, or no curve */
-const char *bat_editor_text(const bat_editor *editor, bat_text text);
+const char *bat_editor_text(const bat_editor *editor, bat_string text);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);
 /* Ends every contact and whatever the tool has under way. */

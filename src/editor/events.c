@@ -1,5 +1,6 @@
 /* Events come in here: bad numbers are kept out, and every contact gets its duty. */
 #include "editor/editor.h"
+#include "curve/real.h"
 #include <math.h>
 #include <string.h>
 
@@ -15,11 +16,13 @@ static bool clean(const bat_editor *editor, bat_pointer *event, const bat_contac
     bool placed = isfinite(event->x) && isfinite(event->y);
     if (!placed) {
         bool ends = event->phase == BAT_POINTER_UP || event->phase == BAT_POINTER_CANCEL;
-        if (event->phase == BAT_POINTER_LEAVE) event->x = event->y = 0;
+        if (event->phase == BAT_POINTER_LEAVE)
+            event->x = event->y = 0;
         else if (ends && contact) { /* an end must not be lost, or the contact would stay for ever */
             event->x = contact->at[0];
             event->y = contact->at[1];
-        } else return false;
+        } else
+            return false;
     }
     event->x = bat_samples_round(bounded(event->x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
     event->y = bat_samples_round(bounded(event->y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
@@ -55,17 +58,18 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         bat_contact *first = &contacts->list[at_work];
         if (event->device != BAT_DEVICE_TOUCH || first->device != BAT_DEVICE_TOUCH) return BAT_DUTY_IGNORED;
         bool soon = event->time - first->start_time <= PINCH_SOON;
-        bool near = hypot(first->at[0] - first->start[0], first->at[1] - first->start[1]) <= PINCH_NEAR;
+        bool near = bat_hypot(first->at[0] - first->start[0], first->at[1] - first->start[1]) <= PINCH_NEAR;
         if (!soon || !near) return BAT_DUTY_IGNORED;
         cancel_tool(editor);
-        bat_editor_notice(editor, BAT_TEXT_COUNT); /* a pinch is no news */
+        bat_editor_notice(editor, BAT_STRING_COUNT); /* a pinch is no news */
         first->duty = BAT_DUTY_NAVIGATE;
         return BAT_DUTY_NAVIGATE;
     }
-    if (navigating > 0) return event->device == BAT_DEVICE_TOUCH && navigating == 1 ? BAT_DUTY_NAVIGATE : BAT_DUTY_IGNORED;
+    if (navigating > 0)
+        return event->device == BAT_DEVICE_TOUCH && navigating == 1 ? BAT_DUTY_NAVIGATE : BAT_DUTY_IGNORED;
     if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
-        bat_editor_notice(editor, BAT_TEXT_NOTICE_ERASER);
+        bat_editor_notice(editor, BAT_STRING_NOTICE_ERASER);
         return BAT_DUTY_IGNORED;
     }
     if (editor->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || editor->tool == BAT_TOOL_PAN)
@@ -102,8 +106,10 @@ static void end(bat_editor *editor, const bat_pointer *event, int index) {
     bat_contacts_remove(&editor->contacts, index);
     if (duty != BAT_DUTY_TOOL) return;
     const bat_tool *tool = bat_editor_tool(editor);
-    if (event->phase == BAT_POINTER_CANCEL) cancel_tool(editor);
-    else if (tool->up) tool->up(editor, event);
+    if (event->phase == BAT_POINTER_CANCEL)
+        cancel_tool(editor);
+    else if (tool->up)
+        tool->up(editor, event);
 }
 
 static void one(bat_editor *editor, bat_pointer event) {
@@ -120,8 +126,10 @@ static void one(bat_editor *editor, bat_pointer event) {
     const bat_tool *tool = bat_editor_tool(editor);
     switch (event.phase) {
     case BAT_POINTER_DOWN:
-        if (index >= 0) move(editor, &event, index); /* another button of the same pointer */
-        else down(editor, &event);
+        if (index >= 0)
+            move(editor, &event, index); /* another button of the same pointer */
+        else
+            down(editor, &event);
         break;
     case BAT_POINTER_UP:
     case BAT_POINTER_CANCEL:
@@ -129,7 +137,8 @@ static void one(bat_editor *editor, bat_pointer event) {
         break;
     case BAT_POINTER_MOVE:
     case BAT_POINTER_HOVER:
-        if (index >= 0) move(editor, &event, index);
+        if (index >= 0)
+            move(editor, &event, index);
         else if (event.device != BAT_DEVICE_TOUCH && !editor->contacts.count && tool->hover)
             tool->hover(editor, &event);
         break;
@@ -143,14 +152,16 @@ void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t co
     for (size_t i = 0; i < count; i++) one(editor, events[i]);
 }
 
-void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers, double time) {
+void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
+                      double time) {
     if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
     editor->time = bounded(time, 0, 1e13, editor->time);
     /* A stroke's samples are pixels of one view. */
     if (bat_editor_busy(editor)) return;
-    double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
+    double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
+                    bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
     if (modifiers & BAT_CTRL) {
-        bat_view_zoom(&editor->view, at, exp(-bounded(dy, -300, 300, 0) / 200));
+        bat_view_zoom(&editor->view, at, bat_exp(-bounded(dy, -300, 300, 0) / 200));
     } else {
         if (modifiers & BAT_SHIFT && dx == 0) {
             dx = dy;

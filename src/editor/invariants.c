@@ -4,8 +4,10 @@
 
 static const char *check_view(const bat_view *view) {
     if (!(view->zoom >= BAT_ZOOM_MIN && view->zoom <= BAT_ZOOM_MAX)) return "the zoom is out of its limits";
-    if (!(fabs(view->x) <= BAT_VIEW_REACH && fabs(view->y) <= BAT_VIEW_REACH)) return "the view is out of reach";
-    if (!(view->width >= 0 && view->width <= BAT_PIXELS_MAX && view->height >= 0 && view->height <= BAT_PIXELS_MAX))
+    if (!(fabs(view->x) <= BAT_VIEW_REACH && fabs(view->y) <= BAT_VIEW_REACH))
+        return "the view is out of reach";
+    if (!(view->width >= 0 && view->width <= BAT_PIXELS_MAX && view->height >= 0 &&
+          view->height <= BAT_PIXELS_MAX))
         return "the window's size is out of range";
     return NULL;
 }
@@ -13,7 +15,8 @@ static const char *check_view(const bat_view *view) {
 static const char *check_scene(const bat_editor *editor) {
     const bat_scene *scene = &editor->scene;
     if (scene->revision != editor->revision || scene->stale) return NULL; /* due for the next sync */
-    if (scene->count != bat_document_count(editor->document)) return "the scene has another number of objects";
+    if (scene->count != bat_document_count(editor->document))
+        return "the scene has another number of objects";
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->object != bat_document_at(editor->document, i)) return "the scene shows another object";
@@ -27,7 +30,8 @@ static const char *check_contacts(const bat_contacts *contacts) {
     if (bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL) > 2) return "more than two contacts navigate";
     for (int i = 0; i < contacts->count; i++)
         for (int j = 0; j < i; j++)
-            if (contacts->list[i].id == contacts->list[j].id && contacts->list[i].device == contacts->list[j].device)
+            if (contacts->list[i].id == contacts->list[j].id &&
+                contacts->list[i].device == contacts->list[j].device)
                 return "a contact is there twice";
     return NULL;
 }
@@ -41,10 +45,12 @@ const char *bat_editor_check(const bat_editor *editor) {
     const bat_history *history = &editor->history;
     if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_STEPS)
         return "the history is out of step";
-    if (editor->transaction.open && !bat_editor_busy(editor)) return "a transaction is open and nobody holds it";
+    if (editor->transaction.open && !bat_editor_busy(editor))
+        return "a transaction is open and nobody holds it";
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
-        if (!(editor->values[i] >= row->low && editor->values[i] <= row->high)) return "a property is out of its range";
+        if (!(editor->values[i] >= row->low && editor->values[i] <= row->high))
+            return "a property is out of its range";
     }
     if (!editor->journal.size || editor->journal.text[editor->journal.size - 1] != '\n')
         return "the journal does not end with a line";

@@ -50,7 +50,8 @@ void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius
 
 void bat_overlay_end(bat_overlay *overlay, double pixel) {
     uint32_t kept = 0;
-    /* A command cut off by a failed allocation would leave a torn item: commands are added whole or not at all. */
+    /* A command cut off by a failed allocation would leave a torn item: commands are added whole or not at
+     * all. */
     size_t whole = overlay->path.count;
     for (uint32_t i = 0; i < overlay->count; i++) {
         size_t start = overlay->starts[i], end = i + 1 < overlay->count ? overlay->starts[i + 1] : whole;

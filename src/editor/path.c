@@ -32,7 +32,9 @@ static void command(bat_path *path, int kind, const double *points, int count) {
 
 void bat_path_move(bat_path *path, double x, double y) { command(path, BAT_PATH_MOVE, (double[]){x, y}, 1); }
 void bat_path_line(bat_path *path, double x, double y) { command(path, BAT_PATH_LINE, (double[]){x, y}, 1); }
-void bat_path_cubic(bat_path *path, const double *three_points) { command(path, BAT_PATH_CUBIC, three_points, 3); }
+void bat_path_cubic(bat_path *path, const double *three_points) {
+    command(path, BAT_PATH_CUBIC, three_points, 3);
+}
 void bat_path_close(bat_path *path) { command(path, BAT_PATH_CLOSE, NULL, 0); }
 
 void bat_path_curve(bat_path *path, const bat_curve *curve) {

@@ -17,8 +17,8 @@ void bat_path_move(bat_path *path, double x, double y);
 void bat_path_line(bat_path *path, double x, double y);
 void bat_path_cubic(bat_path *path, const double *three_points);
 void bat_path_close(bat_path *path);
-/* The whole curve (in space: its x, y): cubic segments, closed curves closed. Exact up to degree 3, else to the
- * precision of floats. */
+/* The whole curve (in space: its x, y): cubic segments, closed curves closed. Exact up to degree 3, else to
+ * the precision of floats. */
 void bat_path_curve(bat_path *path, const bat_curve *curve);
 /* Bounds of the commands path[first..count), coordinates taken as they are: the control points' box. */
 void bat_path_bounds(const bat_path *path, size_t first, float bounds[4]);

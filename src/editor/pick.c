@@ -1,11 +1,12 @@
 #include "editor/pick.h"
+#include "curve/real.h"
 #include <math.h>
 #include <string.h>
 
 static bool box_near(const double box[4], const double point[2], double within) {
     double dx = fmax(fmax(box[0] - point[0], point[0] - box[2]), 0);
     double dy = fmax(fmax(box[1] - point[1], point[1] - box[3]), 0);
-    return hypot(dx, dy) <= within;
+    return bat_hypot(dx, dy) <= within;
 }
 
 bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within) {
@@ -28,7 +29,8 @@ bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within
     return best;
 }
 
-bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, bat_id but_object, int but_curve) {
+bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, bat_id but_object,
+                      int but_curve) {
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
@@ -42,7 +44,7 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
             for (int k = 0; k < 2; k++) {
                 bat_near near = {.u = domain[k]};
                 bat_curve_eval(curve, domain[k], 0, near.point);
-                near.distance = hypot(near.point[0] - point[0], near.point[1] - point[1]);
+                near.distance = bat_hypot(near.point[0] - point[0], near.point[1] - point[1]);
                 if (near.distance <= within) {
                     best = (bat_pick){bat_object_id(object), i, j, near};
                     within = near.distance;

@@ -13,8 +13,8 @@ typedef struct bat_samples {
     double *pixels; /* x y */
     double *points; /* x y, document units */
     double *pressure, *time;
-    double *tilt;   /* x y, degrees */
-    double start;   /* host's time of the first sample */
+    double *tilt; /* x y, degrees */
+    double start; /* host's time of the first sample */
 } bat_samples;
 
 /* Empties it and keeps the memory. */

@@ -92,12 +92,14 @@ static bat_item page_item(bat_scene *scene) {
 static int former(const bat_scene *scene, int first, const bat_object *object, bool same_pointer) {
     for (int i = first; i < scene->count && i < first + 8; i++) {
         const bat_object *other = scene->entries[i].object;
-        if (other && (same_pointer ? other == object : bat_object_id(other) == bat_object_id(object))) return i;
+        if (other && (same_pointer ? other == object : bat_object_id(other) == bat_object_id(object)))
+            return i;
     }
     return -1;
 }
 
-/* Entries for the document's objects: those still there are moved over, the rest are dropped and counted dirty. */
+/* Entries for the document's objects: those still there are moved over, the rest are dropped and counted
+ * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
     int count = bat_document_count(document);
     bat_scene_entry *entries = calloc((size_t)count + 1, sizeof *entries);
@@ -146,7 +148,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         bool same = scene->item_count && scene->items[0].id == ITEM_PAGE &&
                     !memcmp(page, scene->page, sizeof page) && scene->items[0].version;
         memcpy(scene->page, page, sizeof page);
-        if (same) items[0] = scene->items[0];
+        if (same)
+            items[0] = scene->items[0];
         else {
             items[0] = page_item(scene);
             bat_box_add(scene->dirty, items[0].bounds);
@@ -156,7 +159,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
         if (!entry->path) {
-            if (make_path(scene, entry)) bat_box_add(scene->dirty, entry->item.bounds);
+            if (make_path(scene, entry))
+                bat_box_add(scene->dirty, entry->item.bounds);
             else {
                 scene->stale = true; /* tried again with the next frame */
                 status = BAT_MEMORY;

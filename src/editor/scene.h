@@ -26,7 +26,7 @@ typedef struct bat_scene {
     int item_count;
     double page[4];
     float page_path[13];
-    uint32_t versions;      /* of items, given so far */
+    uint32_t versions; /* of items, given so far */
     uint32_t still_version;
     float dirty[4];
     uint64_t revision; /* of the document that the entries mirror */

@@ -16,7 +16,7 @@ typedef struct bat_sketching_preview {
     bat_status status;
     bat_curve *curve; /* owned; NULL: nothing to show */
     bat_sketch_report report;
-    double *blends;   /* the two transitions' points, x y, owned */
+    double *blends; /* the two transitions' points, x y, owned */
     size_t blend_counts[2];
 } bat_sketching_preview;
 
@@ -30,22 +30,22 @@ typedef struct bat_sketching {
     double pick_view[3];
 
     /* DRAWING */
-    bat_edit edit;          /* of the stroke under the pen */
-    bool starts_at_end;     /* of an open curve: may join */
-    bool smoothing;         /* Alt was held at some moment of the stroke */
-    double travelled;       /* pixels, the greatest distance from the first sample */
-    bat_sketch_live *live;  /* NULL: no session (it is begun when it is needed) */
-    size_t fed;             /* samples the session has */
+    bat_edit edit;         /* of the stroke under the pen */
+    bool starts_at_end;    /* of an open curve: may join */
+    bool smoothing;        /* Alt was held at some moment of the stroke */
+    double travelled;      /* pixels, the greatest distance from the first sample */
+    bat_sketch_live *live; /* NULL: no session (it is begun when it is needed) */
+    size_t fed;            /* samples the session has */
     bool preview_due;
     bat_sketching_preview preview;
-    bat_pick join;          /* the end of another curve that the pen is at */
+    bat_pick join; /* the end of another curve that the pen is at */
     bool closing;
     size_t predicted_count;
     double predicted[2 * 16]; /* document units */
 
     /* PENDING, and DRAWING over it while it may still be a tap */
     bool has_pending;
-    bat_edit pending;       /* with its own samples */
+    bat_edit pending; /* with its own samples */
     bat_curve *pending_curve;
     bat_sketch_report pending_report;
 } bat_sketching;

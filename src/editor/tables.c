@@ -2,31 +2,38 @@
 #include <string.h>
 
 static const bat_command_row commands[BAT_COMMAND_COUNT] = {
-#define COMMAND(id, name, keys, when, hold, function)                                                            \
-    {name, keys, BAT_WHEN_##when, hold, BAT_TEXT_COMMAND_##id, BAT_TEXT_COMMAND_##id##_HELP},
+#define COMMAND(id, name, keys, when, hold, function)                                                        \
+    {name, keys, BAT_WHEN_##when, hold, BAT_STRING_COMMAND_##id, BAT_STRING_COMMAND_##id##_HELP},
 #include "editor/commands.def"
 };
 
 static const bat_property_row properties[BAT_PROPERTY_COUNT] = {
-#define PROPERTY(id, name, type, standard, low, high, step, unit)                                                \
-    {name, BAT_PROPERTY_##type, standard, low, high, step, unit, BAT_TEXT_PROPERTY_##id,                         \
-     BAT_TEXT_PROPERTY_##id##_HELP},
+#define PROPERTY(id, name, type, standard, low, high, step, unit)                                            \
+    {name,                                                                                                   \
+     BAT_PROPERTY_##type,                                                                                    \
+     standard,                                                                                               \
+     low,                                                                                                    \
+     high,                                                                                                   \
+     step,                                                                                                   \
+     unit,                                                                                                   \
+     BAT_STRING_PROPERTY_##id,                                                                               \
+     BAT_STRING_PROPERTY_##id##_HELP},
 #include "editor/commands.def"
 };
 
 static const bat_tool_row tools[BAT_TOOL_COUNT] = {
-#define TOOL(id, name, command, behaviour)                                                                       \
-    {name, BAT_COMMAND_##command, BAT_TEXT_TOOL_##id, BAT_TEXT_TOOL_##id##_HELP},
+#define TOOL(id, name, command, behaviour)                                                                   \
+    {name, BAT_COMMAND_##command, BAT_STRING_TOOL_##id, BAT_STRING_TOOL_##id##_HELP},
 #include "editor/commands.def"
 };
 
-static const char *const keys_of_texts[BAT_TEXT_COUNT] = {
+static const char *const keys_of_texts[BAT_STRING_COUNT] = {
 #define TEXT(id, key, english) key,
 #include "editor/strings.def"
 #undef TEXT
 };
 
-static const char *const english_texts[BAT_TEXT_COUNT] = {
+static const char *const english_texts[BAT_STRING_COUNT] = {
 #define TEXT(id, key, english) english,
 #include "editor/strings.def"
 #undef TEXT
@@ -35,8 +42,8 @@ static const char *const english_texts[BAT_TEXT_COUNT] = {
 const bat_command_row *bat_command_at(bat_command_id id) { return &commands[id]; }
 const bat_property_row *bat_property_at(bat_property_id id) { return &properties[id]; }
 const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }
-const char *bat_text_key(bat_text id) { return keys_of_texts[id]; }
-const char *bat_text_english(bat_text id) { return english_texts[id]; }
+const char *bat_string_key(bat_string id) { return keys_of_texts[id]; }
+const char *bat_string_english(bat_string id) { return english_texts[id]; }
 
 bat_command_id bat_command_named(const char *name) {
     int i = 0;

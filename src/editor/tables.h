@@ -4,12 +4,12 @@
 
 #include <batten/base.h>
 
-typedef enum bat_text {
-#define TEXT(id, key, english) BAT_TEXT_##id,
+typedef enum bat_string {
+#define TEXT(id, key, english) BAT_STRING_##id,
 #include "editor/strings.def"
 #undef TEXT
-    BAT_TEXT_COUNT
-} bat_text;
+    BAT_STRING_COUNT
+} bat_string;
 
 typedef enum bat_command_id {
 #define COMMAND(id, name, keys, when, hold, function) BAT_COMMAND_##id,
@@ -29,14 +29,18 @@ typedef enum bat_tool_id {
     BAT_TOOL_COUNT
 } bat_tool_id;
 
-typedef enum bat_property_type { BAT_PROPERTY_NUMBER, BAT_PROPERTY_SWITCH, BAT_PROPERTY_COLOUR } bat_property_type;
+typedef enum bat_property_type {
+    BAT_PROPERTY_NUMBER,
+    BAT_PROPERTY_SWITCH,
+    BAT_PROPERTY_COLOUR
+} bat_property_type;
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE } bat_when;
 
 typedef struct bat_command_row {
     const char *name, *keys;
     bat_when when;
     bool hold;
-    bat_text label, help;
+    bat_string label, help;
 } bat_command_row;
 
 typedef struct bat_property_row {
@@ -44,13 +48,13 @@ typedef struct bat_property_row {
     bat_property_type type;
     double standard, low, high, step;
     const char *unit;
-    bat_text label, help;
+    bat_string label, help;
 } bat_property_row;
 
 typedef struct bat_tool_row {
     const char *name;
     bat_command_id command;
-    bat_text label, help;
+    bat_string label, help;
 } bat_tool_row;
 
 const bat_command_row *bat_command_at(bat_command_id id);
@@ -60,7 +64,7 @@ const bat_tool_row *bat_tool_at(bat_tool_id id);
 bat_command_id bat_command_named(const char *name);
 bat_property_id bat_property_named(const char *name);
 
-const char *bat_text_key(bat_text id);
-const char *bat_text_english(bat_text id);
+const char *bat_string_key(bat_string id);
+const char *bat_string_english(bat_string id);
 
 #endif

@@ -44,14 +44,16 @@ const char *bat_editor_tables(bat_editor *editor) {
     bat_line_text(&line, "{\"commands\":[");
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         const bat_command_row *row = bat_command_at((bat_command_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label), bat_editor_text(editor, row->help));
+        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
+                  bat_editor_text(editor, row->help));
         keys(&line, editor->keys[i]);
         bat_line_text(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
     }
     bat_line_text(&line, "],\"properties\":[");
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label), bat_editor_text(editor, row->help));
+        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
+                  bat_editor_text(editor, row->help));
         field(&line, "type", types[row->type]);
         number(&line, "default", row->standard);
         number(&line, "low", row->low);
@@ -63,17 +65,18 @@ const char *bat_editor_tables(bat_editor *editor) {
     bat_line_text(&line, "],\"tools\":[");
     for (int i = 0; i < BAT_TOOL_COUNT; i++) {
         const bat_tool_row *row = bat_tool_at((bat_tool_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label), bat_editor_text(editor, row->help));
+        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
+                  bat_editor_text(editor, row->help));
         field(&line, "command", bat_command_at(row->command)->name);
         keys(&line, editor->keys[row->command]);
         bat_line_text(&line, "}");
     }
     bat_line_text(&line, "],\"strings\":{");
-    for (int i = 0; i < BAT_TEXT_COUNT; i++) {
+    for (int i = 0; i < BAT_STRING_COUNT; i++) {
         if (i) bat_line_text(&line, ",");
-        bat_line_string(&line, bat_text_key((bat_text)i));
+        bat_line_string(&line, bat_string_key((bat_string)i));
         bat_line_text(&line, ":");
-        bat_line_string(&line, bat_editor_text(editor, (bat_text)i));
+        bat_line_string(&line, bat_editor_text(editor, (bat_string)i));
     }
     bat_line_text(&line, "}}");
     bat_line_bytes(&line, "", 1);

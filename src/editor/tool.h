@@ -1,7 +1,7 @@
 /*
- * A tool: a small state machine that turns pointer events into edits. One tool a file (tool_<name>.c); its state
- * is a struct in the editor. Every member may be NULL. Tools never see contacts that navigate, predicted samples
- * of others, or bad numbers: events.c keeps those away.
+ * A tool: a small state machine that turns pointer events into edits. One tool a file (tool_<name>.c); its
+ * state is a struct in the editor. Every member may be NULL. Tools never see contacts that navigate,
+ * predicted samples of others, or bad numbers: events.c keeps those away.
  */
 #ifndef BATTEN_SRC_TOOL_H
 #define BATTEN_SRC_TOOL_H
@@ -19,17 +19,17 @@ typedef struct bat_tool {
     bool (*cancel)(bat_editor *editor);
     /* Says yes to what waits for it; false when nothing does. */
     bool (*accept)(bat_editor *editor);
-    void (*modifiers)(bat_editor *editor); /* editor->modifiers has changed */
+    void (*modifiers)(bat_editor *editor);  /* editor->modifiers has changed */
     bool (*busy)(const bat_editor *editor); /* between down and up */
     /* Once a frame, before the overlay: the costly part (previews, picking for the highlight). */
     void (*update)(bat_editor *editor);
     void (*overlay)(bat_editor *editor, bat_overlay *overlay);
-    bat_text (*hint)(const bat_editor *editor);
+    bat_string (*hint)(const bat_editor *editor);
     bat_cursor (*cursor)(const bat_editor *editor);
     const char *(*check)(const bat_editor *editor); /* invariants; NULL when all hold */
 } bat_tool;
 
-#define TOOL(id, name, command, behaviour) extern const bat_tool behaviour;
+#define TOOL(id, name, command, behaviour) const bat_tool *behaviour(void);
 #include "editor/commands.def"
 
 #endif

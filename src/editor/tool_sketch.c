@@ -1,18 +1,21 @@
 /*
- * The sketch tool. Near a curve a stroke redraws it, elsewhere it makes a new one; Alt smooths; from the end of
- * one curve to the end of another it joins them. The fit is shown while the pen is down, computed once a frame.
+ * The sketch tool. Near a curve a stroke redraws it, elsewhere it makes a new one; Alt smooths; from the end
+ * of one curve to the end of another it joins them. The fit is shown while the pen is down, computed once a
+ * frame.
  *
- * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be met.
- * PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from anywhere.
+ * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be
+ * met. PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from
+ * anywhere.
  */
 #include "editor/editor.h"
+#include "curve/real.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const double REACH = 12, REACH_TOUCH = 24; /* px from the pen to a curve that it means */
 static const double TAP = 4;                      /* px that a tap may travel */
-static const double CLOSING_AFTER = 60;           /* px from the start before coming back to it means closing */
+static const double CLOSING_AFTER = 60; /* px from the start before coming back to it means closing */
 static const float HIGHLIGHT_WIDTH = 3, FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
 static const double KNOT_RADIUS = 3.5; /* px */
 
@@ -49,10 +52,12 @@ static void drop_pending(bat_sketching *s) {
 static bat_status feed(bat_editor *editor) {
     bat_sketching *s = &editor->sketching;
     if (!s->live) {
-        static const bat_sketch_kind kinds[] = {
-            [BAT_EDIT_NEW] = BAT_SKETCH_NEW, [BAT_EDIT_REDRAW] = BAT_SKETCH_REDRAW, [BAT_EDIT_SMOOTH] = BAT_SKETCH_SMOOTH};
+        static const bat_sketch_kind kinds[] = {[BAT_EDIT_NEW] = BAT_SKETCH_NEW,
+                                                [BAT_EDIT_REDRAW] = BAT_SKETCH_REDRAW,
+                                                [BAT_EDIT_SMOOTH] = BAT_SKETCH_SMOOTH};
         const bat_curve *target = NULL;
-        if (s->edit.kind != BAT_EDIT_NEW) target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
+        if (s->edit.kind != BAT_EDIT_NEW)
+            target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
         if (s->edit.kind != BAT_EDIT_NEW && !target) return BAT_STATE;
         s->fed = 0;
         bat_status status = bat_sketch_begin(target, kinds[s->edit.kind], &s->edit.options, 2, &s->live);
@@ -67,7 +72,8 @@ static bat_status feed(bat_editor *editor) {
 
 /* The points before and after the stroke proper: where the fit blends into the old curve. */
 static void keep_blends(bat_sketching_preview *preview, const bat_sketch_preview_info *info) {
-    if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last) return;
+    if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
+        return;
     size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
     double *blends = malloc((counts[0] + counts[1]) * 2 * sizeof *blends);
     if (!blends) return; /* only a picture */
@@ -138,13 +144,16 @@ static bool smooths_nothing(const bat_sketching *s) { return s->smoothing && s->
 static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     bat_samples *samples = &s->edit.samples;
     double pixel[2] = {event->x, event->y}, tilt[2] = {event->tilt_x, event->tilt_y};
-    if (samples->count == 0) samples->start = event->time;
-    else if (!memcmp(samples->pixels + 2 * (samples->count - 1), pixel, sizeof pixel)) return BAT_OK;
+    if (samples->count == 0)
+        samples->start = event->time;
+    else if (!memcmp(samples->pixels + 2 * (samples->count - 1), pixel, sizeof pixel))
+        return BAT_OK;
     double time = bat_samples_round(fmax(event->time - samples->start, 0), 100);
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
     bat_status status = bat_samples_add(samples, s->edit.view, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
-    s->travelled = fmax(s->travelled, hypot(pixel[0] - samples->pixels[0], pixel[1] - samples->pixels[1]));
+    s->travelled = fmax(s->travelled,
+                        bat_hypot(pixel[0] - samples->pixels[0], pixel[1] - samples->pixels[1]));
     s->preview_due = true;
     return status;
 }
@@ -177,12 +186,15 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     s->predicted_count = 0;
     double point[2];
     bat_view_to_document(&editor->view, pixel, point);
-    bat_pick at_end = bat_pick_end(&editor->scene, point, reach(event->device) * bat_view_pixel(&editor->view), 0, 0);
+    bat_pick at_end = bat_pick_end(&editor->scene, point,
+                                   reach(event->device) * bat_view_pixel(&editor->view), 0, 0);
     s->starts_at_end = pick.object && at_end.object == pick.object && at_end.curve == pick.curve;
-    if (!s->has_pending) bat_editor_notice(editor, BAT_TEXT_COUNT);
+    if (!s->has_pending) bat_editor_notice(editor, BAT_STRING_COUNT);
     bat_status status = add_sample(s, event);
-    if (status != BAT_OK) give_up(editor, status);
-    else if (event->modifiers & BAT_ALT) start_smoothing(s);
+    if (status != BAT_OK)
+        give_up(editor, status);
+    else if (event->modifiers & BAT_ALT)
+        start_smoothing(s);
 }
 
 /* What the place of the pen would mean if it were lifted here. */
@@ -192,12 +204,12 @@ static void look_ahead(bat_editor *editor, const bat_pointer *event) {
     s->join = (bat_pick){0};
     if (s->edit.kind == BAT_EDIT_REDRAW && s->starts_at_end && s->travelled > CLOSING_AFTER) {
         bat_view_to_document(&editor->view, pixel, point);
-        s->join = bat_pick_end(&editor->scene, point, reach(s->device) * bat_view_pixel(&editor->view), s->edit.object,
-                               s->edit.curve);
+        s->join = bat_pick_end(&editor->scene, point, reach(s->device) * bat_view_pixel(&editor->view),
+                               s->edit.object, s->edit.curve);
     }
     const double *first = s->edit.samples.pixels;
     s->closing = s->edit.kind == BAT_EDIT_NEW && s->travelled > CLOSING_AFTER &&
-                 hypot(pixel[0] - first[0], pixel[1] - first[1]) <= REACH;
+                 bat_hypot(pixel[0] - first[0], pixel[1] - first[1]) <= REACH;
 }
 
 static void move(bat_editor *editor, const bat_pointer *event) {
@@ -220,14 +232,15 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     if (s->travelled > TAP && s->has_pending) drop_pending(s);
 }
 
-static bat_text outcome(const bat_edit *edit, bool strayed, bool closed) {
-    if (strayed) return BAT_TEXT_NOTICE_STRAYED;
-    if (edit->kind == BAT_EDIT_JOIN) return BAT_TEXT_NOTICE_JOINED;
-    if (edit->kind == BAT_EDIT_NEW && closed) return BAT_TEXT_NOTICE_CLOSED;
-    return BAT_TEXT_COUNT;
+static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
+    if (strayed) return BAT_STRING_NOTICE_STRAYED;
+    if (edit->kind == BAT_EDIT_JOIN) return BAT_STRING_NOTICE_JOINED;
+    if (edit->kind == BAT_EDIT_NEW && closed) return BAT_STRING_NOTICE_CLOSED;
+    return BAT_STRING_COUNT;
 }
 
-/* Makes the curve: a join where both ends meet curves, else what the session has; far strokes are new curves. */
+/* Makes the curve: a join where both ends meet curves, else what the session has; far strokes are new curves.
+ */
 static bat_status make(bat_editor *editor, bat_curve **curve, bat_sketch_report *report, bool *strayed) {
     bat_sketching *s = &editor->sketching;
     bat_edit *edit = &s->edit;
@@ -269,8 +282,10 @@ static bool accept(bat_editor *editor) {
     end_stroke(s);
     bool closed = bat_curve_closed(curve);
     bat_status status = bat_edit_commit(editor, &s->pending, curve);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
-    else bat_editor_notice(editor, outcome(&s->pending, false, closed));
+    if (status != BAT_OK)
+        bat_editor_notice_failure(editor, status);
+    else
+        bat_editor_notice(editor, outcome(&s->pending, false, closed));
     return true;
 }
 
@@ -283,7 +298,7 @@ static void up(bat_editor *editor, const bat_pointer *event) {
     }
     if (smooths_nothing(s)) {
         end_stroke(s);
-        bat_editor_notice(editor, BAT_TEXT_NOTICE_NOTHING_TO_SMOOTH);
+        bat_editor_notice(editor, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
         return;
     }
     look_ahead(editor, event);
@@ -295,15 +310,17 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         if (s->edit.kind == BAT_EDIT_NEW) s->edit.object = bat_document_new_id(editor->document);
         if (status == BAT_TOLERANCE) {
             keep_pending(s, curve, &report);
-            bat_editor_notice(editor, BAT_TEXT_NOTICE_PENDING);
+            bat_editor_notice(editor, BAT_STRING_NOTICE_PENDING);
         } else {
             bool closed = bat_curve_closed(curve);
             status = bat_edit_commit(editor, &s->edit, curve);
-            if (status == BAT_OK) bat_editor_notice(editor, outcome(&s->edit, strayed, closed));
-            else bat_editor_notice_failure(editor, status);
+            if (status == BAT_OK)
+                bat_editor_notice(editor, outcome(&s->edit, strayed, closed));
+            else
+                bat_editor_notice_failure(editor, status);
         }
     } else if (status == BAT_DOT) {
-        bat_editor_notice(editor, BAT_TEXT_NOTICE_DOT);
+        bat_editor_notice(editor, BAT_STRING_NOTICE_DOT);
     } else {
         bat_editor_notice_failure(editor, status);
     }
@@ -316,7 +333,7 @@ static bool cancel(bat_editor *editor) {
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     drop_pending(s);
     end_stroke(s);
-    bat_editor_notice(editor, drawing ? BAT_TEXT_NOTICE_CANCELLED : BAT_TEXT_NOTICE_DROPPED);
+    bat_editor_notice(editor, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);
     return true;
 }
 
@@ -355,7 +372,8 @@ static void update(bat_editor *editor) {
         return;
     }
     const double view[3] = {editor->view.x, editor->view.y, editor->view.zoom};
-    if (s->pick_revision == editor->revision && !memcmp(view, s->pick_view, sizeof view) && !s->hover_changed) return;
+    if (s->pick_revision == editor->revision && !memcmp(view, s->pick_view, sizeof view) && !s->hover_changed)
+        return;
     s->pick = s->hovering ? pick_at(editor, s->hover, s->device) : (bat_pick){0};
     s->pick_revision = editor->revision;
     memcpy(s->pick_view, view, sizeof view);
@@ -383,11 +401,12 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
 }
 
 /* The fit and its knots: what is new of it, or all of a new curve. */
-static void show_fit(bat_overlay *overlay, bat_role role, const bat_curve *curve, const bat_sketch_report *report,
-                     bool whole, double pixel) {
+static void show_fit(bat_overlay *overlay, bat_role role, const bat_curve *curve,
+                     const bat_sketch_report *report, bool whole, double pixel) {
     double range[2];
     bat_curve_domain(curve, range);
-    if (!whole && report->changed_new[0] < report->changed_new[1]) memcpy(range, report->changed_new, sizeof range);
+    if (!whole && report->changed_new[0] < report->changed_new[1])
+        memcpy(range, report->changed_new, sizeof range);
     bat_overlay_item(overlay, role, BAT_ITEM_STROKED, FIT_WIDTH);
     bat_overlay_stretch(overlay, curve, range[0], range[1]);
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
@@ -412,7 +431,8 @@ static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
-    if (s->edit.kind != BAT_EDIT_NEW) target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
+    if (s->edit.kind != BAT_EDIT_NEW)
+        target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
     if (target && !preview->curve) highlight(editor, overlay, s->edit.object, s->edit.curve);
     if (s->join.object) highlight(editor, overlay, s->join.object, s->join.curve);
     if (preview->curve) show_stretch(overlay, target, &preview->report);
@@ -421,7 +441,8 @@ static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
     if (preview->blends) {
         bat_overlay_item(overlay, BAT_ROLE_TRANSITION, BAT_ITEM_STROKED, FIT_WIDTH);
         bat_overlay_polyline(overlay, preview->blend_counts[0], preview->blends);
-        bat_overlay_polyline(overlay, preview->blend_counts[1], preview->blends + 2 * preview->blend_counts[0]);
+        bat_overlay_polyline(overlay, preview->blend_counts[1],
+                             preview->blends + 2 * preview->blend_counts[0]);
     }
     if (preview->curve)
         show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, s->edit.kind == BAT_EDIT_NEW,
@@ -441,27 +462,31 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
         const bat_edit *edit = &s->pending;
         bool whole = edit->kind == BAT_EDIT_NEW || edit->kind == BAT_EDIT_JOIN;
         if (!whole)
-            show_stretch(list, bat_edit_target(editor->document, edit->object, edit->curve), &s->pending_report);
-        show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole, bat_view_pixel(&editor->view));
+            show_stretch(list, bat_edit_target(editor->document, edit->object, edit->curve),
+                         &s->pending_report);
+        show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole,
+                 bat_view_pixel(&editor->view));
     }
-    if (s->state == BAT_SKETCHING_DRAWING) show_stroke(editor, list);
+    if (s->state == BAT_SKETCHING_DRAWING)
+        show_stroke(editor, list);
     else if (s->pick.object && !editor->holding_pan && !editor->contacts.count)
         highlight(editor, list, s->pick.object, s->pick.curve);
 }
 
-static bat_text hint(const bat_editor *editor) {
+static bat_string hint(const bat_editor *editor) {
     const bat_sketching *s = &editor->sketching;
-    if (s->has_pending) return BAT_TEXT_HINT_PENDING;
+    if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
-        if (smooths_nothing(s)) return BAT_TEXT_HINT_SMOOTH_NOTHING;
-        if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_TEXT_HINT_SMOOTHING;
-        if (s->join.object) return BAT_TEXT_HINT_JOINING;
-        if (s->preview.status == BAT_FAR) return BAT_TEXT_HINT_STRAYED;
-        if (s->edit.kind == BAT_EDIT_REDRAW) return BAT_TEXT_HINT_REDRAWING;
-        return s->closing ? BAT_TEXT_HINT_CLOSING : BAT_TEXT_HINT_DRAWING;
+        if (smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
+        if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
+        if (s->join.object) return BAT_STRING_HINT_JOINING;
+        if (s->preview.status == BAT_FAR) return BAT_STRING_HINT_STRAYED;
+        if (s->edit.kind == BAT_EDIT_REDRAW) return BAT_STRING_HINT_REDRAWING;
+        return s->closing ? BAT_STRING_HINT_CLOSING : BAT_STRING_HINT_DRAWING;
     }
-    if (editor->modifiers & BAT_ALT) return s->pick.object ? BAT_TEXT_HINT_SMOOTH : BAT_TEXT_HINT_SMOOTH_NOTHING;
-    return s->pick.object ? BAT_TEXT_HINT_REDRAW : BAT_TEXT_HINT_NEW;
+    if (editor->modifiers & BAT_ALT)
+        return s->pick.object ? BAT_STRING_HINT_SMOOTH : BAT_STRING_HINT_SMOOTH_NOTHING;
+    return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
 
 static bat_cursor cursor(const bat_editor *editor) {
@@ -473,18 +498,22 @@ static const char *check(const bat_editor *editor) {
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     if (drawing && !s->edit.samples.count) return "a stroke under way has no samples";
     if (!drawing && s->edit.samples.count) return "samples are left of a stroke that ended";
-    if (!drawing && (s->live || s->preview.curve || s->preview.blends)) return "a preview outlived its stroke";
-    if (drawing && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1) return "a stroke without a pen";
+    if (!drawing && (s->live || s->preview.curve || s->preview.blends))
+        return "a preview outlived its stroke";
+    if (drawing && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+        return "a stroke without a pen";
     if (s->fed > s->edit.samples.count) return "the session has samples that the stroke has not";
     if (s->has_pending != (s->pending_curve != NULL)) return "a pending fit without a curve";
     if (s->state == BAT_SKETCHING_PENDING && !s->has_pending) return "nothing is pending";
     if (s->state == BAT_SKETCHING_IDLE && s->has_pending) return "a pending fit is forgotten";
-    if (drawing && s->edit.kind != BAT_EDIT_NEW && !bat_edit_target(editor->document, s->edit.object, s->edit.curve))
+    if (drawing && s->edit.kind != BAT_EDIT_NEW &&
+        !bat_edit_target(editor->document, s->edit.object, s->edit.curve))
         return "the curve under the pen is gone";
     return NULL;
 }
 
-const bat_tool bat_tool_sketch = {.hover = hover,
+const bat_tool *bat_tool_sketch(void) {
+    static const bat_tool tool = {.hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
@@ -498,3 +527,5 @@ const bat_tool bat_tool_sketch = {.hover = hover,
                                   .hint = hint,
                                   .cursor = cursor,
                                   .check = check};
+    return &tool;
+}

@@ -17,7 +17,8 @@ static bat_status add(bat_editor *editor, int index, const bat_object *before, b
         transaction->deltas = deltas;
         transaction->room = room;
     }
-    bat_delta delta = {index, before ? bat_object_retain(before) : NULL, after ? bat_object_retain(after) : NULL};
+    bat_delta delta = {index, before ? bat_object_retain(before) : NULL,
+                       after ? bat_object_retain(after) : NULL};
     bat_status status = bat_delta_apply(&delta, editor->document, true);
     if (status != BAT_OK) {
         bat_object_release(delta.before);
@@ -57,7 +58,7 @@ bat_status bat_transaction_remove(bat_editor *editor, int index) {
     return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
 }
 
-bat_status bat_transaction_commit(bat_editor *editor, bat_text label, bat_line *line) {
+bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_line *line) {
     bat_transaction *transaction = &editor->transaction;
     if (!transaction->open) return BAT_STATE;
     if (transaction->count == 0) {

@@ -1,6 +1,7 @@
 /*
- * A transaction: the only way the engine changes its document. Changes show at once (a drag updates them again
- * and again); commit makes one step of the history of them and one line of the journal, cancel takes them back.
+ * A transaction: the only way the engine changes its document. Changes show at once (a drag updates them
+ * again and again); commit makes one step of the history of them and one line of the journal, cancel takes
+ * them back.
  */
 #ifndef BATTEN_SRC_TRANSACTION_H
 #define BATTEN_SRC_TRANSACTION_H
@@ -23,9 +24,10 @@ bat_status bat_transaction_begin(bat_editor *editor);
 bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *object);
 bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object);
 bat_status bat_transaction_remove(bat_editor *editor, int index);
-/* Ends it. label: what undo would take back. edit: the journal's line for it, without the digest and the closing
- * brace, which are added here. On failure everything is taken back. A transaction without changes makes no step. */
-bat_status bat_transaction_commit(bat_editor *editor, bat_text label, struct bat_line *line);
+/* Ends it. label: what undo would take back. edit: the journal's line for it, without the digest and the
+ * closing brace, which are added here. On failure everything is taken back. A transaction without changes
+ * makes no step. */
+bat_status bat_transaction_commit(bat_editor *editor, bat_string label, struct bat_line *line);
 void bat_transaction_cancel(bat_editor *editor);
 
 #endif

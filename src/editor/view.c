@@ -45,7 +45,8 @@ bool bat_view_fit(bat_view *view, const double box[4], double margin) {
     double room_x = fmax(view->width - 2 * margin, view->width / 2);
     double room_y = fmax(view->height - 2 * margin, view->height / 2);
     double zoom = view->zoom;
-    if (width > 0 || height > 0) zoom = fmin(width > 0 ? room_x / width : INFINITY, height > 0 ? room_y / height : INFINITY);
+    if (width > 0 || height > 0)
+        zoom = fmin(width > 0 ? room_x / width : INFINITY, height > 0 ? room_y / height : INFINITY);
     view->zoom = clamp(zoom, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
     view->x = box[0] + width / 2 - view->width / 2 / view->zoom;
     view->y = box[1] + height / 2 - view->height / 2 / view->zoom;

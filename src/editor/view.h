@@ -1,4 +1,5 @@
-/* The view: which part of the document the window shows. screen = (document - (x, y)) * zoom, in view pixels. */
+/* The view: which part of the document the window shows. screen = (document - (x, y)) * zoom, in view pixels.
+ */
 #ifndef BATTEN_SRC_VIEW_H
 #define BATTEN_SRC_VIEW_H
 
@@ -10,8 +11,8 @@
 #define BAT_PIXELS_MAX 1e6  /* view pixels of events and sizes stay within it */
 
 typedef struct bat_view {
-    double x, y, zoom;            /* document coordinates of the top left corner; pixels per unit, > 0 */
-    double width, height, ratio;  /* view pixels; device pixels per view pixel */
+    double x, y, zoom;           /* document coordinates of the top left corner; pixels per unit, > 0 */
+    double width, height, ratio; /* view pixels; device pixels per view pixel */
 } bat_view;
 
 bat_view bat_view_defaults(void);
@@ -23,8 +24,9 @@ void bat_view_to_screen(const bat_view *view, const double document[2], double s
 void bat_view_pan(bat_view *view, const double from[2], const double to[2]);
 /* Multiplies the zoom, within its limits, so that the document point under `about` stays there. */
 void bat_view_zoom(bat_view *view, const double about[2], double factor);
-/* Shows the box (x0 y0 x1 y1, document units) whole and centred, `margin` pixels free around it. A box without
- * extent is centred at the zoom there is; an empty or unbounded one, or a window without size: false. */
+/* Shows the box (x0 y0 x1 y1, document units) whole and centred, `margin` pixels free around it. A box
+ * without extent is centred at the zoom there is; an empty or unbounded one, or a window without size: false.
+ */
 bool bat_view_fit(bat_view *view, const double box[4], double margin);
 
 #endif
