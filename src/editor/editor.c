@@ -6,9 +6,8 @@
 
 const bat_tool *bat_editor_tool(const bat_editor *editor) {
     switch (editor->tool) {
-#define TOOL(id, name, command, behaviour)                                                                   \
-    case BAT_TOOL_##id: return behaviour();                                                                  \
-        #include "editor/commands.def"
+#define TOOL(id, name, command, behaviour) case BAT_TOOL_##id: return behaviour();
+#include "editor/commands.def"
     case BAT_TOOL_COUNT: break;
     }
     return bat_tool_pan();
