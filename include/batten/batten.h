@@ -12,6 +12,7 @@
 #include <batten/frames.h>
 #include <batten/sketch.h>
 #include <batten/tangents.h>
+#include <batten/levels.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/editor.h>

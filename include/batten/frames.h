@@ -27,6 +27,9 @@ typedef struct bat_frame_options {
     bool has_reference;    /* the persistent pair (math 2.2): s(0) is ref_s turned by the least rotation */
     double reference_t[3]; /* that takes ref_t to t(0). Goes before `first` */
     double reference_s[3];
+    double holonomy_near; /* closed curves: of all angles that differ by whole turns, take the one nearest to
+                           * it, so that a loop that is being edited never jumps past +-pi (math 2.3); 0 by
+                           * default */
 } bat_frame_options;
 
 typedef struct bat_frame3 {

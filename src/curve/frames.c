@@ -156,6 +156,7 @@ static void measure_holonomy(bat_frame_chain *chain) {
     chain->length = last->length;
     chain->holonomy = bat_atan2(vec_dot(vec_cross(first->s, s), first->at.t), vec_dot(first->s, s));
     if (chain->holonomy <= -BAT_PI) chain->holonomy = BAT_PI;
+    chain->holonomy += 2 * BAT_PI * rint((chain->options.holonomy_near - chain->holonomy) / (2 * BAT_PI));
 }
 
 static void run_span(bat_frame_chain *chain, int span, int steps) {
@@ -186,6 +187,7 @@ bat_frame_options bat_frame_defaults(void) { return (bat_frame_options){.rule = 
 static bat_status check(const bat_frame_options *o) {
     if ((unsigned)o->rule > BAT_FRAMES_FIXED || o->substeps < 0 || o->substeps > STEPS_MAX)
         return BAT_ARGUMENT;
+    if (!(fabs(o->holonomy_near) <= 1e6)) return BAT_NUMBER;
     for (int i = 0; i < 3; i++) {
         if (o->has_first && !(fabs(o->first[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
         if (o->has_reference && (!(fabs(o->reference_t[i]) <= BAT_COORDINATE_MAX) ||

@@ -21,7 +21,7 @@ MAY_USE = {
 LAYER_OF_HEADER = {
     "base": "curve", "curve": "curve", "refine": "curve", "bezier": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve",
-    "sketch": "shape", "tangents": "shape",
+    "sketch": "shape", "tangents": "shape", "levels": "shape",
     "document": "document",
     "format": "format",
     "editor": "editor",

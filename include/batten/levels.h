@@ -1,0 +1,100 @@
+/*
+ * Batten: the levels hand. A base curve and levels of detail over it, each in the frames of the level below,
+ * so that the sweep and the detail are edited apart. Source: multilevel-2016 sections 3 and 4, as
+ * docs/math/levels.md (math 3) corrects and completes them.
+ *
+ *     C^j = refine(C^{j-1}, U^j) + sum_i F^{j-1}(u_i) g_j d_i^j N_i^j,    U^0 in U^1 in ... in U^k
+ */
+#ifndef BATTEN_LEVELS_H
+#define BATTEN_LEVELS_H
+
+#include <batten/frames.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { BAT_LEVELS_MAX = 24 };
+
+typedef enum bat_node_rule {
+    BAT_NODES_GREVILLE, /* second order */
+    BAT_NODES_ARGMAX    /* where N_i is greatest: the paper's */
+} bat_node_rule;
+
+typedef enum bat_propagation {
+    BAT_PROPAGATION_LOCAL, /* in space: frames outside the edited stretch stay as they were (math 3.4) */
+    BAT_PROPAGATION_PLAIN  /* the paper's: they follow the chain from the start */
+} bat_propagation;
+
+typedef struct bat_shape_options {
+    bat_frame_rule frame;
+    bat_node_rule nodes;
+    bat_propagation propagation;
+    /* has_reference: the persistent pair of math 2.2. has_first: s projected on the start tangent's normal
+     * plane, at every level and after every edit. Neither: the base's start tangent and some normal become
+     * the pair. */
+    bool has_first, has_reference;
+    double first[3], reference_t[3], reference_s[3];
+} bat_shape_options;
+
+BAT_API bat_shape_options bat_shape_defaults(void); /* RMF, Greville, local */
+
+typedef struct bat_shape bat_shape;
+
+/* Copies the base. The shape has no level yet. */
+BAT_API bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *options, bat_shape **out);
+BAT_API bat_status bat_shape_copy(const bat_shape *shape, bat_shape **out);
+BAT_API void bat_shape_free(bat_shape *shape); /* NULL is fine */
+
+/* Adds a level on top. knots: a superset of the knots below, in the curve's own form (open: n + p + 1,
+ * closed: n + 1); NULL: a knot in the middle of every span. details: count * 3 (t, s, r; planar: r is 0), or
+ * NULL: none yet. source: count, the level whose frame each detail uses (math 3.7), or NULL: the level below.
+ * BAT_KNOTS: not a superset. */
+BAT_API bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const double *knots,
+                                       const double *details, const int *source);
+
+BAT_API int bat_shape_levels(const bat_shape *shape); /* k */
+/* C^0..C^k; owned by the shape, valid until it changes. */
+BAT_API const bat_curve *bat_shape_curve(const bat_shape *shape, int level);
+/* Of level 1..k: count * 3 numbers, owned by the shape. */
+BAT_API const double *bat_shape_details(const bat_shape *shape, int level);
+BAT_API const double *bat_shape_nodes(const bat_shape *shape, int level);
+BAT_API const int *bat_shape_source(const bat_shape *shape, int level);
+BAT_API double bat_shape_gain(const bat_shape *shape, int level);
+BAT_API const bat_shape_options *bat_shape_options_of(const bat_shape *shape);
+
+/*
+ * Edits; world coordinates, dimension doubles; level 0 is the base. On failure the shape is as it was. What
+ * lies outside the stretch that an edit touches does not move (math 3.4), unless propagation is plain.
+ */
+BAT_API bat_status bat_shape_move(bat_shape *shape, int level, int index, const double *delta);
+/* Moves the point of C^level at u by exactly delta, the least change in the control points (math 3.5). */
+BAT_API bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *delta);
+/* The same, repeated until the point of the finest curve at u has moved by delta within tolerance (at most 20
+ * times). *left: what is still missing. BAT_TOLERANCE: it does not get there. */
+BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta,
+                                         double tolerance, double *left);
+/* Moves control points first..first+count-1 (closed: modulo n) at once. */
+BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count,
+                                       const double *deltas);
+/* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6. */
+BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
+/* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level. */
+BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
+                                    const double *targets);
+/* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
+ */
+BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
+/* Ends an edit: the persistent pair is taken anew when the start tangent has turned far from it (math 2.2).
+ */
+BAT_API bat_status bat_shape_commit(bat_shape *shape);
+
+/* Takes a curve apart into `levels` levels, exactly: every other interior knot is left out a level
+ * (math 3.7). BAT_COUNT: too few knots for so many levels. */
+BAT_API bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_shape_options *options,
+                                       bat_shape **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
