@@ -14,7 +14,6 @@
 
 #include "curve/lsq.h"
 #include "curve/real.h"
-#include "curve/real.h"
 
 #include <float.h>
 #include <math.h>
