@@ -1,0 +1,75 @@
+/*
+ * Makes the Nth allocation fail. A test program that includes this is linked with --wrap for malloc, calloc
+ * and realloc (tests/CMakeLists.txt does so when it finds the name of this file in the source), which reaches
+ * into the static library. Include it in one file of a program.
+ *
+ *     for (int n = 1; ; n++) {
+ *         alloc_fail_at(n);
+ *         status = work();
+ *         if (!alloc_fail_reached()) break;   // work needs fewer than n allocations: done
+ *         assert status == BAT_MEMORY, outputs untouched
+ *     }
+ *     assert status == BAT_OK
+ *
+ * alloc_live() counts blocks that the program holds: the same before and after means that nothing leaks.
+ */
+#ifndef BATTEN_TESTS_ALLOC_FAIL_H
+#define BATTEN_TESTS_ALLOC_FAIL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *memory, size_t size);
+void __real_free(void *memory);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *memory, size_t size);
+void __wrap_free(void *memory);
+
+static long alloc_countdown; /* 0: none fails */
+static bool alloc_hit;
+static long alloc_blocks;
+
+/* The nth allocation from now on fails, once; 0 switches it off. */
+static inline void alloc_fail_at(long n) { alloc_countdown = n, alloc_hit = false; }
+
+/* Has it failed? Also switches it off. */
+static inline bool alloc_fail_reached(void) {
+    alloc_countdown = 0;
+    return alloc_hit;
+}
+
+static inline long alloc_live(void) { return alloc_blocks; }
+
+static inline bool alloc_fails_now(void) {
+    if (alloc_countdown == 0 || --alloc_countdown > 0) return false;
+    return alloc_hit = true;
+}
+
+void *__wrap_malloc(size_t size) {
+    void *memory = alloc_fails_now() ? NULL : __real_malloc(size);
+    alloc_blocks += memory != NULL;
+    return memory;
+}
+
+void *__wrap_calloc(size_t count, size_t size) {
+    void *memory = alloc_fails_now() ? NULL : __real_calloc(count, size);
+    alloc_blocks += memory != NULL;
+    return memory;
+}
+
+void *__wrap_realloc(void *memory, size_t size) {
+    if (alloc_fails_now()) return NULL;
+    void *moved = __real_realloc(memory, size);
+    alloc_blocks += memory == NULL && moved != NULL;
+    return moved;
+}
+
+void __wrap_free(void *memory) {
+    alloc_blocks -= memory != NULL;
+    __real_free(memory);
+}
+
+#endif
