@@ -7,7 +7,8 @@
  * Interior knots (closed: all knots) repeat at most p times; end knots of open curves at most p + 1. The first
  * and the last span of an open domain are not empty. A closed curve has at least two points; n may be below p.
  * Knots are equal only when their doubles are; there is no knot tolerance. So that no later arithmetic
- * overflows, coordinates and knots are bounded and distinct knots are no closer than BAT_SPAN_MIN.
+ * overflows, coordinates and knots are bounded and distinct knots are no closer than BAT_SPAN_MIN; those of a
+ * closed curve are still distinct doubles one period away. BAT_NUMBER otherwise.
  *
  * A curve is a value: it never changes after it is made. Operations return new curves, which the caller
  * frees. One allocation a curve. const calls on one curve are safe from many threads.

@@ -117,10 +117,7 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const doubl
         bat_curve_free(fresh);
         return status;
     }
-    if (front + back > 0) return trim(fresh, front, back, out);
-    bat_curve_unroll(fresh);
-    *out = fresh;
-    return BAT_OK;
+    return front + back > 0 ? trim(fresh, front, back, out) : bat_curve_finish(fresh, out);
 }
 
 bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out) {

@@ -24,6 +24,13 @@ static bat_status check_open(int degree, int count, const double *knots) {
 
 static bat_status check_closed(int degree, int count, const double *knots) {
     if (!(knots[0] < knots[count])) return BAT_KNOTS;
+    /* Copies a period away must not run into each other: a matter of the doubles' resolution. */
+    for (int i = 1; i <= count; i++) {
+        if (knots[i] == knots[i - 1]) continue;
+        double a = knots[i - 1], b = knots[i], start = knots[0], end = knots[count];
+        if (!(end + (a - start) < end + (b - start)) || !(start + (a - end) < start + (b - end)))
+            return BAT_NUMBER;
+    }
     int seam = run_length(knots, 0, count);
     for (int i = seam; i <= count;) {
         int n = run_length(knots, i, count);
