@@ -8,33 +8,6 @@
 #include <string.h>
 #define WEAK __attribute__((weak))
 
-WEAK bat_sketch_options bat_sketch_defaults(void) { return (bat_sketch_options){1, 1, 3, 3, false, 0}; }
-
-WEAK bat_status bat_sketch_new(const bat_stroke *s, const bat_sketch_options *o, bool closed, bat_curve **out,
-                               bat_sketch_report *report) {
-    (void)closed;
-    double length = 0;
-    for (size_t i = 1; i < s->count; i++)
-        length += fabs(s->points[2 * i] - s->points[2 * i - 2]) +
-                  fabs(s->points[2 * i + 1] - s->points[2 * i - 1]);
-    if (s->count < 4 || length < 8 * o->pixel) return BAT_DOT;
-    int n = (int)s->count;
-    double *knots = malloc(((size_t)n + 4) * sizeof *knots);
-    if (!knots) return BAT_MEMORY;
-    for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? n - 3 : i - 3;
-    bat_status status = bat_curve_create(3, 2, false, n, knots, s->points, out);
-    free(knots);
-    *report = (bat_sketch_report){.knots_after = n + 4, .changed_new = {0, n - 3}, .solves = 1};
-    return status;
-}
-WEAK bat_status bat_sketch(const bat_curve *c, const bat_stroke *s, const bat_sketch_options *o,
-                           bat_curve **out, bat_sketch_report *report) {
-    bat_status status = bat_sketch_new(s, o, false, out, report);
-    if (status != BAT_OK) return status;
-    report->knots_before = bat_curve_knot_count(c);
-    bat_curve_domain(c, report->changed);
-    return BAT_OK;
-}
 WEAK bat_status bat_sketch_smooth(const bat_curve *c, const bat_stroke *s, const bat_sketch_options *o,
                                   bat_curve **out, bat_sketch_report *report) {
     return bat_sketch(c, s, o, out, report);
