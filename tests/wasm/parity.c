@@ -136,11 +136,65 @@ static void surgery_one(parity_sink *sink, random_source *r, bat_curve *curve) {
 }
 static void surgery(parity_sink *sink) { each_curve(sink, 7, surgery_one); }
 
+/* A whole session: an object, the view, strokes over it and beside it, undo. The journal holds every number
+ * and digest of it as text. */
+static void session(parity_sink *sink) {
+    random_source r = {8};
+    bat_document *document = NULL;
+    bat_editor *editor = NULL;
+    bat_curve *curve = random_curve(&r, 3, 2, 0, 4);
+    const double scale[] = {100, 0, 300, 0, 100, 300};
+    bat_curve *large = NULL;
+    bat_object *object = NULL;
+    bat_style style = bat_style_defaults();
+    bat_status status = bat_curve_transform(curve, scale, &large);
+    bat_curve_free(curve);
+    if (status == BAT_OK) status = bat_document_create(&document);
+    if (status == BAT_OK) {
+        status = bat_object_create_path(bat_document_new_id(document), "line", &style, 1, &large, &object);
+    }
+    if (status == BAT_OK) status = bat_document_put(document, 0, object);
+    bat_object_release(object);
+    if (status == BAT_OK) status = bat_editor_create(&editor);
+    if (status == BAT_OK) bat_editor_resize(editor, 1280, 800, 1);
+    if (status == BAT_OK) status = bat_editor_open(editor, document, "session");
+    for (int stroke = 0; stroke < 6 && status == BAT_OK; stroke++) {
+        double x = random_between(&r, 200, 500), y = random_between(&r, 200, 600), time = 1000.0 * stroke;
+        double dx = random_between(&r, 2, 5), bend = random_between(&r, -0.05, 0.05);
+        for (int i = 0; i < 100; i++) {
+            bat_pointer event = {.phase = i == 0    ? BAT_POINTER_DOWN
+                                          : i == 99 ? BAT_POINTER_UP
+                                                    : BAT_POINTER_MOVE,
+                                 .device = BAT_DEVICE_PEN,
+                                 .buttons = i == 99 ? 0 : BAT_BUTTON_PRIMARY,
+                                 .x = x + dx * i,
+                                 .y = y + bend * i * (100 - i) + random_between(&r, -0.3, 0.3),
+                                 .pressure = 0.5,
+                                 .time = time + 4 * i};
+            bat_editor_pointer(editor, &event, 1);
+            if (i % 10 == 0) put(sink, bat_editor_frame(editor)->error);
+        }
+        if (stroke == 2) bat_editor_wheel(editor, 640, 400, 0, -120, BAT_CTRL, time + 500);
+        if (stroke == 3) put(sink, bat_editor_command(editor, "undo"));
+    }
+    put(sink, status);
+    if (status == BAT_OK) {
+        size_t size = 0;
+        const char *journal = bat_editor_journal(editor, &size);
+        put(sink, (double)size);
+        for (size_t i = 0; i < size; i++) put(sink, journal[i]);
+        uint64_t digest = bat_document_digest(bat_editor_document(editor));
+        put(sink, (double)(digest >> 32)), put(sink, (double)(digest & 0xffffffff));
+    }
+    bat_editor_free(editor);
+}
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
                                           {"knot insertion", insert},
                                           {"closest point", nearest},
                                           {"measures", measure},
-                                          {"surgery", surgery}};
+                                          {"surgery", surgery},
+                                          {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);
