@@ -14,7 +14,8 @@ static inline double stroke_noise(uint64_t *state) { /* triangular-ish, -1..1: s
     return sum / 1.5;
 }
 
-/* kind 0: eight bends, 1: spiral, 2: car line. noise: greatest offset of each coordinate, px. out: 2 * count. */
+/* kind 0: eight bends, 1: spiral, 2: car line. noise: greatest offset of each coordinate, px. out: 2 * count.
+ */
 static inline void stroke_make(int kind, int count, double noise, double *out) {
     uint64_t state = 12345 + (uint64_t)kind;
     const double pi = 3.14159265358979323846;

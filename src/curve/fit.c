@@ -121,11 +121,37 @@ static bat_status solve(fitting *f) {
     return BAT_SINGULAR;
 }
 
+/* A corner's own point is measured at the corner itself: a spike may not overshoot. */
+static double corner_error(fitting *f, double worst) {
+    const mesh *m = &f->trial;
+    const size_t size = (size_t)((f->degree + 1) * f->dimension);
+    size_t i = 0;
+    for (int k = 0, slot = f->closed ? -1 : 0; k + 1 < m->count; k++) {
+        if (k > 0 || f->closed) slot += m->corner[k] ? f->degree : 1;
+        if (!m->corner[k]) continue;
+        while (i < f->count && f->u[i] < m->at[k]) i++;
+        if (i == f->count || f->u[i] > m->at[k]) continue;
+        double d = 0;
+        for (int c = 0; c < f->dimension; c++) {
+            double value = 0;
+            for (int j = f->degree; j >= 0; j--)
+                value = f->local[(size_t)slot * size + (size_t)(j * f->dimension + c)] -
+                        value; /* at s = -1 */
+            value -= f->x[i * (size_t)f->dimension + (size_t)c];
+            d += value * value;
+        }
+        f->distance[i] = d;
+        if (!(d <= worst)) worst = d;
+    }
+    return worst;
+}
+
 /* Solves and measures; the greatest distance. INFINITY when there is no solution. */
 static double attempt(fitting *f) {
     if (solve(f) != BAT_OK) return INFINITY;
-    const double d = bat_lsq_error(&f->space, f->dimension, f->local, f->count, f->u, f->x, 2, f->near,
-                                   f->distance);
+    double d = bat_lsq_error(&f->space, f->dimension, f->local, f->count, f->u, f->x, 2, f->near,
+                             f->distance);
+    d = corner_error(f, d);
     return isfinite(d) ? sqrt(d) : INFINITY;
 }
 
@@ -317,7 +343,7 @@ static bool make_plan(fitting *f, enum plan what, double part) {
     sort_by(f->order, candidates, f->distance);
     int most = (int)(part * candidates);
     if (most < 1) most = 1;
-    if (most > m->count - least - 1) most = m->count - least - 1;
+    if (most > m->count - least) most = m->count - least;
     const int reach = what == MERGE ? 2 : 1;
     bool any = false;
     for (int i = 0; i < candidates && most > 0; i++) {
