@@ -4,6 +4,8 @@
 #include "document/digest.h"
 #include "document/utf8.h"
 
+#include <batten/measure.h>
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,17 +51,11 @@ static part *part_create(void) {
     return made;
 }
 
-/* For now the box of the control points, which holds the curve. */
 static void part_fill(part *made, bat_curve *curve) {
-    const double *points = bat_curve_points(curve);
-    int count = bat_curve_count(curve), dimension = bat_curve_dimension(curve);
+    double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
+    bat_curve_bounds(curve, low, high);
     made->curve = curve;
-    for (int k = 0; k < 2; k++) made->box[k] = made->box[k + 2] = points[k];
-    for (int i = 1; i < count; i++, points += dimension)
-        for (int k = 0; k < 2; k++) {
-            made->box[k] = fmin(made->box[k], points[dimension + k]);
-            made->box[k + 2] = fmax(made->box[k + 2], points[dimension + k]);
-        }
+    made->box[0] = low[0], made->box[1] = low[1], made->box[2] = high[0], made->box[3] = high[1];
 }
 
 static void part_release(part *made) {

@@ -1,4 +1,4 @@
-/* Weak stand-ins for the sketch hand and the document's writer, overruled by the real ones as soon as those
+/* Weak stand-ins for the sketch hand, overruled by the real ones as soon as those
  * are linked in: a curve whose control points are the stroke's samples. */
 #include <batten/editor.h>
 #include <batten/refine.h>
@@ -63,18 +63,6 @@ WEAK bat_status bat_sketch_commit(bat_sketch_live *live, bat_curve **out, bat_sk
     if (status == BAT_OK) *report = info.report;
     bat_sketch_cancel(live);
     return status;
-}
-WEAK bat_status bat_document_write(const bat_document *document, char **text, size_t *size) {
-    (void)document;
-    *text = malloc(3);
-    if (!*text) return BAT_MEMORY;
-    strcpy(*text, "{}");
-    *size = 2;
-    return BAT_OK;
-}
-WEAK bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem) {
-    (void)text, (void)size, (void)problem;
-    return bat_document_create(out);
 }
 WEAK bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
                                   bat_problem *problem) {

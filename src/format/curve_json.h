@@ -1,0 +1,19 @@
+/* CURVE inside other JSON. */
+#ifndef BATTEN_SRC_CURVE_JSON_H
+#define BATTEN_SRC_CURVE_JSON_H
+
+#include "format/json.h"
+#include "format/text.h"
+
+bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem);
+/* indent: spaces before the members, for people; 0: all on one line. */
+void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text);
+
+/* A list of numbers; *out is malloc'ed. */
+bat_status bat_numbers_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
+                                 size_t *count, bat_problem *problem);
+/* Lists of points, all of one dimension (2 or 3); *out is malloc'ed. */
+bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
+                                size_t *count, int *dimension, bat_problem *problem);
+
+#endif

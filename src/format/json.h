@@ -1,0 +1,67 @@
+/* JSON (RFC 8259), read into a compact tree. Texts are UTF-8 without U+0000; numbers are correctly rounded
+ * and finite; of members with one name the last counts. Written by the bat_text calls. */
+#ifndef BATTEN_SRC_JSON_H
+#define BATTEN_SRC_JSON_H
+
+#include <batten/format.h>
+
+enum { BAT_JSON_DEPTH = 64 };
+#define BAT_JSON_SIZE ((size_t)1 << 28) /* bytes of text */
+
+typedef enum bat_json_type {
+    BAT_JSON_NULL,
+    BAT_JSON_FALSE,
+    BAT_JSON_TRUE,
+    BAT_JSON_NUMBER,
+    BAT_JSON_TEXT,
+    BAT_JSON_LIST,
+    BAT_JSON_OBJECT
+} bat_json_type;
+
+typedef struct bat_json_node {
+    union {
+        double number;
+        struct {
+            uint32_t at, size; /* text: where it stands in `strings`; zero-terminated */
+        } text;
+        struct {
+            uint32_t first, count; /* list: items; object: members, each a text (its name) and then a value */
+        } list;
+    } value;
+    uint32_t next;     /* the next item; 0: none */
+    uint32_t position; /* in the text */
+    uint8_t type;      /* bat_json_type */
+} bat_json_node;
+
+typedef struct bat_json {
+    const char *text; /* borrowed */
+    size_t size;
+    bat_json_node *nodes; /* node 1 is the whole; 0 stands for "not there" */
+    uint32_t count, room;
+    char *strings;
+} bat_json;
+
+/* BAT_SYNTAX, BAT_NUMBER (1e999), BAT_COUNT (too long or too deep), BAT_MEMORY. Releases everything on
+ * failure. */
+bat_status bat_json_parse(const char *text, size_t size, bat_json *out, bat_problem *problem);
+void bat_json_free(bat_json *json);
+
+bat_json_type bat_json_type_of(const bat_json *json, uint32_t node);
+/* The member's value, 0 when the node is no object or has no such member. */
+uint32_t bat_json_member(const bat_json *json, uint32_t object, const char *name);
+/* First item of a list, 0 when it is no list or empty; then follow nodes[].next. */
+uint32_t bat_json_first(const bat_json *json, uint32_t list);
+uint32_t bat_json_count(const bat_json *json, uint32_t list);   /* items; 0 when it is no list */
+const char *bat_json_text(const bat_json *json, uint32_t node); /* NULL when it is no text */
+
+/* Fills problem (may be NULL): place "line L, column C", message "what: expected ..., found ...". The found
+ * part is told from the node's type. Returns status. */
+bat_status bat_json_complain(const bat_json *json, uint32_t node, bat_status status, const char *what,
+                             const char *expected, bat_problem *problem);
+/* The same with a free message. */
+bat_status bat_json_say(const bat_json *json, uint32_t node, bat_status status, const char *message,
+                        bat_problem *problem);
+/* problem with given texts; NULL is fine. Returns status. */
+bat_status bat_problem_set(bat_problem *problem, bat_status status, const char *place, const char *message);
+
+#endif

@@ -1,0 +1,291 @@
+/* The native document: {"batten":1, "page":[...], "next":4, "objects":[...]} (docs/format.md). */
+#include "format/native.h"
+
+#include "document/document.h"
+#include "format/curve_json.h"
+#include "format/json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const caps[] = {"butt", "round", "square"};
+static const char *const joins[] = {"miter", "round", "bevel"};
+
+typedef struct reader {
+    const bat_json *json;
+    bat_problem *problem;
+} reader;
+
+static bat_status complain(const reader *r, uint32_t node, const char *what, const char *expected) {
+    return bat_json_complain(r->json, node, BAT_SYNTAX, what, expected, r->problem);
+}
+
+/* Members that may be left out keep what *value holds. */
+static bat_status read_number(const reader *r, uint32_t object, const char *name, double low, double high,
+                              const char *expected, double *value) {
+    uint32_t node = bat_json_member(r->json, object, name);
+    if (!node) return BAT_OK;
+    double number = r->json->nodes[node].value.number;
+    if (bat_json_type_of(r->json, node) != BAT_JSON_NUMBER || !(number >= low && number <= high))
+        return complain(r, node, name, expected);
+    *value = number;
+    return BAT_OK;
+}
+
+static bat_status read_flag(const reader *r, uint32_t object, const char *name, bool *value) {
+    uint32_t node = bat_json_member(r->json, object, name);
+    if (!node) return BAT_OK;
+    bat_json_type type = bat_json_type_of(r->json, node);
+    if (type != BAT_JSON_TRUE && type != BAT_JSON_FALSE) return complain(r, node, name, "true or false");
+    *value = type == BAT_JSON_TRUE;
+    return BAT_OK;
+}
+
+static bat_status read_colour(const reader *r, uint32_t object, const char *name, uint32_t *value) {
+    uint32_t node = bat_json_member(r->json, object, name), colour = 0;
+    if (!node) return BAT_OK;
+    const char *text = bat_json_text(r->json, node);
+    bool good = text && text[0] == '#' && strlen(text) == 9;
+    for (int i = 1; good && i < 9; i++) {
+        char c = text[i];
+        int digit = c >= '0' && c <= '9'   ? c - '0'
+                    : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                    : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                           : -1;
+        good = digit >= 0;
+        colour = colour << 4 | (uint32_t)(digit & 15);
+    }
+    if (!good) return complain(r, node, name, "a colour \"#rrggbbaa\"");
+    *value = colour;
+    return BAT_OK;
+}
+
+static bat_status read_choice(const reader *r, uint32_t object, const char *name, const char *const words[3],
+                              const char *expected, int *value) {
+    uint32_t node = bat_json_member(r->json, object, name);
+    if (!node) return BAT_OK;
+    const char *text = bat_json_text(r->json, node);
+    for (int i = 0; text && i < 3; i++)
+        if (strcmp(text, words[i]) == 0) {
+            *value = i;
+            return BAT_OK;
+        }
+    return complain(r, node, name, expected);
+}
+
+static bat_status read_style(const reader *r, uint32_t node, bat_style *style) {
+    if (!node) return BAT_OK;
+    if (bat_json_type_of(r->json, node) != BAT_JSON_OBJECT) return complain(r, node, "style", "an object");
+    int cap = style->cap, join = style->join;
+    bat_status status = read_flag(r, node, "stroked", &style->stroked);
+    if (status == BAT_OK) status = read_flag(r, node, "filled", &style->filled);
+    if (status == BAT_OK) status = read_flag(r, node, "even_odd", &style->even_odd);
+    if (status == BAT_OK) status = read_colour(r, node, "stroke", &style->stroke);
+    if (status == BAT_OK) status = read_colour(r, node, "fill", &style->fill);
+    if (status == BAT_OK)
+        status = read_number(r, node, "width", 0, BAT_COORDINATE_MAX, "a number from 0", &style->width);
+    if (status == BAT_OK)
+        status = read_number(r, node, "opacity", 0, 1, "a number from 0 to 1", &style->opacity);
+    if (status == BAT_OK)
+        status = read_number(r, node, "miter_limit", 1, BAT_COORDINATE_MAX, "a number from 1",
+                             &style->miter_limit);
+    if (status == BAT_OK) status = read_choice(r, node, "cap", caps, "butt, round or square", &cap);
+    if (status == BAT_OK) status = read_choice(r, node, "join", joins, "miter, round or bevel", &join);
+    style->cap = (bat_cap)cap, style->join = (bat_join)join;
+    return status;
+}
+
+static bat_status read_curves(const reader *r, uint32_t list, bat_curve **curves, int *count) {
+    for (uint32_t at = bat_json_first(r->json, list); at; at = r->json->nodes[at].next) {
+        bat_status status = bat_curve_from_json(r->json, at, &curves[*count], r->problem);
+        if (status != BAT_OK) return status;
+        ++*count;
+        if (bat_curve_dimension(curves[*count - 1]) != bat_curve_dimension(curves[0]))
+            return bat_json_say(r->json, at, BAT_DIMENSION, "curves: expected one dimension, found two",
+                                r->problem);
+    }
+    return BAT_OK;
+}
+
+static bat_status read_object(const reader *r, uint32_t node, bat_object **out) {
+    const bat_json *json = r->json;
+    if (bat_json_type_of(json, node) != BAT_JSON_OBJECT) return complain(r, node, "objects", "an object");
+    uint32_t kind = bat_json_member(json, node, "kind"), list = bat_json_member(json, node, "curves");
+    const char *word = bat_json_text(json, kind);
+    if (!word) return complain(r, kind ? kind : node, "kind", "a text");
+    if (strcmp(word, "path") != 0)
+        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind", "\"path\"", r->problem);
+    double id = 0;
+    bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
+                                    "a whole number from 1 to 2147483647", &id);
+    if (status != BAT_OK) return status;
+    if (id < 1 || id != (double)(bat_id)id)
+        return complain(r, bat_json_member(json, node, "id"), "id", "a whole number from 1 to 2147483647");
+    uint32_t named = bat_json_member(json, node, "name");
+    const char *name = named ? bat_json_text(json, named) : "";
+    if (!name) return complain(r, named, "name", "a text");
+    bat_style style = bat_style_defaults();
+    status = read_style(r, bat_json_member(json, node, "style"), &style);
+    if (status != BAT_OK) return status;
+    uint32_t room = bat_json_count(json, list);
+    if (room == 0) return complain(r, list ? list : node, "curves", "a list of at least one curve");
+    bat_curve **curves = malloc(room * sizeof *curves);
+    if (!curves) return bat_json_say(json, node, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
+    int count = 0;
+    status = read_curves(r, list, curves, &count);
+    if (status == BAT_OK) {
+        status = bat_object_create_path((bat_id)id, name, &style, count, curves, out);
+        if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
+    }
+    if (status != BAT_OK)
+        while (count > 0) bat_curve_free(curves[--count]);
+    free(curves);
+    return status;
+}
+
+static bat_status read_objects(const reader *r, uint32_t list, bat_document *document) {
+    if (bat_json_type_of(r->json, list) != BAT_JSON_LIST)
+        return complain(r, list ? list : 1, "objects", "a list");
+    uint32_t room = bat_json_count(r->json, list);
+    bat_object **objects = malloc(((size_t)room + 1) * sizeof *objects);
+    if (!objects) return bat_json_say(r->json, list, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
+    int count = 0;
+    bat_status status = BAT_OK;
+    for (uint32_t at = bat_json_first(r->json, list); at && status == BAT_OK; at = r->json->nodes[at].next) {
+        status = read_object(r, at, &objects[count]);
+        if (status == BAT_OK) count++;
+    }
+    if (status == BAT_OK) {
+        status = bat_document_fill(document, count, objects);
+        if (status != BAT_OK)
+            bat_json_say(r->json, list, status,
+                         status == BAT_ARGUMENT ? "objects: expected different ids, found one twice"
+                                                : bat_status_message(status),
+                         r->problem);
+    }
+    if (status != BAT_OK)
+        while (count > 0) bat_object_release(objects[--count]);
+    free(objects);
+    return status;
+}
+
+static bat_status read_page(const reader *r, uint32_t list, bat_document *document) {
+    if (!list) return BAT_OK;
+    double *page;
+    size_t count;
+    bat_status status = bat_numbers_from_json(r->json, list, "page", &page, &count, r->problem);
+    if (status != BAT_OK) return status;
+    status = count == 4 ? bat_document_set_page(document, page) : BAT_COUNT;
+    free(page);
+    if (status == BAT_OK) return BAT_OK;
+    return bat_json_complain(r->json, list, status, "page",
+                             "x, y, width and height, none of them negative width or height", r->problem);
+}
+
+static bat_status read_document(const reader *r, bat_document *document) {
+    uint32_t version = bat_json_member(r->json, 1, "batten");
+    if (bat_json_type_of(r->json, version) != BAT_JSON_NUMBER)
+        return complain(r, version ? version : 1, "batten", "the version of the format, a number");
+    if (r->json->nodes[version].value.number != 1)
+        return bat_json_complain(r->json, version, BAT_UNSUPPORTED, "batten", "version 1", r->problem);
+    double next = 0;
+    bat_status status = read_page(r, bat_json_member(r->json, 1, "page"), document);
+    if (status == BAT_OK) status = read_objects(r, bat_json_member(r->json, 1, "objects"), document);
+    if (status == BAT_OK)
+        status = read_number(r, 1, "next", 1, (double)BAT_FILE_ID_MAX + 1,
+                             "a whole number from 1 to 2147483648", &next);
+    if (status == BAT_OK) bat_document_raise_next(document, (bat_id)next);
+    return status;
+}
+
+bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem) {
+    if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
+    bat_json json;
+    bat_status status = bat_json_parse(text, size, &json, problem);
+    if (status != BAT_OK) return status;
+    reader r = {&json, problem};
+    bat_document *document = NULL;
+    status = bat_document_create(&document);
+    if (status != BAT_OK)
+        bat_problem_set(problem, status, "", bat_status_message(status));
+    else
+        status = read_document(&r, document);
+    bat_json_free(&json);
+    if (status != BAT_OK)
+        bat_document_free(document);
+    else
+        *out = document;
+    return status;
+}
+
+static void write_colour(bat_text *text, const char *member, uint32_t colour) {
+    char value[12];
+    bat_text_string(text, member);
+    snprintf(value, sizeof value, "\"#%08lx\"", (unsigned long)colour);
+    bat_text_string(text, value);
+}
+
+static void write_flag(bat_text *text, const char *member, bool flag) {
+    bat_text_string(text, member);
+    bat_text_string(text, flag ? "true" : "false");
+}
+
+static void write_style(bat_text *text, const bat_style *style) {
+    write_flag(text, "{\"stroked\":", style->stroked);
+    write_colour(text, ",\"stroke\":", style->stroke);
+    bat_text_string(text, ",\"width\":");
+    bat_text_number(text, style->width);
+    bat_text_string(text, ",\"cap\":\"");
+    bat_text_string(text, caps[style->cap]);
+    bat_text_string(text, "\",\"join\":\"");
+    bat_text_string(text, joins[style->join]);
+    bat_text_string(text, "\",\"miter_limit\":");
+    bat_text_number(text, style->miter_limit);
+    write_flag(text, ",\"filled\":", style->filled);
+    write_colour(text, ",\"fill\":", style->fill);
+    write_flag(text, ",\"even_odd\":", style->even_odd);
+    bat_text_string(text, ",\"opacity\":");
+    bat_text_number(text, style->opacity);
+    bat_text_string(text, "}");
+}
+
+static void write_object(bat_text *text, const bat_object *object) {
+    bat_text_string(text, "{\"id\":");
+    bat_text_integer(text, bat_object_id(object));
+    bat_text_string(text, ",\"kind\":\"path\",\"name\":");
+    bat_text_json_string(text, bat_object_name(object));
+    bat_text_string(text, ",\n  \"style\":");
+    write_style(text, bat_object_style(object));
+    bat_text_string(text, ",\n  \"curves\":[");
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_text_string(text, i > 0 ? ",\n   " : "\n   ");
+        bat_curve_to_json(bat_object_curve(object, i), 4, text);
+    }
+    bat_text_string(text, "]}");
+}
+
+void bat_document_to_json(const bat_document *document, bat_text *text) {
+    double page[4];
+    bat_document_page(document, page);
+    bat_text_string(text, "{\"batten\":1,\n\"page\":[");
+    for (int i = 0; i < 4; i++) {
+        if (i > 0) bat_text_string(text, ",");
+        bat_text_number(text, page[i]);
+    }
+    bat_text_string(text, "],\n\"next\":");
+    bat_text_integer(text, bat_document_next(document));
+    bat_text_string(text, ",\n\"objects\":[");
+    for (int i = 0; i < bat_document_count(document); i++) {
+        bat_text_string(text, i > 0 ? ",\n " : "\n ");
+        write_object(text, bat_document_at(document, i));
+    }
+    bat_text_string(text, "]}\n");
+}
+
+bat_status bat_document_write(const bat_document *document, char **text, size_t *size) {
+    if (!document || !text || !size) return BAT_ARGUMENT;
+    bat_text buffer = {0};
+    bat_document_to_json(document, &buffer);
+    return bat_text_finish(&buffer, text, size);
+}

@@ -1,0 +1,25 @@
+/* A growing text. Failure sticks: check once, at the end. */
+#ifndef BATTEN_SRC_TEXT_H
+#define BATTEN_SRC_TEXT_H
+
+#include <batten/base.h>
+
+typedef struct bat_text {
+    char *data;
+    size_t size, room;
+    bool failed;
+} bat_text;
+
+void bat_text_add(bat_text *text, const char *bytes, size_t size);
+void bat_text_string(bat_text *text, const char *string);
+void bat_text_number(bat_text *text, double number);
+void bat_text_integer(bat_text *text, uint64_t number);
+/* In quotes, escaped for JSON; also U+FFFE and U+FFFF, which XML cannot hold. string: UTF-8. */
+void bat_text_json_string(bat_text *text, const char *string);
+/* Escaped for XML text and attributes. Characters that XML 1.0 cannot hold become U+FFFD. */
+void bat_text_xml(bat_text *text, const char *bytes, size_t size);
+/* Hands the text over, zero-terminated, or frees it and returns BAT_MEMORY. */
+bat_status bat_text_finish(bat_text *text, char **data, size_t *size);
+void bat_text_free(bat_text *text);
+
+#endif
