@@ -5,5 +5,4 @@ cd "$1"
 tsc=tests/web/node_modules/.bin/tsc
 [ -x $tsc ] || { echo "npm ci in tests/web first"; exit 1; }
 config=web/jsconfig.json
-[ -f $config ] || config=tests/web/jsconfig.json
 $tsc --project "$config" --noEmit

@@ -2,9 +2,10 @@
 // input pipeline, so that events are trusted, coalesced and captured as a user's are.
 import fs from 'node:fs';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-export const SCREENSHOTS = path.resolve(import.meta.dirname, '../../build/screenshots');
+export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
 
 export function launch() {
   fs.mkdirSync(SCREENSHOTS, { recursive: true });

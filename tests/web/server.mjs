@@ -4,8 +4,9 @@ import crypto from 'node:crypto';
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 
-const ROOT = path.resolve(import.meta.dirname, '../..');
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = path.join(ROOT, 'web');
 export const MODULE = process.env.BATTEN_MODULE ?? path.join(ROOT, 'build/wasm/batten.wasm');
 export const EXAMPLE = path.join(ROOT, 'examples/car.svg');
