@@ -4,21 +4,9 @@
  * coefficients are no larger than Chebyshev's bound allows and no digits are lost.
  */
 #include "curve/curve.h"
+#include "curve/vector.h"
 
 #include <math.h>
-
-/* Several instruction sets in one binary. Contraction is off everywhere, so that all give the same bits. */
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                 \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
-#define CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define CLONES
-#endif
-#if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
 
 enum { ROWS = BAT_DEGREE_MAX + 1, ROOM = ROWS * BAT_DIMENSION_MAX };
 
@@ -31,7 +19,7 @@ typedef struct piece {
 /* Cubic Taylor coefficients straight from knots and points: six divisions. With f's blossom about m, and the
  * span's ends a, b relative to m: f1(a,b) = f1 + f2 (a+b)/2 + f3 ab/2, f(a,b,m) = f + f1 (a+b)/3 + f2 ab/6
  * (f1 to f3: the derivatives at m). a + b is not quite zero: m is rounded, and counts for what it is. */
-INLINE void cubic_piece(const double *t, const double *points, piece *out, int size) {
+BAT_INLINE void cubic_piece(const double *t, const double *points, piece *out, int size) {
     double m = 0.5 * t[0] + 0.5 * t[1], a = t[0] - m, b = t[1] - m, sum = a + b, ab = a * b;
     double r0 = 3 / (t[1] - t[-2]), r1 = 3 / (t[2] - t[-1]), r2 = 3 / (t[3] - t[0]);
     double s0 = 2 / (t[1] - t[-1]), s1 = 2 / (t[2] - t[0]), q = 1 / (t[1] - t[0]);
@@ -62,8 +50,8 @@ static void any_piece(const bat_curve *curve, int span, piece *out) {
 
 /* Derivatives are written as cubics too, with zeros in front: one rule for the whole block, which compilers
  * turn into vectors across the block; without derivatives they do across the points. */
-INLINE void cubic_run(const piece *f, size_t count, const double *restrict u, double *restrict out, int size,
-                      int order) {
+BAT_INLINE void cubic_run(const piece *f, size_t count, const double *restrict u, double *restrict out,
+                          int size, int order) {
     double m = f->middle, a[4][3 * BAT_DIMENSION_MAX];
     int block = size * (order + 1);
     for (int k = 0; k <= order; k++)
@@ -111,8 +99,8 @@ static size_t run_length(const double *u, size_t count, double end, bool with) {
     return high;
 }
 
-INLINE void cubic_spans(const bat_curve *curve, size_t count, const double *u, double *out, int size,
-                        int order) {
+BAT_INLINE void cubic_spans(const bat_curve *curve, size_t count, const double *u, double *out, int size,
+                            int order) {
     int span = -1, last = bat_span(curve, curve->knots[curve->spread], -1);
     piece f;
     for (size_t i = 0; i < count;) {
@@ -125,7 +113,7 @@ INLINE void cubic_spans(const bat_curve *curve, size_t count, const double *u, d
 }
 
 #define CUBIC(name, size, order)                                                                             \
-    CLONES static void name(const bat_curve *curve, size_t count, const double *u, double *out) {            \
+    BAT_CLONES static void name(const bat_curve *curve, size_t count, const double *u, double *out) {        \
         cubic_spans(curve, count, u, out, size, order);                                                      \
     }
 CUBIC(cubic_2_0, 2, 0)
@@ -149,8 +137,8 @@ static void any_spans(const bat_curve *curve, size_t count, const double *u, int
 }
 
 /* Not one NaN, and ascending: one pass without branches. */
-CLONES static bool ascending(const double *u, size_t count) {
-    int fault = 0;
+BAT_CLONES static bool ascending(const double *u, size_t count) {
+    long long fault = 0;
     for (size_t i = 1; i < count; i++) fault |= !(u[i - 1] <= u[i]);
     return !fault;
 }

@@ -1,5 +1,6 @@
 /* The curve as a value: made, checked, read, copied, compared, transformed. */
 #include "curve/curve.h"
+#include "curve/vector.h"
 #include "curve/real.h"
 
 #include <math.h>
@@ -40,14 +41,17 @@ void bat_curve_unroll(bat_curve *curve) {
                size * sizeof(double));
 }
 
-bat_status bat_curve_validate(const bat_curve *curve) {
-    bat_status status = bat_knots_check(curve->degree, curve->closed, curve->count, bat_curve_knots(curve));
-    if (status != BAT_OK) return status;
+BAT_CLONES bat_status bat_points_check(const bat_curve *curve) {
     const double *points = bat_curve_points(curve);
     size_t total = (size_t)curve->count * (size_t)curve->dimension;
-    for (size_t i = 0; i < total; i++)
-        if (!(fabs(points[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    return BAT_OK;
+    long long fault = 0;
+    for (size_t i = 0; i < total; i++) fault |= !(fabs(points[i]) <= BAT_COORDINATE_MAX);
+    return fault ? BAT_NUMBER : BAT_OK;
+}
+
+bat_status bat_curve_validate(const bat_curve *curve) {
+    bat_status status = bat_knots_check(curve->degree, curve->closed, curve->count, bat_curve_knots(curve));
+    return status == BAT_OK ? bat_points_check(curve) : status;
 }
 
 bat_status bat_curve_finish(bat_curve *curve, bat_curve **out) {

@@ -108,8 +108,9 @@ bat_status bat_curve_from_bezier(int degree, int dimension, int count, const dou
     }
     for (int c = 0; closed && c < dimension; c++)
         if (points[c] != points[total - (size_t)dimension + (size_t)c]) return BAT_ARGUMENT;
-    double *copy = malloc((total + (size_t)count) * sizeof(double)), *spans = copy + total;
+    double *copy = malloc((total + (size_t)count) * sizeof(double));
     if (!copy) return BAT_MEMORY;
+    double *spans = copy + total;
     memcpy(copy, points, total * sizeof(double));
     bat_status status = BAT_OK;
     int kept = drop_points(degree, dimension, count, copy, &moved);

@@ -3,6 +3,7 @@
  * points copied bitwise.
  */
 #include "curve/curve.h"
+#include "curve/vector.h"
 
 #include <batten/refine.h>
 
@@ -11,32 +12,54 @@
 #include <string.h>
 
 /* Each level is a convex combination: t_c <= t_k <= x <= t_{k+p-m+1} <= t_{c+p-r+1}. */
-void bat_refined_point(const bat_curve *old, int k, int m, const double *x, double *out) {
-    int p = old->degree, size = old->dimension;
-    const double *points = old->points + (size_t)(k - m) * (size_t)size;
-    if (m == 0) {
-        memcpy(out, points, (size_t)size * sizeof(double));
-        return;
-    }
+BAT_INLINE void refined(const double *t, const double *points, int p, int size, int m, const double *x,
+                        double *out) {
     double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
-    memcpy(d, points, (size_t)((m + 1) * size) * sizeof(double));
-    const double *t = old->knots + (k - m);
+    for (int i = 0; i < (m + 1) * size; i++) d[i] = points[i];
     for (int r = 1; r <= m; r++)
         for (int j = 0; j <= m - r; j++) { /* c = k - m + r + j */
-            double left = t[j + r], h = t[j + p + 1] - left, w = (x[r - 1] - left) / h;
+            double left = t[j + r], w = (x[r - 1] - left) / (t[j + p + 1] - left);
             for (int c = 0; c < size; c++)
                 d[j * size + c] = (1 - w) * d[j * size + c] + w * d[(j + 1) * size + c];
         }
-    memcpy(out, d, (size_t)size * sizeof(double));
+    for (int c = 0; c < size; c++) out[c] = d[c];
 }
 
-/* Point j of the refined curve is the blossom at tau_{j+1}..tau_{j+p}; rank tells which of these are new. */
-static void point_of(const bat_curve *old, const double *tau, const int *rank, double *out) {
-    double x[BAT_DEGREE_MAX];
-    int m = 0;
-    for (int i = 1; i <= old->degree; i++)
-        if (rank[i] == rank[i - 1]) x[m++] = tau[i];
-    bat_refined_point(old, rank[0] - 1, m, x, out);
+void bat_refined_point(const bat_curve *old, int k, int m, const double *x, double *out) {
+    const double *points = old->points + (size_t)(k - m) * (size_t)old->dimension;
+    refined(old->knots + (k - m), points, old->degree, old->dimension, m, x, out);
+}
+
+/* Points from..to-1: j is the blossom at tau_{j+1}..tau_{j+p}; rank tells which of these are new. */
+BAT_INLINE void fill(const bat_curve *old, const double *tau, const int *rank, int p, int size, int from,
+                     int to, double *points) {
+    for (int j = from; j < to; j++) {
+        double x[BAT_DEGREE_MAX];
+        int m = 0, k = rank[j] - 1;
+        for (int i = j + 1; i <= j + p; i++) { /* without a branch that nobody can foresee */
+            x[m < p ? m : 0] = tau[i];
+            m += rank[i] == rank[i - 1];
+        }
+        const double *t = old->knots + (k - m), *source = old->points + (k - m) * size;
+        double *out = points + j * size;
+        /* Known counts make straight code of the loops. */
+        switch (m) {
+        case 0: refined(t, source, p, size, 0, x, out); break;
+        case 1: refined(t, source, p, size, 1, x, out); break;
+        case 2: refined(t, source, p, size, 2, x, out); break;
+        case 3: refined(t, source, p, size, 3, x, out); break;
+        default: refined(t, source, p, size, m, x, out);
+        }
+    }
+}
+
+static void fill_points(const bat_curve *old, bat_curve *fresh, const int *rank, int from, int to) {
+    if (old->degree == 3 && old->dimension == 2)
+        fill(old, fresh->knots, rank, 3, 2, from, to, fresh->points);
+    else if (old->degree == 3)
+        fill(old, fresh->knots, rank, 3, 3, from, to, fresh->points);
+    else
+        fill(old, fresh->knots, rank, old->degree, old->dimension, from, to, fresh->points);
 }
 
 /* rank[j]: how many stored old knots are among the merged ones up to and with j. In a closed curve the merged
@@ -109,15 +132,18 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const doubl
     if (status == BAT_OK) {
         if (curve->closed) unroll_rank(curve, fresh, rank);
         bat_curve_unroll(fresh);
-        for (int j = front; j < fresh->spread - back; j++)
-            point_of(curve, fresh->knots + j, rank + j, fresh->points + (size_t)j * (size_t)curve->dimension);
+        fill_points(curve, fresh, rank, front, fresh->spread - back);
     }
+    if (status == BAT_OK) status = bat_points_check(fresh);
     free(rank);
     if (status != BAT_OK) {
         bat_curve_free(fresh);
         return status;
     }
-    return front + back > 0 ? trim(fresh, front, back, out) : bat_curve_finish(fresh, out);
+    if (front + back > 0) return trim(fresh, front, back, out);
+    bat_curve_unroll(fresh);
+    *out = fresh;
+    return BAT_OK;
 }
 
 bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out) {

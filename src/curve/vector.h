@@ -1,0 +1,24 @@
+/* Inside the kernel: hints for loops that compilers should turn into vector code. Contraction is off
+ * everywhere, so every instruction set gives the same bits. */
+#ifndef BATTEN_SRC_VECTOR_H
+#define BATTEN_SRC_VECTOR_H
+
+#include <stddef.h> /* defines __GLIBC__ where there is one, by way of features.h */
+#include <stdlib.h>
+
+/* Several instruction sets in one binary, chosen when it is loaded. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                 \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
+#define BAT_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define BAT_CLONES
+#endif
+
+/* For bodies that become fast when degree and dimension are known. */
+#if defined(__GNUC__)
+#define BAT_INLINE static inline __attribute__((always_inline))
+#else
+#define BAT_INLINE static inline
+#endif
+
+#endif
