@@ -3,7 +3,9 @@
 #define BATTEN_FORMAT_H
 
 #include <batten/document.h>
+#include <batten/levels.h>
 #include <batten/sketch.h>
+#include <batten/tangents.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,6 +27,14 @@ BAT_API bat_status bat_curve_write(const bat_curve *curve, char **text, size_t *
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);
+
+/* One SPLINE of the tangents hand; its arrays lie in one block: bat_free(*block). */
+BAT_API bat_status bat_spline_read(const char *text, size_t size, bat_spline *spline, void **block,
+                                   bat_problem *problem);
+/* One SHAPE of the levels hand, and EDITS of it, all made or none. */
+BAT_API bat_status bat_shape_read(const char *text, size_t size, bat_shape **out, bat_problem *problem);
+BAT_API bat_status bat_shape_write(const bat_shape *shape, char **text, size_t *size);
+BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_problem *problem);
 
 /* SVG in: fed by any XML parser (expat natively, the browser's own in the page), in document order. */
 typedef struct bat_svg_options {

@@ -9,6 +9,7 @@
 #define BATTEN_LEVELS_H
 
 #include <batten/frames.h>
+#include <batten/sketch.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -82,6 +83,10 @@ BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
 /* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level. */
 BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
                                     const double *targets);
+/* A pen stroke over C^level: cleaned and matched as the sketch hand does it. BAT_DOT, BAT_FAR (also a stroke
+ * with a loop). options NULL: defaults. */
+BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
+                                           const bat_sketch_options *options);
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
  */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);

@@ -1,12 +1,17 @@
 /*
  * SPLINE, SHAPE and EDITS as JSON:
- *   SPLINE {"points":[...], "tangents":[null or [dx,dy], ...], "closed":false, "tension":[t or [in,out] or null, ...]}
- *   SHAPE  {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1, "source":[...]}, ...],
- *           "frame":"rmf", "nodes":"greville", "propagation":"local", "first":{"t":[...],"s":[...]}}
- *   EDITS  [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
+ *   SPLINE {"points":[...], "tangents":[null or [dx,dy], ...], "closed":false, "tension":[t or [in,out] or
+ * null, ...]} SHAPE  {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1,
+ * "source":[...]}, ...], "frame":"rmf", "nodes":"greville", "propagation":"local",
+ * "first":{"t":[...],"s":[...]}} EDITS  [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
  */
 #include "format/curve_json.h"
 #include "format/stroke_json.h"
+
+#include "format/shape_json.h"
+#include "shape/levels.h"
+
+#include <batten/bezier.h>
 
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +53,8 @@ static const char *const PROPAGATION[] = {"local", "plain", NULL};
 static bat_status read_vector(const bat_json *json, uint32_t node, const char *what, int size, double *out,
                               bat_problem *problem) {
     if (bat_json_count(json, node) != (uint32_t)size)
-        return bat_json_complain(json, node, BAT_SYNTAX, what, size == 2 ? "2 numbers" : "3 numbers", problem);
+        return bat_json_complain(json, node, BAT_SYNTAX, what, size == 2 ? "2 numbers" : "3 numbers",
+                                 problem);
     for (uint32_t at = bat_json_first(json, node); at; at = json->nodes[at].next) {
         if (!is(json, at, BAT_JSON_NUMBER))
             return bat_json_complain(json, at, BAT_SYNTAX, what, "a number", problem);
@@ -63,7 +69,8 @@ static bat_status read_tangents(const bat_json *json, uint32_t list, int dimensi
                                 bat_problem *problem) {
     if (!list || is(json, list, BAT_JSON_NULL)) return BAT_OK;
     if (bat_json_count(json, list) != count)
-        return bat_json_complain(json, list, BAT_COUNT, "tangents", "one a point, null where none is given", problem);
+        return bat_json_complain(json, list, BAT_COUNT, "tangents", "one a point, null where none is given",
+                                 problem);
     for (uint32_t at = bat_json_first(json, list); at; at = json->nodes[at].next, out += dimension) {
         if (is(json, at, BAT_JSON_NULL)) continue;
         bat_status status = read_vector(json, at, "tangents", dimension, out, problem);
@@ -75,7 +82,8 @@ static bat_status read_tangents(const bat_json *json, uint32_t list, int dimensi
 static bat_status read_tension(const bat_json *json, uint32_t list, size_t count, double *out,
                                bat_problem *problem) {
     if (bat_json_count(json, list) != count)
-        return bat_json_complain(json, list, BAT_COUNT, "tension", "one a point, null where none is given", problem);
+        return bat_json_complain(json, list, BAT_COUNT, "tension", "one a point, null where none is given",
+                                 problem);
     for (uint32_t at = bat_json_first(json, list); at; at = json->nodes[at].next, out += 2) {
         bat_status status = BAT_OK;
         if (is(json, at, BAT_JSON_NUMBER))
@@ -91,14 +99,17 @@ static bat_status read_tension(const bat_json *json, uint32_t list, size_t count
     return BAT_OK;
 }
 
-static bat_status spline_from_json(const bat_json *json, bat_spline *out, void **block, bat_problem *problem) {
-    if (!is(json, 1, BAT_JSON_OBJECT)) return bat_json_complain(json, 1, BAT_SYNTAX, "spline", "an object", problem);
+static bat_status spline_from_json(const bat_json *json, bat_spline *out, void **block,
+                                   bat_problem *problem) {
+    if (!is(json, 1, BAT_JSON_OBJECT))
+        return bat_json_complain(json, 1, BAT_SYNTAX, "spline", "an object", problem);
     uint32_t list = bat_json_member(json, 1, "points"), tension = bat_json_member(json, 1, "tension");
     double *points = NULL;
     size_t count = 0;
     int dimension = 2;
     bool closed = false;
-    if (!list) return bat_json_say(json, 1, BAT_SYNTAX, "points: expected a list of points, found none", problem);
+    if (!list)
+        return bat_json_say(json, 1, BAT_SYNTAX, "points: expected a list of points, found none", problem);
     bat_status status = bat_points_from_json(json, list, "points", &points, &count, &dimension, problem);
     if (status != BAT_OK) return status;
     size_t size = count * (size_t)dimension;
@@ -110,7 +121,8 @@ static bat_status spline_from_json(const bat_json *json, bat_spline *out, void *
         status = read_flag(json, 1, "closed", &closed, problem);
     }
     if (status == BAT_OK)
-        status = read_tangents(json, bat_json_member(json, 1, "tangents"), dimension, count, all + size, problem);
+        status = read_tangents(json, bat_json_member(json, 1, "tangents"), dimension, count, all + size,
+                               problem);
     bool tense = tension && !is(json, tension, BAT_JSON_NULL);
     if (status == BAT_OK && tense) status = read_tension(json, tension, count, all + 2 * size, problem);
     free(points);
@@ -118,14 +130,20 @@ static bat_status spline_from_json(const bat_json *json, bat_spline *out, void *
         free(all);
         return status;
     }
-    *out = (bat_spline){.dimension = dimension, .closed = closed, .count = (int)count, .points = all,
-                        .tangents = all + size, .tension = tense ? all + 2 * size : NULL};
+    *out = (bat_spline){.dimension = dimension,
+                        .closed = closed,
+                        .count = (int)count,
+                        .points = all,
+                        .tangents = all + size,
+                        .tension = tense ? all + 2 * size : NULL};
     *block = all;
     return BAT_OK;
 }
 
-bat_status bat_spline_read(const char *text, size_t size, bat_spline *out, void **block, bat_problem *problem) {
-    if (!text || !out || !block) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
+bat_status bat_spline_read(const char *text, size_t size, bat_spline *out, void **block,
+                           bat_problem *problem) {
+    if (!text || !out || !block)
+        return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
@@ -140,7 +158,9 @@ static bat_status read_first(const bat_json *json, uint32_t object, bat_shape_op
                              bat_problem *problem) {
     if (!object) return BAT_OK;
     uint32_t t = bat_json_member(json, object, "t"), s = bat_json_member(json, object, "s");
-    if (!s) return bat_json_complain(json, object, BAT_SYNTAX, "first", "an object with \"s\", and \"t\" or not", problem);
+    if (!s)
+        return bat_json_complain(json, object, BAT_SYNTAX, "first", "an object with \"s\", and \"t\" or not",
+                                 problem);
     double *to = t ? options->reference_s : options->first;
     bat_status status = read_vector(json, s, "first.s", 3, to, problem);
     if (status == BAT_OK && t) status = read_vector(json, t, "first.t", 3, options->reference_t, problem);
@@ -152,11 +172,13 @@ static bat_status read_first(const bat_json *json, uint32_t object, bat_shape_op
 static bat_status read_options(const bat_json *json, uint32_t object, bat_shape_options *options,
                                bat_problem *problem) {
     int frame = 0, nodes = 0, propagation = 0;
-    bat_status status = read_word(json, object, "frame", FRAMES, "\"rmf\", \"frenet\" or \"fixed\"", &frame, problem);
+    bat_status status = read_word(json, object, "frame", FRAMES, "\"rmf\", \"frenet\" or \"fixed\"", &frame,
+                                  problem);
     if (status == BAT_OK)
         status = read_word(json, object, "nodes", NODES, "\"greville\" or \"argmax\"", &nodes, problem);
     if (status == BAT_OK)
-        status = read_word(json, object, "propagation", PROPAGATION, "\"local\" or \"plain\"", &propagation, problem);
+        status = read_word(json, object, "propagation", PROPAGATION, "\"local\" or \"plain\"", &propagation,
+                           problem);
     *options = bat_shape_defaults();
     options->frame = (bat_frame_rule)frame;
     options->nodes = (bat_node_rule)nodes;
@@ -211,27 +233,32 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
     const bat_curve *below = bat_shape_curve(shape, level - 1);
     if (!is(json, object, BAT_JSON_OBJECT))
         return bat_json_complain(json, object, BAT_SYNTAX, "level", "an object", problem);
-    uint32_t knot_list = bat_json_member(json, object, "knots"), detail_list = bat_json_member(json, object, "details"),
-             source_list = bat_json_member(json, object, "source"), gain = bat_json_member(json, object, "gain");
+    uint32_t knot_list = bat_json_member(json, object, "knots"),
+             detail_list = bat_json_member(json, object, "details"),
+             source_list = bat_json_member(json, object, "source"),
+             gain = bat_json_member(json, object, "gain");
     bat_status status = BAT_OK;
     if (knot_list) status = bat_numbers_from_json(json, knot_list, "knots", &knots, &knot_count, problem);
     if (status == BAT_OK && knot_count > BAT_POINTS_MAX)
         status = bat_json_complain(json, knot_list, BAT_COUNT, "knots", "fewer", problem);
-    if (status == BAT_OK && detail_list) status = read_details(json, detail_list, &details, &detail_count, problem);
+    if (status == BAT_OK && detail_list)
+        status = read_details(json, detail_list, &details, &detail_count, problem);
     if (status == BAT_OK && details && knots) {
         size_t points = knot_count - (bat_curve_closed(below) ? 1 : (size_t)bat_curve_degree(below) + 1);
         if (points != detail_count)
-            status = bat_json_complain(json, detail_list, BAT_COUNT, "details", "one a control point of the level's knots",
-                                       problem);
+            status = bat_json_complain(json, detail_list, BAT_COUNT, "details",
+                                       "one a control point of the level's knots", problem);
     } else if (status == BAT_OK && details) {
-        status = bat_json_complain(json, object, BAT_SYNTAX, "knots", "a list of numbers beside the details", problem);
+        status = bat_json_complain(json, object, BAT_SYNTAX, "knots", "a list of numbers beside the details",
+                                   problem);
     }
     if (status == BAT_OK && source_list)
         status = read_source(json, source_list, detail_count, level, &source, problem);
     if (status == BAT_OK) {
         status = bat_shape_add_level(shape, (int)knot_count, knots, details, source);
         if (status == BAT_KNOTS)
-            bat_json_complain(json, knot_list, status, "knots", "all the knots of the level below, and more", problem);
+            bat_json_complain(json, knot_list, status, "knots", "all the knots of the level below, and more",
+                              problem);
         else if (status != BAT_OK)
             bat_json_say(json, object, status, bat_status_message(status), problem);
     }
@@ -247,7 +274,8 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
 }
 
 static bat_status shape_from_json(const bat_json *json, bat_shape **out, bat_problem *problem) {
-    if (!is(json, 1, BAT_JSON_OBJECT)) return bat_json_complain(json, 1, BAT_SYNTAX, "shape", "an object", problem);
+    if (!is(json, 1, BAT_JSON_OBJECT))
+        return bat_json_complain(json, 1, BAT_SYNTAX, "shape", "an object", problem);
     uint32_t base_node = bat_json_member(json, 1, "base"), levels = bat_json_member(json, 1, "levels");
     bat_curve *base = NULL;
     bat_shape *shape = NULL;
@@ -387,9 +415,9 @@ static bat_status read_index(const bat_json *json, uint32_t object, const char *
     bat_status status = read_number(json, object, name, &number, problem);
     if (status != BAT_OK) return status;
     if (!(number >= 0 && number <= most) || number != (int)number)
-        return bat_json_complain(json, bat_json_member(json, object, name), BAT_ARGUMENT, name,
-                                 strcmp(name, "level") == 0 ? "a level of the shape" : "a control point of the level",
-                                 problem);
+        return bat_json_complain(
+            json, bat_json_member(json, object, name), BAT_ARGUMENT, name,
+            strcmp(name, "level") == 0 ? "a level of the shape" : "a control point of the level", problem);
     *out = (int)number;
     return BAT_OK;
 }
@@ -400,7 +428,8 @@ static bat_status read_matrix(const bat_json *json, uint32_t object, int dimensi
     double rows[12];
     int i = 0;
     if (bat_json_count(json, node) != 3)
-        return bat_json_complain(json, node ? node : object, BAT_SYNTAX, "matrix", "3 rows of 4 numbers", problem);
+        return bat_json_complain(json, node ? node : object, BAT_SYNTAX, "matrix", "3 rows of 4 numbers",
+                                 problem);
     for (uint32_t row = bat_json_first(json, node); row; row = json->nodes[row].next) {
         if (bat_json_count(json, row) != 4)
             return bat_json_complain(json, row, BAT_SYNTAX, "matrix", "3 rows of 4 numbers", problem);
@@ -418,10 +447,12 @@ static bat_status read_matrix(const bat_json *json, uint32_t object, int dimensi
 static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape, bat_problem *problem) {
     int type = -1, level = 0, index = 0, dimension = bat_curve_dimension(bat_shape_curve(shape, 0));
     double value[12], u = 0;
-    if (!is(json, object, BAT_JSON_OBJECT)) return bat_json_complain(json, object, BAT_SYNTAX, "edit", "an object", problem);
+    if (!is(json, object, BAT_JSON_OBJECT))
+        return bat_json_complain(json, object, BAT_SYNTAX, "edit", "an object", problem);
     const char *expected = "\"move\", \"drag\", \"gain\", \"sketch\" or \"transform\"";
     bat_status status = read_word(json, object, "type", EDITS, expected, &type, problem);
-    if (status == BAT_OK && type < 0) status = bat_json_complain(json, object, BAT_SYNTAX, "type", expected, problem);
+    if (status == BAT_OK && type < 0)
+        status = bat_json_complain(json, object, BAT_SYNTAX, "type", expected, problem);
     if (status == BAT_OK && type != EDIT_TRANSFORM)
         status = read_index(json, object, "level", bat_shape_levels(shape), &level, problem);
     if (status != BAT_OK) return status;
@@ -448,7 +479,8 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
     case EDIT_SKETCH: {
         bat_stroke stroke;
         void *block;
-        status = bat_stroke_from_json(json, bat_json_member(json, object, "stroke"), &stroke, &block, problem);
+        status = bat_stroke_from_json(json, bat_json_member(json, object, "stroke"), &stroke, &block,
+                                      problem);
         if (status != BAT_OK) return status;
         status = bat_shape_sketch_stroke(shape, level, &stroke, NULL);
         bat_free(block);
@@ -461,7 +493,8 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
         break;
     }
     if (status == BAT_OK) status = bat_shape_commit(shape);
-    return status == BAT_OK ? BAT_OK : bat_json_say(json, object, status, bat_status_message(status), problem);
+    return status == BAT_OK ? BAT_OK
+                            : bat_json_say(json, object, status, bat_status_message(status), problem);
 }
 
 bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_problem *problem) {

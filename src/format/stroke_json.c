@@ -2,6 +2,7 @@
  * x,y[,pressure][,time]. */
 #include "format/curve_json.h"
 #include "format/number.h"
+#include "format/stroke_json.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -27,9 +28,9 @@ static bat_status pack(size_t count, int dimension, const double *points, const 
 }
 
 /* An optional list, one number a point. */
-static bat_status read_channel(const bat_json *json, const char *name, size_t count, double **out,
-                               bat_problem *problem) {
-    uint32_t list = bat_json_member(json, 1, name);
+static bat_status read_channel(const bat_json *json, uint32_t object, const char *name, size_t count,
+                               double **out, bat_problem *problem) {
+    uint32_t list = bat_json_member(json, object, name);
     if (!list) return BAT_OK;
     size_t found;
     bat_status status = bat_numbers_from_json(json, list, name, out, &found, problem);
@@ -39,28 +40,27 @@ static bat_status read_channel(const bat_json *json, const char *name, size_t co
     return bat_json_say(json, list, BAT_COUNT, message, problem);
 }
 
-static bat_status read_json(const char *text, size_t size, bat_stroke *stroke, void **block,
-                            bat_problem *problem) {
-    bat_json json;
-    bat_status status = bat_json_parse(text, size, &json, problem);
-    if (status != BAT_OK) return status;
+bat_status bat_stroke_from_json(const bat_json *json, uint32_t node, bat_stroke *stroke, void **block,
+                                bat_problem *problem) {
     double *points = NULL, *pressure = NULL, *time = NULL;
     size_t count = 0;
     int dimension = 2;
-    uint32_t list = bat_json_member(&json, 1, "points");
+    uint32_t list = bat_json_member(json, node, "points");
+    bat_status status = BAT_OK;
     if (!list)
-        status = bat_json_say(&json, 1, BAT_SYNTAX, "points: expected a list of points, found none", problem);
+        status = bat_json_say(json, node ? node : 1, BAT_SYNTAX,
+                              "points: expected a list of points, found none", problem);
     else
-        status = bat_points_from_json(&json, list, "points", &points, &count, &dimension, problem);
+        status = bat_points_from_json(json, list, "points", &points, &count, &dimension, problem);
     if (status == BAT_OK && count > BAT_POINTS_MAX)
-        status = bat_json_say(&json, list, BAT_COUNT, "points: expected at most 16777216, found more",
+        status = bat_json_say(json, list, BAT_COUNT, "points: expected at most 16777216, found more",
                               problem);
     for (size_t i = 0; status == BAT_OK && i < count * (size_t)dimension; i++)
         if (fabs(points[i]) > BAT_COORDINATE_MAX)
-            status = bat_json_say(&json, list, BAT_NUMBER,
+            status = bat_json_say(json, list, BAT_NUMBER,
                                   "points: expected numbers up to 1e75, found a greater one", problem);
-    if (status == BAT_OK) status = read_channel(&json, "pressure", count, &pressure, problem);
-    if (status == BAT_OK) status = read_channel(&json, "time", count, &time, problem);
+    if (status == BAT_OK) status = read_channel(json, node, "pressure", count, &pressure, problem);
+    if (status == BAT_OK) status = read_channel(json, node, "time", count, &time, problem);
     if (status == BAT_OK) {
         status = pack(count, dimension, points, pressure, time, stroke, block);
         if (status != BAT_OK) bat_problem_set(problem, status, "", bat_status_message(status));
@@ -68,6 +68,15 @@ static bat_status read_json(const char *text, size_t size, bat_stroke *stroke, v
     free(points);
     free(pressure);
     free(time);
+    return status;
+}
+
+static bat_status read_json(const char *text, size_t size, bat_stroke *stroke, void **block,
+                            bat_problem *problem) {
+    bat_json json;
+    bat_status status = bat_json_parse(text, size, &json, problem);
+    if (status != BAT_OK) return status;
+    status = bat_stroke_from_json(&json, 1, stroke, block, problem);
     bat_json_free(&json);
     return status;
 }
