@@ -1,0 +1,114 @@
+/* The words of the command line, read as a subcommand's table of options says. */
+#include "program.h"
+
+#include "format/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int option_index(const command *command, const char *name, size_t size) {
+    for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
+        const char *known = command->options[i].name;
+        if (strlen(known) == size && memcmp(known, name, size) == 0) return i;
+    }
+    return -1;
+}
+
+int arguments_parse(const command *command, int count, char **words, arguments *out) {
+    *out = (arguments){.command = command};
+    int operands = 0;
+    bool only_operands = false;
+    for (int i = 0; i < count; i++) {
+        const char *word = words[i];
+        if (!only_operands && strcmp(word, "--") == 0) {
+            only_operands = true;
+            continue;
+        }
+        if (only_operands || word[0] != '-' || word[1] == '\0') { /* "-" is a file */
+            if (word[0] == '\0') return fail_usage(command, "a file's name is empty");
+            if (operands == command->operands) return fail_usage(command, "one word too many: %s", word);
+            out->operands[operands++] = word;
+            continue;
+        }
+        const char *equals = strchr(word, '=');
+        size_t size = equals ? (size_t)(equals - word) : strlen(word);
+        int index = option_index(command, word, size);
+        if (index < 0) return fail_usage(command, "no such option: %s", word);
+        const option *option = &command->options[index];
+        if (out->values[index]) return fail_usage(command, "%s is given twice", option->name);
+        if (!option->value) {
+            if (equals) return fail_usage(command, "%s takes no value", option->name);
+            out->values[index] = "";
+        } else if (equals) {
+            out->values[index] = equals + 1;
+        } else {
+            if (i + 1 == count) return fail_usage(command, "%s needs %s", option->name, option->value);
+            out->values[index] = words[++i];
+        }
+    }
+    if (operands < command->operands) return fail_usage(command, "expected: %s", command->usage);
+    return EXIT_DONE;
+}
+
+const char *arguments_value(const arguments *arguments, const char *name) {
+    int index = option_index(arguments->command, name, strlen(name));
+    return index < 0 ? NULL : arguments->values[index];
+}
+
+/* The whole of text up to end is one finite number. */
+static bool number_between(const char *text, const char *end, double *out) {
+    double value;
+    if (bat_number_scan(text, end, &value) != end || !isfinite(value)) return false;
+    *out = value;
+    return true;
+}
+
+int arguments_number(const arguments *arguments, const char *name, double low, double high, double *out) {
+    const char *text = arguments_value(arguments, name);
+    if (!text) return EXIT_DONE;
+    double value;
+    if (!number_between(text, text + strlen(text), &value)) {
+        return fail_usage(arguments->command, "%s: expected a number, found '%s'", name, text);
+    }
+    if (value < low || value > high) {
+        return fail_usage(arguments->command, "%s: %s is out of range, %g to %g", name, text, low, high);
+    }
+    *out = value;
+    return EXIT_DONE;
+}
+
+int arguments_integer(const arguments *arguments, const char *name, long low, long high, long *out) {
+    double value = (double)low;
+    int status = arguments_number(arguments, name, (double)low, (double)high, &value);
+    if (status || !arguments_value(arguments, name)) return status;
+    if (value != floor(value)) {
+        return fail_usage(arguments->command, "%s: expected a whole number, found '%s'", name,
+                          arguments_value(arguments, name));
+    }
+    *out = (long)value;
+    return EXIT_DONE;
+}
+
+int arguments_numbers(const arguments *arguments, const char *name, double **out, size_t *count) {
+    const char *text = arguments_value(arguments, name);
+    *out = NULL;
+    *count = 0;
+    if (!text) return EXIT_DONE;
+    size_t room = 1;
+    for (const char *at = text; *at; at++) room += *at == ',';
+    double *numbers = malloc(room * sizeof *numbers);
+    if (!numbers) return fail_memory();
+    const char *at = text;
+    for (size_t i = 0; i < room; i++) {
+        size_t size = strcspn(at, ",");
+        if (!number_between(at, at + size, &numbers[i])) {
+            free(numbers);
+            return fail_usage(arguments->command, "%s: expected a number, found '%.*s'", name, (int)size, at);
+        }
+        at += size + 1;
+    }
+    *out = numbers;
+    *count = room;
+    return EXIT_DONE;
+}

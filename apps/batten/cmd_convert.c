@@ -1,0 +1,59 @@
+/* batten convert: from one format to another. */
+#include "drawing.h"
+#include "io.h"
+#include "program.h"
+
+#include <string.h>
+
+/* The format that OUT is written in: by --to, else by its name. */
+static int output_format(const arguments *arguments, drawing_format *out) {
+    const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
+    *out = drawing_format_of(name);
+    if (to) {
+        char ending[16];
+        if (strlen(to) > 10) return fail_usage(arguments->command, "--to: no such format: %s", to);
+        ending[0] = '.';
+        strcpy(ending + 1, to);
+        *out = drawing_format_of(ending);
+        if (*out == DRAWING_UNKNOWN) return fail_usage(arguments->command, "--to: no such format: %s", to);
+    }
+    if (*out != DRAWING_UNKNOWN) return EXIT_DONE;
+    if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
+    return fail_usage(arguments->command, "%s: expected a name that ends in .batten, .svg or .json", name);
+}
+
+static int run(const arguments *arguments) {
+    const char *in = arguments->operands[0], *out = arguments->operands[1];
+    drawing_format format;
+    bat_svg_options options = bat_svg_defaults();
+    int failed = output_format(arguments, &format);
+    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &options.tolerance);
+    if (failed) return failed;
+    drawing drawing;
+    failed = drawing_read(in, &options, &drawing);
+    if (failed) return failed;
+    char *text;
+    size_t size;
+    failed = drawing_print(drawing.document, format, in, &text, &size);
+    if (!failed) {
+        failed = io_write(out, text, size);
+        bat_free(text);
+    }
+    if (!failed) drawing_remark(in, &drawing);
+    drawing_free(&drawing);
+    return failed;
+}
+
+const command command_convert = {
+    .name = "convert",
+    .usage = "IN OUT [--to batten|svg|json] [--tolerance T]",
+    .summary = "Converts between the native format, SVG and the JSON of one curve.",
+    .details = "Formats go by the names' endings: .batten, .svg, .json (one CURVE). Standard input is recognised. One\n"
+               "line on standard error counts what an SVG held that was left out: texts, images, gradients, clips.",
+    .example = "batten convert drawing.svg drawing.batten\n"
+               "batten fit stroke.csv | batten convert - stroke.svg",
+    .operands = 2,
+    .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg or json"},
+                {"--tolerance", "T", "knots of imported paths are removed within T, document units"}},
+    .run = run,
+};

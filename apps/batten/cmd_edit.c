@@ -1,0 +1,116 @@
+/* batten edit: the editor in the browser, on one file. */
+#include "drawing.h"
+#include "io.h"
+#include "program.h"
+#include "serve.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* In a process of its own that nobody has to wait for. What it prints is not ours to show. */
+static void open_browser(const char *address, const sigset_t *signals) {
+    pid_t child = fork();
+    if (child == 0) {
+        sigprocmask(SIG_UNBLOCK, signals, NULL);
+        signal(SIGPIPE, SIG_DFL);
+        if (fork() == 0) {
+            int nowhere = open("/dev/null", O_RDWR);
+            for (int i = 0; i < 3 && nowhere >= 0; i++) dup2(nowhere, i);
+            execlp("xdg-open", "xdg-open", address, (char *)NULL);
+        }
+        _exit(0);
+    }
+    if (child > 0) waitpid(child, NULL, 0);
+}
+
+static bool has_display(void) {
+    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
+    return (x && *x) || (wayland && *wayland);
+}
+
+/* The file can be read as what it is called, or can be made. Says what the user should know before drawing. */
+static int look_at(const char *path, drawing_format format) {
+    char *text;
+    size_t size;
+    io_stamp stamp;
+    if (!io_load(path, &text, &size, &stamp)) return fail_data(path, NULL, "cannot be read: %s", strerror(errno));
+    if (!stamp.exists) {
+        char folder[4096];
+        const char *slash = strrchr(path, '/');
+        snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+        if (access(folder, W_OK | X_OK) != 0) return fail_data(path, NULL, "cannot be made: %s", strerror(errno));
+        remark("%s: not there yet; the first save makes it", path);
+        return EXIT_DONE;
+    }
+    drawing drawing;
+    bat_problem problem;
+    bat_status status = drawing_parse(text, size, format, NULL, &drawing, &problem);
+    free(text);
+    if (status != BAT_OK) return fail_problem(path, status, &problem);
+    drawing_remark(path, &drawing);
+    if (format == DRAWING_SVG && !drawing.report.native) {
+        remark("%s: saving keeps the outlines; content of other programs is not promised to survive", path);
+    }
+    drawing_free(&drawing);
+    if (io_read_only(path)) remark("%s: is read-only; it cannot be saved here, download a copy instead", path);
+    return EXIT_DONE;
+}
+
+static int serve(const arguments *arguments, drawing_format format, int port) {
+    const char *path = arguments->operands[0];
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    sigaddset(&signals, SIGHUP);
+    sigprocmask(SIG_BLOCK, &signals, NULL); /* before threads: only this one takes them */
+    server *server;
+    const char *wrong = serve_start(path, format, port, &server);
+    if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port, wrong);
+    char address[64];
+    snprintf(address, sizeof address, "http://127.0.0.1:%d/", serve_port(server));
+    printf("%s\n", address);
+    fflush(stdout);
+    if (!arguments_value(arguments, "--no-open") && has_display()) open_browser(address, &signals);
+    int signal_number;
+    sigwait(&signals, &signal_number);
+    serve_stop(server);
+    return EXIT_DONE;
+}
+
+static int run(const arguments *arguments) {
+    const char *path = arguments->operands[0];
+    long port = 0;
+    int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
+    if (failed) return failed;
+    drawing_format format = drawing_format_of(path);
+    if (format != DRAWING_SVG && format != DRAWING_NATIVE) {
+        return fail_usage(arguments->command, "%s: expected a name that ends in .svg or .batten", path);
+    }
+    if (!serve_has_shell()) return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");
+    if (!serve_has_module()) {
+        return fail_data(path, NULL, "cannot be edited: this build has no batten.wasm (it needs clang, lld, wasi-libc)");
+    }
+    failed = look_at(path, format);
+    return failed ? failed : serve(arguments, format, (int)port);
+}
+
+const command command_edit = {
+    .name = "edit",
+    .usage = "FILE [--port N] [--no-open]",
+    .summary = "Opens the editor in the browser on a drawing, .svg or .batten.",
+    .details = "A server for this machine alone gives the editor and takes the drawing back when it is saved; Ctrl+C\n"
+               "ends it. Its address is printed; with a display the browser opens it. A file that is not there is made\n"
+               "by the first save. Content of an SVG that Batten does not know is not promised to survive a save.",
+    .example = "batten edit car.svg",
+    .operands = 1,
+    .options = {{"--port", "N", "the port on 127.0.0.1; 0, the default, takes a free one"},
+                {"--no-open", NULL, "only print the address, do not open the browser"}},
+    .run = run,
+};

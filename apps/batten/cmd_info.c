@@ -1,0 +1,190 @@
+/* batten info: what is in a file. */
+#include "drawing.h"
+#include "io.h"
+#include "program.h"
+#include "results.h"
+
+#include "format/number.h"
+
+#include <batten/measure.h>
+
+#include <stdio.h>
+#include <string.h>
+
+static bool forgets(const drawing *drawing) { return drawing->format == DRAWING_SVG && !drawing->report.native; }
+
+static void put_member(bat_text *text, const char *name, uint64_t value) {
+    bat_text_string(text, ",\"");
+    bat_text_string(text, name);
+    bat_text_string(text, "\":");
+    bat_text_integer(text, value);
+}
+
+static double length_of(const bat_curve *curve) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    return bat_curve_length(curve, domain[0], domain[1], 1e-9);
+}
+
+static void put_curve(bat_text *text, const bat_curve *curve) {
+    bat_text_string(text, "{\"degree\":");
+    bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
+    put_member(text, "dimension", (uint64_t)bat_curve_dimension(curve));
+    bat_text_string(text, bat_curve_closed(curve) ? ",\"closed\":true" : ",\"closed\":false");
+    put_member(text, "points", (uint64_t)bat_curve_count(curve));
+    put_member(text, "knots", (uint64_t)bat_curve_knot_count(curve));
+    bat_text_string(text, ",\"length\":");
+    bat_text_number(text, length_of(curve));
+    bat_text_string(text, "}");
+}
+
+static void put_object(bat_text *text, const bat_object *object) {
+    bat_text_string(text, "{\"id\":");
+    bat_text_integer(text, bat_object_id(object));
+    bat_text_string(text, ",\"name\":");
+    bat_text_json_string(text, bat_object_name(object));
+    bat_text_string(text, ",\"curves\":[");
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        if (i) bat_text_string(text, ",");
+        put_curve(text, bat_object_curve(object, i));
+    }
+    bat_text_string(text, "]}");
+}
+
+typedef struct totals {
+    int curves, points, knots;
+} totals;
+
+static totals count(const bat_document *document) {
+    totals totals = {0};
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            totals.curves++;
+            totals.points += bat_curve_count(bat_object_curve(object, j));
+            totals.knots += bat_curve_knot_count(bat_object_curve(object, j));
+        }
+    }
+    return totals;
+}
+
+static int print_json(const char *name, const drawing *drawing) {
+    const bat_document *document = drawing->document;
+    bat_text text = {0};
+    bat_text_string(&text, "{\"file\":");
+    bat_text_json_string(&text, name);
+    bat_text_string(&text, ",\"format\":");
+    bat_text_json_string(&text, drawing_format_name(drawing->format));
+    double page[4];
+    bat_document_page(document, page);
+    bat_text_string(&text, ",\"page\":");
+    if (page[2] > 0) put_numbers(&text, page, 4);
+    else bat_text_string(&text, "null");
+    totals totals = count(document);
+    put_member(&text, "curves", (uint64_t)totals.curves);
+    put_member(&text, "points", (uint64_t)totals.points);
+    put_member(&text, "knots", (uint64_t)totals.knots);
+    const bat_svg_report *report = &drawing->report;
+    bat_text_string(&text, forgets(drawing) ? ",\"foreign\":true" : ",\"foreign\":false");
+    bat_text_string(&text, ",\"left_out\":{\"texts\":");
+    bat_text_integer(&text, (uint64_t)report->skipped_text);
+    put_member(&text, "images", (uint64_t)report->skipped_images);
+    put_member(&text, "gradients", (uint64_t)report->skipped_gradients);
+    put_member(&text, "clips", (uint64_t)report->skipped_clips);
+    put_member(&text, "other", (uint64_t)report->skipped_other);
+    bat_text_string(&text, "},\n\"objects\":[");
+    for (int i = 0; i < bat_document_count(document); i++) {
+        bat_text_string(&text, i ? ",\n" : "\n");
+        put_object(&text, bat_document_at(document, i));
+    }
+    bat_text_string(&text, "]}");
+    return write_text(&text);
+}
+
+static void put_line(bat_text *text, const char *left, const char *right) {
+    char line[64];
+    snprintf(line, sizeof line, "%-8s ", left);
+    bat_text_string(text, line);
+    bat_text_string(text, right);
+    bat_text_string(text, "\n");
+}
+
+/* Names come from files: no control characters reach the terminal. */
+static void put_name(bat_text *text, const char *name) {
+    for (; *name; name++) {
+        char c = (unsigned char)*name < 32 || *name == 127 ? ' ' : *name;
+        bat_text_add(text, &c, 1);
+    }
+}
+
+static void put_object_lines(bat_text *text, const bat_object *object) {
+    char line[160];
+    snprintf(line, sizeof line, "  %llu ", (unsigned long long)bat_object_id(object));
+    bat_text_string(text, line);
+    put_name(text, bat_object_name(object)[0] ? bat_object_name(object) : "(no name)");
+    bat_text_string(text, "\n");
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        const bat_curve *curve = bat_object_curve(object, i);
+        snprintf(line, sizeof line, "    %s, degree %d, %d points, %d knots, length %.6g%s\n",
+                 bat_curve_closed(curve) ? "closed" : "open", bat_curve_degree(curve), bat_curve_count(curve),
+                 bat_curve_knot_count(curve), length_of(curve), bat_curve_dimension(curve) == 3 ? ", in space" : "");
+        bat_text_string(text, line);
+    }
+}
+
+static int print_text(const char *name, const drawing *drawing) {
+    const bat_document *document = drawing->document;
+    bat_text text = {0};
+    char line[256];
+    bat_text_string(&text, "file     ");
+    put_name(&text, name);
+    bat_text_string(&text, "\n");
+    bool saved = drawing->format == DRAWING_SVG && drawing->report.native;
+    put_line(&text, "format", saved ? "svg, with its native document" : drawing_format_name(drawing->format));
+    double page[4];
+    bat_document_page(document, page);
+    if (page[2] > 0) snprintf(line, sizeof line, "%g %g, %g x %g", page[0], page[1], page[2], page[3]);
+    put_line(&text, "page", page[2] > 0 ? line : "none");
+    totals totals = count(document);
+    snprintf(line, sizeof line, "%d objects, %d curves, %d points, %d knots", bat_document_count(document),
+             totals.curves, totals.points, totals.knots);
+    put_line(&text, "holds", line);
+    if (drawing->format == DRAWING_SVG) {
+        bat_svg_report_line(&drawing->report, line, sizeof line);
+        if (line[0]) put_line(&text, "import", line);
+    }
+    put_line(&text, "saving",
+             forgets(drawing) ? "keeps the outlines; content of other programs is not promised to survive"
+                              : "keeps everything");
+    bat_text_string(&text, "objects  id, name, curves\n");
+    for (int i = 0; i < bat_document_count(document); i++) {
+        put_object_lines(&text, bat_document_at(document, i));
+    }
+    char *data;
+    size_t size;
+    if (bat_text_finish(&text, &data, &size) != BAT_OK) return fail_memory();
+    int failed = io_write("-", data, size);
+    bat_free(data);
+    return failed;
+}
+
+static int run(const arguments *arguments) {
+    const char *name = arguments->operands[0];
+    drawing drawing;
+    int failed = drawing_read(name, NULL, &drawing);
+    if (failed) return failed;
+    failed = arguments_value(arguments, "--json") ? print_json(name, &drawing) : print_text(name, &drawing);
+    drawing_free(&drawing);
+    return failed;
+}
+
+const command command_info = {
+    .name = "info",
+    .usage = "FILE [--json]",
+    .summary = "What is in a file: objects, curves, knots, page, and what saving would not keep.",
+    .details = NULL,
+    .example = "batten info drawing.svg --json",
+    .operands = 1,
+    .options = {{"--json", NULL, "as JSON"}},
+    .run = run,
+};

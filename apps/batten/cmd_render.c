@@ -1,0 +1,169 @@
+/* batten render: a picture. */
+#include "drawing.h"
+#include "io.h"
+#include "paint_cairo.h"
+#include "program.h"
+
+#include "format/number.h"
+#include "format/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { PICTURE_UNKNOWN, PICTURE_SVG, PICTURE_PNG, PICTURE_PDF };
+
+static int picture_of(const char *ending) {
+    static const char *const endings[] = {"", "svg", "png", "pdf"};
+    for (int i = PICTURE_SVG; i <= PICTURE_PDF; i++) {
+        if (strcasecmp(ending, endings[i]) == 0) return i;
+    }
+    return PICTURE_UNKNOWN;
+}
+
+static int picture_kind(const arguments *arguments, int *out) {
+    const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
+    if (to) {
+        *out = picture_of(to);
+        return *out ? EXIT_DONE : fail_usage(arguments->command, "--to: no such format: %s", to);
+    }
+    const char *slash = strrchr(name, '/'), *dot = strrchr(slash ? slash : name, '.');
+    *out = dot ? picture_of(dot + 1) : PICTURE_UNKNOWN;
+    if (*out) return EXIT_DONE;
+    if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
+    return fail_usage(arguments->command, "%s: expected a name that ends in .svg, .png or .pdf", name);
+}
+
+static int picture_size(const arguments *arguments, int *width, int *height) {
+    const char *text = arguments_value(arguments, "--size");
+    *width = *height = 0;
+    if (!text) return EXIT_DONE;
+    char *end;
+    long w = strtol(text, &end, 10), h = 0;
+    if (end != text && (*end == 'x' || *end == 'X')) {
+        const char *second = end + 1;
+        h = strtol(second, &end, 10);
+        if (end == second) h = 0;
+    }
+    if (w < 1 || h < 1 || w > PAINT_SIZE_MAX || h > PAINT_SIZE_MAX || *end) {
+        return fail_usage(arguments->command, "--size: expected WxH, 1x1 to %dx%d, found '%s'", PAINT_SIZE_MAX,
+                          PAINT_SIZE_MAX, text);
+    }
+    *width = (int)w;
+    *height = (int)h;
+    return EXIT_DONE;
+}
+
+/* "white", "none", "#rrggbb" or "#rrggbbaa". */
+static int background_of(const arguments *arguments, uint32_t *out) {
+    const char *text = arguments_value(arguments, "--background");
+    if (!text) return EXIT_DONE;
+    if (strcmp(text, "none") == 0) {
+        *out = 0;
+    } else if (strcmp(text, "white") == 0) {
+        *out = 0xffffffff;
+    } else {
+        size_t digits = text[0] == '#' ? strspn(text + 1, "0123456789abcdefABCDEF") : 0;
+        if ((digits != 6 && digits != 8) || text[1 + digits]) {
+            return fail_usage(arguments->command, "--background: expected white, none or #rrggbb, found '%s'", text);
+        }
+        unsigned long value = strtoul(text + 1, NULL, 16);
+        *out = (uint32_t)(digits == 6 ? value << 8 | 255 : value);
+    }
+    return EXIT_DONE;
+}
+
+static void put_attribute(bat_text *text, const char *name, double value) {
+    bat_text_string(text, " ");
+    bat_text_string(text, name);
+    bat_text_string(text, "=\"");
+    bat_text_number(text, value);
+    bat_text_string(text, "\"");
+}
+
+/* The library's SVG with the root's size and view put in, and the background behind all. */
+static int svg_picture(const bat_document *document, const paint_area *area, uint32_t background, const char *in,
+                       unsigned char **data, size_t *size) {
+    char *inner;
+    size_t inner_size;
+    bat_status status = bat_svg_write(document, false, &inner, &inner_size);
+    if (status == BAT_MEMORY) return fail_memory();
+    if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
+    bat_text text = {0};
+    bat_text_string(&text, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    put_attribute(&text, "width", area->width);
+    put_attribute(&text, "height", area->height);
+    const double *view = area->view;
+    bat_text_string(&text, " viewBox=\"");
+    for (int i = 0; i < 4; i++) {
+        if (i) bat_text_string(&text, " ");
+        bat_text_number(&text, view[i]);
+    }
+    bat_text_string(&text, "\">\n");
+    if (background & 255) {
+        static const char hex[] = "0123456789abcdef";
+        char colour[8] = "#";
+        for (int i = 0; i < 6; i++) colour[1 + i] = hex[(background >> (28 - 4 * i)) & 15];
+        bat_text_string(&text, "<rect");
+        put_attribute(&text, "x", view[0] - view[2]); /* beyond the view, whose proportions may differ */
+        put_attribute(&text, "y", view[1] - view[3]);
+        put_attribute(&text, "width", 3 * view[2]);
+        put_attribute(&text, "height", 3 * view[3]);
+        bat_text_string(&text, " fill=\"");
+        bat_text_string(&text, colour);
+        bat_text_string(&text, "\"");
+        put_attribute(&text, "fill-opacity", (background & 255) / 255.0);
+        bat_text_string(&text, "/>\n");
+    }
+    const char *root = strstr(inner, "<svg"), *content = root ? strchr(root, '>') : NULL;
+    if (content) bat_text_add(&text, content + 1, inner_size - (size_t)(content + 1 - inner));
+    else text.failed = true;
+    bat_free(inner);
+    char *whole;
+    if (bat_text_finish(&text, &whole, size) != BAT_OK) return fail_memory();
+    *data = (unsigned char *)whole;
+    return EXIT_DONE;
+}
+
+static int run(const arguments *arguments) {
+    const char *in = arguments->operands[0];
+    int kind, width, height;
+    int failed = picture_kind(arguments, &kind);
+    if (!failed) failed = picture_size(arguments, &width, &height);
+    uint32_t background = kind == PICTURE_PNG ? 0xffffffff : 0;
+    if (!failed) failed = background_of(arguments, &background);
+    if (failed) return failed;
+    drawing drawing;
+    failed = drawing_read(in, NULL, &drawing);
+    if (failed) return failed;
+    paint_area area;
+    paint_area_of(drawing.document, width, height, &area);
+    unsigned char *data = NULL;
+    size_t size = 0;
+    if (kind == PICTURE_SVG) {
+        failed = svg_picture(drawing.document, &area, background, in, &data, &size);
+    } else {
+        const char *wrong = paint_document(drawing.document, &area, kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG,
+                                           background, &data, &size);
+        if (wrong) failed = fail_data(in, NULL, "cannot be painted: %s", wrong);
+    }
+    if (!failed) failed = io_write(arguments->operands[1], data, size);
+    if (!failed) drawing_remark(in, &drawing);
+    free(data);
+    drawing_free(&drawing);
+    return failed;
+}
+
+const command command_render = {
+    .name = "render",
+    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf]",
+    .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
+    .details = "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
+               "pixels on the longer side. With --size the proportions are kept and the view is centred.",
+    .example = "batten render drawing.svg drawing.png --size 1600x900",
+    .operands = 2,
+    .options = {{"--size", "WxH", "in pixels; in points for PDF"},
+                {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
+                {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"}},
+    .run = run,
+};

@@ -1,0 +1,92 @@
+/* The batten program: finds the subcommand and gives it its arguments. */
+#include "program.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+/* In the order of the manual. */
+static const command *const commands[] = {
+    &command_edit,    &command_eval,   &command_nearest, &command_fit,    &command_sketch,
+    &command_convert, &command_render, &command_info,    &command_replay,
+};
+enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
+
+static const command *command_find(const char *name) {
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        if (strcmp(commands[i]->name, name) == 0) return commands[i];
+    }
+    return NULL;
+}
+
+static void print_indented(const char *lines) {
+    while (*lines) {
+        size_t size = strcspn(lines, "\n");
+        printf("  %.*s\n", (int)size, lines);
+        lines += size + (lines[size] == '\n');
+    }
+}
+
+static void print_command_help(const command *command) {
+    printf("Usage: batten %s %s\n\n%s\n", command->name, command->usage, command->summary);
+    if (command->details) printf("\n%s\n", command->details);
+    if (command->options[0].name) printf("\nOptions:\n");
+    for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
+        const option *option = &command->options[i];
+        char left[64];
+        snprintf(left, sizeof left, "%s%s%s", option->name, option->value ? " " : "",
+                 option->value ? option->value : "");
+        printf("  %-22s %s\n", left, option->help);
+    }
+    printf("\nExample:\n");
+    print_indented(command->example);
+}
+
+static void print_help(void) {
+    printf("Usage: batten COMMAND ...\n\nShapes B-spline curves. '-' is standard input or output.\n\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++) printf("  %-9s %s\n", commands[i]->name, commands[i]->summary);
+    printf("\nbatten COMMAND --help says more, with an example. batten --version prints the version.\n"
+           "\nExit status: 0 done, 1 the data are bad (one line on standard error), 2 wrong usage.\n");
+}
+
+/* --help may stand anywhere among the words, but behind "--" it is a file. */
+static bool wants_help(int count, char **words) {
+    for (int i = 0; i < count && strcmp(words[i], "--") != 0; i++) {
+        if (strcmp(words[i], "--help") == 0 || strcmp(words[i], "-h") == 0) return true;
+    }
+    return false;
+}
+
+/* What was printed has reached its destination, or the exit status says that it has not. */
+static int finish(int status) {
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == EXIT_DONE) {
+        fputs("batten: standard output cannot be written\n", stderr);
+        return EXIT_DATA;
+    }
+    return status;
+}
+
+int main(int count, char **words) {
+    signal(SIGPIPE, SIG_IGN); /* a reader that has gone is an error of writing, not a sudden end */
+    if (count < 2) return fail_usage(NULL, "a command is missing");
+    if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 || strcmp(words[1], "help") == 0) {
+        const command *about = count > 2 ? command_find(words[2]) : NULL;
+        if (count > 2 && !about) return fail_usage(NULL, "no such command: %s", words[2]);
+        if (about) print_command_help(about);
+        else print_help();
+        return finish(EXIT_DONE);
+    }
+    if (strcmp(words[1], "--version") == 0) {
+        printf("batten %s\n", bat_version());
+        return finish(EXIT_DONE);
+    }
+    const command *command = command_find(words[1]);
+    if (!command) return fail_usage(NULL, "no such command: %s", words[1]);
+    if (wants_help(count - 2, words + 2)) {
+        print_command_help(command);
+        return finish(EXIT_DONE);
+    }
+    arguments arguments;
+    int status = arguments_parse(command, count - 2, words + 2, &arguments);
+    return finish(status ? status : command->run(&arguments));
+}

@@ -1,0 +1,166 @@
+#include "paint_cairo.h"
+
+#include <batten/bezier.h>
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Grows with every object's box and half its stroke; miters may stand out by their limit. */
+static void grow(const bat_object *object, double box[4]) {
+    double own[4];
+    bat_object_bounds(object, own);
+    if (!(own[0] <= own[2])) return;
+    const bat_style *style = bat_object_style(object);
+    double margin = style->stroked ? style->width / 2 : 0;
+    if (style->stroked && style->join == BAT_JOIN_MITER) margin *= fmin(style->miter_limit, 4);
+    if (style->stroked && style->cap == BAT_CAP_SQUARE) margin = fmax(margin, style->width * 0.7072);
+    box[0] = fmin(box[0], own[0] - margin);
+    box[1] = fmin(box[1], own[1] - margin);
+    box[2] = fmax(box[2], own[2] + margin);
+    box[3] = fmax(box[3], own[3] + margin);
+}
+
+static int pixels(double length) { return (int)fmin(fmax(ceil(length - 1e-9), 1), PAINT_SIZE_MAX); }
+
+void paint_area_of(const bat_document *document, int width, int height, paint_area *out) {
+    double page[4], scale = 1;
+    bat_document_page(document, page);
+    if (!(page[2] > 0 && page[3] > 0)) {
+        double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+        for (int i = 0; i < bat_document_count(document); i++) grow(bat_document_at(document, i), box);
+        if (!(box[0] <= box[2])) memcpy(box, (double[4]){0, 0, 1, 1}, sizeof box);
+        double size = fmax(box[2] - box[0], box[3] - box[1]);
+        if (size <= 0) size = 1; /* one point, drawn with a pen without width */
+        page[2] = fmax(box[2] - box[0], size * 1e-3);
+        page[3] = fmax(box[3] - box[1], size * 1e-3);
+        page[0] = (box[0] + box[2] - page[2]) / 2;
+        page[1] = (box[1] + box[3] - page[3]) / 2;
+        scale = 1000 / size;
+    }
+    memcpy(out->view, page, sizeof page);
+    /* A page that is too large keeps its proportions. */
+    scale = fmin(scale, PAINT_SIZE_MAX / fmax(page[2], page[3]));
+    out->width = width > 0 ? width : pixels(page[2] * scale);
+    out->height = height > 0 ? height : pixels(page[3] * scale);
+}
+
+static void set_colour(cairo_t *cairo, uint32_t colour) {
+    cairo_set_source_rgba(cairo, (colour >> 24) / 255.0, ((colour >> 16) & 255) / 255.0,
+                          ((colour >> 8) & 255) / 255.0, (colour & 255) / 255.0);
+}
+
+/* Cubic segments, exact up to degree 3; above, within tolerance. */
+static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance) {
+    double *cubics;
+    int count;
+    bat_status status = bat_curve_to_cubics(curve, tolerance, &cubics, &count);
+    if (status != BAT_OK) return status;
+    int dimension = bat_curve_dimension(curve);
+    for (int i = 0; i < count; i++) {
+        const double *p = cubics + 4 * i * dimension;
+        if (i == 0) cairo_move_to(cairo, p[0], p[1]);
+        cairo_curve_to(cairo, p[dimension], p[dimension + 1], p[2 * dimension], p[2 * dimension + 1],
+                       p[3 * dimension], p[3 * dimension + 1]);
+    }
+    if (bat_curve_closed(curve)) cairo_close_path(cairo);
+    bat_free(cubics);
+    return BAT_OK;
+}
+
+static void stroke(cairo_t *cairo, const bat_style *style) {
+    static const cairo_line_cap_t caps[] = {CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_SQUARE};
+    static const cairo_line_join_t joins[] = {CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_ROUND, CAIRO_LINE_JOIN_BEVEL};
+    set_colour(cairo, style->stroke);
+    cairo_set_line_width(cairo, style->width);
+    cairo_set_line_cap(cairo, caps[style->cap]);
+    cairo_set_line_join(cairo, joins[style->join]);
+    cairo_set_miter_limit(cairo, style->miter_limit);
+    cairo_stroke(cairo);
+}
+
+static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
+    const bat_style *style = bat_object_style(object);
+    bool stroked = style->stroked && style->width > 0;
+    if ((!stroked && !style->filled) || style->opacity <= 0) return BAT_OK;
+    cairo_new_path(cairo);
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_status status = trace(cairo, bat_object_curve(object, i), tolerance);
+        if (status != BAT_OK) return status;
+    }
+    bool group = style->opacity < 1; /* of the object as a whole: fill and stroke do not show through each other */
+    if (group) cairo_push_group(cairo);
+    if (style->filled) {
+        set_colour(cairo, style->fill);
+        cairo_set_fill_rule(cairo, style->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        cairo_fill_preserve(cairo);
+    }
+    if (stroked) stroke(cairo, style);
+    if (group) {
+        cairo_pop_group_to_source(cairo);
+        cairo_paint_with_alpha(cairo, style->opacity);
+    }
+    return BAT_OK;
+}
+
+typedef struct bytes {
+    unsigned char *data;
+    size_t size, room;
+} bytes;
+
+static cairo_status_t collect(void *user, const unsigned char *data, unsigned int size) {
+    bytes *bytes = user;
+    if (bytes->room - bytes->size < size) {
+        size_t room = 2 * bytes->room + size + 65536;
+        unsigned char *larger = realloc(bytes->data, room);
+        if (!larger) return CAIRO_STATUS_NO_MEMORY;
+        bytes->data = larger;
+        bytes->room = room;
+    }
+    memcpy(bytes->data + bytes->size, data, size);
+    bytes->size += size;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area, uint32_t background) {
+    if (background & 255) {
+        set_colour(cairo, background);
+        cairo_paint(cairo);
+    }
+    double scale = fmin(area->width / area->view[2], area->height / area->view[3]);
+    cairo_translate(cairo, (area->width - scale * area->view[2]) / 2, (area->height - scale * area->view[3]) / 2);
+    cairo_scale(cairo, scale, scale);
+    cairo_translate(cairo, -area->view[0], -area->view[1]);
+    for (int i = 0; i < bat_document_count(document); i++) {
+        bat_status status = paint_object(cairo, bat_document_at(document, i), 0.05 / scale);
+        if (status != BAT_OK) return status;
+    }
+    return BAT_OK;
+}
+
+const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
+                           uint32_t background, unsigned char **data, size_t *size) {
+    bytes bytes = {0};
+    cairo_surface_t *surface =
+        kind == PAINT_PDF ? cairo_pdf_surface_create_for_stream(collect, &bytes, area->width, area->height)
+                          : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);
+    cairo_t *cairo = cairo_create(surface);
+    bat_status status = paint(cairo, document, area, background);
+    cairo_status_t painted = cairo_status(cairo);
+    cairo_destroy(cairo);
+    if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PAINT_PNG) {
+        painted = cairo_surface_write_to_png_stream(surface, collect, &bytes);
+    }
+    cairo_surface_finish(surface); /* a PDF is written now */
+    if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    if (status == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {
+        *data = bytes.data;
+        *size = bytes.size;
+        return NULL;
+    }
+    free(bytes.data);
+    return status != BAT_OK ? bat_status_message(status) : cairo_status_to_string(painted);
+}

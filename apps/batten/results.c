@@ -1,0 +1,119 @@
+#include "results.h"
+
+#include "format/number.h"
+
+#include "io.h"
+#include "program.h"
+
+#include <stdlib.h>
+
+int read_curve(const char *name, bat_curve **out) {
+    char *data;
+    size_t size;
+    int failed = io_read(name, &data, &size);
+    if (failed) return failed;
+    bat_problem problem = {.place = ""};
+    bat_status status = bat_curve_read(data, size, out, &problem);
+    free(data);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+}
+
+int read_stroke(const char *name, bat_stroke *out, void **block) {
+    char *data;
+    size_t size;
+    int failed = io_read(name, &data, &size);
+    if (failed) return failed;
+    bat_problem problem = {.place = ""};
+    bat_status status = bat_stroke_read(data, size, out, block, &problem);
+    free(data);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+}
+
+void put_numbers(bat_text *text, const double *numbers, size_t count) {
+    bat_text_string(text, "[");
+    for (size_t i = 0; i < count; i++) {
+        if (i) bat_text_string(text, ",");
+        bat_text_number(text, numbers[i]);
+    }
+    bat_text_string(text, "]");
+}
+
+void put_points(bat_text *text, const double *numbers, size_t count, int dimension, size_t stride) {
+    bat_text_string(text, "[");
+    for (size_t i = 0; i < count; i++) {
+        if (i) bat_text_string(text, ",");
+        put_numbers(text, numbers + i * stride, (size_t)dimension);
+    }
+    bat_text_string(text, "]");
+}
+
+int write_text(bat_text *text) {
+    bat_text_string(text, "\n");
+    char *data;
+    size_t size;
+    if (bat_text_finish(text, &data, &size) != BAT_OK) return fail_memory();
+    int failed = io_write("-", data, size);
+    bat_free(data);
+    return failed;
+}
+
+static void put_flag(bat_text *text, bool flag) { bat_text_string(text, flag ? "true" : "false"); }
+
+static void put_report(bat_text *text, const bat_sketch_report *report) {
+    bat_text_string(text, "{\"max_error\":");
+    bat_text_number(text, report->max_error);
+    bat_text_string(text, ",\"noise\":");
+    bat_text_number(text, report->noise);
+    bat_text_string(text, ",\"knots_before\":");
+    bat_text_integer(text, (uint64_t)report->knots_before);
+    bat_text_string(text, ",\"knots_after\":");
+    bat_text_integer(text, (uint64_t)report->knots_after);
+    bat_text_string(text, ",\"solves\":");
+    bat_text_integer(text, (uint64_t)report->solves);
+    bat_text_string(text, ",\"changed\":");
+    put_numbers(text, report->changed, 2);
+    bat_text_string(text, ",\"changed_new\":");
+    put_numbers(text, report->changed_new, 2);
+    bat_text_string(text, ",\"transition\":");
+    put_numbers(text, report->transition, 2);
+    bat_text_string(text, ",\"reversed\":");
+    put_flag(text, report->reversed);
+    bat_text_string(text, ",\"extended\":[");
+    put_flag(text, report->extended[0]);
+    bat_text_string(text, ",");
+    put_flag(text, report->extended[1]);
+    bat_text_string(text, "],\"replaced\":");
+    put_flag(text, report->replaced);
+    bat_text_string(text, "}");
+}
+
+int write_sketch(const bat_curve *curve, const bat_sketch_report *report) {
+    char *data;
+    size_t size;
+    bat_status status = bat_curve_write(curve, &data, &size);
+    if (status != BAT_OK) return fail_memory();
+    while (size && data[size - 1] != '}') size--; /* the report becomes the object's last member */
+    while (size > 1 && (data[size - 2] == '\n' || data[size - 2] == ' ')) size--;
+    bat_text text = {0};
+    bat_text_add(&text, data, size - 1);
+    bat_free(data);
+    bat_text_string(&text, ",\n  \"report\": ");
+    put_report(&text, report);
+    bat_text_string(&text, "\n}");
+    return write_text(&text);
+}
+
+int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,
+                const bat_sketch_options *options) {
+    char reached[BAT_NUMBER_ROOM], asked[BAT_NUMBER_ROOM];
+    switch (status) {
+    case BAT_MEMORY: return fail_memory();
+    case BAT_DOT: return fail_data(stroke, "points", "expected a stroke, found one too short to mean anything");
+    case BAT_FAR: return fail_data(stroke, "points", "expected a stroke near the curve, found one too far from it");
+    case BAT_TOLERANCE:
+        bat_number_print(report->max_error, reached);
+        bat_number_print(options->tolerance > 0 ? options->tolerance : options->pixel, asked);
+        return fail_data(stroke, "points", "expected a fit within %s, the best found reaches %s", asked, reached);
+    default: return fail_data(stroke, NULL, "%s", bat_status_message(status));
+    }
+}

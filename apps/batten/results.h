@@ -1,0 +1,27 @@
+/* Results as JSON, and the CURVE and STROKE files that commands take. Failures are told here. */
+#ifndef BATTEN_APPS_RESULTS_H
+#define BATTEN_APPS_RESULTS_H
+
+#include "format/text.h"
+
+#include <batten/format.h>
+#include <batten/sketch.h>
+#include <batten/nearest.h>
+
+int read_curve(const char *name, bat_curve **out);
+/* *block: bat_free. */
+int read_stroke(const char *name, bat_stroke *out, void **block);
+
+/* "[1,2]" */
+void put_numbers(bat_text *text, const double *numbers, size_t count);
+/* "[[1,2],[3,4]]": count points of `dimension` numbers, `stride` doubles apart. */
+void put_points(bat_text *text, const double *numbers, size_t count, int dimension, size_t stride);
+/* Ends the text with a line end, and writes it to standard output. Releases it. */
+int write_text(bat_text *text);
+/* The curve with its report, to standard output. */
+int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
+/* What a sketch's status means for the user; stroke: the stroke file's name. */
+int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,
+                const bat_sketch_options *options);
+
+#endif

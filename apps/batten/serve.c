@@ -1,0 +1,405 @@
+#include "serve.h"
+
+#include "document_file.h"
+#include "web_files.h"
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <microhttpd.h>
+#include <netinet/in.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+
+enum { TOKEN_BYTES = 16, TOKEN_ROOM = 2 * TOKEN_BYTES + 1, HOST_ROOM = 32, CONNECTIONS_MAX = 64, IDLE_SECONDS = 60 };
+
+static const char token_mark[] = "%TOKEN%";
+
+/* What every answer carries. */
+static const char *const headers[][2] = {
+    {"Content-Security-Policy",
+     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; "
+     "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; "
+     "frame-ancestors 'none'"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Embedder-Policy", "require-corp"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Cache-Control", "no-store"},
+};
+
+struct server {
+    struct MHD_Daemon *daemon;
+    const char *path;
+    drawing_format format;
+    int port;
+    char token[TOKEN_ROOM];
+    char hosts[2][HOST_ROOM]; /* what Host may say */
+    char *name;               /* of the file, percent-encoded */
+    char *page;               /* "/" with the token put in */
+    size_t page_size;
+};
+
+/* One request; its body, when it is a PUT that may have one. */
+typedef struct request {
+    char *body;
+    size_t size, room;
+} request;
+
+/* ---- answers ---- */
+
+static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status, struct MHD_Response *response,
+                              const char *type) {
+    if (!response) return MHD_NO;
+    for (size_t i = 0; i < sizeof headers / sizeof headers[0]; i++) {
+        MHD_add_response_header(response, headers[i][0], headers[i][1]);
+    }
+    if (type) MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, type);
+    enum MHD_Result result = MHD_queue_response(connection, status, response);
+    MHD_destroy_response(response);
+    return result;
+}
+
+/* One line of plain text. extra: a header's name and value, or NULL. */
+static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text, const char *name,
+                           const char *value) {
+    char line[512];
+    int size = snprintf(line, sizeof line, "%s\n", text);
+    size_t length = (size_t)size < sizeof line ? (size_t)size : sizeof line - 1;
+    struct MHD_Response *response = MHD_create_response_from_buffer(length, line, MHD_RESPMEM_MUST_COPY);
+    if (response && name) MHD_add_response_header(response, name, value);
+    return answer(connection, status, response, "text/plain; charset=utf-8");
+}
+
+/* ---- refusals ---- */
+
+typedef struct header_count {
+    const char *name, *value;
+    int count;
+} header_count;
+
+static enum MHD_Result count_header(void *user, enum MHD_ValueKind kind, const char *name, const char *value) {
+    (void)kind;
+    header_count *wanted = user;
+    const char *a = name, *b = wanted->name; /* names of headers know no case */
+    while (*a && *b && (*a | 32) == (*b | 32)) a++, b++;
+    if (*a == *b) {
+        wanted->value = value ? value : "";
+        wanted->count++;
+    }
+    return MHD_YES;
+}
+
+/* The header's value; NULL when it is not there. */
+static const char *header(struct MHD_Connection *connection, const char *name, int *count) {
+    header_count wanted = {.name = name};
+    MHD_get_connection_values(connection, MHD_HEADER_KIND, count_header, &wanted);
+    if (count) *count = wanted.count;
+    return wanted.value;
+}
+
+/* Takes the same time wherever the first difference is. */
+static bool same_token(const char *a, const char *b) {
+    size_t size = strlen(b);
+    if (strlen(a) != size) return false; /* the length is no secret */
+    unsigned difference = 0;
+    for (size_t i = 0; i < size; i++) difference |= (unsigned)((unsigned char)a[i] ^ (unsigned char)b[i]);
+    return difference == 0;
+}
+
+typedef struct refusal {
+    unsigned status; /* 0: none */
+    const char *text;
+} refusal;
+
+/* Whoever asks is our own page, or the user's own address bar. */
+static refusal refuse_stranger(const server *server, struct MHD_Connection *connection) {
+    static const char *const single[] = {"Host",         "Origin",   "Sec-Fetch-Site", "X-Batten-Token",
+                                         "Content-Type", "If-Match", "Content-Length", "Transfer-Encoding"};
+    for (size_t i = 0; i < sizeof single / sizeof single[0]; i++) {
+        int count;
+        header(connection, single[i], &count);
+        if (count > 1) return (refusal){MHD_HTTP_BAD_REQUEST, "A header was given twice."};
+    }
+    const char *host = header(connection, "Host", NULL);
+    if (!host) return (refusal){MHD_HTTP_BAD_REQUEST, "The header Host is missing."};
+    if (strcmp(host, server->hosts[0]) != 0 && strcmp(host, server->hosts[1]) != 0) {
+        return (refusal){MHD_HTTP_MISDIRECTED_REQUEST, "This server does not answer to that host."};
+    }
+    const char *origin = header(connection, "Origin", NULL);
+    if (origin && (strncmp(origin, "http://", 7) != 0 || strcmp(origin + 7, host) != 0)) {
+        return (refusal){MHD_HTTP_FORBIDDEN, "Requests of other origins are refused."};
+    }
+    const char *site = header(connection, "Sec-Fetch-Site", NULL);
+    if (site && strcmp(site, "same-origin") != 0 && strcmp(site, "none") != 0) {
+        return (refusal){MHD_HTTP_FORBIDDEN, "Requests from other sites are refused."};
+    }
+    return (refusal){0, NULL};
+}
+
+static refusal refuse_token(const server *server, struct MHD_Connection *connection) {
+    const char *token = header(connection, "X-Batten-Token", NULL);
+    if (token && same_token(token, server->token)) return (refusal){0, NULL};
+    return (refusal){MHD_HTTP_FORBIDDEN, "The token is missing or wrong: open the address that batten edit printed."};
+}
+
+/* "image/svg+xml; charset=utf-8" is image/svg+xml. */
+static bool is_type(const char *value, const char *type) {
+    size_t size = strlen(type);
+    return strncmp(value, type, size) == 0 && (value[size] == '\0' || value[size] == ';' || value[size] == ' ');
+}
+
+/* What can be said of a PUT before its body is read. *size: bytes that will come. */
+static refusal refuse_put(const server *server, struct MHD_Connection *connection, size_t *size) {
+    const char *type = header(connection, "Content-Type", NULL);
+    if (!type || !is_type(type, drawing_media_type(server->format))) {
+        return (refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
+    }
+    if (!header(connection, "If-Match", NULL)) {
+        return (refusal){MHD_HTTP_PRECONDITION_REQUIRED, "The header If-Match is missing."};
+    }
+    const char *length = header(connection, "Content-Length", NULL);
+    if (!length || header(connection, "Transfer-Encoding", NULL)) {
+        return (refusal){MHD_HTTP_LENGTH_REQUIRED, "The header Content-Length is missing."};
+    }
+    char *end;
+    errno = 0;
+    unsigned long long bytes = strtoull(length, &end, 10);
+    if (length[0] < '0' || length[0] > '9' || *end) {
+        return (refusal){MHD_HTTP_BAD_REQUEST, "The header Content-Length is no number."};
+    }
+    if (errno || bytes > SERVE_BODY_MAX) {
+        return (refusal){MHD_HTTP_CONTENT_TOO_LARGE, "The drawing is too large, above 64 MiB."};
+    }
+    *size = (size_t)bytes;
+    return (refusal){0, NULL};
+}
+
+/* ---- the document ---- */
+
+static enum MHD_Result get_document(const server *server, struct MHD_Connection *connection) {
+    char *data, tag[TAG_ROOM];
+    size_t size;
+    if (document_file_load(server->path, server->format, &data, &size, tag) != FILE_DONE) {
+        return say(connection, MHD_HTTP_INTERNAL_SERVER_ERROR, strerror(errno), NULL, NULL);
+    }
+    struct MHD_Response *response = MHD_create_response_from_buffer(size, data, MHD_RESPMEM_MUST_FREE);
+    if (!response) {
+        free(data);
+        return MHD_NO;
+    }
+    MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
+    MHD_add_response_header(response, "X-Batten-Name", server->name);
+    return answer(connection, MHD_HTTP_OK, response, drawing_media_type(server->format));
+}
+
+static enum MHD_Result put_document(const server *server, struct MHD_Connection *connection,
+                                    const request *request) {
+    const char *wanted = header(connection, "If-Match", NULL);
+    char tag[TAG_ROOM], line[sizeof(bat_problem) + 64];
+    bat_problem problem = {.place = ""};
+    switch (document_file_save(server->path, server->format, request->body, request->size, wanted, tag, &problem)) {
+    case FILE_DONE: {
+        struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
+        if (response) MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
+        return answer(connection, MHD_HTTP_NO_CONTENT, response, NULL);
+    }
+    case FILE_CHANGED:
+        return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.", NULL,
+                   NULL);
+    case FILE_MALFORMED:
+        snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem.place, problem.place[0] ? ": " : "",
+                 problem.message);
+        return say(connection, MHD_HTTP_UNPROCESSABLE_CONTENT, line, NULL, NULL);
+    case FILE_READ_ONLY: return say(connection, MHD_HTTP_CONFLICT, "The file is read-only.", NULL, NULL);
+    default:
+        return say(connection, errno == ENOSPC ? MHD_HTTP_INSUFFICIENT_STORAGE : MHD_HTTP_INTERNAL_SERVER_ERROR,
+                   strerror(errno), NULL, NULL);
+    }
+}
+
+/* ---- requests ---- */
+
+static const web_file *find_file(const char *path) {
+    for (size_t i = 0; i < web_file_count; i++) {
+        if (strcmp(web_files[i].path, path) == 0) return &web_files[i];
+    }
+    return NULL;
+}
+
+static enum MHD_Result get_file(const server *server, struct MHD_Connection *connection, const web_file *file) {
+    bool page = strcmp(file->path, "/") == 0;
+    void *data = page ? (void *)server->page : (void *)(uintptr_t)file->data;
+    struct MHD_Response *response =
+        MHD_create_response_from_buffer(page ? server->page_size : file->size, data, MHD_RESPMEM_PERSISTENT);
+    return answer(connection, MHD_HTTP_OK, response, file->type);
+}
+
+/* The headers are here, the body is not: decides whether it may come. */
+static enum MHD_Result begin(const server *server, struct MHD_Connection *connection, const char *path,
+                             const char *method, void **state) {
+    refusal refusal = refuse_stranger(server, connection);
+    if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
+    bool document = strcmp(path, "/document") == 0;
+    const web_file *file = document ? NULL : find_file(path);
+    if (!document && !file) return say(connection, MHD_HTTP_NOT_FOUND, "There is no such path.", NULL, NULL);
+    bool get = strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0;
+    bool put = document && strcmp(method, "PUT") == 0;
+    if (!get && !put) {
+        return say(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "This method is not known here.", "Allow",
+                   document ? "GET, HEAD, PUT" : "GET, HEAD");
+    }
+    if (document) refusal = refuse_token(server, connection);
+    size_t size = 0;
+    if (!refusal.status && put) refusal = refuse_put(server, connection, &size);
+    if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
+    request *request = calloc(1, sizeof *request);
+    if (request && put) {
+        request->room = size;
+        request->body = malloc(size + 1);
+    }
+    if (!request || (put && !request->body)) {
+        free(request);
+        return MHD_NO;
+    }
+    *state = request;
+    return MHD_YES;
+}
+
+static enum MHD_Result on_request(void *user, struct MHD_Connection *connection, const char *path,
+                                  const char *method, const char *version, const char *data, size_t *size,
+                                  void **state) {
+    (void)version;
+    const server *server = user;
+    request *request = *state;
+    if (!request) return begin(server, connection, path, method, state);
+    if (*size) {
+        size_t room = request->room - request->size; /* the body of a GET is dropped */
+        if (request->body) {
+            if (*size > room) return MHD_NO;
+            memcpy(request->body + request->size, data, *size);
+            request->size += *size;
+        }
+        *size = 0;
+        return MHD_YES;
+    }
+    if (strcmp(path, "/document") != 0) return get_file(server, connection, find_file(path));
+    return request->body ? put_document(server, connection, request) : get_document(server, connection);
+}
+
+static void on_completed(void *user, struct MHD_Connection *connection, void **state,
+                         enum MHD_RequestTerminationCode reason) {
+    (void)user;
+    (void)connection;
+    (void)reason;
+    request *request = *state;
+    if (request) free(request->body);
+    free(request);
+    *state = NULL;
+}
+
+/* ---- start and end ---- */
+
+static char *percent_encoded(const char *text) {
+    static const char hex[] = "0123456789ABCDEF";
+    char *out = malloc(3 * strlen(text) + 1), *to = out;
+    if (!out) return NULL;
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                     (c && strchr("-._~", c));
+        if (plain) {
+            *to++ = (char)c;
+        } else {
+            *to++ = '%';
+            *to++ = hex[c >> 4];
+            *to++ = hex[c & 15];
+        }
+    }
+    *to = '\0';
+    return out;
+}
+
+static bool make_token(char token[TOKEN_ROOM]) {
+    static const char hex[] = "0123456789abcdef";
+    unsigned char bytes[TOKEN_BYTES];
+    if (getrandom(bytes, sizeof bytes, 0) != (ssize_t)sizeof bytes) return false;
+    for (int i = 0; i < TOKEN_BYTES; i++) {
+        token[2 * i] = hex[bytes[i] >> 4];
+        token[2 * i + 1] = hex[bytes[i] & 15];
+    }
+    token[2 * TOKEN_BYTES] = '\0';
+    return true;
+}
+
+/* The page with the token in place of its mark; as it is when it has no mark. */
+static bool make_page(server *server) {
+    const web_file *file = find_file("/");
+    if (!file) return true;
+    const char *text = (const char *)file->data;
+    size_t mark_size = sizeof token_mark - 1, at = 0;
+    while (at + mark_size <= file->size && memcmp(text + at, token_mark, mark_size) != 0) at++;
+    bool found = at + mark_size <= file->size;
+    server->page = malloc(file->size + TOKEN_ROOM);
+    if (!server->page) return false;
+    if (!found) {
+        memcpy(server->page, text, file->size);
+        server->page_size = file->size;
+        return true;
+    }
+    size_t token_size = strlen(server->token), rest = file->size - at - mark_size;
+    memcpy(server->page, text, at);
+    memcpy(server->page + at, server->token, token_size);
+    memcpy(server->page + at + token_size, text + at + mark_size, rest);
+    server->page_size = at + token_size + rest;
+    return true;
+}
+
+static const char *listen_on(server *server, int port) {
+    struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    errno = 0;
+    server->daemon = MHD_start_daemon(MHD_USE_AUTO_INTERNAL_THREAD, (uint16_t)port, NULL, NULL, on_request, server,
+                                      MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_CONNECTION_LIMIT,
+                                      (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
+                                      (unsigned)IDLE_SECONDS, MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL,
+                                      MHD_OPTION_END);
+    if (!server->daemon) return errno ? strerror(errno) : "the server cannot be started";
+    const union MHD_DaemonInfo *info = MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_BIND_PORT);
+    if (!info) return "the server's port is not known";
+    server->port = info->port;
+    snprintf(server->hosts[0], HOST_ROOM, "127.0.0.1:%d", server->port);
+    snprintf(server->hosts[1], HOST_ROOM, "localhost:%d", server->port);
+    return NULL;
+}
+
+const char *serve_start(const char *path, drawing_format format, int port, server **out) {
+    server *server = calloc(1, sizeof *server);
+    if (!server) return "out of memory";
+    server->path = path;
+    server->format = format;
+    const char *slash = strrchr(path, '/');
+    server->name = percent_encoded(slash ? slash + 1 : path);
+    const char *wrong = NULL;
+    if (!server->name) wrong = "out of memory";
+    else if (!make_token(server->token)) wrong = "no random numbers";
+    else if (!make_page(server)) wrong = "out of memory";
+    else wrong = listen_on(server, port);
+    if (wrong) serve_stop(server);
+    else *out = server;
+    return wrong;
+}
+
+int serve_port(const server *server) { return server->port; }
+
+void serve_stop(server *server) {
+    if (server->daemon) MHD_stop_daemon(server->daemon);
+    free(server->name);
+    free(server->page);
+    free(server);
+}
+
+bool serve_has_shell(void) { return find_file("/") != NULL; }
+bool serve_has_module(void) { return find_file("/batten.wasm") != NULL; }
