@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int option_index(const command *command, const char *name, size_t size) {
+static int option_index(const cli_command *command, const char *name, size_t size) {
     for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
         const char *known = command->options[i].name;
         if (strlen(known) == size && memcmp(known, name, size) == 0) return i;
@@ -15,8 +15,8 @@ static int option_index(const command *command, const char *name, size_t size) {
     return -1;
 }
 
-int arguments_parse(const command *command, int count, char **words, arguments *out) {
-    *out = (arguments){.command = command};
+int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out) {
+    *out = (cli_arguments){.command = command};
     int operands = 0;
     bool only_operands = false;
     for (int i = 0; i < count; i++) {
@@ -35,7 +35,7 @@ int arguments_parse(const command *command, int count, char **words, arguments *
         size_t size = equals ? (size_t)(equals - word) : strlen(word);
         int index = option_index(command, word, size);
         if (index < 0) return fail_usage(command, "no such option: %s", word);
-        const option *option = &command->options[index];
+        const cli_option *option = &command->options[index];
         if (out->values[index]) return fail_usage(command, "%s is given twice", option->name);
         if (!option->value) {
             if (equals) return fail_usage(command, "%s takes no value", option->name);
@@ -51,7 +51,7 @@ int arguments_parse(const command *command, int count, char **words, arguments *
     return EXIT_DONE;
 }
 
-const char *arguments_value(const arguments *arguments, const char *name) {
+const char *arguments_value(const cli_arguments *arguments, const char *name) {
     int index = option_index(arguments->command, name, strlen(name));
     return index < 0 ? NULL : arguments->values[index];
 }
@@ -64,7 +64,7 @@ static bool number_between(const char *text, const char *end, double *out) {
     return true;
 }
 
-int arguments_number(const arguments *arguments, const char *name, double low, double high, double *out) {
+int arguments_number(const cli_arguments *arguments, const char *name, double low, double high, double *out) {
     const char *text = arguments_value(arguments, name);
     if (!text) return EXIT_DONE;
     double value;
@@ -78,7 +78,7 @@ int arguments_number(const arguments *arguments, const char *name, double low, d
     return EXIT_DONE;
 }
 
-int arguments_integer(const arguments *arguments, const char *name, long low, long high, long *out) {
+int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out) {
     double value = (double)low;
     int status = arguments_number(arguments, name, (double)low, (double)high, &value);
     if (status || !arguments_value(arguments, name)) return status;
@@ -90,7 +90,7 @@ int arguments_integer(const arguments *arguments, const char *name, long low, lo
     return EXIT_DONE;
 }
 
-int arguments_numbers(const arguments *arguments, const char *name, double **out, size_t *count) {
+int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count) {
     const char *text = arguments_value(arguments, name);
     *out = NULL;
     *count = 0;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* The format that OUT is written in: by --to, else by its name. */
-static int output_format(const arguments *arguments, drawing_format *out) {
+static int output_format(const cli_arguments *arguments, drawing_format *out) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
     *out = drawing_format_of(name);
     if (to) {
@@ -22,14 +22,14 @@ static int output_format(const arguments *arguments, drawing_format *out) {
     return fail_usage(arguments->command, "%s: expected a name that ends in .batten, .svg or .json", name);
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     drawing_format format;
     bat_svg_options options = bat_svg_defaults();
     int failed = output_format(arguments, &format);
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &options.tolerance);
     if (failed) return failed;
-    drawing drawing;
+    drawing_file drawing;
     failed = drawing_read(in, &options, &drawing);
     if (failed) return failed;
     char *text;
@@ -44,12 +44,14 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_convert = {
+const cli_command command_convert = {
     .name = "convert",
     .usage = "IN OUT [--to batten|svg|json] [--tolerance T]",
     .summary = "Converts between the native format, SVG and the JSON of one curve.",
-    .details = "Formats go by the names' endings: .batten, .svg, .json (one CURVE). Standard input is recognised. One\n"
-               "line on standard error counts what an SVG held that was left out: texts, images, gradients, clips.",
+    .details =
+        "Formats go by the names' endings: .batten, .svg, .json (one CURVE). Standard input is recognised. "
+        "One\n"
+        "line on standard error counts what an SVG held that was left out: texts, images, gradients, clips.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,

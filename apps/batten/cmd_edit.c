@@ -34,21 +34,24 @@ static bool has_display(void) {
     return (x && *x) || (wayland && *wayland);
 }
 
-/* The file can be read as what it is called, or can be made. Says what the user should know before drawing. */
+/* The file can be read as what it is called, or can be made. Says what the user should know before drawing.
+ */
 static int look_at(const char *path, drawing_format format) {
     char *text;
     size_t size;
     io_stamp stamp;
-    if (!io_load(path, &text, &size, &stamp)) return fail_data(path, NULL, "cannot be read: %s", strerror(errno));
+    if (!io_load(path, &text, &size, &stamp))
+        return fail_data(path, NULL, "cannot be read: %s", strerror(errno));
     if (!stamp.exists) {
         char folder[4096];
         const char *slash = strrchr(path, '/');
         snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
-        if (access(folder, W_OK | X_OK) != 0) return fail_data(path, NULL, "cannot be made: %s", strerror(errno));
+        if (access(folder, W_OK | X_OK) != 0)
+            return fail_data(path, NULL, "cannot be made: %s", strerror(errno));
         remark("%s: not there yet; the first save makes it", path);
         return EXIT_DONE;
     }
-    drawing drawing;
+    drawing_file drawing;
     bat_problem problem;
     bat_status status = drawing_parse(text, size, format, NULL, &drawing, &problem);
     free(text);
@@ -58,11 +61,12 @@ static int look_at(const char *path, drawing_format format) {
         remark("%s: saving keeps the outlines; content of other programs is not promised to survive", path);
     }
     drawing_free(&drawing);
-    if (io_read_only(path)) remark("%s: is read-only; it cannot be saved here, download a copy instead", path);
+    if (io_read_only(path))
+        remark("%s: is read-only; it cannot be saved here, download a copy instead", path);
     return EXIT_DONE;
 }
 
-static int serve(const arguments *arguments, drawing_format format, int port) {
+static int serve(const cli_arguments *arguments, drawing_format format, int port) {
     const char *path = arguments->operands[0];
     sigset_t signals;
     sigemptyset(&signals);
@@ -70,7 +74,7 @@ static int serve(const arguments *arguments, drawing_format format, int port) {
     sigaddset(&signals, SIGTERM);
     sigaddset(&signals, SIGHUP);
     sigprocmask(SIG_BLOCK, &signals, NULL); /* before threads: only this one takes them */
-    server *server;
+    http_server *server;
     const char *wrong = serve_start(path, format, port, &server);
     if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port, wrong);
     char address[64];
@@ -84,7 +88,7 @@ static int serve(const arguments *arguments, drawing_format format, int port) {
     return EXIT_DONE;
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *path = arguments->operands[0];
     long port = 0;
     int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
@@ -93,21 +97,26 @@ static int run(const arguments *arguments) {
     if (format != DRAWING_SVG && format != DRAWING_NATIVE) {
         return fail_usage(arguments->command, "%s: expected a name that ends in .svg or .batten", path);
     }
-    if (!serve_has_shell()) return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");
+    if (!serve_has_shell())
+        return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");
     if (!serve_has_module()) {
-        return fail_data(path, NULL, "cannot be edited: this build has no batten.wasm (it needs clang, lld, wasi-libc)");
+        return fail_data(path, NULL,
+                         "cannot be edited: this build has no batten.wasm (it needs clang, lld, wasi-libc)");
     }
     failed = look_at(path, format);
     return failed ? failed : serve(arguments, format, (int)port);
 }
 
-const command command_edit = {
+const cli_command command_edit = {
     .name = "edit",
     .usage = "FILE [--port N] [--no-open]",
     .summary = "Opens the editor in the browser on a drawing, .svg or .batten.",
-    .details = "A server for this machine alone gives the editor and takes the drawing back when it is saved; Ctrl+C\n"
-               "ends it. Its address is printed; with a display the browser opens it. A file that is not there is made\n"
-               "by the first save. Content of an SVG that Batten does not know is not promised to survive a save.",
+    .details =
+        "A server for this machine alone gives the editor and takes the drawing back when it is saved; "
+        "Ctrl+C\n"
+        "ends it. Its address is printed; with a display the browser opens it. A file that is not there is "
+        "made\n"
+        "by the first save. Content of an SVG that Batten does not know is not promised to survive a save.",
     .example = "batten edit car.svg",
     .operands = 1,
     .options = {{"--port", "N", "the port on 127.0.0.1; 0, the default, takes a free one"},

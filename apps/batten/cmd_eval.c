@@ -9,7 +9,7 @@
 enum { SAMPLES_MAX = 1 << 24, ORDER_MAX = 16 };
 
 /* At the numbers of --at, in their order, else spread over the domain. *u is malloc'ed. */
-static int parameters(const arguments *arguments, const bat_curve *curve, double **u, size_t *count) {
+static int parameters(const cli_arguments *arguments, const bat_curve *curve, double **u, size_t *count) {
     int failed = arguments_numbers(arguments, "--at", u, count);
     if (failed) return failed;
     if (*u) {
@@ -22,8 +22,8 @@ static int parameters(const arguments *arguments, const bat_curve *curve, double
             bat_number_print(domain[0], low);
             bat_number_print(domain[1], high);
             free(*u);
-            return fail_data(arguments->operands[0], "--at", "expected a parameter in the domain [%s, %s], found %s",
-                             low, high, found);
+            return fail_data(arguments->operands[0], "--at",
+                             "expected a parameter in the domain [%s, %s], found %s", low, high, found);
         }
         return EXIT_DONE;
     }
@@ -58,7 +58,7 @@ static int print(const bat_curve *curve, const double *u, size_t count, int orde
     return write_text(&text);
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     bool at = arguments_value(arguments, "--at"), samples = arguments_value(arguments, "--samples");
     if (at == samples) return fail_usage(arguments->command, "either --at or --samples is needed");
     long order = 0;
@@ -81,11 +81,12 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_eval = {
+const cli_command command_eval = {
     .name = "eval",
     .usage = "CURVE (--at U,U,... | --samples N) [--derivatives K]",
     .summary = "Points and derivatives of a curve.",
-    .details = "CURVE is a JSON file. The result is {\"u\", \"points\", \"derivatives\"}: derivatives[k-1][i] is the\n"
+    .details = "CURVE is a JSON file. The result is {\"u\", \"points\", \"derivatives\"}: "
+               "derivatives[k-1][i] is the\n"
                "k-th derivative at u[i].",
     .example = "batten eval curve.json --samples 5 --derivatives 1",
     .operands = 1,

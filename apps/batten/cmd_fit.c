@@ -3,7 +3,7 @@
 #include "results.h"
 #include "sketch_options.h"
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *name = arguments->operands[0];
     bat_sketch_options options;
     int failed = sketch_options(arguments, &options);
@@ -22,14 +22,17 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_fit = {
+const cli_command command_fit = {
     .name = "fit",
     .usage = "STROKE [--tolerance T] [--pixel P] [--closed]",
     .summary = "A new curve from a stroke.",
-    .details = "STROKE is JSON ({\"points\", \"pressure\", \"time\"}) or CSV with a header line x,y. The result is a CURVE\n"
+    .details = "STROKE is JSON ({\"points\", \"pressure\", \"time\"}) or CSV with a header line x,y. The "
+               "result is a CURVE\n"
                "with a \"report\".",
     .example = "batten fit stroke.csv --tolerance 0.5 > curve.json",
     .operands = 1,
-    .options = {OPTION_TOLERANCE, OPTION_PIXEL, {"--closed", NULL, "closed, even when the stroke's ends do not meet"}},
+    .options = {OPTION_TOLERANCE,
+                OPTION_PIXEL,
+                {"--closed", NULL, "closed, even when the stroke's ends do not meet"}},
     .run = run,
 };

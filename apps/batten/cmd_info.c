@@ -11,7 +11,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool forgets(const drawing *drawing) { return drawing->format == DRAWING_SVG && !drawing->report.native; }
+static bool forgets(const drawing_file *drawing) {
+    return drawing->format == DRAWING_SVG && !drawing->report.native;
+}
 
 static void put_member(bat_text *text, const char *name, uint64_t value) {
     bat_text_string(text, ",\"");
@@ -51,12 +53,12 @@ static void put_object(bat_text *text, const bat_object *object) {
     bat_text_string(text, "]}");
 }
 
-typedef struct totals {
+typedef struct curve_totals {
     int curves, points, knots;
-} totals;
+} curve_totals;
 
-static totals count(const bat_document *document) {
-    totals totals = {0};
+static curve_totals count(const bat_document *document) {
+    curve_totals totals = {0};
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         for (int j = 0; j < bat_object_curve_count(object); j++) {
@@ -68,7 +70,7 @@ static totals count(const bat_document *document) {
     return totals;
 }
 
-static int print_json(const char *name, const drawing *drawing) {
+static int print_json(const char *name, const drawing_file *drawing) {
     const bat_document *document = drawing->document;
     bat_text text = {0};
     bat_text_string(&text, "{\"file\":");
@@ -78,9 +80,11 @@ static int print_json(const char *name, const drawing *drawing) {
     double page[4];
     bat_document_page(document, page);
     bat_text_string(&text, ",\"page\":");
-    if (page[2] > 0) put_numbers(&text, page, 4);
-    else bat_text_string(&text, "null");
-    totals totals = count(document);
+    if (page[2] > 0)
+        put_numbers(&text, page, 4);
+    else
+        bat_text_string(&text, "null");
+    curve_totals totals = count(document);
     put_member(&text, "curves", (uint64_t)totals.curves);
     put_member(&text, "points", (uint64_t)totals.points);
     put_member(&text, "knots", (uint64_t)totals.knots);
@@ -127,12 +131,13 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
         const bat_curve *curve = bat_object_curve(object, i);
         snprintf(line, sizeof line, "    %s, degree %d, %d points, %d knots, length %.6g%s\n",
                  bat_curve_closed(curve) ? "closed" : "open", bat_curve_degree(curve), bat_curve_count(curve),
-                 bat_curve_knot_count(curve), length_of(curve), bat_curve_dimension(curve) == 3 ? ", in space" : "");
+                 bat_curve_knot_count(curve), length_of(curve),
+                 bat_curve_dimension(curve) == 3 ? ", in space" : "");
         bat_text_string(text, line);
     }
 }
 
-static int print_text(const char *name, const drawing *drawing) {
+static int print_text(const char *name, const drawing_file *drawing) {
     const bat_document *document = drawing->document;
     bat_text text = {0};
     char line[256];
@@ -145,7 +150,7 @@ static int print_text(const char *name, const drawing *drawing) {
     bat_document_page(document, page);
     if (page[2] > 0) snprintf(line, sizeof line, "%g %g, %g x %g", page[0], page[1], page[2], page[3]);
     put_line(&text, "page", page[2] > 0 ? line : "none");
-    totals totals = count(document);
+    curve_totals totals = count(document);
     snprintf(line, sizeof line, "%d objects, %d curves, %d points, %d knots", bat_document_count(document),
              totals.curves, totals.points, totals.knots);
     put_line(&text, "holds", line);
@@ -168,9 +173,9 @@ static int print_text(const char *name, const drawing *drawing) {
     return failed;
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *name = arguments->operands[0];
-    drawing drawing;
+    drawing_file drawing;
     int failed = drawing_read(name, NULL, &drawing);
     if (failed) return failed;
     failed = arguments_value(arguments, "--json") ? print_json(name, &drawing) : print_text(name, &drawing);
@@ -178,7 +183,7 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_info = {
+const cli_command command_info = {
     .name = "info",
     .usage = "FILE [--json]",
     .summary = "What is in a file: objects, curves, knots, page, and what saving would not keep.",

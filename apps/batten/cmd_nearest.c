@@ -7,7 +7,8 @@
 static int nearest(const char *name, const bat_curve *curve, const double *point, size_t count) {
     int dimension = bat_curve_dimension(curve);
     if (count != (size_t)dimension) {
-        return fail_data(name, "--point", "expected %d coordinates, as the curve has, found %zu", dimension, count);
+        return fail_data(name, "--point", "expected %d coordinates, as the curve has, found %zu", dimension,
+                         count);
     }
     bat_near near;
     bat_status status = bat_curve_nearest(curve, point, &near);
@@ -24,7 +25,7 @@ static int nearest(const char *name, const bat_curve *curve, const double *point
     return write_text(&text);
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     double *point;
     size_t count;
     int failed = arguments_numbers(arguments, "--point", &point, &count);
@@ -41,12 +42,13 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_nearest = {
+const cli_command command_nearest = {
     .name = "nearest",
     .usage = "CURVE --point X,Y[,Z]",
     .summary = "The point of a curve that is closest to a point.",
-    .details = "The result is {\"u\", \"point\", \"distance\"}. Of points equally close the one with the smaller\n"
-               "parameter is taken.",
+    .details =
+        "The result is {\"u\", \"point\", \"distance\"}. Of points equally close the one with the smaller\n"
+        "parameter is taken.",
     .example = "batten nearest curve.json --point 3,4",
     .operands = 1,
     .options = {{"--point", "X,Y[,Z]", "the point, with as many coordinates as the curve has"}},

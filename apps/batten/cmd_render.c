@@ -21,7 +21,7 @@ static int picture_of(const char *ending) {
     return PICTURE_UNKNOWN;
 }
 
-static int picture_kind(const arguments *arguments, int *out) {
+static int picture_kind(const cli_arguments *arguments, int *out) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
     if (to) {
         *out = picture_of(to);
@@ -34,7 +34,7 @@ static int picture_kind(const arguments *arguments, int *out) {
     return fail_usage(arguments->command, "%s: expected a name that ends in .svg, .png or .pdf", name);
 }
 
-static int picture_size(const arguments *arguments, int *width, int *height) {
+static int picture_size(const cli_arguments *arguments, int *width, int *height) {
     const char *text = arguments_value(arguments, "--size");
     *width = *height = 0;
     if (!text) return EXIT_DONE;
@@ -46,8 +46,8 @@ static int picture_size(const arguments *arguments, int *width, int *height) {
         if (end == second) h = 0;
     }
     if (w < 1 || h < 1 || w > PAINT_SIZE_MAX || h > PAINT_SIZE_MAX || *end) {
-        return fail_usage(arguments->command, "--size: expected WxH, 1x1 to %dx%d, found '%s'", PAINT_SIZE_MAX,
-                          PAINT_SIZE_MAX, text);
+        return fail_usage(arguments->command, "--size: expected WxH, 1x1 to %dx%d, found '%s'",
+                          PAINT_SIZE_MAX, PAINT_SIZE_MAX, text);
     }
     *width = (int)w;
     *height = (int)h;
@@ -55,7 +55,7 @@ static int picture_size(const arguments *arguments, int *width, int *height) {
 }
 
 /* "white", "none", "#rrggbb" or "#rrggbbaa". */
-static int background_of(const arguments *arguments, uint32_t *out) {
+static int background_of(const cli_arguments *arguments, uint32_t *out) {
     const char *text = arguments_value(arguments, "--background");
     if (!text) return EXIT_DONE;
     if (strcmp(text, "none") == 0) {
@@ -65,7 +65,8 @@ static int background_of(const arguments *arguments, uint32_t *out) {
     } else {
         size_t digits = text[0] == '#' ? strspn(text + 1, "0123456789abcdefABCDEF") : 0;
         if ((digits != 6 && digits != 8) || text[1 + digits]) {
-            return fail_usage(arguments->command, "--background: expected white, none or #rrggbb, found '%s'", text);
+            return fail_usage(arguments->command, "--background: expected white, none or #rrggbb, found '%s'",
+                              text);
         }
         unsigned long value = strtoul(text + 1, NULL, 16);
         *out = (uint32_t)(digits == 6 ? value << 8 | 255 : value);
@@ -82,8 +83,8 @@ static void put_attribute(bat_text *text, const char *name, double value) {
 }
 
 /* The library's SVG with the root's size and view put in, and the background behind all. */
-static int svg_picture(const bat_document *document, const paint_area *area, uint32_t background, const char *in,
-                       unsigned char **data, size_t *size) {
+static int svg_picture(const bat_document *document, const paint_area *area, uint32_t background,
+                       const char *in, unsigned char **data, size_t *size) {
     char *inner;
     size_t inner_size;
     bat_status status = bat_svg_write(document, false, &inner, &inner_size);
@@ -116,8 +117,10 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
         bat_text_string(&text, "/>\n");
     }
     const char *root = strstr(inner, "<svg"), *content = root ? strchr(root, '>') : NULL;
-    if (content) bat_text_add(&text, content + 1, inner_size - (size_t)(content + 1 - inner));
-    else text.failed = true;
+    if (content)
+        bat_text_add(&text, content + 1, inner_size - (size_t)(content + 1 - inner));
+    else
+        text.failed = true;
     bat_free(inner);
     char *whole;
     if (bat_text_finish(&text, &whole, size) != BAT_OK) return fail_memory();
@@ -125,7 +128,7 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
     return EXIT_DONE;
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0];
     int kind, width, height;
     int failed = picture_kind(arguments, &kind);
@@ -133,7 +136,7 @@ static int run(const arguments *arguments) {
     uint32_t background = kind == PICTURE_PNG ? 0xffffffff : 0;
     if (!failed) failed = background_of(arguments, &background);
     if (failed) return failed;
-    drawing drawing;
+    drawing_file drawing;
     failed = drawing_read(in, NULL, &drawing);
     if (failed) return failed;
     paint_area area;
@@ -143,8 +146,8 @@ static int run(const arguments *arguments) {
     if (kind == PICTURE_SVG) {
         failed = svg_picture(drawing.document, &area, background, in, &data, &size);
     } else {
-        const char *wrong = paint_document(drawing.document, &area, kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG,
-                                           background, &data, &size);
+        const char *wrong = paint_document(
+            drawing.document, &area, kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG, background, &data, &size);
         if (wrong) failed = fail_data(in, NULL, "cannot be painted: %s", wrong);
     }
     if (!failed) failed = io_write(arguments->operands[1], data, size);
@@ -154,12 +157,13 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_render = {
+const cli_command command_render = {
     .name = "render",
     .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
-    .details = "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
-               "pixels on the longer side. With --size the proportions are kept and the view is centred.",
+    .details =
+        "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
+        "pixels on the longer side. With --size the proportions are kept and the view is centred.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF"},

@@ -34,7 +34,7 @@ static int save(const bat_document *document, const char *journal, const char *o
     return failed;
 }
 
-static int replay(const arguments *arguments, bat_editor *editor) {
+static int replay(const cli_arguments *arguments, bat_editor *editor) {
     const char *name = arguments->operands[0], *out = arguments_value(arguments, "--output");
     bool check = arguments_value(arguments, "--check");
     char *text;
@@ -51,7 +51,7 @@ static int replay(const arguments *arguments, bat_editor *editor) {
     return failed ? failed : print_digest(bat_editor_document(editor));
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     const char *out = arguments_value(arguments, "--output");
     if (out && drawing_format_of(out) == DRAWING_UNKNOWN) {
         return fail_usage(arguments->command, "%s: expected a name that ends in .batten, .svg or .json", out);
@@ -63,11 +63,12 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_replay = {
+const cli_command command_replay = {
     .name = "replay",
     .usage = "JOURNAL [--check] [--output OUT]",
     .summary = "Runs a journal of the editor and prints the digest of the document it leads to.",
-    .details = "With --check the digests noted in the journal and the document's invariants are compared after every\n"
+    .details = "With --check the digests noted in the journal and the document's invariants are compared "
+               "after every\n"
                "entry; the first difference ends it with status 1.",
     .example = "batten replay session.journal --check --output session.svg",
     .operands = 1,

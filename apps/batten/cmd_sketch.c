@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-static int sketch(const arguments *arguments, const bat_curve *curve, const bat_sketch_options *options) {
+static int sketch(const cli_arguments *arguments, const bat_curve *curve, const bat_sketch_options *options) {
     const char *name = arguments->operands[1];
     bat_stroke stroke;
     void *block = NULL;
@@ -20,7 +20,7 @@ static int sketch(const arguments *arguments, const bat_curve *curve, const bat_
     return failed;
 }
 
-static int run(const arguments *arguments) {
+static int run(const cli_arguments *arguments) {
     bat_sketch_options options;
     int failed = sketch_options(arguments, &options);
     if (failed) return failed;
@@ -34,14 +34,17 @@ static int run(const arguments *arguments) {
     return failed;
 }
 
-const command command_sketch = {
+const cli_command command_sketch = {
     .name = "sketch",
     .usage = "CURVE STROKE [--tolerance T] [--pixel P] [--pins 2|3]",
     .summary = "Redraws a curve with a stroke: it follows there, and stays as it was elsewhere.",
-    .details = "The result is a CURVE with a \"report\": the greatest distance from the stroke, knots before and after,\n"
+    .details = "The result is a CURVE with a \"report\": the greatest distance from the stroke, knots before "
+               "and after,\n"
                "the interval that changed. A stroke that is a dot, or too far from the curve, is bad data.",
     .example = "batten sketch roof.json stroke.json > redrawn.json",
     .operands = 2,
-    .options = {OPTION_TOLERANCE, OPTION_PIXEL, {"--pins", "2|3", "control points kept on either side, 3 by default"}},
+    .options = {OPTION_TOLERANCE,
+                OPTION_PIXEL,
+                {"--pins", "2|3", "control points kept on either side, 3 by default"}},
     .run = run,
 };

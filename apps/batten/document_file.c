@@ -6,8 +6,8 @@
 #include <string.h>
 
 /* Size and FNV-1a of the content: two versions differ by accident with a chance of 2^-64 to be taken for one.
- * Time and inode are left out, so that touching the file, or writing back the same bytes, is no change; they are
- * compared by io_replace over the short time of a save. */
+ * Time and inode are left out, so that touching the file, or writing back the same bytes, is no change; they
+ * are compared by io_replace over the short time of a save. */
 static void make_tag(const char *data, size_t size, bool exists, char tag[TAG_ROOM]) {
     if (!exists) {
         strcpy(tag, "\"none\"");
@@ -51,7 +51,7 @@ file_result document_file_save(const char *path, drawing_format format, const ch
     free(old);
     if (strcmp(tag, old_tag) != 0) return FILE_CHANGED;
 
-    drawing drawing;
+    drawing_file drawing;
     bat_status status = drawing_parse(data, size, format, NULL, &drawing, problem);
     if (status == BAT_MEMORY) {
         errno = ENOMEM;

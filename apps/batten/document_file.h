@@ -15,11 +15,12 @@ typedef enum file_result {
     FILE_FAILED /* errno says why */
 } file_result;
 
-/* The present bytes (malloc'ed) and their tag, an HTTP entity tag with its quotes. A file that is not there yet is
- * an empty drawing. */
+/* The present bytes (malloc'ed) and their tag, an HTTP entity tag with its quotes. A file that is not there
+ * yet is an empty drawing. */
 file_result document_file_load(const char *path, drawing_format format, char **data, size_t *size,
                                char tag[TAG_ROOM]);
-/* Replaces the version that `tag` names; new_tag is that of the new one. Nothing is written unless FILE_DONE. */
+/* Replaces the version that `tag` names; new_tag is that of the new one. Nothing is written unless FILE_DONE.
+ */
 file_result document_file_save(const char *path, drawing_format format, const char *data, size_t size,
                                const char *tag, char new_tag[TAG_ROOM], bat_problem *problem);
 

@@ -48,7 +48,8 @@ static drawing_format format_of_text(const char *text, size_t size) {
     while (at < size && strchr(" \t\r\n", text[at]) && text[at]) at++;
     if (at < size && text[at] == '{') {
         bat_json json;
-        if (bat_json_parse(text, size, &json, NULL) != BAT_OK) return DRAWING_CURVE; /* its reader tells why */
+        if (bat_json_parse(text, size, &json, NULL) != BAT_OK)
+            return DRAWING_CURVE; /* its reader tells why */
         bool curve = bat_json_member(&json, 1, "objects") == 0;
         bat_json_free(&json);
         return curve ? DRAWING_CURVE : DRAWING_NATIVE;
@@ -68,18 +69,22 @@ static bat_status document_of_curve(bat_curve *curve, bat_document **out) {
     }
     bat_style style = bat_style_defaults();
     status = bat_object_create_path(bat_document_new_id(document), NULL, &style, 1, &curve, &object);
-    if (status != BAT_OK) bat_curve_free(curve);
-    else status = bat_document_put(document, 0, object);
+    if (status != BAT_OK)
+        bat_curve_free(curve);
+    else
+        status = bat_document_put(document, 0, object);
     bat_object_release(object);
-    if (status != BAT_OK) bat_document_free(document);
-    else *out = document;
+    if (status != BAT_OK)
+        bat_document_free(document);
+    else
+        *out = document;
     return status;
 }
 
 bat_status drawing_parse(const char *text, size_t size, drawing_format format, const bat_svg_options *options,
-                         drawing *out, bat_problem *problem) {
+                         drawing_file *out, bat_problem *problem) {
     *problem = (bat_problem){.place = ""};
-    drawing drawing = {.format = format};
+    drawing_file drawing = {.format = format};
     if (format == DRAWING_UNKNOWN || format == DRAWING_CURVE) {
         drawing_format found = format_of_text(text, size);
         if (format == DRAWING_UNKNOWN || found == DRAWING_NATIVE) drawing.format = found;
@@ -90,7 +95,8 @@ bat_status drawing_parse(const char *text, size_t size, drawing_format format, c
     switch (drawing.format) {
     case DRAWING_NATIVE: status = bat_document_read(text, size, &drawing.document, problem); break;
     case DRAWING_SVG:
-        status = xml_read_svg(text, size, options ? options : &defaults, &drawing.document, &drawing.report, problem);
+        status = xml_read_svg(text, size, options ? options : &defaults, &drawing.document, &drawing.report,
+                              problem);
         break;
     case DRAWING_CURVE:
         status = bat_curve_read(text, size, &curve, problem);
@@ -98,13 +104,14 @@ bat_status drawing_parse(const char *text, size_t size, drawing_format format, c
         break;
     default:
         status = bat_problem_set(problem, BAT_SYNTAX, "line 1, column 1",
-                                 size ? "expected SVG or JSON, found neither" : "expected SVG or JSON, found nothing");
+                                 size ? "expected SVG or JSON, found neither"
+                                      : "expected SVG or JSON, found nothing");
     }
     if (status == BAT_OK) *out = drawing;
     return status;
 }
 
-int drawing_read(const char *name, const bat_svg_options *options, drawing *out) {
+int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out) {
     char *text;
     size_t size;
     int failed = io_read(name, &text, &size);
@@ -115,7 +122,7 @@ int drawing_read(const char *name, const bat_svg_options *options, drawing *out)
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }
 
-void drawing_free(drawing *drawing) { bat_document_free(drawing->document); }
+void drawing_free(drawing_file *drawing) { bat_document_free(drawing->document); }
 
 int drawing_curve_count(const bat_document *document) {
     int count = 0;
@@ -125,14 +132,15 @@ int drawing_curve_count(const bat_document *document) {
     return count;
 }
 
-void drawing_remark(const char *name, const drawing *drawing) {
+void drawing_remark(const char *name, const drawing_file *drawing) {
     if (drawing->format != DRAWING_SVG) return;
     char line[256] = "";
     bat_svg_report_line(&drawing->report, line, sizeof line);
     if (line[0]) remark("%s: %s", strcmp(name, "-") == 0 ? "standard input" : name, line);
 }
 
-int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text, size_t *size) {
+int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text,
+                  size_t *size) {
     bat_status status;
     if (format == DRAWING_CURVE) {
         int count = drawing_curve_count(document);

@@ -2,6 +2,7 @@
 #ifndef BATTEN_APPS_DRAWING_H
 #define BATTEN_APPS_DRAWING_H
 
+#include <batten/bezier.h>
 #include <batten/format.h>
 
 typedef enum drawing_format {
@@ -11,11 +12,11 @@ typedef enum drawing_format {
     DRAWING_CURVE   /* .json: one CURVE */
 } drawing_format;
 
-typedef struct drawing {
+typedef struct drawing_file {
     drawing_format format;
     bat_document *document;
     bat_svg_report report; /* zero but for SVG */
-} drawing;
+} drawing_file;
 
 /* By the name's ending, in any case of letters. */
 drawing_format drawing_format_of(const char *name);
@@ -25,17 +26,18 @@ const char *drawing_media_type(drawing_format format);
 
 /* format UNKNOWN: told from the text. A native document is read under any name that ends in .json, too. */
 bat_status drawing_parse(const char *text, size_t size, drawing_format format, const bat_svg_options *options,
-                         drawing *out, bat_problem *problem);
+                         drawing_file *out, bat_problem *problem);
 /* The file called name ("-": standard input). Returns 0, or an exit status after telling. */
-int drawing_read(const char *name, const bat_svg_options *options, drawing *out);
-void drawing_free(drawing *drawing);
+int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out);
+void drawing_free(drawing_file *drawing);
 
 int drawing_curve_count(const bat_document *document);
 /* What an import left out, as a remark, when anything was. */
-void drawing_remark(const char *name, const drawing *drawing);
+void drawing_remark(const char *name, const drawing_file *drawing);
 
-/* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling: a
- * .json holds exactly one curve. */
-int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text, size_t *size);
+/* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling:
+ * a .json holds exactly one curve. */
+int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text,
+                  size_t *size);
 
 #endif

@@ -15,7 +15,7 @@ static void put_line(char *line) {
     fprintf(stderr, "%s\n", line);
 }
 
-int fail_usage(const command *command, const char *format, ...) {
+int fail_usage(const cli_command *command, const char *format, ...) {
     char message[LINE_ROOM], line[LINE_ROOM + 128];
     va_list list;
     va_start(list, format);

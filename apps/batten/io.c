@@ -84,14 +84,16 @@ bool io_load(const char *path, char **data, size_t *size, io_stamp *stamp) {
 }
 
 int io_read(const char *name, char **data, size_t *size) {
-    bool done = strcmp(name, "-") == 0 ? load_open(STDIN_FILENO, data, size, NULL) : io_load(name, data, size, NULL);
+    bool done = strcmp(name, "-") == 0 ? load_open(STDIN_FILENO, data, size, NULL)
+                                       : io_load(name, data, size, NULL);
     return done ? EXIT_DONE : fail_data(name, NULL, "cannot be read: %s", strerror(errno));
 }
 
 bool io_read_only(const char *path) {
     struct stat status;
     if (stat(path, &status) != 0) return false;
-    /* The superuser may write everything; a file that nobody may write is meant to stay as it is all the same. */
+    /* The superuser may write everything; a file that nobody may write is meant to stay as it is all the
+     * same. */
     return (status.st_mode & 0222) == 0 || access(path, W_OK) != 0;
 }
 
@@ -187,7 +189,8 @@ static io_result put_in_place(const char *aside, const char *path, const io_stam
     return rename(aside, path) == 0 ? IO_DONE : IO_FAILED;
 }
 
-io_result io_replace(const char *path, const void *data, size_t size, const io_stamp *expected, io_stamp *after) {
+io_result io_replace(const char *path, const void *data, size_t size, const io_stamp *expected,
+                     io_stamp *after) {
     char target[PATH_ROOM], aside[PATH_ROOM + 16];
     if (!follow_links(path, target)) return IO_FAILED;
     struct stat old;

@@ -6,13 +6,13 @@
 #include <string.h>
 
 /* In the order of the manual. */
-static const command *const commands[] = {
+static const cli_command *const commands[] = {
     &command_edit,    &command_eval,   &command_nearest, &command_fit,    &command_sketch,
     &command_convert, &command_render, &command_info,    &command_replay,
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-static const command *command_find(const char *name) {
+static const cli_command *command_find(const char *name) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         if (strcmp(commands[i]->name, name) == 0) return commands[i];
     }
@@ -27,12 +27,12 @@ static void print_indented(const char *lines) {
     }
 }
 
-static void print_command_help(const command *command) {
+static void print_command_help(const cli_command *command) {
     printf("Usage: batten %s %s\n\n%s\n", command->name, command->usage, command->summary);
     if (command->details) printf("\n%s\n", command->details);
     if (command->options[0].name) printf("\nOptions:\n");
     for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
-        const option *option = &command->options[i];
+        const cli_option *option = &command->options[i];
         char left[64];
         snprintf(left, sizeof left, "%s%s%s", option->name, option->value ? " " : "",
                  option->value ? option->value : "");
@@ -70,23 +70,25 @@ int main(int count, char **words) {
     signal(SIGPIPE, SIG_IGN); /* a reader that has gone is an error of writing, not a sudden end */
     if (count < 2) return fail_usage(NULL, "a command is missing");
     if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 || strcmp(words[1], "help") == 0) {
-        const command *about = count > 2 ? command_find(words[2]) : NULL;
+        const cli_command *about = count > 2 ? command_find(words[2]) : NULL;
         if (count > 2 && !about) return fail_usage(NULL, "no such command: %s", words[2]);
-        if (about) print_command_help(about);
-        else print_help();
+        if (about)
+            print_command_help(about);
+        else
+            print_help();
         return finish(EXIT_DONE);
     }
     if (strcmp(words[1], "--version") == 0) {
         printf("batten %s\n", bat_version());
         return finish(EXIT_DONE);
     }
-    const command *command = command_find(words[1]);
+    const cli_command *command = command_find(words[1]);
     if (!command) return fail_usage(NULL, "no such command: %s", words[1]);
     if (wants_help(count - 2, words + 2)) {
         print_command_help(command);
         return finish(EXIT_DONE);
     }
-    arguments arguments;
+    cli_arguments arguments;
     int status = arguments_parse(command, count - 2, words + 2, &arguments);
     return finish(status ? status : command->run(&arguments));
 }

@@ -72,7 +72,8 @@ static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance
 
 static void stroke(cairo_t *cairo, const bat_style *style) {
     static const cairo_line_cap_t caps[] = {CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_SQUARE};
-    static const cairo_line_join_t joins[] = {CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_ROUND, CAIRO_LINE_JOIN_BEVEL};
+    static const cairo_line_join_t joins[] = {CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_ROUND,
+                                              CAIRO_LINE_JOIN_BEVEL};
     set_colour(cairo, style->stroke);
     cairo_set_line_width(cairo, style->width);
     cairo_set_line_cap(cairo, caps[style->cap]);
@@ -90,7 +91,8 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
         bat_status status = trace(cairo, bat_object_curve(object, i), tolerance);
         if (status != BAT_OK) return status;
     }
-    bool group = style->opacity < 1; /* of the object as a whole: fill and stroke do not show through each other */
+    bool group = style->opacity <
+                 1; /* of the object as a whole: fill and stroke do not show through each other */
     if (group) cairo_push_group(cairo);
     if (style->filled) {
         set_colour(cairo, style->fill);
@@ -105,13 +107,13 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
     return BAT_OK;
 }
 
-typedef struct bytes {
+typedef struct byte_list {
     unsigned char *data;
     size_t size, room;
-} bytes;
+} byte_list;
 
 static cairo_status_t collect(void *user, const unsigned char *data, unsigned int size) {
-    bytes *bytes = user;
+    byte_list *bytes = user;
     if (bytes->room - bytes->size < size) {
         size_t room = 2 * bytes->room + size + 65536;
         unsigned char *larger = realloc(bytes->data, room);
@@ -124,13 +126,15 @@ static cairo_status_t collect(void *user, const unsigned char *data, unsigned in
     return CAIRO_STATUS_SUCCESS;
 }
 
-static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area, uint32_t background) {
+static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
+                        uint32_t background) {
     if (background & 255) {
         set_colour(cairo, background);
         cairo_paint(cairo);
     }
     double scale = fmin(area->width / area->view[2], area->height / area->view[3]);
-    cairo_translate(cairo, (area->width - scale * area->view[2]) / 2, (area->height - scale * area->view[3]) / 2);
+    cairo_translate(cairo, (area->width - scale * area->view[2]) / 2,
+                    (area->height - scale * area->view[3]) / 2);
     cairo_scale(cairo, scale, scale);
     cairo_translate(cairo, -area->view[0], -area->view[1]);
     for (int i = 0; i < bat_document_count(document); i++) {
@@ -142,7 +146,7 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
 
 const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
                            uint32_t background, unsigned char **data, size_t *size) {
-    bytes bytes = {0};
+    byte_list bytes = {0};
     cairo_surface_t *surface =
         kind == PAINT_PDF ? cairo_pdf_surface_create_for_stream(collect, &bytes, area->width, area->height)
                           : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);

@@ -13,8 +13,8 @@ typedef struct paint_area {
     int width, height;
 } paint_area;
 
-/* The page, or the box of the drawing with its strokes when there is no page. width 0: one pixel a unit of the
- * page; without a page 1000 pixels on the longer side. */
+/* The page, or the box of the drawing with its strokes when there is no page. width 0: one pixel a unit of
+ * the page; without a page 1000 pixels on the longer side. */
 void paint_area_of(const bat_document *document, int width, int height, paint_area *out);
 
 typedef enum paint_kind { PAINT_PNG, PAINT_PDF } paint_kind;

@@ -7,51 +7,51 @@
 enum { EXIT_DONE = 0, EXIT_DATA = 1, EXIT_USAGE = 2 };
 enum { OPTIONS_MAX = 8, OPERANDS_MAX = 2 };
 
-typedef struct option {
+typedef struct cli_option {
     const char *name;  /* "--at" */
     const char *value; /* what follows it, as the help calls it; NULL: nothing, it is a flag */
     const char *help;
-} option;
+} cli_option;
 
-typedef struct arguments arguments;
+typedef struct cli_arguments cli_arguments;
 
 /* One subcommand. --help, the manual page's synopsis and the shell's completion are made from it. */
-typedef struct command {
+typedef struct cli_command {
     const char *name;
     const char *usage;   /* what follows the name, as the contract writes it */
     const char *summary; /* one line */
     const char *details; /* lines, may be NULL */
     const char *example; /* lines */
     int operands;        /* how many; all are needed */
-    option options[OPTIONS_MAX];
-    int (*run)(const arguments *arguments);
-} command;
+    cli_option options[OPTIONS_MAX];
+    int (*run)(const cli_arguments *arguments);
+} cli_command;
 
-struct arguments {
-    const command *command;
+struct cli_arguments {
+    const cli_command *command;
     const char *operands[OPERANDS_MAX];
     const char *values[OPTIONS_MAX]; /* beside command->options; NULL: not given; flags: "" */
 };
 
-extern const command command_edit, command_eval, command_nearest, command_fit, command_sketch, command_convert,
-    command_render, command_info, command_replay;
+extern const cli_command command_edit, command_eval, command_nearest, command_fit, command_sketch,
+    command_convert, command_render, command_info, command_replay;
 
 /* ---- arguments ---- */
 
 /* EXIT_DONE, or EXIT_USAGE after telling what is wrong. */
-int arguments_parse(const command *command, int count, char **words, arguments *out);
+int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);
 /* The option's value, or NULL when it was not given. */
-const char *arguments_value(const arguments *arguments, const char *name);
+const char *arguments_value(const cli_arguments *arguments, const char *name);
 /* The option as one finite number with low <= number <= high; *out is left alone when it was not given. */
-int arguments_number(const arguments *arguments, const char *name, double low, double high, double *out);
-int arguments_integer(const arguments *arguments, const char *name, long low, long high, long *out);
+int arguments_number(const cli_arguments *arguments, const char *name, double low, double high, double *out);
+int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out);
 /* A list of numbers, "1,2.5,-3": *out is malloc'ed; NULL when the option was not given. */
-int arguments_numbers(const arguments *arguments, const char *name, double **out, size_t *count);
+int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count);
 
 /* ---- failures: one line on standard error ---- */
 
 /* "batten NAME: message", and where help is; returns EXIT_USAGE. */
-int fail_usage(const command *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
+int fail_usage(const cli_command *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "FILE: PLACE: message" (place may be NULL or empty); returns EXIT_DATA. */
 int fail_data(const char *file, const char *place, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

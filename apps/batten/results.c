@@ -108,12 +108,15 @@ int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *
     char reached[BAT_NUMBER_ROOM], asked[BAT_NUMBER_ROOM];
     switch (status) {
     case BAT_MEMORY: return fail_memory();
-    case BAT_DOT: return fail_data(stroke, "points", "expected a stroke, found one too short to mean anything");
-    case BAT_FAR: return fail_data(stroke, "points", "expected a stroke near the curve, found one too far from it");
+    case BAT_DOT:
+        return fail_data(stroke, "points", "expected a stroke, found one too short to mean anything");
+    case BAT_FAR:
+        return fail_data(stroke, "points", "expected a stroke near the curve, found one too far from it");
     case BAT_TOLERANCE:
         bat_number_print(report->max_error, reached);
         bat_number_print(options->tolerance > 0 ? options->tolerance : options->pixel, asked);
-        return fail_data(stroke, "points", "expected a fit within %s, the best found reaches %s", asked, reached);
+        return fail_data(stroke, "points", "expected a fit within %s, the best found reaches %s", asked,
+                         reached);
     default: return fail_data(stroke, NULL, "%s", bat_status_message(status));
     }
 }

@@ -4,6 +4,7 @@
 
 #include "format/text.h"
 
+#include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/sketch.h>
 #include <batten/nearest.h>

@@ -12,14 +12,21 @@
 #include <string.h>
 #include <sys/random.h>
 
-enum { TOKEN_BYTES = 16, TOKEN_ROOM = 2 * TOKEN_BYTES + 1, HOST_ROOM = 32, CONNECTIONS_MAX = 64, IDLE_SECONDS = 60 };
+enum {
+    TOKEN_BYTES = 16,
+    TOKEN_ROOM = 2 * TOKEN_BYTES + 1,
+    HOST_ROOM = 32,
+    CONNECTIONS_MAX = 64,
+    IDLE_SECONDS = 60
+};
 
 static const char token_mark[] = "%TOKEN%";
 
 /* What every answer carries. */
 static const char *const headers[][2] = {
     {"Content-Security-Policy",
-     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; "
+     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: "
+     "data:; "
      "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; "
      "frame-ancestors 'none'"},
     {"X-Content-Type-Options", "nosniff"},
@@ -30,7 +37,7 @@ static const char *const headers[][2] = {
     {"Cache-Control", "no-store"},
 };
 
-struct server {
+struct http_server {
     struct MHD_Daemon *daemon;
     const char *path;
     drawing_format format;
@@ -43,15 +50,15 @@ struct server {
 };
 
 /* One request; its body, when it is a PUT that may have one. */
-typedef struct request {
+typedef struct http_request {
     char *body;
     size_t size, room;
-} request;
+} http_request;
 
 /* ---- answers ---- */
 
-static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status, struct MHD_Response *response,
-                              const char *type) {
+static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status,
+                              struct MHD_Response *response, const char *type) {
     if (!response) return MHD_NO;
     for (size_t i = 0; i < sizeof headers / sizeof headers[0]; i++) {
         MHD_add_response_header(response, headers[i][0], headers[i][1]);
@@ -63,8 +70,8 @@ static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status
 }
 
 /* One line of plain text. extra: a header's name and value, or NULL. */
-static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text, const char *name,
-                           const char *value) {
+static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text,
+                           const char *name, const char *value) {
     char line[512];
     int size = snprintf(line, sizeof line, "%s\n", text);
     size_t length = (size_t)size < sizeof line ? (size_t)size : sizeof line - 1;
@@ -80,7 +87,8 @@ typedef struct header_count {
     int count;
 } header_count;
 
-static enum MHD_Result count_header(void *user, enum MHD_ValueKind kind, const char *name, const char *value) {
+static enum MHD_Result count_header(void *user, enum MHD_ValueKind kind, const char *name,
+                                    const char *value) {
     (void)kind;
     header_count *wanted = user;
     const char *a = name, *b = wanted->name; /* names of headers know no case */
@@ -109,77 +117,79 @@ static bool same_token(const char *a, const char *b) {
     return difference == 0;
 }
 
-typedef struct refusal {
+typedef struct http_refusal {
     unsigned status; /* 0: none */
     const char *text;
-} refusal;
+} http_refusal;
 
 /* Whoever asks is our own page, or the user's own address bar. */
-static refusal refuse_stranger(const server *server, struct MHD_Connection *connection) {
+static http_refusal refuse_stranger(const http_server *server, struct MHD_Connection *connection) {
     static const char *const single[] = {"Host",         "Origin",   "Sec-Fetch-Site", "X-Batten-Token",
                                          "Content-Type", "If-Match", "Content-Length", "Transfer-Encoding"};
     for (size_t i = 0; i < sizeof single / sizeof single[0]; i++) {
         int count;
         header(connection, single[i], &count);
-        if (count > 1) return (refusal){MHD_HTTP_BAD_REQUEST, "A header was given twice."};
+        if (count > 1) return (http_refusal){MHD_HTTP_BAD_REQUEST, "A header was given twice."};
     }
     const char *host = header(connection, "Host", NULL);
-    if (!host) return (refusal){MHD_HTTP_BAD_REQUEST, "The header Host is missing."};
+    if (!host) return (http_refusal){MHD_HTTP_BAD_REQUEST, "The header Host is missing."};
     if (strcmp(host, server->hosts[0]) != 0 && strcmp(host, server->hosts[1]) != 0) {
-        return (refusal){MHD_HTTP_MISDIRECTED_REQUEST, "This server does not answer to that host."};
+        return (http_refusal){MHD_HTTP_MISDIRECTED_REQUEST, "This server does not answer to that host."};
     }
     const char *origin = header(connection, "Origin", NULL);
     if (origin && (strncmp(origin, "http://", 7) != 0 || strcmp(origin + 7, host) != 0)) {
-        return (refusal){MHD_HTTP_FORBIDDEN, "Requests of other origins are refused."};
+        return (http_refusal){MHD_HTTP_FORBIDDEN, "Requests of other origins are refused."};
     }
     const char *site = header(connection, "Sec-Fetch-Site", NULL);
     if (site && strcmp(site, "same-origin") != 0 && strcmp(site, "none") != 0) {
-        return (refusal){MHD_HTTP_FORBIDDEN, "Requests from other sites are refused."};
+        return (http_refusal){MHD_HTTP_FORBIDDEN, "Requests from other sites are refused."};
     }
-    return (refusal){0, NULL};
+    return (http_refusal){0, NULL};
 }
 
-static refusal refuse_token(const server *server, struct MHD_Connection *connection) {
+static http_refusal refuse_token(const http_server *server, struct MHD_Connection *connection) {
     const char *token = header(connection, "X-Batten-Token", NULL);
-    if (token && same_token(token, server->token)) return (refusal){0, NULL};
-    return (refusal){MHD_HTTP_FORBIDDEN, "The token is missing or wrong: open the address that batten edit printed."};
+    if (token && same_token(token, server->token)) return (http_refusal){0, NULL};
+    return (http_refusal){MHD_HTTP_FORBIDDEN,
+                          "The token is missing or wrong: open the address that batten edit printed."};
 }
 
 /* "image/svg+xml; charset=utf-8" is image/svg+xml. */
 static bool is_type(const char *value, const char *type) {
     size_t size = strlen(type);
-    return strncmp(value, type, size) == 0 && (value[size] == '\0' || value[size] == ';' || value[size] == ' ');
+    return strncmp(value, type, size) == 0 &&
+           (value[size] == '\0' || value[size] == ';' || value[size] == ' ');
 }
 
 /* What can be said of a PUT before its body is read. *size: bytes that will come. */
-static refusal refuse_put(const server *server, struct MHD_Connection *connection, size_t *size) {
+static http_refusal refuse_put(const http_server *server, struct MHD_Connection *connection, size_t *size) {
     const char *type = header(connection, "Content-Type", NULL);
     if (!type || !is_type(type, drawing_media_type(server->format))) {
-        return (refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
+        return (http_refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
     }
     if (!header(connection, "If-Match", NULL)) {
-        return (refusal){MHD_HTTP_PRECONDITION_REQUIRED, "The header If-Match is missing."};
+        return (http_refusal){MHD_HTTP_PRECONDITION_REQUIRED, "The header If-Match is missing."};
     }
     const char *length = header(connection, "Content-Length", NULL);
     if (!length || header(connection, "Transfer-Encoding", NULL)) {
-        return (refusal){MHD_HTTP_LENGTH_REQUIRED, "The header Content-Length is missing."};
+        return (http_refusal){MHD_HTTP_LENGTH_REQUIRED, "The header Content-Length is missing."};
     }
     char *end;
     errno = 0;
     unsigned long long bytes = strtoull(length, &end, 10);
     if (length[0] < '0' || length[0] > '9' || *end) {
-        return (refusal){MHD_HTTP_BAD_REQUEST, "The header Content-Length is no number."};
+        return (http_refusal){MHD_HTTP_BAD_REQUEST, "The header Content-Length is no number."};
     }
     if (errno || bytes > SERVE_BODY_MAX) {
-        return (refusal){MHD_HTTP_CONTENT_TOO_LARGE, "The drawing is too large, above 64 MiB."};
+        return (http_refusal){MHD_HTTP_CONTENT_TOO_LARGE, "The drawing is too large, above 64 MiB."};
     }
     *size = (size_t)bytes;
-    return (refusal){0, NULL};
+    return (http_refusal){0, NULL};
 }
 
 /* ---- the document ---- */
 
-static enum MHD_Result get_document(const server *server, struct MHD_Connection *connection) {
+static enum MHD_Result get_document(const http_server *server, struct MHD_Connection *connection) {
     char *data, tag[TAG_ROOM];
     size_t size;
     if (document_file_load(server->path, server->format, &data, &size, tag) != FILE_DONE) {
@@ -195,27 +205,29 @@ static enum MHD_Result get_document(const server *server, struct MHD_Connection 
     return answer(connection, MHD_HTTP_OK, response, drawing_media_type(server->format));
 }
 
-static enum MHD_Result put_document(const server *server, struct MHD_Connection *connection,
-                                    const request *request) {
+static enum MHD_Result put_document(const http_server *server, struct MHD_Connection *connection,
+                                    const http_request *request) {
     const char *wanted = header(connection, "If-Match", NULL);
     char tag[TAG_ROOM], line[sizeof(bat_problem) + 64];
     bat_problem problem = {.place = ""};
-    switch (document_file_save(server->path, server->format, request->body, request->size, wanted, tag, &problem)) {
+    switch (document_file_save(server->path, server->format, request->body, request->size, wanted, tag,
+                               &problem)) {
     case FILE_DONE: {
         struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
         if (response) MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
         return answer(connection, MHD_HTTP_NO_CONTENT, response, NULL);
     }
     case FILE_CHANGED:
-        return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.", NULL,
-                   NULL);
+        return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.",
+                   NULL, NULL);
     case FILE_MALFORMED:
         snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem.place, problem.place[0] ? ": " : "",
                  problem.message);
         return say(connection, MHD_HTTP_UNPROCESSABLE_CONTENT, line, NULL, NULL);
     case FILE_READ_ONLY: return say(connection, MHD_HTTP_CONFLICT, "The file is read-only.", NULL, NULL);
     default:
-        return say(connection, errno == ENOSPC ? MHD_HTTP_INSUFFICIENT_STORAGE : MHD_HTTP_INTERNAL_SERVER_ERROR,
+        return say(connection,
+                   errno == ENOSPC ? MHD_HTTP_INSUFFICIENT_STORAGE : MHD_HTTP_INTERNAL_SERVER_ERROR,
                    strerror(errno), NULL, NULL);
     }
 }
@@ -229,18 +241,19 @@ static const web_file *find_file(const char *path) {
     return NULL;
 }
 
-static enum MHD_Result get_file(const server *server, struct MHD_Connection *connection, const web_file *file) {
+static enum MHD_Result get_file(const http_server *server, struct MHD_Connection *connection,
+                                const web_file *file) {
     bool page = strcmp(file->path, "/") == 0;
     void *data = page ? (void *)server->page : (void *)(uintptr_t)file->data;
-    struct MHD_Response *response =
-        MHD_create_response_from_buffer(page ? server->page_size : file->size, data, MHD_RESPMEM_PERSISTENT);
+    struct MHD_Response *response = MHD_create_response_from_buffer(page ? server->page_size : file->size,
+                                                                    data, MHD_RESPMEM_PERSISTENT);
     return answer(connection, MHD_HTTP_OK, response, file->type);
 }
 
 /* The headers are here, the body is not: decides whether it may come. */
-static enum MHD_Result begin(const server *server, struct MHD_Connection *connection, const char *path,
+static enum MHD_Result begin(const http_server *server, struct MHD_Connection *connection, const char *path,
                              const char *method, void **state) {
-    refusal refusal = refuse_stranger(server, connection);
+    http_refusal refusal = refuse_stranger(server, connection);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
     bool document = strcmp(path, "/document") == 0;
     const web_file *file = document ? NULL : find_file(path);
@@ -255,7 +268,7 @@ static enum MHD_Result begin(const server *server, struct MHD_Connection *connec
     size_t size = 0;
     if (!refusal.status && put) refusal = refuse_put(server, connection, &size);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
-    request *request = calloc(1, sizeof *request);
+    http_request *request = calloc(1, sizeof *request);
     if (request && put) {
         request->room = size;
         request->body = malloc(size + 1);
@@ -272,8 +285,8 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
                                   const char *method, const char *version, const char *data, size_t *size,
                                   void **state) {
     (void)version;
-    const server *server = user;
-    request *request = *state;
+    const http_server *server = user;
+    http_request *request = *state;
     if (!request) return begin(server, connection, path, method, state);
     if (*size) {
         size_t room = request->room - request->size; /* the body of a GET is dropped */
@@ -294,7 +307,7 @@ static void on_completed(void *user, struct MHD_Connection *connection, void **s
     (void)user;
     (void)connection;
     (void)reason;
-    request *request = *state;
+    http_request *request = *state;
     if (request) free(request->body);
     free(request);
     *state = NULL;
@@ -335,7 +348,7 @@ static bool make_token(char token[TOKEN_ROOM]) {
 }
 
 /* The page with the token in place of its mark; as it is when it has no mark. */
-static bool make_page(server *server) {
+static bool make_page(http_server *server) {
     const web_file *file = find_file("/");
     if (!file) return true;
     const char *text = (const char *)file->data;
@@ -357,15 +370,14 @@ static bool make_page(server *server) {
     return true;
 }
 
-static const char *listen_on(server *server, int port) {
+static const char *listen_on(http_server *server, int port) {
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     errno = 0;
-    server->daemon = MHD_start_daemon(MHD_USE_AUTO_INTERNAL_THREAD, (uint16_t)port, NULL, NULL, on_request, server,
-                                      MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_CONNECTION_LIMIT,
-                                      (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
-                                      (unsigned)IDLE_SECONDS, MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL,
-                                      MHD_OPTION_END);
+    server->daemon = MHD_start_daemon(
+        MHD_USE_AUTO_INTERNAL_THREAD, (uint16_t)port, NULL, NULL, on_request, server, MHD_OPTION_SOCK_ADDR,
+        &address, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
+        (unsigned)IDLE_SECONDS, MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL, MHD_OPTION_END);
     if (!server->daemon) return errno ? strerror(errno) : "the server cannot be started";
     const union MHD_DaemonInfo *info = MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_BIND_PORT);
     if (!info) return "the server's port is not known";
@@ -375,26 +387,32 @@ static const char *listen_on(server *server, int port) {
     return NULL;
 }
 
-const char *serve_start(const char *path, drawing_format format, int port, server **out) {
-    server *server = calloc(1, sizeof *server);
+const char *serve_start(const char *path, drawing_format format, int port, http_server **out) {
+    http_server *server = calloc(1, sizeof *server);
     if (!server) return "out of memory";
     server->path = path;
     server->format = format;
     const char *slash = strrchr(path, '/');
     server->name = percent_encoded(slash ? slash + 1 : path);
     const char *wrong = NULL;
-    if (!server->name) wrong = "out of memory";
-    else if (!make_token(server->token)) wrong = "no random numbers";
-    else if (!make_page(server)) wrong = "out of memory";
-    else wrong = listen_on(server, port);
-    if (wrong) serve_stop(server);
-    else *out = server;
+    if (!server->name)
+        wrong = "out of memory";
+    else if (!make_token(server->token))
+        wrong = "no random numbers";
+    else if (!make_page(server))
+        wrong = "out of memory";
+    else
+        wrong = listen_on(server, port);
+    if (wrong)
+        serve_stop(server);
+    else
+        *out = server;
     return wrong;
 }
 
-int serve_port(const server *server) { return server->port; }
+int serve_port(const http_server *server) { return server->port; }
 
-void serve_stop(server *server) {
+void serve_stop(http_server *server) {
     if (server->daemon) MHD_stop_daemon(server->daemon);
     free(server->name);
     free(server->page);

@@ -1,6 +1,6 @@
 /*
- * The editor's server: loopback only, one file, one token a start. It gives the embedded shell, the file, and takes
- * the file back. Everything that does not come from its own page is refused:
+ * The editor's server: loopback only, one file, one token a start. It gives the embedded shell, the file, and
+ * takes the file back. Everything that does not come from its own page is refused:
  *
  *   400 a header given twice that must be there once (Host, Origin, ...)
  *   403 a foreign or null Origin, a fetch from another site, a token that is missing or wrong
@@ -14,8 +14,8 @@
  *   422 a body that is no drawing in the file's format: nothing is written
  *   428 no If-Match
  *
- * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with If-Match
- * saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%.
+ * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with
+ * If-Match saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%.
  */
 #ifndef BATTEN_APPS_SERVE_H
 #define BATTEN_APPS_SERVE_H
@@ -24,14 +24,14 @@
 
 #define SERVE_BODY_MAX ((size_t)64 << 20) /* bytes */
 
-typedef struct server server;
+typedef struct http_server http_server;
 
-/* Starts a thread that serves path. port 0: any free one. NULL on success, else what went wrong (static storage or
- * strerror's). path is borrowed. */
-const char *serve_start(const char *path, drawing_format format, int port, server **out);
-int serve_port(const server *server);
+/* Starts a thread that serves path. port 0: any free one. NULL on success, else what went wrong (static
+ * storage or strerror's). path is borrowed. */
+const char *serve_start(const char *path, drawing_format format, int port, http_server **out);
+int serve_port(const http_server *server);
 /* Ends after the request under way. */
-void serve_stop(server *server);
+void serve_stop(http_server *server);
 /* The shell (false: the module, batten.wasm) is part of this build. */
 bool serve_has_shell(void);
 bool serve_has_module(void);

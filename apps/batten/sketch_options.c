@@ -1,6 +1,6 @@
 #include "sketch_options.h"
 
-int sketch_options(const arguments *arguments, bat_sketch_options *out) {
+int sketch_options(const cli_arguments *arguments, bat_sketch_options *out) {
     const double least = 1e-30, most = 1e30;
     *out = bat_sketch_defaults();
     out->tolerance = 0; /* one pixel, whatever a pixel is */

@@ -5,14 +5,14 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct feed {
+typedef struct xml_feed {
     XML_Parser parser;
     bat_svg_reader *reader;
     bat_status status; /* the reader's first refusal; nothing is fed after it */
     XML_Size line, column;
-} feed;
+} xml_feed;
 
-static void keep(feed *feed, bat_status status) {
+static void keep(xml_feed *feed, bat_status status) {
     if (status == BAT_OK || feed->status != BAT_OK) return;
     feed->status = status;
     feed->line = XML_GetCurrentLineNumber(feed->parser);
@@ -21,28 +21,29 @@ static void keep(feed *feed, bat_status status) {
 }
 
 static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes) {
-    feed *feed = user;
+    xml_feed *feed = user;
     if (feed->status == BAT_OK) {
         keep(feed, bat_svg_reader_start(feed->reader, name, (const char *const *)attributes));
     }
 }
 
 static void XMLCALL on_text(void *user, const XML_Char *text, int size) {
-    feed *feed = user;
+    xml_feed *feed = user;
     if (feed->status == BAT_OK) keep(feed, bat_svg_reader_text(feed->reader, text, (size_t)size));
 }
 
 static void XMLCALL on_end(void *user, const XML_Char *name) {
     (void)name;
-    feed *feed = user;
+    xml_feed *feed = user;
     if (feed->status == BAT_OK) keep(feed, bat_svg_reader_end(feed->reader));
 }
 
 /* The one-byte encoding that old drawing programs wrote and expat does not know: Windows-1252. */
 static int XMLCALL on_encoding(void *user, const XML_Char *name, XML_Encoding *encoding) {
-    static const int high[32] = {0x20AC, -1,     0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-                                 0x2039, 0x0152, -1,     0x017D, -1,     -1,     0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-                                 0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, -1,     0x017E, 0x0178};
+    static const int high[32] = {0x20AC, -1,     0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, -1,     0x017D, -1,
+                                 -1,     0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, -1,     0x017E, 0x0178};
     (void)user;
     char lower[16] = "";
     for (size_t i = 0; i < sizeof lower - 1 && name[i]; i++) {
@@ -62,7 +63,7 @@ static void place_at(bat_problem *problem, XML_Size line, XML_Size column) {
              (unsigned long)column);
 }
 
-static bat_status parse(feed *feed, const char *text, size_t size, bat_problem *problem) {
+static bat_status parse(xml_feed *feed, const char *text, size_t size, bat_problem *problem) {
     while (size) { /* expat counts in int */
         int part = size > INT_MAX ? INT_MAX : (int)size;
         if (XML_Parse(feed->parser, text, part, (size_t)part == size) == XML_STATUS_ERROR) {
@@ -89,7 +90,7 @@ bat_status xml_read_svg(const char *text, size_t size, const bat_svg_options *op
         snprintf(problem->message, sizeof problem->message, "expected SVG, found an empty file");
         return BAT_SYNTAX;
     }
-    feed feed = {.status = BAT_OK};
+    xml_feed feed = {.status = BAT_OK};
     bat_status status = bat_svg_reader_create(options, &feed.reader);
     if (status != BAT_OK) return status;
     feed.parser = XML_ParserCreate(NULL);
