@@ -35,6 +35,7 @@ need_to_build() {
     need pkg-config pkg-config
     need libexpat1-dev /usr/include/expat.h
     need libmicrohttpd-dev /usr/include/microhttpd.h
+    need libcairo2-dev /usr/include/cairo/cairo.h
     need clang clang
     need lld wasm-ld
     need wasi-libc /usr/include/wasm32-wasi/wasi/api.h
