@@ -10,14 +10,14 @@ static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(ba
                        bat_status (*back)(bat_history *, bat_document *)) {
     bat_status status = go(&editor->history, editor->document);
     if (status != BAT_OK) return status;
-    bat_line line = {0};
-    bat_line_text(&line, "{\"do\":\"");
-    bat_line_text(&line, name);
-    bat_line_text(&line, "\",\"digest\":");
+    bat_text line = {0};
+    bat_text_string(&line, "{\"do\":\"");
+    bat_text_string(&line, name);
+    bat_text_string(&line, "\",\"digest\":");
     bat_line_digest(&line, bat_document_digest(editor->document));
-    bat_line_text(&line, "}");
-    status = bat_journal_append(&editor->journal, &line);
-    bat_line_free(&line);
+    bat_text_string(&line, "}");
+    status = bat_journal_append(&editor->journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
     if (status != BAT_OK) back(&editor->history, editor->document);
     editor->revision++;
     return status;

@@ -117,7 +117,7 @@ static bat_status remove_curve(bat_editor *editor, bat_id id, int index) {
 }
 
 bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
-    bat_line line = {0};
+    bat_text line = {0};
     bat_edit_write(edit, &line);
     bat_status status = bat_transaction_begin(editor);
     if (status != BAT_OK)
@@ -133,6 +133,6 @@ bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *
         status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
     else
         bat_transaction_cancel(editor);
-    bat_line_free(&line);
+    bat_text_free(&line);
     return status;
 }

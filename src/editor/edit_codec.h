@@ -2,10 +2,16 @@
 #ifndef BATTEN_SRC_EDIT_CODEC_H
 #define BATTEN_SRC_EDIT_CODEC_H
 
-#include "document/journal.h"
 #include "editor/edit.h"
+#include "format/json.h"
+#include "format/text.h"
 
 /* The line without its digest and closing brace. */
-void bat_edit_write(const bat_edit *edit, bat_line *line);
+void bat_edit_write(const bat_edit *edit, bat_text *line);
+/* Reads what follows "do": *out is emptied first and holds memory for its samples, also after a failure. */
+bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *problem);
+/* A member that is a number within low..high; `otherwise` when it is not there. */
+bat_status bat_edit_number(const bat_json *json, uint32_t object, const char *name, double low, double high,
+                           const double *otherwise, double *out, bat_problem *problem);
 
 #endif

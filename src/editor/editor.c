@@ -5,12 +5,11 @@
 #include <string.h>
 
 const bat_tool *bat_editor_tool(const bat_editor *editor) {
-    switch (editor->tool) {
-#define TOOL(id, name, command, behaviour) case BAT_TOOL_##id: return behaviour();
+    static const bat_tool *(*const tools[BAT_TOOL_COUNT])(void) = {
+#define TOOL(id, name, command, behaviour) behaviour,
 #include "editor/commands.def"
-    case BAT_TOOL_COUNT: break;
-    }
-    return bat_tool_pan();
+    };
+    return tools[editor->tool]();
 }
 
 bool bat_editor_busy(const bat_editor *editor) {
@@ -109,17 +108,17 @@ static bat_status begin_journal(const bat_document *document, const char *name, 
     for (size_t i = 0; i < size; i++)
         if (text[i] == '\n' || text[i] == '\r') text[i] = ' ';
     while (size && text[size - 1] == ' ') size--;
-    bat_line line = {0};
-    bat_line_text(&line, "{\"journal\":\"batten\",\"version\":1,\"name\":");
-    bat_line_string(&line, name);
-    bat_line_text(&line, ",\"digest\":");
+    bat_text line = {0};
+    bat_text_string(&line, "{\"journal\":\"batten\",\"version\":1,\"name\":");
+    bat_text_json_string(&line, name);
+    bat_text_string(&line, ",\"digest\":");
     bat_line_digest(&line, bat_document_digest(document));
-    bat_line_text(&line, ",\"document\":");
-    bat_line_bytes(&line, text, size);
-    bat_line_text(&line, "}");
+    bat_text_string(&line, ",\"document\":");
+    bat_text_add(&line, text, size);
+    bat_text_string(&line, "}");
     bat_free(text);
-    status = bat_journal_append(journal, &line);
-    bat_line_free(&line);
+    status = bat_journal_append(journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
     return status;
 }
 

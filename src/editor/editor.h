@@ -5,6 +5,7 @@
 #include "document/history.h"
 #include "document/journal.h"
 #include "editor/contacts.h"
+#include "editor/line.h"
 #include "editor/overlay.h"
 #include "editor/scene.h"
 #include "editor/sketching.h"

@@ -64,8 +64,3 @@ WEAK bat_status bat_sketch_commit(bat_sketch_live *live, bat_curve **out, bat_sk
     bat_sketch_cancel(live);
     return status;
 }
-WEAK bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
-                                  bat_problem *problem) {
-    (void)editor, (void)text, (void)size, (void)check, (void)problem;
-    return BAT_UNSUPPORTED;
-}

@@ -2,54 +2,54 @@
 #include "editor/editor.h"
 #include <stdlib.h>
 
-static void field(bat_line *line, const char *name, const char *value) {
-    bat_line_text(line, ",\"");
-    bat_line_text(line, name);
-    bat_line_text(line, "\":");
-    bat_line_string(line, value);
+static void field(bat_text *line, const char *name, const char *value) {
+    bat_text_string(line, ",\"");
+    bat_text_string(line, name);
+    bat_text_string(line, "\":");
+    bat_text_json_string(line, value);
 }
 
-static void keys(bat_line *line, const char *list) {
-    bat_line_text(line, ",\"keys\":[");
+static void keys(bat_text *line, const char *list) {
+    bat_text_string(line, ",\"keys\":[");
     for (const char *at = list; *at;) {
         const char *end = at;
         while (*end && *end != ' ') end++;
         if (end > at) {
-            bat_line_text(line, line->size && line->text[line->size - 1] == '[' ? "\"" : ",\"");
-            bat_line_bytes(line, at, (size_t)(end - at));
-            bat_line_text(line, "\"");
+            bat_text_string(line, line->size && line->data[line->size - 1] == '[' ? "\"" : ",\"");
+            bat_text_add(line, at, (size_t)(end - at));
+            bat_text_string(line, "\"");
         }
         at = *end ? end + 1 : end;
     }
-    bat_line_text(line, "]");
+    bat_text_string(line, "]");
 }
 
-static void begin_row(bat_line *line, int i, const char *name, const char *label, const char *help) {
-    bat_line_text(line, i ? ",{\"name\":" : "{\"name\":");
-    bat_line_string(line, name);
+static void begin_row(bat_text *line, int i, const char *name, const char *label, const char *help) {
+    bat_text_string(line, i ? ",{\"name\":" : "{\"name\":");
+    bat_text_json_string(line, name);
     field(line, "label", label);
     field(line, "help", help);
 }
 
-static void number(bat_line *line, const char *name, double value) {
-    bat_line_text(line, ",\"");
-    bat_line_text(line, name);
-    bat_line_text(line, "\":");
+static void number(bat_text *line, const char *name, double value) {
+    bat_text_string(line, ",\"");
+    bat_text_string(line, name);
+    bat_text_string(line, "\":");
     bat_line_number(line, value);
 }
 
 const char *bat_editor_tables(bat_editor *editor) {
     static const char *const types[] = {"number", "switch", "colour"};
-    bat_line line = {0};
-    bat_line_text(&line, "{\"commands\":[");
+    bat_text line = {0};
+    bat_text_string(&line, "{\"commands\":[");
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         const bat_command_row *row = bat_command_at((bat_command_id)i);
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
                   bat_editor_text(editor, row->help));
         keys(&line, editor->keys[i]);
-        bat_line_text(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
+        bat_text_string(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
     }
-    bat_line_text(&line, "],\"properties\":[");
+    bat_text_string(&line, "],\"properties\":[");
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
@@ -60,31 +60,31 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "high", row->high);
         number(&line, "step", row->step);
         field(&line, "unit", row->unit);
-        bat_line_text(&line, "}");
+        bat_text_string(&line, "}");
     }
-    bat_line_text(&line, "],\"tools\":[");
+    bat_text_string(&line, "],\"tools\":[");
     for (int i = 0; i < BAT_TOOL_COUNT; i++) {
         const bat_tool_row *row = bat_tool_at((bat_tool_id)i);
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
                   bat_editor_text(editor, row->help));
         field(&line, "command", bat_command_at(row->command)->name);
         keys(&line, editor->keys[row->command]);
-        bat_line_text(&line, "}");
+        bat_text_string(&line, "}");
     }
-    bat_line_text(&line, "],\"strings\":{");
+    bat_text_string(&line, "],\"strings\":{");
     for (int i = 0; i < BAT_STRING_COUNT; i++) {
-        if (i) bat_line_text(&line, ",");
-        bat_line_string(&line, bat_string_key((bat_string)i));
-        bat_line_text(&line, ":");
-        bat_line_string(&line, bat_editor_text(editor, (bat_string)i));
+        if (i) bat_text_string(&line, ",");
+        bat_text_json_string(&line, bat_string_key((bat_string)i));
+        bat_text_string(&line, ":");
+        bat_text_json_string(&line, bat_editor_text(editor, (bat_string)i));
     }
-    bat_line_text(&line, "}}");
-    bat_line_bytes(&line, "", 1);
+    bat_text_string(&line, "}}");
+    bat_text_add(&line, "", 1);
     if (line.failed) {
-        bat_line_free(&line);
+        bat_text_free(&line);
         return NULL;
     }
     free(editor->tables);
-    editor->tables = line.text;
+    editor->tables = line.data;
     return editor->tables;
 }

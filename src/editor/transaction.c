@@ -58,18 +58,18 @@ bat_status bat_transaction_remove(bat_editor *editor, int index) {
     return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
 }
 
-bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_line *line) {
+bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line) {
     bat_transaction *transaction = &editor->transaction;
     if (!transaction->open) return BAT_STATE;
     if (transaction->count == 0) {
         bat_transaction_cancel(editor);
         return BAT_OK;
     }
-    bat_line_text(line, ",\"digest\":");
+    bat_text_string(line, ",\"digest\":");
     bat_line_digest(line, bat_document_digest(editor->document));
-    bat_line_text(line, "}");
+    bat_text_string(line, "}");
     bat_status status = bat_history_reserve(&editor->history);
-    if (status == BAT_OK) status = bat_journal_append(&editor->journal, line);
+    if (status == BAT_OK) status = bat_journal_append(&editor->journal, line->data, line->size, line->failed);
     if (status != BAT_OK) {
         bat_transaction_cancel(editor);
         return status;

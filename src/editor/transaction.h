@@ -8,6 +8,7 @@
 
 #include "document/history.h"
 #include "editor/tables.h"
+#include "format/text.h"
 #include <batten/editor.h>
 
 typedef struct bat_transaction {
@@ -15,8 +16,6 @@ typedef struct bat_transaction {
     bat_delta *deltas;
     int count, room;
 } bat_transaction;
-
-struct bat_line;
 
 /* BAT_STATE when one is open. */
 bat_status bat_transaction_begin(bat_editor *editor);
@@ -27,7 +26,7 @@ bat_status bat_transaction_remove(bat_editor *editor, int index);
 /* Ends it. label: what undo would take back. edit: the journal's line for it, without the digest and the
  * closing brace, which are added here. On failure everything is taken back. A transaction without changes
  * makes no step. */
-bat_status bat_transaction_commit(bat_editor *editor, bat_string label, struct bat_line *line);
+bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line);
 void bat_transaction_cancel(bat_editor *editor);
 
 #endif

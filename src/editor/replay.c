@@ -1,0 +1,237 @@
+/*
+ * Replay: a journal run line by line through the same calls that made it. Besides the engine's own lines it
+ * takes raw events, so that a scripted session is a journal too.
+ */
+#include "editor/edit_codec.h"
+#include "editor/editor.h"
+#include <batten/bezier.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bat_status say(bat_problem *problem, bat_status status, const char *message) {
+    return bat_problem_set(problem, status, "", message);
+}
+
+/* The text of one value, which begins at `from`: to its closing brace, those inside strings left aside. */
+static size_t value_size(const char *text, size_t size, size_t from) {
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = from; i < size; i++) {
+        char c = text[i];
+        if (quoted) {
+            if (c == '\\')
+                i++;
+            else if (c == '"')
+                quoted = false;
+        } else if (c == '"')
+            quoted = true;
+        else if (c == '{' || c == '[')
+            depth++;
+        else if ((c == '}' || c == ']') && --depth == 0)
+            return i + 1 - from;
+    }
+    return size - from;
+}
+
+static bat_status open_snapshot(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    const char *kind = bat_json_text(json, bat_json_member(json, 1, "journal"));
+    if (!kind || strcmp(kind, "batten")) return say(problem, BAT_SYNTAX, "expected a journal's first line");
+    double version;
+    bat_status status = bat_edit_number(json, 1, "version", 1, 1e9, NULL, &version, problem);
+    if (status != BAT_OK) return status;
+    if (version != 1) return say(problem, BAT_UNSUPPORTED, "this version of the journal is not known");
+    const char *name = bat_json_text(json, bat_json_member(json, 1, "name"));
+    bat_document *document = NULL;
+    uint32_t node = bat_json_member(json, 1, "document");
+    if (node && bat_json_type_of(json, node) != BAT_JSON_NULL) {
+        size_t from = json->nodes[node].position;
+        status = bat_document_read(json->text + from, value_size(json->text, json->size, from), &document,
+                                   problem);
+    } else {
+        status = bat_document_create(&document);
+    }
+    if (status != BAT_OK) return status;
+    status = bat_editor_open(editor, document, name);
+    if (status != BAT_OK) bat_document_free(document);
+    return status;
+}
+
+static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    const char *name = bat_json_text(json, bat_json_member(json, 1, "do"));
+    if (name && (!strcmp(name, "undo") || !strcmp(name, "redo"))) {
+        bat_status status = bat_editor_command(editor, name);
+        return status == BAT_OK ? status : say(problem, status, "nothing to undo or redo here");
+    }
+    bat_edit edit = {0};
+    bat_curve *curve = NULL;
+    bat_sketch_report report;
+    bat_status status = bat_edit_read(json, &edit, problem);
+    if (status == BAT_OK) {
+        status = bat_edit_compute(editor, &edit, NULL, &curve, &report);
+        if (status == BAT_TOLERANCE && edit.accepted) status = BAT_OK;
+        if (status == BAT_OK)
+            status = bat_edit_commit(editor, &edit, curve);
+        else
+            bat_curve_free(curve);
+        if (status != BAT_OK) say(problem, status, bat_status_message(status));
+    }
+    bat_samples_free(&edit.samples);
+    return status;
+}
+
+static int named(const char *name, const char *const *names, int count) {
+    int i = 0;
+    while (i < count && (!name || strcmp(name, names[i]))) i++;
+    return i;
+}
+
+static double number(const bat_json *json, const char *name, double otherwise) {
+    uint32_t node = bat_json_member(json, 1, name);
+    return bat_json_type_of(json, node) == BAT_JSON_NUMBER ? json->nodes[node].value.number : otherwise;
+}
+
+static uint32_t bits(const bat_json *json, const char *name) {
+    double value = number(json, name, 0);
+    return value >= 0 && value <= 4294967295.0 ? (uint32_t)value : 0;
+}
+
+/* Up to three numbers of a list; NaN where there are none. */
+static void triple(const bat_json *json, const char *name, double out[4]) {
+    uint32_t node = bat_json_first(json, bat_json_member(json, 1, name));
+    for (int i = 0; i < 4; i++) {
+        out[i] = node && json->nodes[node].type == BAT_JSON_NUMBER ? json->nodes[node].value.number : NAN;
+        if (node) node = json->nodes[node].next;
+    }
+}
+
+static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    static const char *const phases[] = {"hover", "down", "move", "up", "cancel", "leave"};
+    static const char *const devices[] = {"mouse", "pen", "touch"};
+    int phase = named(bat_json_text(json, bat_json_member(json, 1, "pointer")), phases, 6);
+    const char *device_name = bat_json_text(json, bat_json_member(json, 1, "device"));
+    int device = device_name ? named(device_name, devices, 3) : BAT_DEVICE_MOUSE;
+    if (phase == 6 || device == 3)
+        return say(problem, BAT_UNSUPPORTED, "no such phase or device of a pointer");
+    double tilt[4];
+    triple(json, "tilt", tilt);
+    bat_pointer event = {.phase = (bat_pointer_phase)phase,
+                         .device = (bat_device)device,
+                         .contact = bits(json, "id"),
+                         .buttons = bits(json, "buttons"),
+                         .modifiers = bits(json, "modifiers"),
+                         .x = number(json, "x", NAN),
+                         .y = number(json, "y", NAN),
+                         .pressure = number(json, "pressure", 0.5),
+                         .tilt_x = tilt[0],
+                         .tilt_y = tilt[1],
+                         .twist = number(json, "twist", 0),
+                         .time = number(json, "time", editor->time),
+                         .predicted = bat_json_type_of(json, bat_json_member(json, 1, "predicted")) ==
+                                      BAT_JSON_TRUE};
+    bat_editor_pointer(editor, &event, 1);
+    return BAT_OK;
+}
+
+static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    double list[4];
+    const char *text;
+    bat_status status;
+    if (bat_json_member(json, 1, "pointer")) return pointer(editor, json, problem);
+    if (bat_json_member(json, 1, "wheel")) {
+        triple(json, "wheel", list);
+        bat_editor_wheel(editor, list[0], list[1], list[2], list[3], bits(json, "modifiers"),
+                         number(json, "time", editor->time));
+        return BAT_OK;
+    }
+    if (bat_json_member(json, 1, "resize")) {
+        triple(json, "resize", list);
+        bat_editor_resize(editor, list[0], list[1], list[2]);
+        return BAT_OK;
+    }
+    if ((text = bat_json_text(json, bat_json_member(json, 1, "key")))) {
+        bool down = bat_json_type_of(json, bat_json_member(json, 1, "down")) != BAT_JSON_FALSE;
+        bat_editor_key(editor, text, down, bits(json, "modifiers"), number(json, "time", editor->time));
+        return BAT_OK;
+    }
+    if ((text = bat_json_text(json, bat_json_member(json, 1, "set")))) {
+        status = bat_editor_set(editor, text, number(json, "value", NAN));
+        return status == BAT_OK ? status
+                                : say(problem, status, "no such property, or its value is out of range");
+    }
+    if ((text = bat_json_text(json, bat_json_member(json, 1, "command")))) {
+        status = bat_editor_command(editor, text);
+        /* A command that finds nothing to do is part of a session like any other event. */
+        return status == BAT_UNSUPPORTED ? say(problem, status, "no such command") : BAT_OK;
+    }
+    if (bat_json_member(json, 1, "frame")) {
+        bat_editor_frame(editor);
+        return BAT_OK;
+    }
+    if (bat_json_member(json, 1, "digest")) return BAT_OK; /* a check alone */
+    return say(problem, BAT_UNSUPPORTED, "no such line is known");
+}
+
+static bat_status compare(const bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) return say(problem, BAT_STATE, wrong);
+    const char *expected = bat_json_text(json, bat_json_member(json, 1, "digest"));
+    if (!expected) return BAT_OK;
+    bat_text found = {0};
+    bat_line_digest(&found, bat_document_digest(editor->document));
+    bool same = !found.failed && strlen(expected) == 16 && !memcmp(found.data + 1, expected, 16);
+    bat_text_free(&found);
+    return same ? BAT_OK : say(problem, BAT_STATE, "the document differs from what the journal says");
+}
+
+static bat_status line(bat_editor *editor, const char *text, size_t size, bool first, bool check,
+                       bat_problem *problem) {
+    bat_json json;
+    bat_status status = bat_json_parse(text, size, &json, problem);
+    if (status != BAT_OK) return status;
+    if (first)
+        status = open_snapshot(editor, &json, problem);
+    else if (bat_json_member(&json, 1, "do"))
+        status = perform(editor, &json, problem);
+    else
+        status = raw(editor, &json, problem);
+    if (status == BAT_OK && check) status = compare(editor, &json, problem);
+    bat_json_free(&json);
+    return status;
+}
+
+static bool blank(const char *text, size_t size) {
+    for (size_t i = 0; i < size; i++)
+        if (text[i] != ' ' && text[i] != '\t' && text[i] != '\r') return false;
+    return true;
+}
+
+bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
+                             bat_problem *problem) {
+    if (!editor || (!text && size)) return BAT_ARGUMENT;
+    bat_problem fault = {"", ""};
+    bool first = true;
+    int number_of_line = 0;
+    for (size_t at = 0; at < size;) {
+        const char *end = memchr(text + at, '\n', size - at);
+        size_t length = end ? (size_t)(end - text) - at : size - at;
+        number_of_line++;
+        if (!blank(text + at, length)) {
+            bat_status status = line(editor, text + at, length, first, check, &fault);
+            if (status != BAT_OK) {
+                if (!fault.message[0]) say(&fault, status, bat_status_message(status));
+                snprintf(fault.place, sizeof fault.place, "line %d", number_of_line);
+                if (problem) *problem = fault;
+                return status;
+            }
+            first = false;
+        }
+        at += length + 1;
+    }
+    if (!first) return BAT_OK;
+    snprintf(fault.place, sizeof fault.place, "line 1");
+    say(&fault, BAT_SYNTAX, "the journal is empty");
+    if (problem) *problem = fault;
+    return BAT_SYNTAX;
+}
