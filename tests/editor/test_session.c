@@ -1,0 +1,83 @@
+/* Long wild sessions: the invariants hold after every event, undoing everything gives the first document
+ * back, redoing the last, and the journal replays to the same. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/session.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void fill(uint8_t *bytes, size_t size, uint64_t seed) {
+    for (size_t i = 0; i < size; i++) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        bytes[i] = (uint8_t)(seed >> 56);
+    }
+}
+
+static void check(const bat_editor *editor, uint64_t seed, size_t at) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, at, wrong);
+}
+
+static void settle(bat_editor *editor) {
+    bat_editor_command(editor, "cancel");
+    bat_editor_command(editor, "cancel");
+}
+
+static void wild_sessions(void **state) {
+    (void)state;
+    enum { SIZE = 1500 };
+    static uint8_t data[SIZE];
+    int commits = 0;
+    for (uint64_t seed = 1; seed <= 12; seed++) {
+        fill(data, SIZE, seed);
+        session_bytes bytes = {data, SIZE, 0};
+        bat_editor *editor = pen_editor();
+        uint64_t first = digest(editor);
+        double time = 0;
+        while (bytes.at < bytes.size) {
+            session_event(editor, &bytes, &time);
+            check(editor, seed, bytes.at);
+        }
+        settle(editor);
+        uint64_t last = digest(editor);
+        size_t size = 0;
+        const char *text = bat_editor_journal(editor, &size);
+
+        bat_editor *again = NULL;
+        bat_problem problem = {"", ""};
+        assert_int_equal(bat_editor_create(&again), BAT_OK);
+        if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+            fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
+        assert_true(digest(again) == last);
+        size_t size_again = 0;
+        const char *text_again = bat_editor_journal(again, &size_again);
+        assert_true(size == size_again && !memcmp(text, text_again, size));
+        bat_editor_free(again);
+
+        uint64_t here = last;
+        int back = 0, undone = 0;
+        while (bat_editor_command(editor, "redo") == BAT_OK) back++;
+        uint64_t top = digest(editor);
+        while (bat_editor_command(editor, "undo") == BAT_OK) {
+            undone++;
+            if (undone == back) assert_true(digest(editor) == here);
+        }
+        assert_true(digest(editor) == first);
+        check(editor, seed, 0);
+        while (bat_editor_command(editor, "redo") == BAT_OK) {
+        }
+        assert_true(digest(editor) == top);
+        check(editor, seed, 0);
+        commits += undone;
+        bat_editor_free(editor);
+    }
+    assert_true(commits > 60); /* sessions that do something */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wild_sessions)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,88 @@
+/* Wild sessions: a stream of bytes becomes events of every kind, sense and nonsense. Shared by the random
+ * session test and the fuzzer. */
+#ifndef BATTEN_TESTS_SESSION_H
+#define BATTEN_TESTS_SESSION_H
+
+#include "support/pen.h"
+
+/* Bytes as they come; zeros when they are used up. */
+typedef struct session_bytes {
+    const uint8_t *data;
+    size_t size, at;
+} session_bytes;
+
+static inline uint8_t session_byte(session_bytes *bytes) {
+    size_t at = bytes->at++;
+    return at < bytes->size ? bytes->data[at] : (uint8_t)0;
+}
+
+static inline double session_place(session_bytes *bytes) {
+    uint8_t high = session_byte(bytes), low = session_byte(bytes);
+    if (high == 255) {
+        static const double odd[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, 1e-320, -0.0, 1e6};
+        return odd[low & 7];
+    }
+    return (high * 256 + low) / 65.536 - 20; /* mostly in a window of 960 px */
+}
+
+/* A stroke with a few hands' worth of samples: what makes a session more than noise. */
+static inline void session_stroke(bat_editor *editor, session_bytes *bytes, double *time) {
+    static const double rows[] = {200, 600, 400, 300};
+    pen p = pen_for(editor);
+    uint8_t kind = session_byte(bytes);
+    p.time = *time;
+    p.device = (bat_device)(kind % 3);
+    p.modifiers = kind & 8 ? BAT_ALT : 0;
+    double y = rows[kind >> 4 & 3] + session_byte(bytes) % 10, x = 150 + 3 * session_byte(bytes);
+    double length = 20 + 3 * session_byte(bytes), bulge = session_byte(bytes) - 128;
+    double rise = kind & 64 ? session_byte(bytes) - 128 : 0;
+    pen_begin(&p, pen_arch, (double[]){x, y, x + length, y + rise, bulge / 2}, 12 + session_byte(bytes) % 40);
+    if (session_byte(bytes) % 8) pen_event(&p, BAT_POINTER_UP, x + length, y + rise);
+    *time = p.time;
+}
+
+static inline void session_event(bat_editor *editor, session_bytes *bytes, double *time) {
+    static const char *const commands[] = {"undo",           "redo",        "accept",   "cancel",
+                                           "view-fit",       "zoom-in",     "zoom-out", "zoom-100",
+                                           "tool-pan",       "tool-sketch", "save",     "tolerance-up",
+                                           "tolerance-down", "hold-pan",    "pan-left", "nonsense"};
+    static const char *const keys[] = {"z",   "y", "Enter", "Escape", " ", "[", "]",
+                                       "Alt", "1", "f",     "n",      "h", "",  "+"};
+    static const char *const properties[] = {"tolerance", "transition-width", "keep-corners",
+                                             "palm-rejection"};
+    uint8_t what = session_byte(bytes);
+    *time += what % 32;
+    if (what < 150) {
+        bat_pointer event = {.phase = (bat_pointer_phase)(what % 6),
+                             .device = (bat_device)(what / 6 % 3),
+                             .contact = what / 18 % 3u,
+                             .time = *time};
+        uint8_t more = session_byte(bytes);
+        event.buttons = more % 4 ? BAT_BUTTON_PRIMARY : (uint32_t)more;
+        event.modifiers = more & 64 ? more >> 4 : 0u;
+        event.predicted = (more & 31) == 31;
+        event.x = session_place(bytes);
+        event.y = session_place(bytes);
+        event.pressure = session_place(bytes) / 900;
+        bat_editor_pointer(editor, &event, 1);
+    } else if (what < 190) {
+        session_stroke(editor, bytes, time);
+    } else if (what < 205) {
+        double x = session_place(bytes), y = session_place(bytes), dy = session_place(bytes) - 450;
+        bat_editor_wheel(editor, x, y, session_byte(bytes) - 128.0, dy, what & 7u, *time);
+    } else if (what < 220) {
+        uint8_t more = session_byte(bytes);
+        bat_editor_key(editor, keys[more % 14], more < 200, what & 7u, *time);
+    } else if (what < 240) {
+        bat_editor_command(editor, commands[session_byte(bytes) % 16]);
+    } else if (what < 245) {
+        bat_editor_resize(editor, session_place(bytes), session_place(bytes), session_place(bytes) / 300);
+    } else if (what < 250) {
+        uint8_t more = session_byte(bytes);
+        bat_editor_set(editor, properties[more % 4], session_place(bytes) / 40);
+    } else {
+        bat_editor_frame(editor);
+    }
+}
+
+#endif
