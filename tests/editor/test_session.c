@@ -46,6 +46,8 @@ static void wild_sessions(void **state) {
         size_t size = 0;
         const char *text = bat_editor_journal(editor, &size);
 
+        for (const char *at = text; (at = strstr(at, "\"do\":\"sketch")); at++) commits++;
+
         bat_editor *again = NULL;
         bat_problem problem = {"", ""};
         assert_int_equal(bat_editor_create(&again), BAT_OK);
@@ -71,7 +73,6 @@ static void wild_sessions(void **state) {
         }
         assert_true(digest(editor) == top);
         check(editor, seed, 0);
-        commits += undone;
         bat_editor_free(editor);
     }
     assert_true(commits > 60); /* sessions that do something */

@@ -31,13 +31,19 @@ static inline void session_stroke(bat_editor *editor, session_bytes *bytes, doub
     pen p = pen_for(editor);
     uint8_t kind = session_byte(bytes);
     p.time = *time;
+    for (unsigned i = 0; i < 9 && kind & 4; i++) { /* lift whatever lies about, so that this one draws */
+        p.device = (bat_device)(i % 3);
+        p.contact = i / 3;
+        pen_event(&p, BAT_POINTER_CANCEL, 0, 0);
+    }
+    p.contact = 1;
     p.device = (bat_device)(kind % 3);
     p.modifiers = kind & 8 ? BAT_ALT : 0;
     double y = rows[kind >> 4 & 3] + session_byte(bytes) % 10, x = 150 + 3 * session_byte(bytes);
     double length = 20 + 3 * session_byte(bytes), bulge = session_byte(bytes) - 128;
     double rise = kind & 64 ? session_byte(bytes) - 128 : 0;
     pen_begin(&p, pen_arch, (double[]){x, y, x + length, y + rise, bulge / 2}, 12 + session_byte(bytes) % 40);
-    if (session_byte(bytes) % 8) pen_event(&p, BAT_POINTER_UP, x + length, y + rise);
+    if (session_byte(bytes) % 16) pen_event(&p, BAT_POINTER_UP, x + length, y + rise);
     *time = p.time;
 }
 
@@ -52,7 +58,7 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
                                              "palm-rejection"};
     uint8_t what = session_byte(bytes);
     *time += what % 32;
-    if (what < 150) {
+    if (what < 120) {
         bat_pointer event = {.phase = (bat_pointer_phase)(what % 6),
                              .device = (bat_device)(what / 6 % 3),
                              .contact = what / 18 % 3u,
@@ -65,9 +71,9 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
         event.y = session_place(bytes);
         event.pressure = session_place(bytes) / 900;
         bat_editor_pointer(editor, &event, 1);
-    } else if (what < 190) {
+    } else if (what < 200) {
         session_stroke(editor, bytes, time);
-    } else if (what < 205) {
+    } else if (what < 210) {
         double x = session_place(bytes), y = session_place(bytes), dy = session_place(bytes) - 450;
         bat_editor_wheel(editor, x, y, session_byte(bytes) - 128.0, dy, what & 7u, *time);
     } else if (what < 220) {
