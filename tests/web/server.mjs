@@ -70,6 +70,7 @@ export async function serve(document) {
   }
 
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  server.unref(); // a test that fails before it closes must not hang
   state.address = `http://127.0.0.1:${server.address().port}/`;
   state.close = () => {
     server.closeAllConnections();

@@ -1,0 +1,131 @@
+// Files without a server: dropped, picked, refused, downloaded.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { after, before, test } from 'node:test';
+import { launch, open, place, settle, state } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+/** Drops a file on the drawing. */
+async function drop(page, name, text) {
+  await page.evaluate(([title, content]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], title));
+    for (const type of ['dragover', 'drop']) {
+      const event = new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer });
+      document.getElementById('stage').dispatchEvent(event);
+    }
+  }, [name, text]);
+  await page.waitForTimeout(100);
+  await settle(page);
+}
+
+const count = (page) => page.evaluate(() => batten.painter.list.length);
+
+test('a page without a server starts empty and says what to do', async () => {
+  const { page, faults, context } = await open(browser, server.address);
+  assert.equal(await page.isVisible('#welcome'), true);
+  await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
+  assert.equal(await page.isVisible('#welcome'), false);
+  assert.equal(await page.textContent('#name'), 'car.svg');
+  assert.ok(await count(page) > 20);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('download as SVG and as Batten file; both open again as they were', async () => {
+  const { page, hand, faults, context } = await open(browser, server.address);
+  await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
+  await hand.stroke([await place(page, 100, 60), await place(page, 200, 80), await place(page, 300, 50)]);
+  const { digest } = await state(page);
+  for (const [command, name] of [['download-svg', 'car.svg'], ['download-native', 'car.batten']]) {
+    await page.click('[data-name=menu]');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-command=${command}]`)]);
+    assert.equal(download.suggestedFilename(), name);
+    const text = fs.readFileSync(await download.path(), 'utf8');
+    const other = await open(browser, server.address);
+    await drop(other.page, name, text);
+    assert.equal((await state(other.page)).digest, digest, name);
+    await other.context.close();
+  }
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the picker opens a file; Save without a server downloads', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click('[data-name=open]')]);
+  await chooser.setFiles(EXAMPLE);
+  await page.waitForFunction(() => document.getElementById('name').textContent === 'car.svg');
+  await hand.stroke([await place(page, 100, 60), await place(page, 300, 50)]);
+  assert.equal((await state(page)).unsaved, true);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+S')]);
+  assert.equal(download.suggestedFilename(), 'car.svg');
+  await settle(page);
+  assert.equal((await state(page)).unsaved, false);
+  await context.close();
+});
+
+test('bad files are refused with a reason, and change nothing', async () => {
+  const { page, context } = await open(browser, server.address);
+  await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
+  const { digest } = await state(page);
+  const bad = [['broken.svg', '<svg><path'], ['broken.batten', '{"format":"batten", '], ['other.html', 'hello']];
+  for (const [name, text] of bad) {
+    await drop(page, name, text);
+    const now = await state(page);
+    assert.ok(now.notice.startsWith(`${name} was not opened.`), now.notice);
+    assert.ok(now.notice.length > name.length + 25, `a reason: ${now.notice}`);
+    assert.equal(now.digest, digest);
+  }
+  await context.close();
+});
+
+test('what an SVG file holds beyond outlines is named as left out', async () => {
+  const { page, context } = await open(browser, server.address);
+  await drop(page, 'mixed.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+    <text x="5" y="5">Hi</text><image href="a.png" width="5" height="5"/><path d="M10 10C20 0 30 20 40 10"/></svg>`);
+  const { notice } = await state(page);
+  assert.match(notice, /text/);
+  assert.match(notice, /image/);
+  assert.equal(await count(page), 2, 'the page and one path');
+  await context.close();
+});
+
+test('markup, entities and scripts in a file stay inert', async () => {
+  const { page, faults, context } = await open(browser, server.address);
+  await drop(page, 'x.svg', `<svg xmlns="http://www.w3.org/2000/svg" onload="globalThis.bad = 1"><script>bad = 1</script>
+    <path id="&lt;b&gt;" d="M10 10C20 0 30 20 40 10"/></svg>`);
+  assert.equal(await page.evaluate(() => globalThis.bad), undefined);
+  assert.equal(await count(page), 1);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('an unsaved drawing is not replaced without asking', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
+  await hand.stroke([await place(page, 100, 60), await place(page, 300, 50)]);
+  const { digest } = await state(page);
+  const other = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C20 0 30 20 40 10"/></svg>';
+  await drop(page, 'other.svg', other);
+  assert.equal(await page.isVisible('#question'), true);
+  await page.keyboard.press('Escape');
+  await settle(page);
+  assert.equal((await state(page)).digest, digest);
+  await drop(page, 'other.svg', other);
+  await page.click('#question button.strong');
+  await page.waitForFunction(() => document.getElementById('name').textContent === 'other.svg');
+  assert.notEqual((await state(page)).digest, digest);
+  await context.close();
+});

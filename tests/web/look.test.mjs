@@ -1,0 +1,146 @@
+// How it looks and how it can be reached: accessibility in light and dark, sizes of targets, themes, screenshots.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { bezier, launch, open, place, SCREENSHOTS, settle } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const AXE = fs.readFileSync(path.join(import.meta.dirname, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+async function violations(page) {
+  // The page's own rules keep foreign scripts out, so this one comes in by the debugger.
+  await page.evaluate(AXE);
+  const { violations: found } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
+}
+
+const SCREENS = [
+  ['desk', { viewport: { width: 1280, height: 800 } }],
+  ['tablet', { viewport: { width: 1024, height: 1366 }, hasTouch: true }],
+];
+
+for (const colorScheme of ['light', 'dark']) {
+  for (const [screen, options] of SCREENS) {
+    test(`${screen}, ${colorScheme}: accessible, and a picture of each state`, async () => {
+      const { page, hand, faults, context } = await open(browser, server.address, { ...options, colorScheme });
+      const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `${screen}-${colorScheme}-${name}.png`) });
+      assert.deepEqual(await violations(page), []);
+      await shot('open');
+      await hand.hover(await place(page, 592, 103.5));
+      await shot('hover');
+      const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+      await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))), { during: () => shot('drawing') });
+      await shot('drawn');
+      assert.deepEqual(await violations(page), []);
+      for (const sheet of ['settings', 'menu']) {
+        await page.click(`[data-name=${sheet}]`);
+        await settle(page);
+        assert.deepEqual(await violations(page), [], sheet);
+        await shot(sheet);
+        await page.keyboard.press('Escape');
+      }
+      const least = screen === 'tablet' ? 44 : 32;
+      const small = await page.$$eval('button', (buttons, size) => buttons.filter((button) => {
+        const { width, height } = button.getBoundingClientRect();
+        return width > 0 && (width < size || height < size);
+      }).map((button) => button.outerHTML), least);
+      assert.deepEqual(small, []);
+      assert.deepEqual(faults, []);
+      await context.close();
+    });
+  }
+}
+
+test('the empty page, and a notice with something to do', async () => {
+  const empty = await serve();
+  const { page, context } = await open(browser, empty.address);
+  assert.deepEqual(await violations(page), []);
+  await page.evaluate(() => batten.notice.say('The file changed on disk since it was opened. It was not touched.',
+    { label: 'Download a copy', run: () => {} }));
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'desk-light-notice.png') });
+  assert.deepEqual(await violations(page), []);
+  await context.close();
+  empty.close();
+});
+
+test('the theme button overrules the system and is remembered', async () => {
+  const { page, context } = await open(browser, server.address, { colorScheme: 'light' });
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await ground();
+  await page.click('[data-name=theme]');
+  const dark = await ground();
+  assert.notEqual(dark, light);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=yes]');
+  assert.equal(await ground(), dark);
+  await context.close();
+});
+
+test('a drawing in black shows on the dark ground, and its file keeps its colours', async () => {
+  const { page, context } = await open(browser, server.address, { colorScheme: 'dark' });
+  const brightest = await page.evaluate(() => {
+    const canvas = document.getElementById('still');
+    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    return data.filter((_, i) => i % 4 === 1).reduce((a, b) => Math.max(a, b), 0);
+  });
+  assert.ok(brightest > 180, `brightest ${brightest}`);
+  const text = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false)));
+  assert.match(text, /#22262b/i);
+  await context.close();
+});
+
+test('all of it can be reached by the keyboard, with a visible focus', async () => {
+  const { page, context } = await open(browser, server.address);
+  const reached = new Set();
+  for (let i = 0; i < 20; i++) {
+    await page.keyboard.press('Tab');
+    reached.add(await page.evaluate(() => {
+      const element = document.activeElement;
+      const { outlineStyle, outlineWidth } = getComputedStyle(element);
+      const seen = outlineStyle !== 'none' && outlineWidth !== '0px';
+      return `${element.dataset.name ?? element.id}${seen || element === document.body ? '' : ' without a ring'}`;
+    }));
+  }
+  assert.deepEqual([...reached].filter((name) => name.endsWith('ring')), []);
+  for (const name of ['tool-sketch', 'tool-pan', 'save', 'settings', 'menu', 'theme', 'stage', 'readout-tolerance']) {
+    assert.ok(reached.has(name), name);
+  }
+  await page.focus('[data-name=menu]');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.isVisible('#menu'), true);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#menu'), false);
+  await context.close();
+});
+
+test('every command and every property of the engine is in the page', async () => {
+  const { page, context } = await open(browser, server.address);
+  const missing = await page.evaluate(() => {
+    const { commands, properties, tools } = batten.panel.tables;
+    const lost = [];
+    for (const row of commands) {
+      if (!document.querySelector(`#menu [data-command="${row.name}"]`)) lost.push(row.name);
+    }
+    for (const row of properties) {
+      if (!document.querySelector(`#settings [data-property="${row.name}"]`)) lost.push(row.name);
+    }
+    for (const row of tools) {
+      if (!document.querySelector(`#tools [data-name="${row.command}"]`)) lost.push(row.name);
+    }
+    return lost;
+  });
+  assert.deepEqual(missing, []);
+  await context.close();
+});

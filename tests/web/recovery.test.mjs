@@ -1,0 +1,53 @@
+// When the module breaks, the drawing comes back from its journal.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { after, before, test } from 'node:test';
+import { bezier, launch, open, place, settle, state } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const breaks = {
+  'a failed check in the module': () => {
+    const engine = batten.engine;
+    engine.wasm = { ...engine.wasm, editor_pointer: engine.wasm.module_break };
+  },
+  'a trap: an address out of bounds': () => {
+    batten.engine.editor = 0xfffffff0;
+  },
+};
+
+for (const [name, spoil] of Object.entries(breaks)) {
+  test(name, async () => {
+    const { page, hand, context } = await open(browser, server.address);
+    const on = (points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
+    await hand.stroke(await on(bezier([440, 137], [490, 103], [560, 92], [690, 114])));
+    await hand.stroke(await on(bezier([60, 60], [140, 20], [220, 100], [320, 60])));
+    await page.keyboard.press('Control+Z');
+    await settle(page);
+    const before = await state(page);
+    await page.evaluate(spoil);
+    await hand.hover(await place(page, 100, 100));
+    await settle(page);
+    const after = await state(page);
+    assert.equal(after.digest, before.digest, 'nothing is lost');
+    assert.match(after.notice, /brought back/);
+    assert.equal(after.unsaved, true);
+    // And it goes on: the step undone can be done again, and new ones drawn.
+    await page.keyboard.press('Control+Shift+Z');
+    await settle(page);
+    assert.notEqual((await state(page)).digest, before.digest);
+    await hand.stroke(await on(bezier([60, 380], [140, 340], [220, 410], [320, 380])));
+    assert.equal((await state(page)).check, '');
+    await context.close();
+  });
+}

@@ -1,0 +1,118 @@
+// The main job from end to end: open the example, redraw the roof line with the pen, undo, redo, save, reload,
+// compare the file.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { after, before, test } from 'node:test';
+import { bezier, inked, launch, open, place, ready, settle, state } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** Where the pen goes: over the middle of the roof, a little higher than it is. */
+const NEW_ROOF = [[440, 137], [490, 103], [560, 92], [690, 114]];
+
+/**
+ * Distances of points from the nearest of a file's outlines, as the browser itself understands the file.
+ * @returns {Promise<number[]>}
+ */
+function distances(page, text, points) {
+  return page.evaluate(([svg, asked]) => {
+    const root = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true);
+    document.body.append(root);
+    const places = [...root.querySelectorAll('path')].flatMap((path) => {
+      const length = path.getTotalLength();
+      const count = Math.ceil(length / 0.25);
+      return Array.from({ length: count + 1 }, (_, i) => path.getPointAtLength((length * i) / count));
+    });
+    root.remove();
+    return asked.map(([x, y]) => Math.min(...places.map((p) => Math.hypot(p.x - x, p.y - y))));
+  }, [text, points]);
+}
+
+test('open, redraw the roof, undo, redo, save, reload, compare', async () => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  const { page, hand, faults, context } = await open(browser, server.address);
+  const opened = await state(page);
+  assert.equal(opened.check, '');
+  assert.equal(opened.unsaved, false);
+  assert.equal(await page.textContent('#name'), 'car.svg');
+  assert.ok(await inked(page, 'still') > 10000, 'the drawing is painted');
+  assert.equal(await page.isDisabled('[data-name=undo]'), true);
+
+  // The curve lights up before the pen lands.
+  assert.equal(await inked(page, 'overlay'), 0);
+  await hand.hover(await place(page, 592, 103.5));
+  assert.ok(await inked(page, 'overlay') > 500, 'the roof lights up');
+  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  assert.equal((await state(page)).hint, strings['hint.redraw']);
+
+  // The final fit shows while the pen is down; the document is as it was.
+  const drawn = bezier(...NEW_ROOF);
+  const path = await Promise.all(drawn.map(([x, y]) => place(page, x, y)));
+  await hand.stroke(path, {
+    during: async () => {
+      assert.ok(await inked(page, 'overlay') > 500, 'the preview shows');
+      assert.equal((await state(page)).digest, opened.digest);
+      assert.match(await page.textContent('#readouts'), /Knots\s*\d+ → \d+/);
+    },
+  });
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, opened.digest);
+  assert.equal(redrawn.check, '');
+  assert.equal(redrawn.unsaved, true);
+  assert.equal(await page.isVisible('#readouts >> text=Knots'), false);
+
+  await page.click('[data-name=undo]');
+  await settle(page);
+  assert.equal((await state(page)).digest, opened.digest);
+  assert.equal((await state(page)).unsaved, false);
+  await page.keyboard.press('Control+Shift+Z');
+  await settle(page);
+  assert.equal((await state(page)).digest, redrawn.digest);
+
+  const before = server.bytes.toString();
+  await page.click('[data-name=save]');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.equal(server.saves, 1);
+
+  await page.reload();
+  await ready(page);
+  const reloaded = await state(page);
+  assert.equal(reloaded.digest, redrawn.digest, 'every knot is as it was');
+  assert.equal(reloaded.unsaved, false);
+
+  // What the file shows to another program: the roof where the pen went, all else where it was.
+  const saved = server.bytes.toString();
+  const inner = drawn.slice(8, -8);
+  const far = await distances(page, saved, inner);
+  assert.ok(Math.max(...far) < 1.5, `the pen's way is followed: ${Math.max(...far)}`);
+  const was = await distances(page, before, inner);
+  assert.ok(Math.max(...was) > 4, 'the pen went elsewhere than the old roof');
+  const rest = [[806, 160], [842, 170], [70, 243], [744, 224], [232, 360]];
+  const moved = await distances(page, saved, rest);
+  assert.ok(Math.max(...moved) < 0.2, `the rest stays: ${moved}`);
+  assert.deepEqual(faults, []);
+  await context.close();
+  server.close();
+});
+
+test('a file that changed on disk is not overwritten', async () => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  const { page, hand, context } = await open(browser, server.address);
+  await hand.stroke([await place(page, 100, 60), await place(page, 300, 50)]);
+  const foreign = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>');
+  server.bytes = foreign;
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('#notice-action:visible');
+  assert.match((await state(page)).notice, /changed on disk/);
+  assert.equal(server.bytes, foreign);
+  assert.equal((await state(page)).unsaved, true);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#notice-action')]);
+  assert.equal(download.suggestedFilename(), 'car.svg');
+  await context.close();
+  server.close();
+});
