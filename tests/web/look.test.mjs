@@ -3,10 +3,13 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { bezier, launch, open, place, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
-const AXE = fs.readFileSync(path.join(import.meta.dirname, 'node_modules/axe-core/axe.min.js'), 'utf8');
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+
+const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
 
 let browser;
 let server;

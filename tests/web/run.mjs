@@ -3,10 +3,12 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { run } from 'node:test';
 import { spec } from 'node:test/reporters';
+import { fileURLToPath } from 'node:url';
 
-const here = import.meta.dirname;
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+
 const asked = process.argv.slice(2).map((file) => path.resolve(file));
-const all = fs.readdirSync(here).filter((file) => file.endsWith('.test.mjs')).map((file) => path.join(here, file));
+const all = fs.readdirSync(HERE).filter((file) => file.endsWith('.test.mjs')).map((file) => path.join(HERE, file));
 let passed = 0;
 let failed = 0;
 

@@ -3,13 +3,16 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import zlib from 'node:zlib';
 import { MODULE } from './server.mjs';
 
-const WEB = path.resolve(import.meta.dirname, '../../web');
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+
+const WEB = path.resolve(HERE, '../../web');
 
 test('the first load is small', () => {
-  const files = fs.readdirSync(WEB, { recursive: true, encoding: 'utf8' })
+  const files = fs.readdirSync(WEB, { recursive: true })
     .filter((file) => /\.(html|js|css|svg)$/.test(file)).map((file) => path.join(WEB, file));
   assert.ok(files.length > 10);
   const sizes = [...files, MODULE].map((file) => zlib.gzipSync(fs.readFileSync(file), { level: 9 }).length);

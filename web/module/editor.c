@@ -1,0 +1,134 @@
+/* The engine as exports: one function each, arguments as addresses in the module's memory. */
+#include "module.h"
+
+#include <math.h>
+
+MODULE_EXPORT(editor_create) bat_editor *editor_create(void);
+MODULE_EXPORT(editor_pointer)
+void editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count);
+MODULE_EXPORT(editor_wheel)
+void editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
+                  double time);
+MODULE_EXPORT(editor_key)
+int editor_key(bat_editor *editor, const char *key, int down, uint32_t modifiers, double time);
+MODULE_EXPORT(editor_resize)
+void editor_resize(bat_editor *editor, double width, double height, double pixel_ratio);
+MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char *name);
+MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
+MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
+MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
+MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
+MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
+MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
+MODULE_EXPORT(editor_replay)
+int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem);
+MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
+MODULE_EXPORT(editor_open_native)
+int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
+                       bat_problem *problem);
+MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, module_bytes *out);
+MODULE_EXPORT(editor_digest) uint64_t editor_digest(const bat_editor *editor);
+MODULE_EXPORT(status_message) const char *status_message(int status);
+
+bat_editor *editor_create(void) {
+    bat_editor *editor = NULL;
+    return bat_editor_create(&editor) == BAT_OK ? editor : NULL;
+}
+
+void editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
+    MODULE_CHECK(editor);
+    bat_editor_pointer(editor, events, count);
+}
+
+void editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
+                  double time) {
+    MODULE_CHECK(editor);
+    bat_editor_wheel(editor, x, y, dx, dy, modifiers, time);
+}
+
+int editor_key(bat_editor *editor, const char *key, int down, uint32_t modifiers, double time) {
+    MODULE_CHECK(editor);
+    return bat_editor_key(editor, key, down != 0, modifiers, time);
+}
+
+void editor_resize(bat_editor *editor, double width, double height, double pixel_ratio) {
+    MODULE_CHECK(editor);
+    bat_editor_resize(editor, width, height, pixel_ratio);
+}
+
+int editor_command(bat_editor *editor, const char *name) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_command(editor, name);
+}
+
+int editor_set(bat_editor *editor, const char *property, double value) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_set(editor, property, value);
+}
+
+/* NaN when there is no such property. */
+double editor_get(const bat_editor *editor, const char *property) {
+    MODULE_CHECK(editor);
+    double value;
+    return bat_editor_get(editor, property, &value) == BAT_OK ? value : (double)NAN;
+}
+
+const char *editor_tables(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_tables(editor);
+}
+
+void editor_saved(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    bat_editor_saved(editor);
+}
+
+const bat_frame *editor_frame(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_frame(editor);
+}
+
+const char *editor_journal(const bat_editor *editor, size_t *size) {
+    MODULE_CHECK(editor);
+    return bat_editor_journal(editor, size);
+}
+
+int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_replay(editor, text, size, check != 0, problem);
+}
+
+const char *editor_check(const bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_check(editor);
+}
+
+int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
+                       bat_problem *problem) {
+    MODULE_CHECK(editor);
+    bat_document *document = NULL;
+    bat_status status = bat_document_read(text, size, &document, problem);
+    if (status != BAT_OK) {
+        return (int)status;
+    }
+    status = bat_editor_open(editor, document, name);
+    if (status != BAT_OK) {
+        bat_document_free(document);
+    }
+    return (int)status;
+}
+
+/* The document as a file: native JSON, or SVG with the native document inside. */
+int editor_save(const bat_editor *editor, int native, module_bytes *out) {
+    MODULE_CHECK(editor && out);
+    const bat_document *document = bat_editor_document(editor);
+    return (int)(native ? bat_document_write(document, &out->data, &out->size)
+                        : bat_svg_write(document, true, &out->data, &out->size));
+}
+
+uint64_t editor_digest(const bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_document_digest(bat_editor_document(editor));
+}
+
+const char *status_message(int status) { return bat_status_message((bat_status)status); }

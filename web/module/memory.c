@@ -1,0 +1,87 @@
+/* Memory for the host's arguments, and the layout of the structs that the host reads and writes. */
+#include "module.h"
+
+#include <stdlib.h>
+
+/* One field's place in a struct, in bytes. The list ends with a NULL name. The host finds fields by name, so
+ * that a field may move without the host being told. */
+typedef struct module_field {
+    const char *name;
+    uint32_t offset;
+} module_field;
+
+MODULE_EXPORT(memory_alloc) void *memory_alloc(size_t size);
+MODULE_EXPORT(memory_free) void memory_free(void *memory);
+MODULE_EXPORT(module_layout) const module_field *module_layout(void);
+MODULE_EXPORT(module_break) void module_break(void);
+
+void *memory_alloc(size_t size) { return malloc(size ? size : 1); }
+
+void memory_free(void *memory) { bat_free(memory); }
+
+const module_field *module_layout(void) {
+    static const module_field fields[] = {
+        {"pointer.size", sizeof(bat_pointer)},
+        {"pointer.phase", offsetof(bat_pointer, phase)},
+        {"pointer.device", offsetof(bat_pointer, device)},
+        {"pointer.contact", offsetof(bat_pointer, contact)},
+        {"pointer.buttons", offsetof(bat_pointer, buttons)},
+        {"pointer.modifiers", offsetof(bat_pointer, modifiers)},
+        {"pointer.x", offsetof(bat_pointer, x)},
+        {"pointer.y", offsetof(bat_pointer, y)},
+        {"pointer.pressure", offsetof(bat_pointer, pressure)},
+        {"pointer.tilt_x", offsetof(bat_pointer, tilt_x)},
+        {"pointer.tilt_y", offsetof(bat_pointer, tilt_y)},
+        {"pointer.twist", offsetof(bat_pointer, twist)},
+        {"pointer.time", offsetof(bat_pointer, time)},
+        {"pointer.predicted", offsetof(bat_pointer, predicted)},
+        {"item.size", sizeof(bat_item)},
+        {"item.id", offsetof(bat_item, id)},
+        {"item.version", offsetof(bat_item, version)},
+        {"item.role", offsetof(bat_item, role)},
+        {"item.flags", offsetof(bat_item, flags)},
+        {"item.stroke", offsetof(bat_item, stroke)},
+        {"item.fill", offsetof(bat_item, fill)},
+        {"item.width", offsetof(bat_item, width)},
+        {"item.opacity", offsetof(bat_item, opacity)},
+        {"item.cap", offsetof(bat_item, cap)},
+        {"item.join", offsetof(bat_item, join)},
+        {"item.miter_limit", offsetof(bat_item, miter_limit)},
+        {"item.path_count", offsetof(bat_item, path_count)},
+        {"item.bounds", offsetof(bat_item, bounds)},
+        {"item.path", offsetof(bat_item, path)},
+        {"frame.view", offsetof(bat_frame, view)},
+        {"frame.origin", offsetof(bat_frame, origin)},
+        {"frame.still_version", offsetof(bat_frame, still_version)},
+        {"frame.still_count", offsetof(bat_frame, still_count)},
+        {"frame.still", offsetof(bat_frame, still)},
+        {"frame.dirty", offsetof(bat_frame, dirty)},
+        {"frame.live_count", offsetof(bat_frame, live_count)},
+        {"frame.live", offsetof(bat_frame, live)},
+        {"frame.cursor", offsetof(bat_frame, cursor)},
+        {"frame.requests", offsetof(bat_frame, requests)},
+        {"frame.unsaved", offsetof(bat_frame, unsaved)},
+        {"frame.can_undo", offsetof(bat_frame, can_undo)},
+        {"frame.can_redo", offsetof(bat_frame, can_redo)},
+        {"frame.tool", offsetof(bat_frame, tool)},
+        {"frame.knots_before", offsetof(bat_frame, knots_before)},
+        {"frame.knots_after", offsetof(bat_frame, knots_after)},
+        {"frame.pending", offsetof(bat_frame, pending)},
+        {"frame.error", offsetof(bat_frame, error)},
+        {"frame.tolerance", offsetof(bat_frame, tolerance)},
+        {"frame.hint", offsetof(bat_frame, hint)},
+        {"frame.notice", offsetof(bat_frame, notice)},
+        {"frame.notice_version", offsetof(bat_frame, notice_version)},
+        {"frame.name", offsetof(bat_frame, name)},
+        {"problem.size", sizeof(bat_problem)},
+        {"problem.place", offsetof(bat_problem, place)},
+        {"problem.message", offsetof(bat_problem, message)},
+        {"bytes.data", offsetof(module_bytes, data)},
+        {"bytes.size", offsetof(module_bytes, size)},
+        {NULL, 0},
+    };
+    return fields;
+}
+
+/* For the test of the host's recovery: fails as a broken invariant would. */
+void module_break(void) { module_panic(__FILE__, __LINE__, "asked to break"); }

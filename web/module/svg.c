@@ -1,0 +1,71 @@
+/* The SVG reader as exports: the page walks what the browser's XML parser found and tells it element by
+ * element. */
+#include "module.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+MODULE_EXPORT(svg_begin) bat_svg_reader *svg_begin(void);
+MODULE_EXPORT(svg_start) int svg_start(bat_svg_reader *reader, const char *strings, size_t pairs);
+MODULE_EXPORT(svg_text) int svg_text(bat_svg_reader *reader, const char *text, size_t size);
+MODULE_EXPORT(svg_end) int svg_end(bat_svg_reader *reader);
+MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader);
+MODULE_EXPORT(svg_finish)
+int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, char *line, size_t room,
+               bat_problem *problem);
+
+/* NULL when memory is short. */
+bat_svg_reader *svg_begin(void) {
+    const bat_svg_options options = bat_svg_defaults();
+    bat_svg_reader *reader = NULL;
+    return bat_svg_reader_create(&options, &reader) == BAT_OK ? reader : NULL;
+}
+
+/* strings: the element's name, then `pairs` attributes as name, value; each ends with a NUL. */
+int svg_start(bat_svg_reader *reader, const char *strings, size_t pairs) {
+    MODULE_CHECK(reader && strings);
+    const char **attributes = calloc(2 * pairs + 1, sizeof *attributes);
+    if (!attributes) {
+        return BAT_MEMORY;
+    }
+    const char *next = strings;
+    for (size_t i = 0; i < 2 * pairs; i++) {
+        next += strlen(next) + 1;
+        attributes[i] = next;
+    }
+    const bat_status status = bat_svg_reader_start(reader, strings, attributes);
+    free(attributes);
+    return (int)status;
+}
+
+int svg_text(bat_svg_reader *reader, const char *text, size_t size) {
+    MODULE_CHECK(reader);
+    return (int)bat_svg_reader_text(reader, text, size);
+}
+
+int svg_end(bat_svg_reader *reader) {
+    MODULE_CHECK(reader);
+    return (int)bat_svg_reader_end(reader);
+}
+
+void svg_cancel(bat_svg_reader *reader) { bat_svg_reader_free(reader); }
+
+/* Frees the reader whatever it returns, and opens what was read. line: what was left out, "" when nothing
+ * was. */
+int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, char *line, size_t room,
+               bat_problem *problem) {
+    MODULE_CHECK(reader && editor && line && room > 0);
+    bat_document *document = NULL;
+    bat_svg_report report;
+    line[0] = 0;
+    bat_status status = bat_svg_reader_finish(reader, &document, &report, problem);
+    if (status != BAT_OK) {
+        return (int)status;
+    }
+    bat_svg_report_line(&report, line, room);
+    status = bat_editor_open(editor, document, name);
+    if (status != BAT_OK) {
+        bat_document_free(document);
+    }
+    return (int)status;
+}
