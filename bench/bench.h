@@ -1,0 +1,19 @@
+/* The table of kernels: each rows_*.c fills a part of it. */
+#ifndef BATTEN_BENCH_H
+#define BATTEN_BENCH_H
+
+typedef struct bench_row {
+    const char *name;
+    const char *unit;
+    double scale; /* 1e9: ns, 1e6: us */
+    double per;   /* items in one call */
+    int variant;  /* handed to begin */
+    void *(*begin)(int variant);
+    void (*run)(void *context);
+    void (*end)(void *context);
+    void (*note)(void *context, char *out, int room); /* facts after the last run; may be 0 */
+} bench_row;
+
+extern const bench_row bench_rows_eval[], bench_rows_shape[]; /* each ends with a row without a name */
+
+#endif

@@ -1,0 +1,68 @@
+/* Minimum and median of many runs, printed as one JSON object a row. Plain enough for C and C++. */
+#ifndef BATTEN_BENCH_TIMING_H
+#define BATTEN_BENCH_TIMING_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static inline double bench_now(void) { /* seconds */
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static inline int bench_order(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+typedef struct bench_time {
+    double best, median; /* seconds a call */
+} bench_time;
+
+/* At least five runs and 0.4 s, at most 400 runs; short calls are repeated within a run until it takes 0.2
+ * ms. */
+static inline bench_time bench_measure(void (*call)(void *), void *context) {
+    enum { MOST = 400 };
+    static double runs[MOST];
+    int repeat = 1, count = 0;
+    for (;; repeat *= 2) {
+        const double start = bench_now();
+        for (int i = 0; i < repeat; i++) call(context);
+        if (bench_now() - start > 2e-4 || repeat > 1 << 20) break;
+    }
+    const double begin = bench_now();
+    while (count < MOST && (count < 5 || bench_now() - begin < 0.4)) {
+        const double start = bench_now();
+        for (int i = 0; i < repeat; i++) call(context);
+        runs[count++] = (bench_now() - start) / repeat;
+    }
+    qsort(runs, (size_t)count, sizeof runs[0], bench_order);
+    bench_time out = {runs[0], runs[count / 2]};
+    return out;
+}
+
+/* per: items in one call; scale: 1e9 for ns, 1e6 for us. note: facts that go with the row, JSON text or "".
+ */
+static inline void bench_print(const char *program, const char *name, const char *unit, bench_time t,
+                               double per, double scale, const char *note) {
+    printf("{\"program\":\"%s\",\"name\":\"%s\",\"unit\":\"%s\",\"best\":%.4g,\"median\":%.4g,\"note\":\"%"
+           "s\"}\n",
+           program, name, unit, t.best * scale / per, t.median * scale / per, note);
+    fflush(stdout);
+}
+
+/* The common inputs: a wavy clamped cubic of n points, parameter 0..1, and its knots. */
+static inline void bench_curve(int n, int dimension, double *knots, double *points) {
+    unsigned long long state = 99;
+    for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? 1 : (double)(i - 3) / (n - 3);
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < dimension; c++) {
+            state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+            const double noise = (double)(state >> 11) / 9007199254740992.0;
+            points[i * dimension + c] = c == 0 ? 10.0 * i + 4 * noise : 60 * noise;
+        }
+}
+
+#endif
