@@ -17,36 +17,42 @@ BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, con
 /* Refinement to a superset: knots are all the knots of the result (open: the domain's ends as in the curve). */
 BAT_API bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots, bat_curve **out);
 /* Removes u up to `times` times while the curve moves by no more than tolerance (a proven bound, document
- * units). *removed says how often, *error the bound on the distance. P&T A5.8. */
+ * units). *removed says how often (0 where u is no interior knot), *error the bound on the distance; both may be
+ * NULL. A closed curve whose only seam knot goes starts its period at the next knot; one with too few points for
+ * the window of the removal keeps them. P&T A5.8. */
 BAT_API bat_status bat_curve_remove_knot(const bat_curve *curve, double u, int times, double tolerance,
                                          bat_curve **out, int *removed, double *error);
 /* Removes as many interior knots as tolerance (total, measured) permits, cheapest first; corners (multiplicity
- * p knots whose tangents turn by more than corner radians) stay. */
+ * p knots whose tangents turn by more than corner radians) stay. The seam of a closed curve stays a knot. *error
+ * (may be NULL): a proven bound on the distance, at most tolerance. About twenty rounds of O(n log n). */
 BAT_API bat_status bat_curve_simplify(const bat_curve *curve, double tolerance, double corner,
                                       bat_curve **out, double *error);
 
 BAT_API bat_status bat_curve_elevate(const bat_curve *curve, int degree, bat_curve **out); /* exact */
 BAT_API bat_status bat_curve_clamp(const bat_curve *curve, bat_curve **out);  /* open: end knots p + 1 fold */
 BAT_API bat_status bat_curve_reverse(const bat_curve *curve, bat_curve **out);
-/* Affine map of the parameters onto [start, end]. */
+/* Affine map of the parameters onto [start, end]. Reversing keeps the domain. Both: BAT_KNOTS when distinct knots
+ * would become one double. */
 BAT_API bat_status bat_curve_reparametrise(const bat_curve *curve, double start, double end, bat_curve **out);
 
-/* Cuts an open curve at u (strictly inside the domain). */
+/* Cuts an open curve at u (strictly inside the domain). Both pieces are clamped and keep their parameters. */
 BAT_API bat_status bat_curve_split(const bat_curve *curve, double u, bat_curve **left, bat_curve **right);
 /* The piece over [start, end], clamped. Closed curves: start in any period, end - start at most one period. */
 BAT_API bat_status bat_curve_piece(const bat_curve *curve, double start, double end, bat_curve **out);
-/* Closed curve opened at u. */
+/* Closed curve opened at u (any period); the domain starts at u reduced into the domain. */
 BAT_API bat_status bat_curve_open_at(const bat_curve *curve, double u, bat_curve **out);
 /* Open curve whose ends meet (within tolerance) made periodic, continuity 0..p-1 at the seam kept as it is
- * measured; the seam is a knot of multiplicity p (less where removal is exact). */
+ * measured; the seam is a knot of multiplicity p (less where removal is exact). BAT_ARGUMENT when they do not. */
 BAT_API bat_status bat_curve_close(const bat_curve *curve, double tolerance, bat_curve **out);
-/* Same shape, start of the period moved to u. */
+/* Same shape, start of the period moved to u reduced into the domain, which becomes a knot if it is none. */
 BAT_API bat_status bat_curve_move_seam(const bat_curve *curve, double u, bat_curve **out);
 /*
  * Appends b to the end of a; degrees are raised to the greater. continuity 0: a's end and b's start are
  * merged into their midpoint when within gap, else BAT_ARGUMENT. 1, 2: the parameters of b are scaled and
  * the control points next to the joint moved as little as can be so that the joint is C1 / C2.
- * *moved: how far the curve moved at most.
+ * The least change is that of the sum of squares of A2 A1 J B1 B2 around the joint (C1: A1 J B1); the joint's
+ * knot then has multiplicity p - continuity, and degrees not above the continuity are raised above it.
+ * *moved (may be NULL): how far the curve moved at most.
  */
 BAT_API bat_status bat_curve_join(const bat_curve *a, const bat_curve *b, int continuity, double gap,
                                   bat_curve **out, double *moved);

@@ -1,5 +1,6 @@
 /* Spans, parameters and the B-spline basis functions (de Boor 1972, P&T 2.5). */
 #include "curve/curve.h"
+#include "curve/vector.h"
 
 #include <math.h>
 
@@ -46,7 +47,7 @@ double bat_curve_reduce(const bat_curve *curve, double u) {
 
 /* All rows of the Cox-de Boor triangle: row q holds the q + 1 functions of degree q that do not vanish on the
  * span. Every denominator straddles the span, so none is zero. */
-static void triangle(const double *t, int degree, double u, double rows[][BAT_DEGREE_MAX + 1]) {
+BAT_INLINE void triangle(const double *t, int degree, double u, double rows[][BAT_DEGREE_MAX + 1]) {
     rows[0][0] = 1;
     for (int q = 1; q <= degree; q++) {
         double saved = 0;
@@ -61,7 +62,10 @@ static void triangle(const double *t, int degree, double u, double rows[][BAT_DE
 }
 
 void bat_basis_rows(const bat_curve *curve, int span, double u, double rows[][BAT_DEGREE_MAX + 1]) {
-    triangle(curve->knots + span, curve->degree, u, rows);
+    if (curve->degree == 3) /* known degree: straight code, the same operations */
+        triangle(curve->knots + span, 3, u, rows);
+    else
+        triangle(curve->knots + span, curve->degree, u, rows);
 }
 
 void bat_basis(const bat_curve *curve, int span, double u, int order, double *out) {

@@ -1,8 +1,18 @@
 /* Position and derivatives at one parameter. */
 #include "curve/curve.h"
+#include "curve/vector.h"
 
 #include <math.h>
 #include <string.h>
+
+/* One derivative's value: basis functions of degree q times its control points. */
+BAT_INLINE void combine(const double *basis, const double *points, int q, int size, double *out) {
+    for (int c = 0; c < size; c++) {
+        double sum = 0;
+        for (int j = 0; j <= q; j++) sum += basis[j] * points[j * size + c];
+        out[c] = sum;
+    }
+}
 
 /* Derivatives come from differences of control points, not from derivatives of the basis: curves far from the
  * origin then lose no digits. */
@@ -13,11 +23,12 @@ void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, 
     double rows[BAT_DEGREE_MAX + 1][BAT_DEGREE_MAX + 1];
     double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
     bat_basis_rows(curve, span, u, rows);
-    for (int c = 0; c < size; c++) {
-        double sum = 0;
-        for (int j = 0; j <= p; j++) sum += rows[p][j] * points[j * size + c];
-        out[c] = sum;
-    }
+    if (p == 3 && size == 2)
+        combine(rows[3], points, 3, 2, out);
+    else if (p == 3)
+        combine(rows[3], points, 3, 3, out);
+    else
+        combine(rows[p], points, p, size, out);
     if (order <= 0) return;
     memcpy(d, points, (size_t)((p + 1) * size) * sizeof(double));
     for (int k = 1; k <= order; k++) {
@@ -31,11 +42,7 @@ void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, 
             for (int c = 0; c < size; c++)
                 d[j * size + c] = (d[(j + 1) * size + c] - d[j * size + c]) * scale;
         }
-        for (int c = 0; c < size; c++) {
-            double sum = 0;
-            for (int j = 0; j <= p - k; j++) sum += rows[p - k][j] * d[j * size + c];
-            out[c] = sum;
-        }
+        combine(rows[p - k], d, p - k, size, out);
     }
 }
 

@@ -281,6 +281,73 @@ static void simplification(void **state) {
     }
 }
 
+/* However large the tolerance, a corner of the curve stays, to the bit; everything else may go. */
+static void corners_stay(void **state) {
+    (void)state;
+    const double knots[] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1.5, 2, 2, 2, 2};
+    const double points[] = {0, 0, 1, 2, 2, -1, 3, 1, 4, 4, 4, 5, 4, 7, 5, 8, 4, 9};
+    bat_curve *curve = NULL, *less = NULL;
+    double error, p[2];
+    assert_int_equal(bat_curve_create(3, 2, false, 9, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_simplify(curve, 1e3, 0.1, &less, &error), BAT_OK);
+    assert_int_equal(bat_curve_count(less), 7);
+    assert_int_equal(bat_knot_multiplicity(less, 1), 3);
+    bat_curve_eval(less, 1, 0, p);
+    assert_true(p[0] == 4 && p[1] == 4);
+    bat_curve_free(less);
+    assert_int_equal(bat_curve_simplify(curve, 1e3, 4, &less, &error), BAT_OK);
+    assert_int_equal(bat_curve_count(less), 4);
+    bat_curve_free(less);
+    bat_curve_free(curve);
+}
+
+/* Statuses of the surgery; outputs stay as they were. */
+static void bad_arguments(void **state) {
+    (void)state;
+    random_source r = {20};
+    bat_curve *open = random_curve(&r, 3, 2, OPEN, 5), *closed = random_curve(&r, 3, 2, CLOSED, 5);
+    bat_curve *space = random_curve(&r, 3, 3, OPEN, 5), *mark = open, *out = mark, *second = mark;
+    double d[2], error;
+    int removed;
+    bat_curve_domain(open, d);
+    assert_int_equal(bat_curve_insert_knot(open, d[0] - 1, 1, &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_insert_knot(open, 0.5 * (d[0] + d[1]), -1, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_insert_knot(open, 0.5 * (d[0] + d[1]), 4, &out), BAT_KNOTS);
+    const double falling[] = {d[1], d[0]};
+    assert_int_equal(bat_curve_insert_knots(open, 2, falling, &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_insert_knots(open, 2147483647, falling, &out), BAT_COUNT);
+    assert_int_equal(bat_curve_insert_knots(open, -1, falling, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_refine(open, 2, falling, &out), BAT_KNOTS);
+    assert_int_equal(bat_curve_remove_knot(open, d[1] + 1, 1, 0, &out, &removed, &error), BAT_PARAMETER);
+    assert_int_equal(bat_curve_remove_knot(open, d[1], 1, -1, &out, &removed, &error), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_remove_knot(open, NAN, 1, 0, &out, &removed, &error), BAT_NUMBER);
+    assert_int_equal(bat_curve_simplify(open, NAN, 0, &out, &error), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_elevate(open, 2, &out), BAT_DEGREE);
+    assert_int_equal(bat_curve_elevate(open, 8, &out), BAT_DEGREE);
+    assert_int_equal(bat_curve_clamp(closed, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_split(closed, 0.5, &out, &second), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_split(open, d[0], &out, &second), BAT_PARAMETER);
+    assert_int_equal(bat_curve_split(open, NAN, &out, &second), BAT_NUMBER);
+    assert_int_equal(bat_curve_piece(open, d[0], d[0], &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_piece(open, d[0], d[1] + 1, &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_piece(closed, 0, 1e9, &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_piece(closed, NAN, 1, &out), BAT_NUMBER);
+    assert_int_equal(bat_curve_open_at(open, 0, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_open_at(closed, INFINITY, &out), BAT_NUMBER);
+    assert_int_equal(bat_curve_move_seam(open, 0, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_close(closed, 0, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_close(open, 1e-9, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_reparametrise(open, 1, 1, &out), BAT_PARAMETER);
+    assert_int_equal(bat_curve_reparametrise(open, 0, INFINITY, &out), BAT_NUMBER);
+    assert_int_equal(bat_curve_join(open, closed, 0, 1e9, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_join(open, space, 0, 1e9, &out, NULL), BAT_DIMENSION);
+    assert_int_equal(bat_curve_join(open, open, 3, 1e9, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_join(open, open, 0, NAN, &out, NULL), BAT_ARGUMENT);
+    assert_ptr_equal(out, mark);
+    assert_ptr_equal(second, mark);
+    bat_curve_free(open), bat_curve_free(closed), bat_curve_free(space);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(elevation),
                                        cmocka_unit_test(pieces),
@@ -290,6 +357,8 @@ int main(void) {
                                        cmocka_unit_test(smooth_joins),
                                        cmocka_unit_test(removal_is_bounded),
                                        cmocka_unit_test(insertion_is_undone),
-                                       cmocka_unit_test(simplification)};
+                                       cmocka_unit_test(simplification),
+                                       cmocka_unit_test(corners_stay),
+                                       cmocka_unit_test(bad_arguments)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
