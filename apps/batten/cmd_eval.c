@@ -1,41 +1,11 @@
 /* batten eval: points and derivatives. */
 #include "program.h"
+#include "parameters.h"
 #include "results.h"
-
-#include "format/number.h"
 
 #include <stdlib.h>
 
-enum { SAMPLES_MAX = 1 << 24, ORDER_MAX = 16 };
-
-/* At the numbers of --at, in their order, else spread over the domain. *u is malloc'ed. */
-static int parameters(const cli_arguments *arguments, const bat_curve *curve, double **u, size_t *count) {
-    int failed = arguments_numbers(arguments, "--at", u, count);
-    if (failed) return failed;
-    if (*u) {
-        double domain[2];
-        bat_curve_domain(curve, domain);
-        for (size_t i = 0; i < *count && !bat_curve_closed(curve); i++) {
-            if ((*u)[i] >= domain[0] && (*u)[i] <= domain[1]) continue;
-            char found[BAT_NUMBER_ROOM], low[BAT_NUMBER_ROOM], high[BAT_NUMBER_ROOM];
-            bat_number_print((*u)[i], found);
-            bat_number_print(domain[0], low);
-            bat_number_print(domain[1], high);
-            free(*u);
-            return fail_data(arguments->operands[0], "--at",
-                             "expected a parameter in the domain [%s, %s], found %s", low, high, found);
-        }
-        return EXIT_DONE;
-    }
-    long samples = 0;
-    failed = arguments_integer(arguments, "--samples", 1, SAMPLES_MAX, &samples);
-    if (failed) return failed;
-    *count = (size_t)samples;
-    *u = malloc(*count * sizeof **u);
-    if (!*u) return fail_memory();
-    bat_curve_spread(curve, *count, *u);
-    return EXIT_DONE;
-}
+enum { ORDER_MAX = 16 };
 
 static int print(const bat_curve *curve, const double *u, size_t count, int order) {
     int dimension = bat_curve_dimension(curve);
@@ -59,20 +29,16 @@ static int print(const bat_curve *curve, const double *u, size_t count, int orde
 }
 
 static int run(const cli_arguments *arguments) {
-    bool at = arguments_value(arguments, "--at"), samples = arguments_value(arguments, "--samples");
-    if (at == samples) return fail_usage(arguments->command, "either --at or --samples is needed");
     long order = 0;
-    int failed = arguments_integer(arguments, "--derivatives", 0, ORDER_MAX, &order);
-    if (failed) return failed;
-    long ignored = 0; /* wrong usage is told before the file is read */
-    failed = arguments_integer(arguments, "--samples", 1, SAMPLES_MAX, &ignored);
+    int failed = parameters_check(arguments);
+    if (!failed) failed = arguments_integer(arguments, "--derivatives", 0, ORDER_MAX, &order);
     if (failed) return failed;
     bat_curve *curve = NULL;
     failed = read_curve(arguments->operands[0], &curve);
     if (failed) return failed;
     double *u = NULL;
     size_t count = 0;
-    failed = parameters(arguments, curve, &u, &count);
+    failed = parameters_read(arguments, curve, &u, &count);
     if (!failed) {
         failed = print(curve, u, count, (int)order);
         free(u);

@@ -22,19 +22,20 @@ typedef struct cli_command {
     const char *summary; /* one line */
     const char *details; /* lines, may be NULL */
     const char *example; /* lines */
-    int operands;        /* how many; all are needed */
+    int operands;        /* how many are needed */
+    int more;            /* how many more may follow */
     cli_option options[OPTIONS_MAX];
     int (*run)(const cli_arguments *arguments);
 } cli_command;
 
 struct cli_arguments {
     const cli_command *command;
-    const char *operands[OPERANDS_MAX];
+    const char *operands[OPERANDS_MAX]; /* NULL: left out */
     const char *values[OPTIONS_MAX]; /* beside command->options; NULL: not given; flags: "" */
 };
 
-extern const cli_command command_edit, command_eval, command_nearest, command_fit, command_sketch,
-    command_convert, command_render, command_info, command_replay;
+extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
+    command_sketch, command_tangents, command_levels, command_convert, command_render, command_info, command_replay;
 
 /* ---- arguments ---- */
 

@@ -278,7 +278,8 @@ void bat_frame_chain_at(const bat_frame_chain *chain, double u, bat_frame3 *out)
     vec_store(at.x, out->point);
     vec_store(t, out->t);
     vec_store(s, out->s);
-    vec_store(vec_cross(t, s), out->r);
+    bool flat = curve->dimension == 2 && chain->options.rule == BAT_FRAMES_RMF;
+    vec_store(flat ? (vec){0, 0, 1} : vec_cross(t, s), out->r);
 }
 
 bat_status bat_frames(const bat_curve *curve, const bat_frame_options *options, size_t count, const double *u,

@@ -273,20 +273,22 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
     return status;
 }
 
+/* What `levels` prints has the shape under "shape": it reads as one, too. */
 static bat_status shape_from_json(const bat_json *json, bat_shape **out, bat_problem *problem) {
     if (!is(json, 1, BAT_JSON_OBJECT))
         return bat_json_complain(json, 1, BAT_SYNTAX, "shape", "an object", problem);
-    uint32_t base_node = bat_json_member(json, 1, "base"), levels = bat_json_member(json, 1, "levels");
+    uint32_t inner = bat_json_member(json, 1, "shape"), top = inner ? inner : 1;
+    uint32_t base_node = bat_json_member(json, top, "base"), levels = bat_json_member(json, top, "levels");
     bat_curve *base = NULL;
     bat_shape *shape = NULL;
     bat_shape_options options;
-    if (!base_node) return bat_json_say(json, 1, BAT_SYNTAX, "base: expected a curve, found none", problem);
+    if (!base_node) return bat_json_say(json, top, BAT_SYNTAX, "base: expected a curve, found none", problem);
     bat_status status = bat_curve_from_json(json, base_node, &base, problem);
     if (status != BAT_OK) return status;
-    status = read_options(json, 1, &options, problem);
+    status = read_options(json, top, &options, problem);
     if (status == BAT_OK) {
         status = bat_shape_create(base, &options, &shape);
-        if (status != BAT_OK) bat_json_say(json, 1, status, bat_status_message(status), problem);
+        if (status != BAT_OK) bat_json_say(json, top, status, bat_status_message(status), problem);
     }
     bat_curve_free(base);
     if (status == BAT_OK && levels && !is(json, levels, BAT_JSON_LIST))

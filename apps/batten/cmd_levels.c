@@ -1,0 +1,96 @@
+/* batten levels: shapes of sweep and detail, edited and taken apart. */
+#include "io.h"
+#include "program.h"
+#include "results.h"
+
+#include "format/curve_json.h"
+#include "format/shape_json.h"
+
+#include <batten/levels.h>
+
+#include <stdlib.h>
+
+static int print(const bat_shape *shape) {
+    bat_text text = {0};
+    bat_text_string(&text, "{\"shape\":");
+    bat_shape_to_json(shape, &text);
+    bat_text_string(&text, ",\n\"curves\":[");
+    for (int l = 0; l <= bat_shape_levels(shape); l++) {
+        bat_text_string(&text, l > 0 ? ",\n" : "\n");
+        bat_curve_to_json(bat_shape_curve(shape, l), 1, &text);
+    }
+    bat_text_string(&text, "]}");
+    return write_text(&text);
+}
+
+static int decompose(const cli_arguments *arguments, int levels) {
+    const char *name = arguments->operands[0];
+    bat_curve *curve = NULL;
+    bat_shape *shape;
+    int failed = read_curve(name, &curve);
+    if (failed) return failed;
+    bat_status status = bat_shape_decompose(curve, levels, NULL, &shape);
+    bat_curve_free(curve);
+    if (status == BAT_MEMORY) return fail_memory();
+    if (status == BAT_COUNT)
+        return fail_data(name, "knots", "expected enough interior knots for %d levels, found too few",
+                         levels);
+    if (status != BAT_OK) return fail_data(name, NULL, "%s", bat_status_message(status));
+    failed = print(shape);
+    bat_shape_free(shape);
+    return failed;
+}
+
+static int read_shape(const char *name, bat_shape **out) {
+    char *data;
+    size_t size;
+    int failed = io_read(name, &data, &size);
+    if (failed) return failed;
+    bat_problem problem = {.place = ""};
+    bat_status status = bat_shape_read(data, size, out, &problem);
+    free(data);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+}
+
+static int edit(const char *name, bat_shape *shape) {
+    char *data;
+    size_t size;
+    int failed = io_read(name, &data, &size);
+    if (failed) return failed;
+    bat_problem problem = {.place = ""};
+    bat_status status = bat_shape_edit(shape, data, size, &problem);
+    free(data);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+}
+
+static int run(const cli_arguments *arguments) {
+    long levels = 0;
+    int failed = arguments_integer(arguments, "--decompose", 0, BAT_LEVELS_MAX, &levels);
+    if (failed) return failed;
+    if (arguments_value(arguments, "--decompose")) {
+        if (arguments->operands[1])
+            return fail_usage(arguments->command, "--decompose takes one CURVE and no EDITS");
+        return decompose(arguments, (int)levels);
+    }
+    bat_shape *shape = NULL;
+    failed = read_shape(arguments->operands[0], &shape);
+    if (failed) return failed;
+    if (arguments->operands[1]) failed = edit(arguments->operands[1], shape);
+    if (!failed) failed = print(shape);
+    bat_shape_free(shape);
+    return failed;
+}
+
+const cli_command command_levels = {
+    .name = "levels",
+    .usage = "SHAPE [EDITS] | --decompose N CURVE",
+    .summary = "Edits sweep and detail apart, or takes a curve apart into them.",
+    .details = "SHAPE is a base curve and levels of detail in the frames below. The result is {\"shape\", "
+               "\"curves\"}:\n"
+               "the shape after the edits, and the curves of all its levels, base first.",
+    .example = "batten levels --decompose 3 outline.json > shape.json",
+    .operands = 1,
+    .more = 1,
+    .options = {{"--decompose", "N", "takes CURVE apart into N levels, exactly"}},
+    .run = run,
+};
