@@ -77,7 +77,7 @@ static bat_status read_choice(const reader *r, uint32_t object, const char *name
 static bat_status read_style(const reader *r, uint32_t node, bat_style *style) {
     if (!node) return BAT_OK;
     if (bat_json_type_of(r->json, node) != BAT_JSON_OBJECT) return complain(r, node, "style", "an object");
-    int cap = style->cap, join = style->join;
+    int cap = (int)style->cap, join = (int)style->join;
     bat_status status = read_flag(r, node, "stroked", &style->stroked);
     if (status == BAT_OK) status = read_flag(r, node, "filled", &style->filled);
     if (status == BAT_OK) status = read_flag(r, node, "even_odd", &style->even_odd);
