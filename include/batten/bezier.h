@@ -14,22 +14,26 @@ BAT_API int bat_curve_segment_count(const bat_curve *curve);
  * be NULL. Exact to rounding. */
 BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
 /* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
- * *points is malloc'ed: *count * 4 * dimension doubles, shared ends repeated. */
+ * BAT_TOLERANCE with the best cubics after twelve halvings. *points is malloc'ed, freed by bat_free: *count *
+ * 4 * dimension doubles, shared ends repeated. */
 BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, double **points, int *count);
 
 /* Releases an array that the library handed over. */
 BAT_API void bat_free(void *memory);
 
 /*
- * One B-spline from `count` Bézier segments of one degree that follow each other (the start of each is the end
- * of the one before; points: count * degree + 1 points, shared ends once; closed: the last point equals the
- * first). Knot spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1;
- * joints that are not are corners: knots of multiplicity p. Closed paths become periodic. Zero-length segments
- * are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
- * *error reports the measured deviation.
+ * One B-spline from `count` Bézier segments of one degree that follow each other (the start of each is the
+ * end of the one before; points: count * degree + 1 points, shared ends once; closed: the last point equals
+ * the first). Knot spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1;
+ * joints that are not are corners: knots of multiplicity p. Closed paths become periodic. Zero-length
+ * segments are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
+ * *error (may be NULL) bounds the deviation. A smooth closed path whose handle ratios do not return to one
+ * after a round keeps multiplicity p at one joint; so do joints with a handle of no length, and where the
+ * speed would leave 1e-5..1e5 of the run's. BAT_ARGUMENT when a closed path does not end where it starts.
  */
-BAT_API bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points, bool closed,
-                                         double corner, double tolerance, bat_curve **out, double *error);
+BAT_API bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points,
+                                         bool closed, double corner, double tolerance, bat_curve **out,
+                                         double *error);
 
 #ifdef __cplusplus
 }
