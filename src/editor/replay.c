@@ -230,8 +230,7 @@ bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, 
         at += length + 1;
     }
     if (!first) return BAT_OK;
-    snprintf(fault.place, sizeof fault.place, "line 1");
-    say(&fault, BAT_SYNTAX, "the journal is empty");
+    bat_problem_set(&fault, BAT_SYNTAX, "line 1", "the journal is empty");
     if (problem) *problem = fault;
     return BAT_SYNTAX;
 }

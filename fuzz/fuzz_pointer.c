@@ -1,0 +1,40 @@
+/* Bytes become a session of events of every kind. The invariants hold after each; undoing everything gives
+ * the first document back, redoing the last. */
+#include "../tests/support/session.h"
+
+#include <stdio.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void demand(bool holds, const char *what) {
+    if (holds) return;
+    fprintf(stderr, "%s\n", what);
+    abort();
+}
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    session_bytes bytes = {data, size < 2000 ? size : 2000, 0};
+    bat_editor *editor = pen_editor();
+    uint64_t first = digest(editor);
+    double time = 0;
+    while (bytes.at < bytes.size) {
+        session_event(editor, &bytes, &time);
+        const char *wrong = bat_editor_check(editor);
+        demand(!wrong, wrong);
+    }
+    bat_editor_frame(editor);
+    bat_editor_command(editor, "cancel");
+    while (bat_editor_command(editor, "redo") == BAT_OK) {
+    }
+    uint64_t top = digest(editor);
+    while (bat_editor_command(editor, "undo") == BAT_OK) {
+    }
+    demand(digest(editor) == first, "undoing everything does not give the first document");
+    while (bat_editor_command(editor, "redo") == BAT_OK) {
+    }
+    demand(digest(editor) == top, "redoing everything does not give the last document");
+    bat_editor_free(editor);
+    return 0;
+}

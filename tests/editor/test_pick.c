@@ -1,0 +1,115 @@
+/* Picking against brute force over dense samples; ends; what is in front of equals. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/pick.h"
+#include "support/pen.h"
+
+enum { CURVES = 60, SAMPLES = 2000 };
+
+static double uniform(uint64_t *seed) {
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*seed >> 11) / 9007199254740992.0;
+}
+
+static double dense_distance(const bat_curve *curve, const double point[2]) {
+    static double u[SAMPLES], at[2 * SAMPLES];
+    double best = INFINITY;
+    bat_curve_spread(curve, SAMPLES, u);
+    bat_curve_eval_many(curve, SAMPLES, u, 0, at);
+    for (int i = 0; i < SAMPLES; i++)
+        best = fmin(best, hypot(at[2 * i] - point[0], at[2 * i + 1] - point[1]));
+    return best;
+}
+
+static void against_brute_force(void **state) {
+    (void)state;
+    uint64_t seed = 7;
+    bat_document *document = NULL;
+    bat_scene scene;
+    bat_document_create(&document);
+    for (int i = 0; i < CURVES; i++)
+        pen_add(document, pen_curve(1000 * uniform(&seed), 800 * uniform(&seed), 5 + 15 * uniform(&seed),
+                                    60 * uniform(&seed), 6 + i % 5));
+    bat_scene_init(&scene);
+    assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
+    int found = 0;
+    for (int i = 0; i < 300; i++) {
+        double point[2] = {1200 * uniform(&seed), 900 * uniform(&seed)}, within = 30 * uniform(&seed),
+               best = INFINITY;
+        for (int j = 0; j < CURVES; j++)
+            best = fmin(best, dense_distance(bat_object_curve(bat_document_at(document, j), 0), point));
+        bat_pick pick = bat_pick_nearest(&scene, point, within);
+        if (fabs(best - within) < 0.05) continue; /* the samples cannot tell */
+        assert_int_equal(pick.object != 0, best < within);
+        if (!pick.object) continue;
+        found++;
+        assert_true(pick.near.distance <= best + 1e-9 && pick.near.distance > best - 0.05);
+        assert_true(bat_object_id(bat_document_at(document, pick.index)) == pick.object);
+        double away = hypot(pick.near.point[0] - point[0], pick.near.point[1] - point[1]);
+        assert_true(fabs(away - pick.near.distance) < 1e-9);
+    }
+    assert_true(found > 30);
+    bat_scene_free(&scene);
+    bat_document_free(document);
+}
+
+static void front_and_ends(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_scene scene;
+    bat_document_create(&document);
+    bat_id back = pen_add(document, pen_curve(0, 0, 10, 0, 11)),
+           front = pen_add(document, pen_curve(0, 0, 10, 0, 11));
+    bat_scene_init(&scene);
+    assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
+    assert_true(bat_pick_nearest(&scene, (double[]){50, 1}, 5).object == front);
+    assert_true(bat_pick_nearest(&scene, (double[]){50, 6}, 5).object == 0);
+    bat_pick end = bat_pick_end(&scene, (double[]){101, 1}, 5, front, 0);
+    assert_true(end.object == back && end.near.u == 8 && fabs(end.near.distance - sqrt(2)) < 1e-12);
+    assert_true(bat_pick_end(&scene, (double[]){50, 0}, 5, 0, 0).object == 0);
+    bat_scene_free(&scene);
+    bat_document_free(document);
+}
+
+/* A change rebuilds what it changes: other items keep their versions, and the dirty box covers it. */
+static void scene_keeps_what_stays(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_scene scene;
+    bat_document_create(&document);
+    for (int i = 0; i < 20; i++) pen_add(document, pen_curve(0, 50 * i, 10, 0, 11));
+    bat_scene_init(&scene);
+    assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
+    uint32_t versions[20];
+    for (int i = 0; i < 20; i++) versions[i] = scene.items[i].version;
+    bat_box_clear(scene.dirty);
+    bat_object *moved = NULL;
+    assert_int_equal(
+        bat_object_with_curve(bat_document_at(document, 7), 0, pen_curve(200, 350, 10, 0, 11), &moved),
+        BAT_OK);
+    bat_document_replace(document, 7, moved);
+    bat_object_release(moved);
+    assert_int_equal(bat_scene_sync(&scene, document, 2), BAT_OK);
+    for (int i = 0; i < 20; i++) assert_int_equal(scene.items[i].version == versions[i], i != 7);
+    assert_true(scene.dirty[0] <= 0 && scene.dirty[2] >= 300 && scene.dirty[1] > 300 && scene.dirty[3] < 400);
+
+    bat_document_remove(document, 3);
+    assert_int_equal(bat_scene_sync(&scene, document, 3), BAT_OK);
+    assert_int_equal(scene.item_count, 19);
+    for (int i = 0; i < 19; i++)
+        if (i != 6) assert_int_equal(scene.items[i].version, versions[i < 3 ? i : i + 1]);
+    bat_scene_free(&scene);
+    bat_document_free(document);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(against_brute_force),
+        cmocka_unit_test(front_and_ends),
+        cmocka_unit_test(scene_keeps_what_stays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,186 @@
+/* Replay: scripted sessions run, wrong journals are refused with the line that is wrong, checks catch what
+ * differs. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <cmocka.h>
+#include "support/pen.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static bat_status replay(bat_editor *editor, const char *text, bat_problem *problem) {
+    return bat_editor_replay(editor, text, strlen(text), true, problem);
+}
+
+/* A session written by hand: raw events. */
+static const char scripted[] =
+    "{\"journal\":\"batten\",\"version\":1,\"name\":\"by hand\"}\n"
+    "\n"
+    "{\"resize\":[800,600,1]}\n"
+    "{\"set\":\"tolerance\",\"value\":2}\n"
+    "{\"pointer\":\"down\",\"device\":\"pen\",\"id\":1,\"buttons\":1,\"x\":100,\"y\":300,\"time\":0}\n"
+    "{\"pointer\":\"move\",\"device\":\"pen\",\"id\":1,\"buttons\":1,\"x\":150,\"y\":280,\"time\":20}\n"
+    "{\"pointer\":\"move\",\"device\":\"pen\",\"id\":1,\"buttons\":1,\"x\":220,\"y\":270,\"time\":40}\n"
+    "{\"pointer\":\"move\",\"device\":\"pen\",\"id\":1,\"buttons\":1,\"x\":300,\"y\":275,\"time\":60}\n"
+    "{\"frame\":true}\n"
+    "{\"pointer\":\"move\",\"device\":\"pen\",\"id\":1,\"buttons\":1,\"x\":380,\"y\":300,\"time\":80}\n"
+    "{\"pointer\":\"up\",\"device\":\"pen\",\"id\":1,\"x\":400,\"y\":310,\"time\":90}\n"
+    "{\"key\":\"z\",\"modifiers\":2}\n"
+    "{\"command\":\"redo\"}\n"
+    "{\"wheel\":[400,300,0,-20],\"modifiers\":2}\n";
+
+static void scripted_session(void **state) {
+    (void)state;
+    bat_editor *editor = NULL, *again = NULL;
+    bat_problem problem = {"", ""};
+    double tolerance = 0;
+    bat_editor_create(&editor);
+    assert_int_equal(replay(editor, scripted, &problem), BAT_OK);
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_string_equal(frame->name, "by hand");
+    assert_true(frame->view[2] > 1 && frame->can_undo && !frame->can_redo);
+    bat_editor_get(editor, "tolerance", &tolerance);
+    assert_true(tolerance == 2);
+    /* What the engine made of it is a journal of edits: the stroke, undo, redo. */
+    bat_editor_create(&again);
+    assert_int_equal(replay(again, bat_editor_journal(editor, NULL), &problem), BAT_OK);
+    assert_true(digest(again) == digest(editor));
+    bat_editor_free(again);
+    bat_editor_free(editor);
+}
+
+static void wrong_journals(void **state) {
+    (void)state;
+#define HEAD "{\"journal\":\"batten\",\"version\":1}\n"
+#define VIEW "\"view\":[0,0,1]"
+#define STROKE "\"stroke\":{\"points\":[[0,0],[50,9],[99,0]]}"
+    const struct {
+        const char *text, *place;
+        bat_status status;
+    } cases[] = {
+        {"", "line 1", BAT_SYNTAX},
+        {"not json", "line 1", BAT_SYNTAX},
+        {"{\"journal\":\"other\",\"version\":1}", "line 1", BAT_SYNTAX},
+        {"{\"journal\":\"batten\",\"version\":2}", "line 1", BAT_UNSUPPORTED},
+        {"{\"journal\":\"batten\",\"version\":1,\"digest\":\"0000000000000000\"}", "line 1", BAT_STATE},
+        {HEAD "{\"dance\":1}", "line 2", BAT_UNSUPPORTED},
+        {HEAD "\n{\"do\":\"undo\"}", "line 3", BAT_STATE},
+        {HEAD "{\"do\":\"fly\"}", "line 2", BAT_UNSUPPORTED},
+        {HEAD "{\"do\":\"sketch-redraw\",\"object\":5,\"curve\":0," VIEW "," STROKE "}", "line 2",
+         BAT_ARGUMENT},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":0," VIEW "," STROKE "}", "line 2", BAT_ARGUMENT},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1.5," VIEW "," STROKE "}", "line 2", BAT_ARGUMENT},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," STROKE "}", "line 2", BAT_SYNTAX},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1,\"view\":[0,0,0]," STROKE "}", "line 2", BAT_SYNTAX},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," VIEW "}", "line 2", BAT_COUNT},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," VIEW ",\"stroke\":{\"points\":[[0,0],[1]]}}", "line 2",
+         BAT_SYNTAX},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," VIEW
+              ",\"stroke\":{\"points\":[[0,0],[9,9]],\"time\":[5,4]}}",
+         "line 2", BAT_SYNTAX},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," VIEW
+              ",\"stroke\":{\"points\":[[0,0],[9,9],[9,0]],\"time\":[5,4]}}",
+         "line 2", BAT_COUNT},
+        {HEAD "{\"do\":\"sketch-new\",\"object\":1," VIEW ",\"stroke\":{\"points\":[[0,0],[1,0]]}}", "line 2",
+         BAT_DOT},
+        {HEAD "{\"set\":\"tolerance\",\"value\":99}", "line 2", BAT_ARGUMENT},
+        {HEAD "{\"set\":\"colour of the sky\",\"value\":1}", "line 2", BAT_UNSUPPORTED},
+        {HEAD "{\"command\":\"fly\"}", "line 2", BAT_UNSUPPORTED},
+        {HEAD "{\"pointer\":\"jump\"}", "line 2", BAT_UNSUPPORTED},
+        {HEAD "{\"digest\":\"0123456789abcdef\"}", "line 2", BAT_STATE},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bat_editor *editor = NULL;
+        bat_problem problem = {"", ""};
+        bat_editor_create(&editor);
+        bat_status status = replay(editor, cases[i].text, &problem);
+        if (status != cases[i].status || strcmp(problem.place, cases[i].place) || !problem.message[0])
+            fail_msg("case %zu: status %d, %s: %s", i, status, problem.place, problem.message);
+        assert_null(bat_editor_check(editor));
+        assert_int_equal(bat_document_count(bat_editor_document(editor)), 0);
+        bat_editor_free(editor);
+    }
+}
+
+/* A journal that was tampered with does not pass its own digests. */
+static void digests_catch_a_changed_stroke(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor(), *again = NULL;
+    pen p = pen_for(editor);
+    pen_line(&p, 350, 200, 650, 200, 40);
+    size_t size = 0;
+    const char *text = bat_editor_journal(editor, &size);
+    char *copy = malloc(size + 1);
+    memcpy(copy, text, size + 1);
+    char *at = strstr(strstr(copy, "\"points\":[[350,200],"), "],[") + 3;
+    assert_non_null(at);
+    at[0] = at[0] == '9' ? '8' : (char)(at[0] + 1);
+    bat_problem problem = {"", ""};
+    bat_editor_create(&again);
+    assert_int_equal(bat_editor_replay(again, copy, size, true, &problem), BAT_STATE);
+    assert_string_equal(problem.place, "line 2");
+    free(copy);
+    bat_editor_free(again);
+    bat_editor_free(editor);
+}
+
+/* What the pen felt is in the journal: pressure, tilt, time, and the pixel and tolerance of the stroke. */
+static void the_pen_is_recorded(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    bat_editor_set(editor, "tolerance", 2);
+    bat_editor_command(editor, "zoom-in");
+    bat_editor_command(editor, "zoom-in");
+    pen_line(&p, 350, 100, 650, 120, 40);
+    const char *text = bat_editor_journal(editor, NULL);
+    const char *parts[] = {"\"pressure\":[0.", "\"time\":[0,4,8,", "\"tilt\":[[20,-5],", "\"pixel\":0.",
+                           "\"tolerance\":"};
+    for (int i = 0; i < 5; i++) assert_non_null(strstr(text, parts[i]));
+    double zoom = bat_editor_frame(editor)->view[2], pixel = 0, tolerance = 0;
+    assert_int_equal(sscanf(strstr(text, "\"pixel\":"), "\"pixel\":%lf", &pixel), 1);
+    assert_int_equal(sscanf(strstr(text, "\"tolerance\":"), "\"tolerance\":%lf", &tolerance), 1);
+    assert_true(pixel == 1 / zoom && tolerance == 2 / zoom);
+    bat_editor_free(editor);
+}
+
+/* The example of docs/journal.md does what the page says of it. */
+static void the_documented_example(void **state) {
+    (void)state;
+    static char page[32768];
+    FILE *file = fopen(BATTEN_SOURCE_DIR "/docs/journal.md", "rb");
+    assert_non_null(file);
+    size_t size = fread(page, 1, sizeof page - 1, file);
+    fclose(file);
+    page[size] = 0;
+    char *from = strstr(strstr(page, "## A whole one"), "{\"journal\""), *to = strstr(from, "```");
+    assert_non_null(to);
+    bat_editor *editor = NULL;
+    bat_problem problem = {"", ""};
+    bat_editor_create(&editor);
+    if (bat_editor_replay(editor, from, (size_t)(to - from), true, &problem) != BAT_OK)
+        fail_msg("%s: %s", problem.place, problem.message);
+    const char *journal = bat_editor_journal(editor, NULL);
+    const char *steps[] = {"\"do\":\"sketch-new\"", "\"do\":\"sketch-redraw\"", "\"do\":\"undo\"",
+                           "\"do\":\"redo\""};
+    for (int i = 0; i < 4; i++) {
+        journal = strstr(journal, steps[i]);
+        assert_non_null(journal);
+    }
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scripted_session),
+        cmocka_unit_test(wrong_journals),
+        cmocka_unit_test(digests_catch_a_changed_stroke),
+        cmocka_unit_test(the_pen_is_recorded),
+        cmocka_unit_test(the_documented_example),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
