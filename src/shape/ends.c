@@ -104,7 +104,7 @@ static void choose_cut(bat_end *e, int side, double room) {
     }
 }
 
-void bat_plan_interval(bat_plan *plan) {
+void bat_plan_leads(bat_plan *plan) {
     const double L = plan->stroke->length, gentle = plan->width / 3, rho = 20;
     for (int side = 0; side < 2; side++) {
         bat_end *e = &plan->end[side];
@@ -114,6 +114,10 @@ void bat_plan_interval(bat_plan *plan) {
                        fmax(rho * e->angle, 12));
         e->blend = fmin(rho * e->angle, 0.2 * L);
     }
+}
+
+void bat_plan_cuts(bat_plan *plan) {
+    const double L = plan->stroke->length;
     double room[2] = {INFINITY, INFINITY};
     if (plan->closed) {
         const double around = plan->end[0].track->length;

@@ -32,7 +32,7 @@ bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke
     if (stroke->dimension != bat_curve_dimension(curve)) return BAT_DIMENSION;
     double origin[BAT_DIMENSION_MAX];
     bat_stroke_origin(stroke, origin);
-    const bat_clean_options cleaning = {1 / o.pixel, origin, o.tolerance / o.pixel, false};
+    const bat_clean_options cleaning = {1 / o.pixel, origin, o.tolerance / o.pixel, false, NULL};
     bat_clean clean;
     status = bat_clean_stroke(stroke, &cleaning, &clean);
     if (status != BAT_OK) return status;

@@ -131,6 +131,11 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     bat_lsq_assemble(&k->space, m, q->count, q->w, q->x, q->weight, k->a, k->b);
     const double omega = q->wavelength / (2 * BAT_PI), mu = omega * omega * omega;
     bat_lsq_penalty(&k->space, 3, mu * mu, k->factor, k->a);
+    if (k->ridge > 0)
+        for (int i = 0; i < n; i++) {
+            double *diagonal = k->a + (size_t)i * (size_t)(p + 1);
+            *diagonal += k->ridge * (*diagonal + 1e-3);
+        }
     k->solves++;
     *status = BAT_OK;
     if (q->closed) {
@@ -353,6 +358,10 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
     set_copy(&k->spare, &k->best);
     for (int round = 0; round < 24; round++) {
         met = bat_local_try(k, &k->best, &status);
+        if (status == BAT_SINGULAR && k->ridge == 0) { /* too few samples somewhere: hold still there */
+            k->ridge = 1e-10;
+            met = bat_local_try(k, &k->best, &status);
+        }
         if (status != BAT_OK) break;
         const double ratio = worst_ratio(k);
         met = ratio <= 1; /* the speed law binds the removal only */

@@ -70,6 +70,7 @@ typedef struct bat_local_machine {
     bat_knot_set best, trial, spare;
     double *points; /* of the last solve */
     int solves;
+    double ridge; /* relative; 0 unless the equations were singular */
 } bat_local_machine;
 
 /* Solves for the knots given and measures; true when every sample is within its limit and the speed within

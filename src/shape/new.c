@@ -12,7 +12,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     double origin[BAT_DIMENSION_MAX];
     bat_stroke_origin(stroke, origin);
     const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, true};
+    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, true, hints ? hints->memory : NULL};
     bat_clean clean;
     status = bat_clean_stroke(stroke, &cleaning, &clean);
     if (status != BAT_OK) return status;

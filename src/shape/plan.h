@@ -54,10 +54,18 @@ typedef struct bat_plan {
 
 /* docs/math sketch 5.4: decides the kinds of both ends. BAT_FAR. */
 bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found);
-/* 5.5 and 5.6: lengths of the transitions, joints and cuts. */
-void bat_plan_interval(bat_plan *plan);
+/* 5.5: lengths of the transitions. */
+void bat_plan_leads(bat_plan *plan);
+/* 5.6: where they begin, and where the curve is cut. */
+void bat_plan_cuts(bat_plan *plan);
 /* 5.5, 5.6: the target polyline with weights, allowed errors and parameters. */
 bat_status bat_plan_target(bat_plan *plan);
+/* The old curve between a cut and its joint, part of every target; step: pixels between samples. */
+bat_status bat_plan_add_kept(bat_plan *plan, int side, double step);
+/* |C'| of the kept piece at a joint, `mean` where nothing is kept. */
+double bat_plan_joint_speed(const bat_end *end, int side, double mean);
+/* Parameters of a target whose samples 0..a-1 and b+1.. are kept portions. */
+void bat_plan_parameters(bat_plan *plan, size_t a, size_t b);
 /* The same for a stroke that closes upon itself: the gap is bridged. */
 bat_status bat_plan_ring(bat_plan *plan);
 void bat_plan_free(bat_plan *plan);

@@ -68,7 +68,7 @@ void bat_canvas_free(bat_canvas *canvas) {
     memset(canvas, 0, sizeof *canvas);
 }
 
-static void bind(bat_plan *plan, const bat_canvas *canvas) {
+void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas) {
     for (int side = 0; side < 2; side++) {
         plan->end[side].curve = canvas->pixels;
         plan->end[side].original = canvas->original;
@@ -78,7 +78,7 @@ static void bind(bat_plan *plan, const bat_canvas *canvas) {
 }
 
 /* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
-static bat_status enrich_kept_arc(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel) {
+bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel) {
     const int p = plan->degree;
     const bat_track *k = &canvas->track;
     const double period = k->end - k->start, from = plan->end[1].cut, to = plan->end[0].cut + period;
@@ -107,7 +107,7 @@ static bat_status enrich_kept_arc(bat_plan *plan, bat_canvas *canvas, const doub
     if (status != BAT_OK) return status;
     bat_canvas_free(canvas);
     *canvas = next;
-    bind(plan, canvas);
+    bat_canvas_bind(plan, canvas);
     return BAT_OK;
 }
 
@@ -124,6 +124,36 @@ static void vector_area(size_t m, size_t count, const double *x, double *area) {
     }
 }
 
+/* Knots for a preview: those of the last one where the stroke has settled, even ones elsewhere. The settled
+ * stretch hangs on the cut where the pen began. */
+static bool warm_knots(const bat_plan *plan, bat_sketch_hints *hints, bat_local_problem *problem) {
+    const bat_sketch_hints *last = hints->last;
+    const int anchor = hints->turned ? 1 : 0;
+    const double margin = 40, move = anchor == 0 ? 0 : plan->target.end - last->end;
+    const bool kept = plan->end[anchor].kind != BAT_END_FREE;
+    double from = anchor == 0 ? 0 : last->settled[0] + margin + move;
+    double to = anchor == 0 ? last->settled[1] - margin : plan->target.end;
+    if ((kept && last->cut[anchor] != plan->end[anchor].cut) || last->turned != hints->turned || to <= from)
+        from = to = -1; /* nothing is as it was */
+    const size_t room = (size_t)hints->warm_count + (size_t)(plan->target.end / problem->span) + 8;
+    hints->mixed = malloc(room * sizeof *hints->mixed);
+    if (!hints->mixed) return false;
+    int count = 0, next = 0;
+    double w = 0;
+    while (count < (int)room) {
+        double candidate = w + problem->span;
+        if (w >= from && w < to) {
+            while (next < hints->warm_count && hints->warm[next] + move <= w + 1e-6) next++;
+            if (next < hints->warm_count && hints->warm[next] + move < to)
+                candidate = hints->warm[next] + move;
+        }
+        if (candidate > plan->target.end - 0.5 * problem->span) break;
+        hints->mixed[count++] = w = candidate;
+    }
+    problem->warm = hints->mixed, problem->warm_count = count;
+    return true;
+}
+
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
                            bat_curve **out, bat_sketch_report *report) {
     bat_local_problem problem;
@@ -134,22 +164,38 @@ bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, b
     bat_plan_problem(plan, &problem);
     if (hints) {
         problem.remove = hints->remove;
-        problem.warm_count = hints->warm_count, problem.warm = hints->warm;
+        if (hints->warm && !warm_knots(plan, hints, &problem)) return BAT_MEMORY;
         if (hints->want_target) {
             hints->target = malloc(t->count * m * sizeof *hints->target);
-            if (!hints->target) return BAT_MEMORY;
+            if (!hints->target) {
+                free(hints->mixed);
+                hints->mixed = NULL;
+                return BAT_MEMORY;
+            }
             for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
             hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
         }
         hints->end = t->end;
+        hints->settled[0] = t->w[t->first], hints->settled[1] = t->w[t->last];
+        hints->cut[0] = plan->end[0].cut, hints->cut[1] = plan->end[1].cut;
     }
     bat_status status = bat_local_fit(&problem, &fit);
+    if (hints) {
+        free(hints->mixed);
+        hints->mixed = NULL;
+    }
     if (status != BAT_OK) return status;
     bat_curve *result;
     double changed_new[2] = {0, 0};
     status = bat_splice(plan, &problem, &fit, origin, pixel, &result, changed_new);
     if (status == BAT_OK && hints && hints->want_target) {
-        hints->found = fit.knots, hints->found_count = fit.interior;
+        int count = 0; /* corners are found afresh */
+        for (int i = 0; i < fit.interior; i++) {
+            bool corner = false;
+            for (int j = 0; j < problem.fixed_count; j++) corner = corner || fit.knots[i] == problem.fixed[j];
+            if (!corner) fit.knots[count++] = fit.knots[i];
+        }
+        hints->found = fit.knots, hints->found_count = count;
         fit.knots = NULL;
     }
     if (status == BAT_OK) {
@@ -196,7 +242,8 @@ bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, con
     bat_stroke_origin(stroke, origin);
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve)};
     const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners};
+    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners,
+                                        hints ? hints->memory : NULL};
     bat_clean clean;
     status = bat_clean_stroke(stroke, &cleaning, &clean);
     if (status != BAT_OK) return status;
@@ -215,20 +262,22 @@ bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, con
                      .keep_corners = o.keep_corners,
                      .closed = curve->closed,
                      .stroke = &clean};
-    bind(&plan, &canvas);
+    bat_canvas_bind(&plan, &canvas);
     const bat_correspondence found = bat_correspond(&canvas.track, &clean);
     const bool all_round = curve->closed &&
                            ((bat_clean_closes(&clean) && clean.length > 0.5 * canvas.track.length) ||
                             found.end - found.start >= 0.98 * canvas.track.length);
     if (!all_round && found.reversed) bat_clean_reverse(&clean);
     facts.reversed = found.reversed;
+    if (hints) hints->turned = found.reversed;
     status = bat_plan_ends(&plan, &found);
     facts.changed[0] = canvas.track.start, facts.changed[1] = canvas.track.end;
     if (status == BAT_OK && all_round) {
         status = plan_ring(&plan, &canvas, &facts);
     } else if (status == BAT_OK) {
-        bat_plan_interval(&plan);
-        if (plan.closed) status = enrich_kept_arc(&plan, &canvas, origin, o.pixel);
+        bat_plan_leads(&plan);
+        bat_plan_cuts(&plan);
+        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o.pixel);
         if (plan.end[0].kind != BAT_END_FREE) facts.changed[0] = plan.end[0].cut;
         if (plan.end[1].kind != BAT_END_FREE) facts.changed[1] = plan.end[1].cut;
         if (status == BAT_OK) status = bat_plan_target(&plan);

@@ -18,18 +18,29 @@ bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *
 /* First finite sample, or zero. */
 void bat_stroke_origin(const bat_stroke *stroke, double *origin);
 
-/* Live work: knots to start with, and the target to show. */
+/* What a live session hands from one preview to the next. */
 typedef struct bat_sketch_hints {
-    bool remove;    /* as in the one-shot call */
-    int warm_count; /* w of interior knots from the last preview */
-    const double *warm;
-    double *target; /* out: points in document units, malloc'ed; NULL when not wanted */
-    size_t target_count, stroke_first, stroke_last;
+    bool remove; /* remove knots as the one-shot call does */
     bool want_target;
-    int found_count; /* out: w of the interior knots, malloc'ed */
+    const struct bat_sketch_hints *last; /* the preview before, whose knots are `warm`; or NULL */
+    const double *warm;
+    int warm_count;
+    bat_clean_memory *memory;
+    /* Results. */
+    double *target; /* points in document units; the caller frees it */
+    size_t target_count, stroke_first, stroke_last;
+    int found_count; /* w of the interior knots; the caller frees them */
     double *found;
-    double end; /* out: where w ends */
+    double end;        /* w ends here */
+    double settled[2]; /* w of the stroke proper */
+    double cut[2];
+    bool turned;   /* the stroke runs against the curve */
+    double *mixed; /* scratch */
 } bat_sketch_hints;
+
+void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas);
+/* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
+bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel);
 
 /* The last steps, the same for all: fit, splice, report. */
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,

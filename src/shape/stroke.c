@@ -194,6 +194,42 @@ static bat_status smooth_pieces(const double *y, size_t count, size_t m, double 
     return BAT_OK;
 }
 
+/* Puts settled samples back where they were shown, fades the difference out behind them, and settles more.
+ * z[0] is sample `first` of the stroke. */
+static bat_status remember(bat_clean_memory *memory, double *z, size_t first, size_t count, size_t m) {
+    enum { FADE = 16 };
+    const size_t total = first + count;
+    double step[BAT_DIMENSION_MAX] = {0};
+    for (size_t i = first; i < total; i++) {
+        double *p = z + (i - first) * m;
+        if (i < memory->count) {
+            for (size_t c = 0; c < m; c++) {
+                step[c] = memory->points[i * m + c] - p[c];
+                p[c] = memory->points[i * m + c];
+            }
+        } else if (i < memory->count + FADE) {
+            const double f = (double)(i - memory->count + 1) / (FADE + 1);
+            const double fade = 1 - f * f * (3 - 2 * f);
+            for (size_t c = 0; c < m; c++) p[c] += fade * step[c];
+        }
+    }
+    const size_t settled = total > memory->fresh ? total - memory->fresh : 0;
+    if (settled <= memory->count) return BAT_OK;
+    if (settled > memory->room) {
+        const size_t room = 2 * settled + 64;
+        double *points = realloc(memory->points, room * m * sizeof *points);
+        if (!points) return BAT_MEMORY;
+        memory->points = points, memory->room = room;
+    }
+    for (size_t i = memory->count; i < settled; i++) {
+        /* A hook that was cut off keeps a place, never used again. */
+        const size_t from = i < first ? 0 : i - first;
+        memcpy(memory->points + i * m, z + from * m, m * sizeof *z);
+    }
+    memory->count = settled;
+    return BAT_OK;
+}
+
 bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o, bat_clean *out) {
     const size_t m = (size_t)stroke->dimension;
     memset(out, 0, sizeof *out);
@@ -231,6 +267,11 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
             while (drop + 4 < count && arc[drop] < head) drop++;
             first += drop, count -= drop;
         }
+    }
+    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
+    if (status == BAT_OK && o->memory && stroke->count <= SMOOTH_MAX && count > 1) {
+        status = remember(o->memory, z, first, count, m);
+        measure(z, count, m, arc);
     }
     if (status == BAT_OK) {
         double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];

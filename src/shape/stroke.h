@@ -15,11 +15,20 @@ typedef struct bat_clean {
     size_t *corners; /* indices of kept corners, ascending, ends excluded; owned */
 } bat_clean;
 
+/* What a live session has shown long enough: smoothed samples that stay where they are. Owned by the session.
+ */
+typedef struct bat_clean_memory {
+    double *points; /* in pixels, one for each finite, distinct sample */
+    size_t count, room;
+    size_t fresh; /* so many of the last samples are not settled yet */
+} bat_clean_memory;
+
 typedef struct bat_clean_options {
-    double scale;         /* 1 / pixel: document units to pixels */
-    const double *origin; /* subtracted first */
-    double tolerance;     /* pixels */
-    bool corners;         /* look for corners */
+    double scale;             /* 1 / pixel: document units to pixels */
+    const double *origin;     /* subtracted first */
+    double tolerance;         /* pixels */
+    bool corners;             /* look for corners */
+    bat_clean_memory *memory; /* NULL but while the pen is down */
 } bat_clean_options;
 
 /* BAT_DOT when nothing is left that is 8 px long. NaN and infinite samples are dropped. */

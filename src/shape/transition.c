@@ -230,7 +230,7 @@ void bat_target_speed(bat_target *t, int dimension, size_t a, size_t b, double b
 }
 
 /* Old curve between a cut and its joint, ends left to the neighbours where `skip` says so. */
-static bat_status add_kept(bat_plan *plan, int side, double step) {
+bat_status bat_plan_add_kept(bat_plan *plan, int side, double step) {
     bat_end *e = &plan->end[side];
     bat_target *t = &plan->target;
     const double from = side == 0 ? e->cut : e->joint_u, to = side == 0 ? e->joint_u : e->cut;
@@ -254,7 +254,7 @@ static bat_status add_kept(bat_plan *plan, int side, double step) {
     return BAT_OK;
 }
 
-static double speed_at(const bat_end *e, int side, double mean) {
+double bat_plan_joint_speed(const bat_end *e, int side, double mean) {
     if (e->kind != BAT_END_KEPT) return mean;
     const size_t m = (size_t)e->curve->dimension;
     double jet[2 * BAT_DIMENSION_MAX];
@@ -278,21 +278,33 @@ static bat_status fix_corners(bat_plan *plan, const size_t *index, size_t count)
     return BAT_OK;
 }
 
+void bat_plan_parameters(bat_plan *plan, size_t a, size_t b) {
+    bat_target *t = &plan->target;
+    const double mean = plan->speed;
+    if (a > 0) t->w[a] = (plan->end[0].joint_u - plan->end[0].cut) * t->rate;
+    bat_target_speed(t, plan->dimension, a, b, bat_plan_joint_speed(&plan->end[0], 0, mean) / t->rate,
+                     bat_plan_joint_speed(&plan->end[1], 1, mean) / t->rate, mean / t->rate);
+    t->end = t->w[b];
+    if (b + 1 < t->count) t->end += (plan->end[1].cut - plan->end[1].joint_u) * t->rate;
+    for (size_t i = b + 1; i < t->count; i++) t->w[i] += t->end;
+    /* The measured ends must lie in the domain whatever rounding did. */
+    for (size_t i = 1; i < t->count; i++) t->w[i] = fmin(fmax(t->w[i], t->w[i - 1]), t->end);
+}
+
 bat_status bat_plan_target(bat_plan *plan) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
     bat_target *t = &plan->target;
     const double step = stroke->length / (double)(stroke->count - 1);
-    const double mean = plan->speed;
     t->count = 0;
-    t->rate = mean;
+    t->rate = plan->speed;
     bat_status status = BAT_OK;
     size_t *corners = malloc((stroke->corner_count + 1) * sizeof *corners), corner_count = 0;
     double *points = NULL;
     if (!corners) return BAT_MEMORY;
     size_t a = 0, b = 0;
     if (plan->end[0].kind == BAT_END_KEPT && plan->end[0].cut != plan->end[0].joint_u)
-        status = add_kept(plan, 0, step);
+        status = bat_plan_add_kept(plan, 0, step);
     a = t->count;
     for (int side = 0; side < 2 && status == BAT_OK; side++) {
         const bat_end *e = &plan->end[side];
@@ -323,16 +335,9 @@ bat_status bat_plan_target(bat_plan *plan) {
     }
     b = t->count - 1;
     if (status == BAT_OK && plan->end[1].kind == BAT_END_KEPT && plan->end[1].cut != plan->end[1].joint_u)
-        status = add_kept(plan, 1, step);
+        status = bat_plan_add_kept(plan, 1, step);
     if (status == BAT_OK) {
-        if (a > 0) t->w[a] = (plan->end[0].joint_u - plan->end[0].cut) * t->rate;
-        bat_target_speed(t, plan->dimension, a, b, speed_at(&plan->end[0], 0, mean) / t->rate,
-                         speed_at(&plan->end[1], 1, mean) / t->rate, mean / t->rate);
-        t->end = t->w[b];
-        if (b + 1 < t->count) t->end += (plan->end[1].cut - plan->end[1].joint_u) * t->rate;
-        for (size_t i = b + 1; i < t->count; i++) t->w[i] += t->end;
-        /* The measured ends must lie in the domain whatever rounding did. */
-        for (size_t i = 1; i < t->count; i++) t->w[i] = fmin(fmax(t->w[i], t->w[i - 1]), t->end);
+        bat_plan_parameters(plan, a, b);
         status = fix_corners(plan, corners, corner_count);
     }
     free(points);
