@@ -417,6 +417,18 @@ export class Engine {
     return address ? this.#string(address) : '';
   }
 
+  /**
+   * Runs a journal from its first line, in place of the document.
+   * @param {Uint8Array} journal
+   * @returns {boolean} all of it could be done
+   */
+  replay(journal) {
+    const broken = -1;
+    const status = this.#guard(() => this.#lend(journal, (text, size) =>
+      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), broken);
+    return status === OK;
+  }
+
   // ---- output ----
 
   /**

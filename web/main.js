@@ -3,6 +3,7 @@
 import { Ask, Engine, loadModule } from './engine.js';
 import { Files } from './files.js';
 import { Input } from './input.js';
+import { Keeper } from './keep.js';
 import { Notice } from './notice.js';
 import { Painter } from './paint.js';
 import { loadIcons, Panel } from './panel.js';
@@ -20,6 +21,7 @@ class Shell {
     this.stage = part('stage');
     this.notice = new Notice();
     this.server = new Server();
+    this.keeper = new Keeper();
     this.engine = new Engine(module);
     this.theme = new Theme();
     this.painter = new Painter(/** @type {HTMLCanvasElement} */ (part('still')),
@@ -92,6 +94,7 @@ class Shell {
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     part('welcome').hidden = frame.still.length > 0 || frame.live.length > 0;
     this.files.unsaved = frame.unsaved;
+    this.keeper.note(this.files.name, this.engine.journal, frame.unsaved);
     if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
       this.notice.say(frame.notice);
     }
@@ -100,6 +103,22 @@ class Shell {
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;
     this.#grant(frame.requests);
+  }
+
+  /** What a crashed or closed page left unsaved of this drawing can be brought back. */
+  async offerKept() {
+    const kept = await this.keeper.find(this.files.name);
+    if (kept) {
+      this.notice.say(`There is unsaved work on ${kept.name} from before.`, {
+        label: 'Bring it back',
+        run: () => {
+          if (!this.engine.replay(kept.journal)) {
+            this.notice.say('It could not be brought back.');
+          }
+          this.wake();
+        },
+      });
+    }
   }
 
   /** What the engine asks of its host. @param {number} requests */
@@ -129,6 +148,7 @@ async function start() {
     if (shell.server.there) {
       await shell.files.openServed();
     }
+    await shell.offerKept();
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';

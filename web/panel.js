@@ -232,7 +232,12 @@ export class Panel {
       input.max = String(row.high);
       input.step = 'any';
       input.inputMode = 'decimal';
-      input.addEventListener('keydown', (event) => this.#step(event, row, input));
+      input.addEventListener('keydown', (event) => {
+        if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+          event.preventDefault();
+          this.#step(row, input, event.key === 'ArrowUp' ? 1 : -1);
+        }
+      });
     }
     const write = () => {
       const value = row.type === 'switch' ? Number(input.checked) :
@@ -261,17 +266,12 @@ export class Panel {
   }
 
   /**
-   * The arrow keys walk in the table's steps.
-   * @param {KeyboardEvent} event
+   * Walks in the table's steps.
    * @param {PropertyRow} row
    * @param {HTMLInputElement} input
+   * @param {number} steps
    */
-  #step(event, row, input) {
-    const steps = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
-    if (steps === 0) {
-      return;
-    }
-    event.preventDefault();
+  #step(row, input, steps) {
     const value = input.valueAsNumber + steps * row.step;
     input.value = short(Math.min(row.high, Math.max(row.low, value)));
     input.dispatchEvent(new Event('change'));
@@ -287,10 +287,25 @@ export class Panel {
     if (row) {
       const control = this.#control(row, 'readout');
       control.querySelector('label')?.classList.add('hidden');
+      const input = /** @type {HTMLInputElement} */ (control.querySelector('input'));
+      input.before(this.#stepper(row, input, -1));
+      input.after(this.#stepper(row, input, 1));
       this.tolerance.before(control);
       this.tolerance.parentElement?.classList.add('with-control');
     }
     this.zoom = this.#readout(list, 'Zoom');
+  }
+
+  /**
+   * A button for those who hold a pen.
+   * @param {PropertyRow} row
+   * @param {HTMLInputElement} input
+   * @param {number} steps
+   */
+  #stepper(row, input, steps) {
+    const button = this.#plainButton(steps < 0 ? 'less' : 'more', `${steps < 0 ? 'Less' : 'More'} ${row.label}`, '');
+    button.addEventListener('click', () => this.#step(row, input, steps));
+    return button;
   }
 
   /** @param {HTMLElement} list @param {string} label */
