@@ -136,6 +136,59 @@ static void surgery_one(parity_sink *sink, random_source *r, bat_curve *curve) {
 }
 static void surgery(parity_sink *sink) { each_curve(sink, 7, surgery_one); }
 
+/* A stroke that wavers about a circle's arc. */
+static void arc_stroke(random_source *r, size_t count, double radius, double turn, double *points) {
+    for (size_t i = 0; i < count; i++) {
+        double angle = turn * (double)i / (double)(count - 1);
+        double away = radius + random_between(r, -0.4, 0.4);
+        points[2 * i] = away * bat_cos(angle), points[2 * i + 1] = away * bat_sin(angle);
+    }
+}
+
+static void fit(parity_sink *sink) {
+    enum { COUNT = 300 };
+    random_source r = {9};
+    double points[2 * COUNT];
+    for (int k = 0; k < 4; k++) {
+        arc_stroke(&r, COUNT, 100 + 50 * k, 1 + k, points);
+        bat_fit_options options = bat_fit_defaults();
+        bat_fit_report report = {0};
+        bat_curve *curve = NULL;
+        bat_status status = bat_fit(2, COUNT, points, &options, &curve, &report);
+        put_curve(sink, status, curve);
+        put(sink, report.max_error), put(sink, report.knots), put(sink, report.solves);
+    }
+}
+
+static void put_sketch(parity_sink *sink, bat_status status, bat_curve *curve,
+                       const bat_sketch_report *report) {
+    put_curve(sink, status, curve);
+    put(sink, report->max_error), put(sink, report->noise), put(sink, report->solves);
+    put_many(sink, 2, report->changed), put_many(sink, 2, report->changed_new);
+}
+
+/* A new curve from a stroke, redrawn in part, then redrawn again with other options. */
+static void sketch(parity_sink *sink) {
+    enum { COUNT = 300 };
+    random_source r = {10};
+    double points[2 * COUNT];
+    for (int k = 0; k < 4; k++) {
+        bat_sketch_options options = bat_sketch_defaults();
+        bat_sketch_report report = {0};
+        bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = points};
+        bat_curve *first = NULL, *second = NULL;
+        arc_stroke(&r, COUNT, 300, 2.5, points);
+        bat_status status = bat_sketch_new(&stroke, &options, false, &first, &report);
+        put(sink, status);
+        if (status != BAT_OK) return;
+        arc_stroke(&r, COUNT, 310 + k, 1.2 + 0.1 * k, points);
+        options.pins = k % 2 ? 2 : 3;
+        status = bat_sketch(first, &stroke, &options, &second, &report);
+        put_curve(sink, BAT_OK, first);
+        put_sketch(sink, status, second, &report);
+    }
+}
+
 /* A whole session: an object, the view, strokes over it and beside it, undo. The journal holds every number
  * and digest of it as text. */
 static void session(parity_sink *sink) {
@@ -196,5 +249,7 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"closest point", nearest},
                                           {"measures", measure},
                                           {"surgery", surgery},
+                                          {"fit", fit},
+                                          {"sketch", sketch},
                                           {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);

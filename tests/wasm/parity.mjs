@@ -39,7 +39,7 @@ for (const native of natives) {
         different++;
       }
     console.log(`${title}: ${theirs.length} numbers, ${different} differ`);
-    if (theirs.length < 100) (faults++, console.log('  too few: the section gave up'));
+    if (theirs.length < 50) (faults++, console.log('  too few: the section gave up'));
     if (different) {
       faults++;
       console.log(`  first at ${first}: ${native} ${real(theirs[first] ?? 0n)}, WASM ${real(mine.bits[first] ?? 0n)}`);
