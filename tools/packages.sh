@@ -34,6 +34,7 @@ need_to_build() {
     need ninja-build ninja
     need pkg-config pkg-config
     need libexpat1-dev /usr/include/expat.h
+    need libcairo2-dev /usr/include/cairo/cairo.h
     need libmicrohttpd-dev /usr/include/microhttpd.h
     need libcairo2-dev /usr/include/cairo/cairo.h
     need clang clang
