@@ -1,6 +1,6 @@
 /* Bytes become a session of events of every kind. The invariants hold after each; undoing everything gives
  * the first document back, redoing the last. */
-#include "../tests/support/session.h"
+#include "support/session.h"
 
 #include <stdio.h>
 
