@@ -114,18 +114,19 @@ static bat_status spline_from_json(const bat_json *json, bat_spline *out, void *
     if (status != BAT_OK) return status;
     size_t size = count * (size_t)dimension;
     double *all = count <= BAT_POINTS_MAX ? calloc(2 * size + 2 * count + 1, sizeof *all) : NULL;
-    if (!all) status = bat_json_say(json, list, BAT_MEMORY, bat_status_message(BAT_MEMORY), problem);
-    if (status == BAT_OK) {
-        memcpy(all, points, size * sizeof *all);
-        for (size_t i = 0; i < 2 * count; i++) all[2 * size + i] = 1;
-        status = read_flag(json, 1, "closed", &closed, problem);
+    if (!all) {
+        free(points);
+        return bat_json_say(json, list, BAT_MEMORY, bat_status_message(BAT_MEMORY), problem);
     }
+    memcpy(all, points, size * sizeof *all);
+    free(points);
+    for (size_t i = 0; i < 2 * count; i++) all[2 * size + i] = 1;
+    status = read_flag(json, 1, "closed", &closed, problem);
     if (status == BAT_OK)
         status = read_tangents(json, bat_json_member(json, 1, "tangents"), dimension, count, all + size,
                                problem);
     bool tense = tension && !is(json, tension, BAT_JSON_NULL);
     if (status == BAT_OK && tense) status = read_tension(json, tension, count, all + 2 * size, problem);
-    free(points);
     if (status != BAT_OK) {
         free(all);
         return status;
