@@ -27,7 +27,8 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
         }
         if (only_operands || word[0] != '-' || word[1] == '\0') { /* "-" is a file */
             if (word[0] == '\0') return fail_usage(command, "a file's name is empty");
-            if (operands == command->operands + command->more) return fail_usage(command, "one word too many: %s", word);
+            if (operands == command->operands + command->more)
+                return fail_usage(command, "one word too many: %s", word);
             out->operands[operands++] = word;
             continue;
         }

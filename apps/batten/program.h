@@ -31,11 +31,12 @@ typedef struct cli_command {
 struct cli_arguments {
     const cli_command *command;
     const char *operands[OPERANDS_MAX]; /* NULL: left out */
-    const char *values[OPTIONS_MAX]; /* beside command->options; NULL: not given; flags: "" */
+    const char *values[OPTIONS_MAX];    /* beside command->options; NULL: not given; flags: "" */
 };
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
-    command_sketch, command_tangents, command_levels, command_convert, command_render, command_info, command_replay;
+    command_sketch, command_tangents, command_levels, command_convert, command_render, command_info,
+    command_replay;
 
 /* ---- arguments ---- */
 

@@ -33,21 +33,21 @@ enum {
  */
 typedef enum bat_status {
     BAT_OK = 0,
-    BAT_MEMORY = 1,      /* an allocation failed; nothing changed */
-    BAT_ARGUMENT = 2,    /* an argument is null or out of its stated range */
-    BAT_NUMBER = 3,      /* a number is NaN or infinite, or so large that arithmetic overflows */
-    BAT_KNOTS = 4,       /* knots decrease, repeat too often, or leave no domain */
-    BAT_COUNT = 5,       /* too few or too many points */
-    BAT_DEGREE = 6,      /* degree outside 1..7 */
-    BAT_DIMENSION = 7,   /* dimension other than 2 or 3, or two curves that differ in it */
-    BAT_PARAMETER = 8,   /* a parameter lies outside the domain, or parameters are not sorted */
-    BAT_TOLERANCE = 9,   /* the tolerance could not be met; the best result is handed over */
-    BAT_DOT = 10,        /* a stroke too short to mean anything */
-    BAT_FAR = 11,        /* a stroke too far from the curve to be meant for it */
-    BAT_SYNTAX = 12,     /* text that does not parse */
-    BAT_SINGULAR = 13,   /* a system of equations has no unique solution */
-    BAT_UNSUPPORTED = 14,/* well-formed, but a kind or version that is not known */
-    BAT_STATE = 15       /* a call out of order (no stroke begun, nothing to undo) */
+    BAT_MEMORY = 1,       /* an allocation failed; nothing changed */
+    BAT_ARGUMENT = 2,     /* an argument is null or out of its stated range */
+    BAT_NUMBER = 3,       /* a number is NaN or infinite, or so large that arithmetic overflows */
+    BAT_KNOTS = 4,        /* knots decrease, repeat too often, or leave no domain */
+    BAT_COUNT = 5,        /* too few or too many points */
+    BAT_DEGREE = 6,       /* degree outside 1..7 */
+    BAT_DIMENSION = 7,    /* dimension other than 2 or 3, or two curves that differ in it */
+    BAT_PARAMETER = 8,    /* a parameter lies outside the domain, or parameters are not sorted */
+    BAT_TOLERANCE = 9,    /* the tolerance could not be met; the best result is handed over */
+    BAT_DOT = 10,         /* a stroke too short to mean anything */
+    BAT_FAR = 11,         /* a stroke too far from the curve to be meant for it */
+    BAT_SYNTAX = 12,      /* text that does not parse */
+    BAT_SINGULAR = 13,    /* a system of equations has no unique solution */
+    BAT_UNSUPPORTED = 14, /* well-formed, but a kind or version that is not known */
+    BAT_STATE = 15        /* a call out of order (no stroke begun, nothing to undo) */
 } bat_status;
 
 /* One short English line, without a final stop; never NULL, static storage. */

@@ -30,8 +30,8 @@ typedef struct bat_curve bat_curve;
 
 /* Makes a curve after checking everything said above. points: count * dimension doubles, x y [z] each;
  * knots: count + degree + 1 (open) or count + 1 (closed). Both are copied. Cost O(count). */
-BAT_API bat_status bat_curve_create(int degree, int dimension, bool closed, int count,
-                                    const double *knots, const double *points, bat_curve **out);
+BAT_API bat_status bat_curve_create(int degree, int dimension, bool closed, int count, const double *knots,
+                                    const double *points, bat_curve **out);
 BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
 BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
 

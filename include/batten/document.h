@@ -18,10 +18,10 @@ typedef enum bat_join { BAT_JOIN_MITER, BAT_JOIN_ROUND, BAT_JOIN_BEVEL } bat_joi
 
 typedef struct bat_style {
     bool stroked, filled;
-    bool even_odd;          /* fill rule; else non-zero */
-    uint32_t stroke, fill;  /* 0xRRGGBBAA */
-    double width;           /* document units */
-    double opacity;         /* 0..1, of the whole object */
+    bool even_odd;         /* fill rule; else non-zero */
+    uint32_t stroke, fill; /* 0xRRGGBBAA */
+    double width;          /* document units */
+    double opacity;        /* 0..1, of the whole object */
     bat_cap cap;
     bat_join join;
     double miter_limit;
@@ -35,10 +35,11 @@ typedef struct bat_object bat_object;
 
 /* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
  * BAT_ARGUMENT: id 0 or above 2^53 - 1, a style out of range, a name that is not UTF-8. */
-BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
-                                          bat_curve *const *curves, bat_object **out);
+BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,
+                                          int curve_count, bat_curve *const *curves, bat_object **out);
 /* A copy that differs in one curve (taken over on success), or in style. */
-BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out);
+BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
+                                         bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
 BAT_API bat_object *bat_object_retain(const bat_object *object); /* counts users; not atomic */
 BAT_API void bat_object_release(bat_object *object);             /* NULL is fine */
@@ -63,7 +64,7 @@ BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index
 BAT_API bat_id bat_document_new_id(bat_document *document);
 /* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
  * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
-BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after);    /* insert */
+BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after); /* insert */
 BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_remove(bat_document *document, int index);
 

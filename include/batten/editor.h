@@ -26,7 +26,12 @@ BAT_API bat_status bat_editor_open(bat_editor *editor, bat_document *document, c
 /* ---- input ---- */
 
 typedef enum bat_pointer_phase {
-    BAT_POINTER_HOVER, BAT_POINTER_DOWN, BAT_POINTER_MOVE, BAT_POINTER_UP, BAT_POINTER_CANCEL, BAT_POINTER_LEAVE
+    BAT_POINTER_HOVER,
+    BAT_POINTER_DOWN,
+    BAT_POINTER_MOVE,
+    BAT_POINTER_UP,
+    BAT_POINTER_CANCEL,
+    BAT_POINTER_LEAVE
 } bat_pointer_phase;
 typedef enum bat_device { BAT_DEVICE_MOUSE, BAT_DEVICE_PEN, BAT_DEVICE_TOUCH } bat_device;
 enum { BAT_SHIFT = 1, BAT_CTRL = 2, BAT_ALT = 4, BAT_META = 8 };
@@ -35,20 +40,20 @@ enum { BAT_BUTTON_PRIMARY = 1, BAT_BUTTON_SECONDARY = 2, BAT_BUTTON_MIDDLE = 4, 
 typedef struct bat_pointer {
     bat_pointer_phase phase;
     bat_device device;
-    uint32_t contact;    /* pointer id */
+    uint32_t contact; /* pointer id */
     uint32_t buttons, modifiers;
-    double x, y;         /* view pixels, origin top left */
-    double pressure;     /* 0..1 */
+    double x, y;                  /* view pixels, origin top left */
+    double pressure;              /* 0..1 */
     double tilt_x, tilt_y, twist; /* degrees */
-    double time;         /* milliseconds, the host's clock */
-    bool predicted;      /* for the overlay only, never part of a stroke */
+    double time;                  /* milliseconds, the host's clock */
+    bool predicted;               /* for the overlay only, never part of a stroke */
 } bat_pointer;
 
 /* Events in order of time; coalesced ones are simply all there. Bad numbers are dropped. */
 BAT_API void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count);
 /* dx, dy in pixels; zoom: Ctrl or a pinch on a trackpad. */
-BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
-                              double time);
+BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy,
+                              uint32_t modifiers, double time);
 /* key: as KeyboardEvent.key. True when the engine used it (the host then prevents its default). */
 BAT_API bool bat_editor_key(bat_editor *editor, const char *key, bool down, uint32_t modifiers, double time);
 BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio);
@@ -90,49 +95,66 @@ typedef enum bat_role {
     BAT_ROLE_PENDING     /* a fit that waits for the user's yes */
 } bat_role;
 
-enum { BAT_ITEM_STROKED = 1, BAT_ITEM_FILLED = 2, BAT_ITEM_EVEN_ODD = 4, BAT_ITEM_SCREEN_WIDTH = 8, BAT_ITEM_DASHED = 16 };
+enum {
+    BAT_ITEM_STROKED = 1,
+    BAT_ITEM_FILLED = 2,
+    BAT_ITEM_EVEN_ODD = 4,
+    BAT_ITEM_SCREEN_WIDTH = 8,
+    BAT_ITEM_DASHED = 16
+};
 
 typedef struct bat_item {
-    uint32_t id, version;   /* the same pair means the same path: cache it. 0, 0: do not cache.
+    uint32_t id, version; /* the same pair means the same path: cache it. 0, 0: do not cache.
                              * Objects: the low 32 bits of their id; the page: 0xffffffff */
     uint32_t role, flags;
-    uint32_t stroke, fill;  /* 0xRRGGBBAA, role OBJECT only */
-    float width, opacity;   /* width in document units, or in view pixels with SCREEN_WIDTH */
-    uint32_t cap, join;     /* bat_cap, bat_join */
+    uint32_t stroke, fill; /* 0xRRGGBBAA, role OBJECT only */
+    float width, opacity;  /* width in document units, or in view pixels with SCREEN_WIDTH */
+    uint32_t cap, join;    /* bat_cap, bat_join */
     float miter_limit;
-    uint32_t path_count;    /* floats */
-    float bounds[4];        /* x0 y0 x1 y1 with stroke width, relative to the origin */
+    uint32_t path_count; /* floats */
+    float bounds[4];     /* x0 y0 x1 y1 with stroke width, relative to the origin */
     const float *path;
 } bat_item;
 
-typedef enum bat_cursor { BAT_CURSOR_CROSS, BAT_CURSOR_PEN, BAT_CURSOR_GRAB, BAT_CURSOR_GRABBING, BAT_CURSOR_WAIT } bat_cursor;
+typedef enum bat_cursor {
+    BAT_CURSOR_CROSS,
+    BAT_CURSOR_PEN,
+    BAT_CURSOR_GRAB,
+    BAT_CURSOR_GRABBING,
+    BAT_CURSOR_WAIT
+} bat_cursor;
 
 /* Requests to the host, cleared once the frame has been taken. */
 enum {
-    BAT_ASK_SAVE = 1, BAT_ASK_DOWNLOAD_SVG = 2, BAT_ASK_DOWNLOAD_NATIVE = 4, BAT_ASK_OPEN = 8, BAT_ASK_JOURNAL = 16
+    BAT_ASK_SAVE = 1,
+    BAT_ASK_DOWNLOAD_SVG = 2,
+    BAT_ASK_DOWNLOAD_NATIVE = 4,
+    BAT_ASK_OPEN = 8,
+    BAT_ASK_JOURNAL = 16
 };
 
 typedef struct bat_frame {
-    double view[4];      /* screen = (document - (view[0], view[1])) * view[2]; view[3]: rotation, 0 for now */
-    double origin[2];    /* added to every path coordinate */
+    double view[4];   /* screen = (document - (view[0], view[1])) * view[2]; view[3]: rotation, 0 for now */
+    double origin[2]; /* added to every path coordinate */
     uint32_t still_version; /* grows with every change of the static list */
     uint32_t still_count;
-    const bat_item *still;  /* back to front */
-    float dirty[4];      /* what changed in the static list since the last frame; x0 > x1: nothing; relative to the origin */
+    const bat_item *still; /* back to front */
+    float dirty
+        [4]; /* what changed in the static list since the last frame; x0 > x1: nothing; relative to the origin */
     uint32_t live_count;
-    const bat_item *live;   /* the overlay, whole, every frame */
+    const bat_item *live; /* the overlay, whole, every frame */
     uint32_t cursor, requests;
     uint32_t unsaved, can_undo, can_redo;
-    uint32_t tool;          /* index into the tables' tools */
+    uint32_t tool;                      /* index into the tables' tools */
     uint32_t knots_before, knots_after; /* while drawing; 0, 0: not */
-    uint32_t busy;          /* a stroke or a drag is under way */
-    uint32_t pending;       /* a fit waits for yes (command "accept") or no ("cancel") */
-    double error;           /* of the fit shown, document units; 0 when there is none */
-    double tolerance;       /* document units */
-    const char *hint;       /* one line on what the pen would do; UTF-8 */
-    const char *notice;     /* something just happened that the user should know; "" when it has passed */
+    uint32_t busy;                      /* a stroke or a drag is under way */
+    uint32_t pending;                   /* a fit waits for yes (command "accept") or no ("cancel") */
+    double error;                       /* of the fit shown, document units; 0 when there is none */
+    double tolerance;                   /* document units */
+    const char *hint;                   /* one line on what the pen would do; UTF-8 */
+    const char *notice;      /* something just happened that the user should know; "" when it has passed */
     uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
-    const char *name;       /* of the document */
+    const char *name;        /* of the document */
 } bat_frame;
 
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */

@@ -51,7 +51,8 @@ typedef struct bat_svg_reader bat_svg_reader;
 BAT_API bat_svg_options bat_svg_defaults(void);
 BAT_API bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out);
 /* attributes: name, value, name, value, ..., NULL. Namespaced names as written ("xlink:href"). */
-BAT_API bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name, const char *const *attributes);
+BAT_API bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name,
+                                        const char *const *attributes);
 BAT_API bat_status bat_svg_reader_text(bat_svg_reader *reader, const char *text, size_t size);
 BAT_API bat_status bat_svg_reader_end(bat_svg_reader *reader);
 BAT_API bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,

@@ -13,9 +13,11 @@ extern "C" {
  * up to p + 1; an unclamped end lets go of its outermost knot and point then, so that the domain stays. */
 BAT_API bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out);
 /* Inserts many at once, sorted ascending, repeats allowed: one blossom a new point, untouched points copied. */
-BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u, bat_curve **out);
+BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u,
+                                          bat_curve **out);
 /* Refinement to a superset: knots are all the knots of the result (open: the domain's ends as in the curve). */
-BAT_API bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots, bat_curve **out);
+BAT_API bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots,
+                                    bat_curve **out);
 /* Removes u up to `times` times while the curve moves by no more than tolerance (a proven bound, document
  * units). *removed says how often (0 where u is no interior knot), *error the bound on the distance; both may be
  * NULL. A closed curve whose only seam knot goes starts its period at the next knot; one with too few points for
@@ -29,7 +31,7 @@ BAT_API bat_status bat_curve_simplify(const bat_curve *curve, double tolerance, 
                                       bat_curve **out, double *error);
 
 BAT_API bat_status bat_curve_elevate(const bat_curve *curve, int degree, bat_curve **out); /* exact */
-BAT_API bat_status bat_curve_clamp(const bat_curve *curve, bat_curve **out);  /* open: end knots p + 1 fold */
+BAT_API bat_status bat_curve_clamp(const bat_curve *curve, bat_curve **out); /* open: end knots p + 1 fold */
 BAT_API bat_status bat_curve_reverse(const bat_curve *curve, bat_curve **out);
 /* Affine map of the parameters onto [start, end]. Reversing keeps the domain. Both: BAT_KNOTS when distinct knots
  * would become one double. */

@@ -21,43 +21,44 @@ typedef struct bat_stroke {
 } bat_stroke;
 
 typedef struct bat_sketch_options {
-    double tolerance;   /* document units; 0: one pixel */
-    double pixel;       /* a pen pixel in document units, > 0 */
-    int pins;           /* control points a side taken from the kept piece: 3 (exact), or the paper's 2 */
-    double width;       /* factor on the offset for the transitions, 3 (math 5.5) */
-    bool keep_corners;  /* corners of the stroke and of the curve are kept */
+    double tolerance;    /* document units; 0: one pixel */
+    double pixel;        /* a pen pixel in document units, > 0 */
+    int pins;            /* control points a side taken from the kept piece: 3 (exact), or the paper's 2 */
+    double width;        /* factor on the offset for the transitions, 3 (math 5.5) */
+    bool keep_corners;   /* corners of the stroke and of the curve are kept */
     double smooth_limit; /* smoothing stroke: how far the curve may move at most, document units; 0: 5 px */
 } bat_sketch_options;
 
 typedef struct bat_sketch_report {
-    double max_error;       /* stroke interior to curve, true distance */
-    double noise;           /* sigma found in the stroke, document units */
-    int knots_before;       /* distinct knot values counted with multiplicity, as in the curve's knot vector */
+    double max_error; /* stroke interior to curve, true distance */
+    double noise;     /* sigma found in the stroke, document units */
+    int knots_before; /* distinct knot values counted with multiplicity, as in the curve's knot vector */
     int knots_after;
     int solves;
-    double changed[2];      /* interval [t_k, t_l] of the old curve that was replaced */
-    double changed_new[2];  /* the interval of the new curve that replaces it */
-    double transition[2];   /* lengths of the two transitions on the curve side */
-    bool reversed;          /* the stroke ran against the curve */
-    bool extended[2];       /* that end of the open curve now ends with the stroke */
-    bool replaced;          /* the whole curve was replaced */
+    double changed[2];     /* interval [t_k, t_l] of the old curve that was replaced */
+    double changed_new[2]; /* the interval of the new curve that replaces it */
+    double transition[2];  /* lengths of the two transitions on the curve side */
+    bool reversed;         /* the stroke ran against the curve */
+    bool extended[2];      /* that end of the open curve now ends with the stroke */
+    bool replaced;         /* the whole curve was replaced */
 } bat_sketch_report;
 
 BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, width 3, corners not kept */
 
 /* Redraws curve with stroke. BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. */
-BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
-                              bat_curve **out, bat_sketch_report *report);
+BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke,
+                              const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);
 /* A new curve from a stroke (math 5.8): closed when its ends meet (or force_closed), corners kept. */
-BAT_API bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *options, bool force_closed,
-                                  bat_curve **out, bat_sketch_report *report);
+BAT_API bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *options,
+                                  bool force_closed, bat_curve **out, bat_sketch_report *report);
 /* Fairs the stretch that the stroke passes over (math 5.8). */
 BAT_API bat_status bat_sketch_smooth(const bat_curve *curve, const bat_stroke *stroke,
                                      const bat_sketch_options *options, bat_curve **out,
                                      bat_sketch_report *report);
 /* Joins two open curves by a stroke from one to the other (math 5.4); directions are reversed as needed. */
 BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
-                                   const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);
+                                   const bat_sketch_options *options, bat_curve **out,
+                                   bat_sketch_report *report);
 
 /*
  * Live (math 5.9): the same hand while the pen is down.
@@ -66,15 +67,15 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;
-BAT_API bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind, const bat_sketch_options *options,
-                                    int dimension, bat_sketch_live **out);
+BAT_API bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind,
+                                    const bat_sketch_options *options, int dimension, bat_sketch_live **out);
 BAT_API bat_status bat_sketch_add(bat_sketch_live *live, const bat_stroke *samples);
 
 typedef struct bat_sketch_preview_info {
     bat_sketch_report report;
-    size_t target_count;      /* the smoothed target: stroke and transitions joined, as ink to be shown */
-    const double *target;     /* target_count points; owned by the session, valid until the next call */
-    size_t stroke_first;      /* target[stroke_first..stroke_last] is the stroke proper */
+    size_t target_count;  /* the smoothed target: stroke and transitions joined, as ink to be shown */
+    const double *target; /* target_count points; owned by the session, valid until the next call */
+    size_t stroke_first;  /* target[stroke_first..stroke_last] is the stroke proper */
     size_t stroke_last;
 } bat_sketch_preview_info;
 /* BAT_DOT while too short. *out is a new curve the caller frees; may be NULL when only info is wanted. */
