@@ -40,6 +40,7 @@ typedef struct fitting {
     int room; /* distinct knots at most */
     bat_curve space;
     double *knots, *a, *b, *border, *local, *rank, *points; /* points: of the accepted state */
+    size_t *first;                                          /* samples of the trial's slots */
     int *order, *failing, *samples, *place;
     enum plan *plan;
     double tolerance, worst; /* worst: greatest distance in the accepted state */
@@ -100,6 +101,7 @@ static void add_ridge(fitting *f, double strength) {
 static bat_status solve(fitting *f) {
     const int p = f->degree, m = f->dimension, order = p < 3 ? p : 3;
     set_space(f, &f->trial);
+    bat_lsq_ranges(&f->space, f->count, f->u, f->first);
     const int n = f->space.count;
     for (double ridge = 0; ridge <= 1e-4; ridge = ridge > 0 ? ridge * 1e3 : 1e-13) {
         memset(f->a, 0, (size_t)n * (size_t)(p + 1) * sizeof(double));
@@ -149,8 +151,8 @@ static double corner_error(fitting *f, double worst) {
 /* Solves and measures; the greatest distance. INFINITY when there is no solution. */
 static double attempt(fitting *f) {
     if (solve(f) != BAT_OK) return INFINITY;
-    double d = bat_lsq_error(&f->space, f->dimension, f->local, f->count, f->u, f->x, 2, f->near,
-                             f->distance);
+    double d = bat_lsq_measure(&f->space, f->dimension, f->local, f->first, f->u, f->x,
+                               f->tolerance * f->tolerance, f->near, f->distance, f->spare);
     d = corner_error(f, d);
     return isfinite(d) ? sqrt(d) : INFINITY;
 }
@@ -358,11 +360,11 @@ static bool make_plan(fitting *f, enum plan what, double part) {
 }
 
 static void thin(fitting *f) {
-    while (f->solves < f->budget && make_plan(f, DROP, 0.4)) carry_through(f);
+    while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
     for (int k = 0; k < f->accepted.count; k++) f->accepted.kept[k] = false;
-    while (f->solves < f->budget && make_plan(f, MERGE, 0.4)) carry_through(f);
+    while (f->solves < f->budget && make_plan(f, MERGE, 0.7)) carry_through(f);
     for (int k = 0; k < f->accepted.count; k++) f->accepted.kept[k] = false;
-    while (f->solves < f->budget && make_plan(f, DROP, 0.4)) carry_through(f);
+    while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
 }
 
 /* ---- The whole ---- */
@@ -433,10 +435,10 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
         const double after = i + 1 < n ? f->u[i + 1] - f->u[i] : closing;
         f->weight[i] = 0.5 * (before + after);
     }
-    /* Spans of a dozen samples or so; they grow where needed, and shrink. */
+    /* Few spans at first; more come where needed, and go again. */
     mesh *t = &f->trial;
     t->count = 0;
-    const double stride = end / (double)(1 + n / 12);
+    const double stride = end / (double)(1 + n / 40);
     const bool seam = f->closed && corners > 0; /* then the first corner is the seam */
     for (int k = seam ? 1 : 0; k <= corners; k++) {
         const double from = k == 0 ? 0 : f->u[f->order[k - 1]], to = k < corners ? f->u[f->order[k]] : end;
@@ -457,13 +459,16 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     const int m = f->dimension;
     set_space(f, &f->accepted);
     const int n = f->space.count;
+    /* The rounds only asked whether samples are within tolerance; now how near they truly are. */
+    bat_lsq_local(&f->space, m, f->points, f->local);
+    const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
     const bat_status status = bat_curve_create(f->degree, m, f->closed, n, knots, f->points, out);
     if (status != BAT_OK) return status;
     if (report) {
-        report->max_error = f->worst;
+        report->max_error = worst < f->worst ? worst : f->worst;
         report->knots = f->closed ? n : n - f->degree - 1;
         report->solves = f->solves;
     }
@@ -501,6 +506,7 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->border = part(base, &used, f->closed ? unknowns * p + BAT_CYCLIC_DENSE : 0, sizeof(double));
     f->local = part(base, &used, (unknowns + p) * (p + 1) * m, sizeof(double));
     f->rank = part(base, &used, unknowns + p + 1, sizeof(double));
+    f->first = part(base, &used, unknowns + p + 1, sizeof(size_t));
     f->order = part(base, &used, wide, sizeof(int));
     f->failing = part(base, &used, room, sizeof(int));
     f->samples = part(base, &used, room, sizeof(int));

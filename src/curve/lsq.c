@@ -224,6 +224,13 @@ static inline double error_pass(const bat_curve *space, const int p, const int d
     const double start = t[0], end = t[slots];
     double worst = 0, middle = 0, half = 1;
     int slot = 0, prepared = -1;
+    for (int high = slots; count > 0 && high - slot > 1;) { /* t[slot] <= u[0] < t[high] */
+        const int between = (slot + high) / 2;
+        if (t[between] <= u[0])
+            slot = between;
+        else
+            high = between;
+    }
     for (size_t i = 0; i < count; i++) {
         const double *X = x + i * (size_t)dimension;
         double v = u[i], best = INFINITY, best_u = v;
@@ -264,6 +271,65 @@ double bat_lsq_error(const bat_curve *space, int dimension, const double *local,
     if (space->degree == 3 && dimension == 2)
         return error_pass(space, 3, 2, local, count, u, x, steps, near, distance);
     return error_pass(space, space->degree, dimension, local, count, u, x, steps, near, distance);
+}
+
+/* One slot: straight-line code without branches, which compilers turn into vectors. */
+static inline void measure_slot(const int p, const int dimension, const double *restrict local, double middle,
+                                double half, size_t count, const double *restrict u, const double *restrict x,
+                                double *restrict near, double *restrict distance, double *restrict expected) {
+    const double inverse = 1 / half;
+    for (size_t i = 0; i < count; i++) {
+        const double s = (u[i] - middle) * inverse;
+        double d = 0, g = 0, speed = 0, bend = 0;
+        for (int c = 0; c < dimension; c++) {
+            double f = local[p * dimension + c], f1 = 0, f2 = 0;
+            for (int k = p - 1; k >= 0; k--) {
+                f2 = f2 * s + f1;
+                f1 = f1 * s + f;
+                f = f * s + local[k * dimension + c];
+            }
+            const double r = f - x[i * (size_t)dimension + (size_t)c];
+            d += r * r, g += r * f1, speed += f1 * f1, bend += 2 * r * f2;
+        }
+        const double h = speed + bend, safe = h > 0.25 * speed ? h : speed;
+        distance[i] = d;
+        expected[i] = d - g * g / (safe > 0 ? safe : 1);
+        near[i] = u[i] - g / (safe > 0 ? safe : 1) * half;
+    }
+}
+
+double bat_lsq_measure(const bat_curve *space, int dimension, const double *local, const size_t *first,
+                       const double *u, const double *x, double limit, double *near, double *distance,
+                       double *scratch) {
+    const int p = space->degree, slots = bat_lsq_slots(space);
+    const double *t = space->knots + p;
+    double worst = 0;
+    for (int s = 0; s < slots; s++) {
+        const size_t from = first[s], count = first[s + 1] - from;
+        if (count == 0) continue;
+        const double middle = middle_of(t + s), half = 0.5 * (t[s + 1] - t[s]);
+        const double *piece = local + (size_t)s * (size_t)((p + 1) * dimension);
+        const double *X = x + from * (size_t)dimension;
+        if (p == 3 && dimension == 2)
+            measure_slot(3, 2, piece, middle, half, count, u + from, X, near + from, distance + from,
+                         scratch + from);
+        else
+            measure_slot(p, dimension, piece, middle, half, count, u + from, X, near + from, distance + from,
+                         scratch + from);
+    }
+    for (size_t i = 0; i < first[slots]; i++) {
+        /* Only where the outcome is open: a sample that fails by far fails. */
+        if (!(distance[i] <= limit) && scratch[i] < 2.25 * limit) {
+            const double before = distance[i];
+            double end = near[i], v = near[i] < t[0] ? t[0] : near[i] > t[slots] ? t[slots] : near[i], d;
+            if (space->closed) v = bat_curve_reduce(space, near[i]);
+            if (!(fabs(v) < INFINITY)) continue;
+            bat_lsq_error(space, dimension, local, 1, &v, x + i * (size_t)dimension, 1, &end, &d);
+            if (d < before) distance[i] = d, near[i] = end;
+        }
+        if (!(distance[i] <= worst)) worst = distance[i];
+    }
+    return worst;
 }
 
 void bat_lsq_rank(const bat_curve *space, int dimension, const double *local, double *rank) {

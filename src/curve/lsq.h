@@ -76,6 +76,16 @@ double bat_lsq_error(const bat_curve *space, int dimension, const double *local,
                      const double *u, const double *x, int steps, double *near, double *distance);
 
 /*
+ * The quick form for fits: u ascending, inside the domain, first from bat_lsq_ranges. A sample whose squared
+ * distance at u[i] is within limit is measured there; one that fails by far, too; only those between are
+ * projected. near: where one Newton step leads, not clamped to anything, or where the projection ended.
+ * scratch: count doubles. Returns the greatest squared distance; the truth is never greater.
+ */
+double bat_lsq_measure(const bat_curve *space, int dimension, const double *local, const size_t *first,
+                       const double *u, const double *x, double limit, double *near, double *distance,
+                       double *scratch);
+
+/*
  * rank[slots + 1], one number a knot: rank[s] belongs to knots[degree + s]: the jump of C^(p) there times
  * (h- h+)^(p/2), h the lengths of the neighbouring non-empty slots; a length in document units that says how
  * much the curve moves when the knot goes. INFINITY for ends of open curves, and for every one of a multiple

@@ -1,0 +1,58 @@
+/* Any curve, any point: no point of the curve is nearer than the closest one; minima are sorted. */
+#include <batten/measure.h>
+#include <batten/nearest.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    enum { MOST = 24 };
+    double knots[MOST + 8], points[MOST * 3], point[3], t = 0;
+    if (size < 8) return 0;
+    const int m = data[0] & 1 ? 3 : 2, p = 1 + data[1] % 7;
+    const bool closed = data[0] & 2, wide = data[0] & 4;
+    const int n = p + 1 + data[2] % (MOST - 7), count = closed ? n + 1 : n + p + 1;
+    for (int c = 0; c < 3; c++) point[c] = (double)data[3 + c] - 128;
+    data += 6, size -= 6;
+    for (int i = 0; i < count; i++) {
+        knots[i] = t;
+        if (size > 0) t += *data % 4 ? 0.25 * (*data % 16) : 0, data++, size--;
+    }
+    for (int i = 0; i < n * m; i++) {
+        points[i] = 0;
+        if (wide && size >= 8)
+            memcpy(points + i, data, 8), data += 8, size -= 8;
+        else if (size > 0)
+            points[i] = (double)*data - 128, data++, size--;
+    }
+    bat_curve *curve;
+    if (bat_curve_create(p, m, closed, n, knots, points, &curve) != BAT_OK) return 0;
+    bat_near near, all[8];
+    int found;
+    double domain[2], at[3], u[8], low[3], high[3];
+    if (bat_curve_nearest(curve, point, &near) != BAT_OK) abort();
+    if (bat_curve_nearest_all(curve, point, INFINITY, 8, all, &found) != BAT_OK) abort();
+    for (int i = 1; i < found && i < 8; i++)
+        if (all[i].distance < all[i - 1].distance) abort();
+    bat_curve_domain(curve, domain);
+    bat_curve_bounds(curve, low, high);
+    const double size_of = bat_curve_size(curve), scale = size_of + near.distance;
+    for (int i = 0; i <= 64; i++) {
+        double d = 0;
+        const double v = domain[0] + (domain[1] - domain[0]) * i / 64;
+        bat_curve_eval(curve, v, 0, at);
+        for (int c = 0; c < m; c++) d = hypot(d, at[c] - point[c]);
+        if (d < near.distance - 1e-9 * scale) abort();
+        for (int c = 0; c < m; c++)
+            if (at[c] < low[c] - 1e-9 * scale || at[c] > high[c] + 1e-9 * scale) abort();
+    }
+    const double length = bat_curve_length(curve, domain[0], domain[1], 1e-6);
+    if (!(length >= 0)) abort();
+    (void)bat_curve_at_length(curve, domain[0], 0.5 * length, 1e-6);
+    (void)bat_curve_inflections(curve, u, 8);
+    bat_curve_free(curve);
+    return 0;
+}
