@@ -38,8 +38,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (int i = 1; i < found && i < 8; i++)
         if (all[i].distance < all[i - 1].distance) abort();
     bat_curve_domain(curve, domain);
-    bat_curve_bounds(curve, low, high);
-    const double size_of = bat_curve_size(curve), scale = size_of + near.distance;
+    bat_curve_bounds(curve, low, high); /* rounding is relative to where the curve lies, too */
+    const double scale = bat_curve_size(curve) + near.distance + fabs(high[0]) + fabs(high[1]) +
+                         (m == 3 ? fabs(high[2]) : 0);
     for (int i = 0; i <= 64; i++) {
         double d = 0;
         const double v = domain[0] + (domain[1] - domain[0]) * i / 64;

@@ -32,8 +32,11 @@ static void halve(int degree, piece *left, piece *right) {
 /* Regula falsi of the Illinois kind; f goes from sign first to the other one. */
 static double bracketed(int degree, const double *a, int first) {
     double x0 = 0, x1 = 1, f0 = first * a[0], f1 = first * a[degree];
-    if (f0 <= 0) f0 = 1e-300; /* a zero at the end, whose sign is that of its inside */
-    if (f1 >= 0) f1 = -1e-300;
+    /* A zero at an end has the sign of its inside; a great value there keeps the secant away from it. */
+    double greatest = 0;
+    for (int i = 0; i <= degree; i++) greatest = fmax(greatest, fabs(a[i]));
+    if (f0 <= 0) f0 = greatest;
+    if (f1 >= 0) f1 = -greatest;
     int side = 0;
     for (int step = 0; step < 100 && x1 - x0 > 1e-16; step++) {
         double x = step % 4 == 3 ? 0.5 * (x0 + x1) : x0 + (x1 - x0) * (f0 / (f0 - f1));

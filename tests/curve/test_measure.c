@@ -123,6 +123,14 @@ static void boxes(void **state) {
         }
         bat_curve_free(curve);
     }
+    /* a derivative with a double zero at its start: x = -t^3 + 3/4 t^4 + ..., least inside; found by a fuzzer
+     */
+    const double knots5[] = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, late[] = {0, 0, 0, 0, 0, 0, -1, 0, 0, 1};
+    bat_curve *flat = make(4, 2, false, 5, knots5, late);
+    double least[2], most[2];
+    bat_curve_bounds(flat, least, most);
+    assert_true(fabs(least[0] + 27. / 64) < 1e-14); /* -4 t^3 (1 - t) at t = 3/4 */
+    bat_curve_free(flat);
     /* closed form: x = 3t(1-t)^2 peaks at t = 1/3 with 4/9 */
     const double points[] = {0, 0, 1, 0, 0, 0, 0, 1};
     bat_curve *curve = make(3, 2, false, 4, bezier3, points);
