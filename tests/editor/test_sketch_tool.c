@@ -410,6 +410,69 @@ static void many_steps_are_undone(void **state) {
     bat_editor_free(editor);
 }
 
+/* A stroke that no curve follows within a tenth of a pixel. */
+static void trembling(double t, double out[2]) {
+    uint32_t noise = (uint32_t)(t * 1000 + 1) * 2654435761u;
+    noise = (noise ^ noise >> 15) * 2246822519u;
+    noise = (noise ^ noise >> 13) * 3266489917u;
+    out[0] = 100 + 450 * t + (noise >> 16 & 255) / 20.0;
+    out[1] = 400 + (noise >> 24) / 20.0;
+}
+
+static bat_editor *pending_editor(pen *p) {
+    bat_editor *editor = pen_editor();
+    bat_editor_set(editor, "tolerance", 0.1);
+    *p = pen_for(editor);
+    double at[2];
+    for (int i = 0; i <= 150; i++) {
+        trembling(i / 150.0, at);
+        pen_event(p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, at[0], at[1]);
+    }
+    pen_event(p, BAT_POINTER_UP, at[0], at[1]);
+    return editor;
+}
+
+static void yes_or_no(void **state) {
+    (void)state;
+    pen p;
+    for (int way = 0; way < 5; way++) {
+        bat_editor *editor = pending_editor(&p);
+        const bat_frame *frame = bat_editor_frame(editor);
+        assert_true(frame->pending && !frame->busy && !frame->can_undo && frame->error > frame->tolerance);
+        assert_non_null(pen_live(frame, BAT_ROLE_PENDING));
+        assert_string_equal(frame->hint, "This is the closest fit. Enter or a tap keeps it, Esc drops it");
+        check(editor);
+        assert_int_equal(count(editor), 2);
+        if (way == 0) assert_true(bat_editor_key(editor, "Enter", true, 0, 0));
+        if (way == 1) {
+            pen_event(&p, BAT_POINTER_DOWN, 500, 500);
+            assert_true(bat_editor_frame(editor)->pending);
+            pen_event(&p, BAT_POINTER_UP, 501, 500);
+        }
+        if (way == 2) assert_true(bat_editor_key(editor, "Escape", true, 0, 0));
+        if (way == 3) assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        if (way == 4) { /* another try: the first goes */
+            bat_editor_set(editor, "tolerance", 2);
+            pen_line(&p, 100, 400, 400, 400, 20);
+        }
+        check(editor);
+        frame = bat_editor_frame(editor);
+        assert_true(!frame->pending && !pen_live(frame, BAT_ROLE_PENDING));
+        assert_int_equal(count(editor), way == 2 || way == 3 ? 2 : 3);
+        assert_int_equal(journal_has(editor, "\"accepted\":true"), way < 2);
+        assert_int_equal(frame->can_undo, way != 2 && way != 3);
+
+        bat_editor *again = NULL;
+        size_t size = 0;
+        const char *text = bat_editor_journal(editor, &size);
+        bat_editor_create(&again);
+        assert_int_equal(bat_editor_replay(again, text, size, true, NULL), BAT_OK);
+        assert_true(digest(again) == digest(editor));
+        bat_editor_free(again);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hover_lights_the_curve_up),
@@ -430,6 +493,7 @@ int main(void) {
         cmocka_unit_test(predicted_samples_are_not_part_of_it),
         cmocka_unit_test(frames_do_not_matter),
         cmocka_unit_test(many_steps_are_undone),
+        cmocka_unit_test(yes_or_no),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
