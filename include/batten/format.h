@@ -42,9 +42,13 @@ typedef struct bat_svg_options {
     double corner;    /* radians: joints that turn more are corners */
 } bat_svg_options;
 typedef struct bat_svg_report {
-    int paths, curves;
+    int paths, curves; /* what was read; the rest tells about the visible drawing */
     int skipped_text, skipped_images, skipped_gradients, skipped_clips, skipped_other; /* what was left out */
-    bool native; /* the file carried a native document: every knot is as it was */
+    int skipped_hidden; /* display none, visibility hidden, neither stroke nor fill */
+    int broken_paths;   /* path data, shapes or transforms with errors: read up to the error */
+    int foreign;        /* elements of other programs (editor settings, licences, ...): not kept when saving */
+    bool native;        /* the file carried a native document: every knot is as it was */
+    bool edited;        /* it did, but the drawing has been changed since: the drawing was read */
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
@@ -58,7 +62,7 @@ BAT_API bat_status bat_svg_reader_end(bat_svg_reader *reader);
 BAT_API bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,
                                          bat_problem *problem); /* frees the reader whatever it returns */
 BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up early */
-/* "Left out: 3 texts, 1 image." or "" when nothing was. */
+/* "Left out: 3 texts, 1 image." or "" when nothing was; then, if so, that another program changed the file. */
 BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room);
 
 /* SVG out: exact cubic Béziers, and the native document in the metadata. */

@@ -68,7 +68,7 @@ void bat_text_json_string(bat_text *text, const char *string) {
     bat_text_add(text, "\"", 1);
 }
 
-void bat_text_xml(bat_text *text, const char *bytes, size_t size) {
+void bat_text_xml(bat_text *text, const char *bytes, size_t size, bool attribute) {
     for (size_t i = 0; i < size;) {
         uint32_t code;
         int length = bat_utf8_decode(bytes + i, size - i, &code);
@@ -81,13 +81,13 @@ void bat_text_xml(bat_text *text, const char *bytes, size_t size) {
             bat_text_string(text, "&amp;");
         else if (code == '"')
             bat_text_string(text, "&quot;");
-        else if (code == '\t' || code == '\n' || code == '\r') {
-            /* As they are in text; attributes would lose them (names with line ends are rare enough). */
-            if (code == '\n')
-                bat_text_add(text, "\n", 1);
-            else
-                bat_text_string(text, code == '\t' ? "&#9;" : "&#13;");
-        } else if (code < 0x20 || code == 0xfffe || code == 0xffff)
+        else if (code == '\t')
+            bat_text_string(text, "&#9;");
+        else if (code == '\n')
+            bat_text_string(text, attribute ? "&#10;" : "\n");
+        else if (code == '\r')
+            bat_text_string(text, "&#13;");
+        else if (code < 0x20 || code == 0xfffe || code == 0xffff)
             bat_text_string(text, "\xef\xbf\xbd");
         else
             bat_text_add(text, bytes + i, (size_t)length);

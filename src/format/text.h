@@ -16,8 +16,9 @@ void bat_text_number(bat_text *text, double number);
 void bat_text_integer(bat_text *text, uint64_t number);
 /* In quotes, escaped for JSON; also U+FFFE and U+FFFF, which XML cannot hold. string: UTF-8. */
 void bat_text_json_string(bat_text *text, const char *string);
-/* Escaped for XML text and attributes. Characters that XML 1.0 cannot hold become U+FFFD. */
-void bat_text_xml(bat_text *text, const char *bytes, size_t size);
+/* Escaped for XML text, or an attribute (whose line ends parsers would take for blanks). Characters that
+ * XML 1.0 cannot hold become U+FFFD. */
+void bat_text_xml(bat_text *text, const char *bytes, size_t size, bool attribute);
 /* Hands the text over, zero-terminated, or frees it and returns BAT_MEMORY. */
 bat_status bat_text_finish(bat_text *text, char **data, size_t *size);
 void bat_text_free(bat_text *text);
