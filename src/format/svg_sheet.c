@@ -122,7 +122,8 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         }
         at = close + 1;
     }
-    if (sheet->count > 1) qsort(sheet->rules, sheet->count, sizeof *sheet->rules, compare_rules);
+    if (sheet->count > 1)
+        qsort(sheet->rules, sheet->count, sizeof *sheet->rules, compare_rules); /* no ties */
     return BAT_OK;
 }
 

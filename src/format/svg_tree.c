@@ -185,7 +185,7 @@ bat_status bat_svg_tree_index(bat_svg_tree *tree) {
         const char *id = bat_svg_tree_attribute(tree, i, "id");
         if (id) entries[n++] = (entry){id, i};
     }
-    if (n > 1) qsort(entries, n, sizeof *entries, compare_entries);
+    if (n > 1) qsort(entries, n, sizeof *entries, compare_entries); /* no ties */
     for (uint32_t i = 0; i < n; i++) tree->ids[i] = entries[i].element;
     tree->id_count = n;
     free(entries);

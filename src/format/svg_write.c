@@ -115,7 +115,7 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     named *names = malloc(((size_t)count + 1) * sizeof *names);
     if (!names) return BAT_MEMORY;
     for (int i = 0; i < count; i++) names[i] = (named){bat_object_name(bat_document_at(document, i)), i};
-    if (count > 1) qsort(names, (size_t)count, sizeof *names, compare_names);
+    if (count > 1) qsort(names, (size_t)count, sizeof *names, compare_names); /* no ties */
     for (int i = 0; i < count; i++)
         unique[names[i].index] = is_id(names[i].name) &&
                                  (i == 0 || strcmp(names[i].name, names[i - 1].name) != 0);
