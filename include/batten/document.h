@@ -6,6 +6,7 @@
 #define BATTEN_DOCUMENT_H
 
 #include <batten/curve.h>
+#include <batten/tangents.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -29,18 +30,28 @@ typedef struct bat_style {
 
 BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
 
-/* An object: for now a path, that is one or more curves of one dimension that share a style (an O has two). */
-typedef enum bat_kind { BAT_KIND_PATH = 1 } bat_kind;
+/* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
+ * of the tangents hand, whose points and directions stay editable and give its one curve. */
+typedef enum bat_kind { BAT_KIND_PATH = 1, BAT_KIND_SPLINE = 2 } bat_kind;
 typedef struct bat_object bat_object;
 
 /* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
  * BAT_ARGUMENT: id 0 or above 2^53 - 1, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,
                                           int curve_count, bat_curve *const *curves, bat_object **out);
-/* A copy that differs in one curve (taken over on success), or in style. */
+/* Copies the spline; its curve is what bat_tangents makes of it (options NULL: the defaults), and what that
+ * refuses is refused. */
+BAT_API bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
+                                            const bat_spline *spline, const bat_tangents_options *options,
+                                            bat_object **out);
+/* A copy that differs in one curve (taken over on success), or in style. A spline becomes a path by it. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
+/* A copy with another spline, or, as a path, with the curves as they are. BAT_ARGUMENT: the object is no spline. */
+BAT_API bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline,
+                                          bat_object **out);
+BAT_API bat_status bat_object_to_path(const bat_object *object, bat_object **out);
 BAT_API bat_object *bat_object_retain(const bat_object *object); /* counts users; not atomic */
 BAT_API void bat_object_release(bat_object *object);             /* NULL is fine */
 
@@ -50,6 +61,9 @@ BAT_API const char *bat_object_name(const bat_object *object); /* never NULL */
 BAT_API const bat_style *bat_object_style(const bat_object *object);
 BAT_API int bat_object_curve_count(const bat_object *object);
 BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
+/* The spline and how it is drawn; NULL when the object is none. Its tangents and tension are never NULL. */
+BAT_API const bat_spline *bat_object_spline(const bat_object *object);
+BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
 /* Exact box of the outline, without stroke width: low x, low y, high x, high y. */
 BAT_API void bat_object_bounds(const bat_object *object, double box[4]);
 
@@ -73,7 +87,7 @@ BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
-/* The invariants: ids unique, below the next id; curves valid; styles in range. NULL when all hold, else which
+/* The invariants: ids unique, below the next id; curves valid; splines give their curves; styles in range. NULL when all hold, else which
  * one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
 /* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is

@@ -186,7 +186,8 @@ void bat_document_bounds(const bat_document *document, double box[4]) {
 }
 
 static const char *check_object(const bat_object *object) {
-    if (bat_object_kind(object) != BAT_KIND_PATH) return "an object is of no known kind";
+    bat_kind kind = bat_object_kind(object);
+    if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE) return "an object is of no known kind";
     if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";
     int count = bat_object_curve_count(object);
     if (count < 1) return "a path has no curve";
@@ -196,7 +197,7 @@ static const char *check_object(const bat_object *object) {
         if (bat_curve_dimension(curve) != bat_curve_dimension(bat_object_curve(object, 0)))
             return "the curves of a path differ in dimension";
     }
-    return NULL;
+    return bat_object_check_spline(object);
 }
 
 const char *bat_document_check(const bat_document *document) {

@@ -1,7 +1,9 @@
-/* An object: curves of one dimension with one style. Copies share what they do not change. */
+/* An object: curves of one dimension with one style, perhaps made of a spline. Copies share what they do not
+ * change. */
 #include "document/object.h"
 
 #include "document/digest.h"
+#include "document/spline.h"
 #include "document/utf8.h"
 
 #include <batten/measure.h>
@@ -25,7 +27,8 @@ struct bat_object {
     double box[4];
     int count;
     part **parts;
-    const char *name; /* behind the parts, in the same block */
+    bat_kept_spline *spline; /* SPLINE: what the one curve is made of; else NULL */
+    const char *name;        /* behind the parts, in the same block */
 };
 
 bat_style bat_style_defaults(void) {
@@ -116,6 +119,26 @@ bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *
     return BAT_OK;
 }
 
+bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
+                                    const bat_spline *spline, const bat_tangents_options *options,
+                                    bat_object **out) {
+    bat_kept_spline *kept = NULL;
+    bat_curve *curve = NULL;
+    bat_object *object = NULL;
+    bat_status status = bat_kept_spline_create(spline, options, &kept, &curve);
+    if (status != BAT_OK) return status;
+    status = out ? bat_object_create_path(id, name, style, 1, &curve, &object) : BAT_ARGUMENT;
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        bat_kept_spline_release(kept);
+        return status;
+    }
+    object->kind = BAT_KIND_SPLINE;
+    object->spline = kept;
+    *out = object;
+    return BAT_OK;
+}
+
 /* A copy that shares every part. */
 static bat_object *share(const bat_object *object) {
     bat_object *copy = allocate(object->count, object->name);
@@ -128,7 +151,15 @@ static bat_object *share(const bat_object *object) {
         copy->parts[i] = object->parts[i];
         copy->parts[i]->users++;
     }
+    copy->spline = object->spline;
+    if (copy->spline) copy->spline->users++;
     return copy;
+}
+
+static void forget_spline(bat_object *object) {
+    bat_kept_spline_release(object->spline);
+    object->spline = NULL;
+    object->kind = BAT_KIND_PATH;
 }
 
 bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
@@ -143,6 +174,7 @@ bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve 
     part_release(copy->parts[index]);
     part_fill(made, curve);
     copy->parts[index] = made;
+    forget_spline(copy); /* nobody's points give this curve */
     measure(copy);
     *out = copy;
     return BAT_OK;
@@ -157,6 +189,21 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     return BAT_OK;
 }
 
+bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline, bat_object **out) {
+    if (!object || !object->spline) return BAT_ARGUMENT;
+    return bat_object_create_spline(object->id, object->name, &object->style, spline,
+                                    &object->spline->options, out);
+}
+
+bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
+    if (!object || !object->spline || !out) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    forget_spline(copy);
+    *out = copy;
+    return BAT_OK;
+}
+
 bat_object *bat_object_retain(const bat_object *object) {
     bat_object *user = (bat_object *)object; /* the count is no part of the value */
     if (user) user->users++;
@@ -166,6 +213,7 @@ bat_object *bat_object_retain(const bat_object *object) {
 void bat_object_release(bat_object *object) {
     if (!object || --object->users > 0) return;
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
+    bat_kept_spline_release(object->spline);
     free(object);
 }
 
@@ -177,6 +225,21 @@ int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {
     return index >= 0 && index < object->count ? object->parts[index]->curve : NULL;
+}
+
+const bat_spline *bat_object_spline(const bat_object *object) {
+    return object->spline ? &object->spline->spline : NULL;
+}
+
+const bat_tangents_options *bat_object_spline_options(const bat_object *object) {
+    return object->spline ? &object->spline->options : NULL;
+}
+
+const char *bat_object_check_spline(const bat_object *object) {
+    if ((object->kind == BAT_KIND_SPLINE) != (object->spline != NULL)) return "a spline has no points";
+    if (!object->spline) return NULL;
+    if (object->count != 1) return "a spline has more than one curve";
+    return bat_kept_spline_check(object->spline, object->parts[0]->curve);
 }
 
 void bat_object_bounds(const bat_object *object, double box[4]) { memcpy(box, object->box, 4 * sizeof *box); }
@@ -198,5 +261,6 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     digest = bat_digest_double(digest, style->miter_limit);
     digest = bat_digest_number(digest, (uint64_t)object->count);
     for (int i = 0; i < object->count; i++) digest = bat_digest_curve(digest, object->parts[i]->curve);
+    if (object->spline) digest = bat_kept_spline_digest(digest, object->spline);
     return digest;
 }

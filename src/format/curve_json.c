@@ -60,6 +60,19 @@ bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char 
     return BAT_OK;
 }
 
+bat_status bat_vector_from_json(const bat_json *json, uint32_t list, const char *what, int size, double *out,
+                                bat_problem *problem) {
+    if (bat_json_count(json, list) != (uint32_t)size)
+        return bat_json_complain(json, list, BAT_SYNTAX, what, size == 2 ? "2 numbers" : "3 numbers",
+                                 problem);
+    for (uint32_t at = bat_json_first(json, list); at; at = json->nodes[at].next) {
+        if (bat_json_type_of(json, at) != BAT_JSON_NUMBER)
+            return bat_json_complain(json, at, BAT_SYNTAX, what, "a number", problem);
+        *out++ = json->nodes[at].value.number;
+    }
+    return BAT_OK;
+}
+
 /* Knots and points are read: do the counts fit, and does the kernel take them? */
 static bat_status make_curve(const bat_json *json, uint32_t node, double degree, bool closed,
                              size_t knot_count, const double *knots, size_t count, int dimension,

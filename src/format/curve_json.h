@@ -16,4 +16,8 @@ bat_status bat_numbers_from_json(const bat_json *json, uint32_t list, const char
 bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
                                 size_t *count, int *dimension, bat_problem *problem);
 
+/* Exactly `size` numbers (2 or 3) into out. */
+bat_status bat_vector_from_json(const bat_json *json, uint32_t list, const char *what, int size, double *out,
+                                bat_problem *problem);
+
 #endif

@@ -4,6 +4,9 @@
 #include "document/document.h"
 #include "format/curve_json.h"
 #include "format/json.h"
+#include "format/spline_json.h"
+
+#include <batten/bezier.h>
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -108,14 +111,52 @@ static bat_status read_curves(const reader *r, uint32_t list, bat_curve **curves
     return BAT_OK;
 }
 
+static bat_status read_path(const reader *r, uint32_t node, bat_id id, const char *name,
+                            const bat_style *style, bat_object **out) {
+    const bat_json *json = r->json;
+    uint32_t list = bat_json_member(json, node, "curves");
+    uint32_t room = bat_json_count(json, list);
+    if (room == 0) return complain(r, list ? list : node, "curves", "a list of at least one curve");
+    bat_curve **curves = malloc(room * sizeof *curves);
+    if (!curves) return bat_json_say(json, node, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
+    int count = 0;
+    bat_status status = read_curves(r, list, curves, &count);
+    if (status == BAT_OK) {
+        status = bat_object_create_path(id, name, style, count, curves, out);
+        if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
+    }
+    if (status != BAT_OK)
+        while (count > 0) bat_curve_free(curves[--count]);
+    free(curves);
+    return status;
+}
+
+static bat_status read_spline_object(const reader *r, uint32_t node, bat_id id, const char *name,
+                                     const bat_style *style, bat_object **out) {
+    uint32_t member = bat_json_member(r->json, node, "spline");
+    if (!member) return complain(r, node, "spline", "an object");
+    bat_tangents_options options = bat_tangents_defaults();
+    bat_spline spline;
+    void *block = NULL;
+    bat_status status = bat_spline_from_json(r->json, member, &spline, &block, &options, r->problem);
+    if (status != BAT_OK) return status;
+    status = bat_object_create_spline(id, name, style, &spline, &options, out);
+    bat_free(block);
+    if (status == BAT_OK) return BAT_OK;
+    return bat_json_say(r->json, member, status,
+                        status == BAT_COUNT ? "spline: expected two different points at least, found fewer"
+                                            : bat_status_message(status),
+                        r->problem);
+}
+
 static bat_status read_object(const reader *r, uint32_t node, bat_object **out) {
     const bat_json *json = r->json;
     if (bat_json_type_of(json, node) != BAT_JSON_OBJECT) return complain(r, node, "objects", "an object");
-    uint32_t kind = bat_json_member(json, node, "kind"), list = bat_json_member(json, node, "curves");
+    uint32_t kind = bat_json_member(json, node, "kind");
     const char *word = bat_json_text(json, kind);
     if (!word) return complain(r, kind ? kind : node, "kind", "a text");
-    if (strcmp(word, "path") != 0)
-        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind", "\"path\"", r->problem);
+    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0)
+        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind", "\"path\" or \"spline\"", r->problem);
     double id = 0;
     bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
                                     "a whole number from 1 to 2147483647", &id);
@@ -128,20 +169,8 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     bat_style style = bat_style_defaults();
     status = read_style(r, bat_json_member(json, node, "style"), &style);
     if (status != BAT_OK) return status;
-    uint32_t room = bat_json_count(json, list);
-    if (room == 0) return complain(r, list ? list : node, "curves", "a list of at least one curve");
-    bat_curve **curves = malloc(room * sizeof *curves);
-    if (!curves) return bat_json_say(json, node, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
-    int count = 0;
-    status = read_curves(r, list, curves, &count);
-    if (status == BAT_OK) {
-        status = bat_object_create_path((bat_id)id, name, &style, count, curves, out);
-        if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
-    }
-    if (status != BAT_OK)
-        while (count > 0) bat_curve_free(curves[--count]);
-    free(curves);
-    return status;
+    if (strcmp(word, "spline") == 0) return read_spline_object(r, node, (bat_id)id, name, &style, out);
+    return read_path(r, node, (bat_id)id, name, &style, out);
 }
 
 static bat_status read_objects(const reader *r, uint32_t list, bat_document *document) {
@@ -253,10 +282,17 @@ static void write_style(bat_text *text, const bat_style *style) {
 static void write_object(bat_text *text, const bat_object *object) {
     bat_text_string(text, "{\"id\":");
     bat_text_integer(text, bat_object_id(object));
-    bat_text_string(text, ",\"kind\":\"path\",\"name\":");
+    const bat_spline *spline = bat_object_spline(object);
+    bat_text_string(text, spline ? ",\"kind\":\"spline\",\"name\":" : ",\"kind\":\"path\",\"name\":");
     bat_text_json_string(text, bat_object_name(object));
     bat_text_string(text, ",\n  \"style\":");
     write_style(text, bat_object_style(object));
+    if (spline) { /* its curve is made of it, so it is not written twice */
+        bat_text_string(text, ",\n  \"spline\":");
+        bat_spline_to_json(spline, bat_object_spline_options(object), text);
+        bat_text_string(text, "}");
+        return;
+    }
     bat_text_string(text, ",\n  \"curves\":[");
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         bat_text_string(text, i > 0 ? ",\n   " : "\n   ");

@@ -1,9 +1,8 @@
 /*
- * SPLINE, SHAPE and EDITS as JSON:
- *   SPLINE {"points":[...], "tangents":[null or [dx,dy], ...], "closed":false, "tension":[t or [in,out] or
- * null, ...]} SHAPE  {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1,
- * "source":[...]}, ...], "frame":"rmf", "nodes":"greville", "propagation":"local",
- * "first":{"t":[...],"s":[...]}} EDITS  [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
+ * SHAPE and EDITS as JSON:
+ *   SHAPE {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1, "source":[...]}, ...],
+ *          "frame":"rmf", "nodes":"greville", "propagation":"local", "first":{"t":[...],"s":[...]}}
+ *   EDITS [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
  */
 #include "format/curve_json.h"
 #include "format/stroke_json.h"
@@ -18,17 +17,6 @@
 
 static bool is(const bat_json *json, uint32_t node, bat_json_type type) {
     return bat_json_type_of(json, node) == type;
-}
-
-/* true, false, or not there. */
-static bat_status read_flag(const bat_json *json, uint32_t object, const char *name, bool *out,
-                            bat_problem *problem) {
-    uint32_t node = bat_json_member(json, object, name);
-    if (!node) return BAT_OK;
-    if (!is(json, node, BAT_JSON_TRUE) && !is(json, node, BAT_JSON_FALSE))
-        return bat_json_complain(json, node, BAT_SYNTAX, name, "true or false", problem);
-    *out = is(json, node, BAT_JSON_TRUE);
-    return BAT_OK;
 }
 
 /* One of a list of words that ends in NULL; *out is its index; left alone when not there. */
@@ -49,110 +37,6 @@ static const char *const FRAMES[] = {"rmf", "frenet", "fixed", NULL};
 static const char *const NODES[] = {"greville", "argmax", NULL};
 static const char *const PROPAGATION[] = {"local", "plain", NULL};
 
-/* A vector of exactly `size` numbers. */
-static bat_status read_vector(const bat_json *json, uint32_t node, const char *what, int size, double *out,
-                              bat_problem *problem) {
-    if (bat_json_count(json, node) != (uint32_t)size)
-        return bat_json_complain(json, node, BAT_SYNTAX, what, size == 2 ? "2 numbers" : "3 numbers",
-                                 problem);
-    for (uint32_t at = bat_json_first(json, node); at; at = json->nodes[at].next) {
-        if (!is(json, at, BAT_JSON_NUMBER))
-            return bat_json_complain(json, at, BAT_SYNTAX, what, "a number", problem);
-        *out++ = json->nodes[at].value.number;
-    }
-    return BAT_OK;
-}
-
-/* ---- SPLINE ---- */
-
-static bat_status read_tangents(const bat_json *json, uint32_t list, int dimension, size_t count, double *out,
-                                bat_problem *problem) {
-    if (!list || is(json, list, BAT_JSON_NULL)) return BAT_OK;
-    if (bat_json_count(json, list) != count)
-        return bat_json_complain(json, list, BAT_COUNT, "tangents", "one a point, null where none is given",
-                                 problem);
-    for (uint32_t at = bat_json_first(json, list); at; at = json->nodes[at].next, out += dimension) {
-        if (is(json, at, BAT_JSON_NULL)) continue;
-        bat_status status = read_vector(json, at, "tangents", dimension, out, problem);
-        if (status != BAT_OK) return status;
-    }
-    return BAT_OK;
-}
-
-static bat_status read_tension(const bat_json *json, uint32_t list, size_t count, double *out,
-                               bat_problem *problem) {
-    if (bat_json_count(json, list) != count)
-        return bat_json_complain(json, list, BAT_COUNT, "tension", "one a point, null where none is given",
-                                 problem);
-    for (uint32_t at = bat_json_first(json, list); at; at = json->nodes[at].next, out += 2) {
-        bat_status status = BAT_OK;
-        if (is(json, at, BAT_JSON_NUMBER))
-            out[0] = out[1] = json->nodes[at].value.number;
-        else if (is(json, at, BAT_JSON_LIST))
-            status = read_vector(json, at, "tension", 2, out, problem);
-        else if (!is(json, at, BAT_JSON_NULL))
-            status = bat_json_complain(json, at, BAT_SYNTAX, "tension", "a number, a pair, or null", problem);
-        if (status == BAT_OK && !(out[0] >= 0 && out[0] <= 1e6 && out[1] >= 0 && out[1] <= 1e6))
-            status = bat_json_complain(json, at, BAT_NUMBER, "tension", "numbers from 0 to 1e6", problem);
-        if (status != BAT_OK) return status;
-    }
-    return BAT_OK;
-}
-
-static bat_status spline_from_json(const bat_json *json, bat_spline *out, void **block,
-                                   bat_problem *problem) {
-    if (!is(json, 1, BAT_JSON_OBJECT))
-        return bat_json_complain(json, 1, BAT_SYNTAX, "spline", "an object", problem);
-    uint32_t list = bat_json_member(json, 1, "points"), tension = bat_json_member(json, 1, "tension");
-    double *points = NULL;
-    size_t count = 0;
-    int dimension = 2;
-    bool closed = false;
-    if (!list)
-        return bat_json_say(json, 1, BAT_SYNTAX, "points: expected a list of points, found none", problem);
-    bat_status status = bat_points_from_json(json, list, "points", &points, &count, &dimension, problem);
-    if (status != BAT_OK) return status;
-    size_t size = count * (size_t)dimension;
-    double *all = count <= BAT_POINTS_MAX ? calloc(2 * size + 2 * count + 1, sizeof *all) : NULL;
-    if (!all) {
-        free(points);
-        return bat_json_say(json, list, BAT_MEMORY, bat_status_message(BAT_MEMORY), problem);
-    }
-    memcpy(all, points, size * sizeof *all);
-    free(points);
-    for (size_t i = 0; i < 2 * count; i++) all[2 * size + i] = 1;
-    status = read_flag(json, 1, "closed", &closed, problem);
-    if (status == BAT_OK)
-        status = read_tangents(json, bat_json_member(json, 1, "tangents"), dimension, count, all + size,
-                               problem);
-    bool tense = tension && !is(json, tension, BAT_JSON_NULL);
-    if (status == BAT_OK && tense) status = read_tension(json, tension, count, all + 2 * size, problem);
-    if (status != BAT_OK) {
-        free(all);
-        return status;
-    }
-    *out = (bat_spline){.dimension = dimension,
-                        .closed = closed,
-                        .count = (int)count,
-                        .points = all,
-                        .tangents = all + size,
-                        .tension = tense ? all + 2 * size : NULL};
-    *block = all;
-    return BAT_OK;
-}
-
-bat_status bat_spline_read(const char *text, size_t size, bat_spline *out, void **block,
-                           bat_problem *problem) {
-    if (!text || !out || !block)
-        return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
-    bat_json json;
-    bat_status status = bat_json_parse(text, size, &json, problem);
-    if (status != BAT_OK) return status;
-    status = spline_from_json(&json, out, block, problem);
-    bat_json_free(&json);
-    return status;
-}
-
 /* ---- SHAPE ---- */
 
 static bat_status read_first(const bat_json *json, uint32_t object, bat_shape_options *options,
@@ -163,8 +47,9 @@ static bat_status read_first(const bat_json *json, uint32_t object, bat_shape_op
         return bat_json_complain(json, object, BAT_SYNTAX, "first", "an object with \"s\", and \"t\" or not",
                                  problem);
     double *to = t ? options->reference_s : options->first;
-    bat_status status = read_vector(json, s, "first.s", 3, to, problem);
-    if (status == BAT_OK && t) status = read_vector(json, t, "first.t", 3, options->reference_t, problem);
+    bat_status status = bat_vector_from_json(json, s, "first.s", 3, to, problem);
+    if (status == BAT_OK && t)
+        status = bat_vector_from_json(json, t, "first.t", 3, options->reference_t, problem);
     options->has_reference = t != 0;
     options->has_first = t == 0;
     return status;
@@ -464,13 +349,13 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
     switch ((edit_type)type) {
     case EDIT_MOVE:
         status = read_index(json, object, "index", bat_curve_count(curve) - 1, &index, problem);
-        if (status == BAT_OK) status = read_vector(json, delta, "delta", dimension, value, problem);
+        if (status == BAT_OK) status = bat_vector_from_json(json, delta, "delta", dimension, value, problem);
         if (status != BAT_OK) return status;
         status = bat_shape_move(shape, level, index, value);
         break;
     case EDIT_DRAG:
         status = read_number(json, object, "u", &u, problem);
-        if (status == BAT_OK) status = read_vector(json, delta, "delta", dimension, value, problem);
+        if (status == BAT_OK) status = bat_vector_from_json(json, delta, "delta", dimension, value, problem);
         if (status != BAT_OK) return status;
         status = bat_shape_drag(shape, level, u, value);
         break;
