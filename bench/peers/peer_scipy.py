@@ -1,4 +1,4 @@
-"""FITPACK and PPoly through scipy: evaluation, and the fit with the best of 40 smoothing factors.
+"""FITPACK and BSpline through scipy: evaluation, and the fit with the best of 40 smoothing factors.
 
 usage: peer_scipy.py FIT_STROKES; FIT_STROKES prints one of the three strokes (tests/curve/fit_strokes.c).
 The time of a fit is that of the one call with the best factor: as if it were known.
@@ -10,7 +10,7 @@ import time
 import warnings
 
 import numpy as np
-from scipy.interpolate import BSpline, PPoly, splev, splprep
+from scipy.interpolate import BSpline, splev, splprep
 from scipy.spatial import cKDTree
 
 warnings.simplefilter("ignore")
@@ -35,7 +35,7 @@ random = np.random.default_rng(1)
 u = np.linspace(0, 1, 1000000)
 for n in (16, 1000, 100000):
     knots = np.concatenate([[0] * 4, np.arange(1, n - 3) / (n - 3), [1] * 4])
-    poly = PPoly.from_spline(BSpline(knots, random.random((n, 3)), 3))
+    poly = BSpline(knots, random.random((n, 3)), 3)
     row(f"eval 1e6 sorted, 3D cubic, n={n}", "ns/point", measure(lambda: poly(u)), 1e3)
 
 for kind, name in enumerate(("eight bends", "spiral", "car line")):
