@@ -1,0 +1,401 @@
+"""The editor's server, by raw sockets and http.client: every refusal with its status, and saving that is atomic."""
+import concurrent.futures
+import http.client
+import json
+import os
+import pathlib
+import re
+import select
+import signal
+import socket
+import stat
+import subprocess
+import time
+import unittest
+import urllib.parse
+
+from program import PROGRAM, ProgramTest
+
+STYLE = {"stroked": True, "stroke": "#000000ff", "width": 2, "cap": "round", "join": "round", "miter_limit": 4,
+         "filled": False, "fill": "#000000ff", "even_odd": False, "opacity": 1}
+
+
+def drawing(x=1.0, objects=1):
+    """A native document that differs with x."""
+    curve = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [x, 2]]}
+    return json.dumps({"batten": 1, "page": [0, 0, 100, 50], "next": objects + 1, "objects": [
+        {"id": i + 1, "kind": "path", "name": "", "style": STYLE, "curves": [curve]} for i in range(objects)]}).encode()
+
+
+class Editor:
+    """A running `batten edit`."""
+
+    def __init__(self, path, *words, environment=None):
+        self.process = subprocess.Popen([PROGRAM, "edit", str(path), "--no-open", *words], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, env={**os.environ, **(environment or {})})
+        ready, _, _ = select.select([self.process.stdout], [], [], 60)
+        self.address = self.process.stdout.readline().decode().strip() if ready else ""
+        if not self.address:
+            self.process.kill()
+            raise AssertionError(self.process.communicate()[1].decode())
+        self.port = urllib.parse.urlsplit(self.address).port
+        self.host = f"127.0.0.1:{self.port}"
+        self.token = re.search(rb'name="batten-token" content="([^"]*)"', self.get("/")[2])[1].decode()
+
+    def request(self, method, path, headers=None, body=None, token=True):
+        """Status, headers, body."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        headers = dict(headers or {})
+        if token and path == "/document":
+            headers.setdefault("X-Batten-Token", self.token)
+        connection.request(method, path, body, headers)
+        response = connection.getresponse()
+        result = response.status, response.headers, response.read()
+        connection.close()
+        return result
+
+    def get(self, path, headers=None, token=True):
+        return self.request("GET", path, headers, None, token and path == "/document")
+
+    def tag(self):
+        return self.get("/document")[1]["ETag"]
+
+    def put(self, body, tag=None, headers=None, kind="application/json"):
+        headers = {"Content-Type": kind, "If-Match": tag or self.tag(), **(headers or {})}
+        return self.request("PUT", "/document", {k: v for k, v in headers.items() if v is not None}, body)
+
+    def raw(self, text):
+        """The status that a request written by hand is answered with; 0: the connection was closed."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout=60) as connection:
+            connection.sendall(text if isinstance(text, bytes) else text.replace("\n", "\r\n").encode())
+            answer = b""
+            while b"\r\n" not in answer:
+                part = connection.recv(4096)
+                if not part:
+                    break
+                answer += part
+            return int(answer.split()[1]) if answer else 0
+
+    def end(self, how=signal.SIGTERM):
+        if self.process.stdout.closed:
+            return None
+        self.process.send_signal(how)
+        output, errors = self.process.communicate(timeout=60)
+        return self.process.returncode, output, errors.decode()
+
+
+class EditTest(ProgramTest):
+    def start(self, name="d.batten", content=None, *words):
+        self.path = self.folder / name
+        if content is not None:
+            self.path.write_bytes(content)
+        return self.editor_on(self.path, *words)
+
+    def editor_on(self, path, *words):
+        editor = Editor(path, *words)
+        self.addCleanup(editor.end, signal.SIGKILL)
+        return editor
+
+
+class Serving(EditTest):
+    def test_address_shell_and_headers(self):
+        editor = self.start(content=drawing())
+        self.assertRegex(editor.address, r"^http://127\.0\.0\.1:\d+/$")
+        self.assertRegex(editor.token, r"^[0-9a-f]{32}$")
+        for path, kind in (("/", "text/html; charset=utf-8"), ("/main.js", "text/javascript; charset=utf-8"),
+                           ("/style.css", "text/css; charset=utf-8"), ("/batten.wasm", "application/wasm"),
+                           ("/document", "application/json")):
+            status, headers, body = editor.get(path)
+            self.assertEqual((status, headers["Content-Type"]), (200, kind), path)
+            self.assertTrue(body)
+            self.assertIn("default-src 'none'; script-src 'self' 'wasm-unsafe-eval'", headers["Content-Security-Policy"])
+            self.assertIn("frame-ancestors 'none'", headers["Content-Security-Policy"])
+            self.assertEqual(headers["X-Content-Type-Options"], "nosniff")
+            self.assertEqual(headers["Cache-Control"], "no-store")
+            self.assertEqual(headers["Referrer-Policy"], "no-referrer")
+            self.assertEqual(headers["Cross-Origin-Opener-Policy"], "same-origin")
+            self.assertEqual(headers["Cross-Origin-Resource-Policy"], "same-origin")
+            self.assertIsNone(headers["Access-Control-Allow-Origin"])
+        self.assertEqual(editor.get("/batten.wasm")[2][:4], b"\0asm")
+        self.assertEqual(editor.request("HEAD", "/")[::2], (200, b""))
+
+    def test_document_with_name_and_tag(self):
+        editor = self.start("Ä b%.batten", drawing())
+        status, headers, body = editor.get("/document")
+        self.assertEqual((status, body), (200, drawing()))
+        self.assertEqual(urllib.parse.unquote(headers["X-Batten-Name"]), "Ä b%.batten")
+        self.assertTrue(headers["X-Batten-Name"].isascii())
+        self.assertRegex(headers["ETag"], r'^"[^"]+"$')
+
+    def test_tokens_are_fresh(self):
+        self.assertNotEqual(self.start(content=drawing()).token, self.start(content=drawing()).token)
+
+    def test_loopback_only(self):
+        editor = self.start(content=drawing())
+        listening = pathlib.Path("/proc/net/tcp").read_text() + pathlib.Path("/proc/net/tcp6").read_text()
+        local = {line.split()[1].split(":")[0] for line in listening.splitlines()
+                 if line.split()[1].endswith(f":{editor.port:04X}") and line.split()[3] == "0A"}
+        self.assertEqual(local, {"0100007F"})
+
+    def test_signals_end_it_cleanly(self):
+        for how in (signal.SIGINT, signal.SIGTERM):
+            editor = self.start(content=drawing())
+            self.assertEqual(editor.end(how)[0], 0)
+
+    def test_port(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            port = taken.getsockname()[1]
+            taken.listen()
+            line = self.refused(1, "edit", self.file("d.batten", drawing()), "--no-open", "--port", port)
+            self.assertIn(f"port {port}", line)
+        self.assertEqual(self.start("d.batten", None, "--port", str(port)).port, port)
+
+    def test_files_that_cannot_be_edited(self):
+        self.assertIn("expected", self.refused(1, "edit", self.file("x.batten", "{"), "--no-open"))
+        self.assertIn("line 1", self.refused(1, "edit", self.file("x.svg", "<svg"), "--no-open"))
+        self.refused(1, "edit", self.folder / "nowhere" / "x.svg", "--no-open")
+        (self.folder / "folder.svg").mkdir()
+        self.refused(1, "edit", self.folder / "folder.svg", "--no-open")
+
+    def test_opens_the_browser_only_with_a_display(self):
+        asked = self.folder / "asked"
+        opener = self.file("xdg-open", f"#!/bin/sh\necho \"$1\" > {asked}.new\nmv {asked}.new {asked}\n")
+        os.chmod(opener, 0o755)
+        name = self.file("d.batten", drawing())
+        for display, opened in (("", False), (":9", True)):
+            environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}", "DISPLAY": display,
+                           "WAYLAND_DISPLAY": ""}
+            with subprocess.Popen([PROGRAM, "edit", name], stdout=subprocess.PIPE, env=environment) as process:
+                address = process.stdout.readline().decode().strip()
+                for _ in range(100 if opened else 5):
+                    if asked.exists():
+                        break
+                    time.sleep(0.05)
+                process.terminate()
+            self.assertEqual(asked.exists(), opened)
+            if opened:
+                self.assertEqual(asked.read_text().strip(), address)
+
+
+class Refusals(EditTest):
+    """What does not come from the editor's own page is refused, and the file stays as it is."""
+
+    def setUp(self):
+        super().setUp()
+        self.editor = self.start(content=drawing())
+        self.before = self.path.read_bytes(), self.path.stat().st_mtime_ns
+
+    def tearDown(self):
+        self.assertEqual((self.path.read_bytes(), self.path.stat().st_mtime_ns), self.before)
+        self.assertEqual(os.listdir(self.folder), ["d.batten"])
+        self.assertEqual(self.editor.get("/document")[0], 200)  # it still works
+
+    def both(self, headers):
+        """Statuses of the page, the document and a save with these headers."""
+        return {self.editor.get("/", headers)[0], self.editor.get("/document", headers)[0],
+                self.editor.put(drawing(5), headers=headers)[0]}
+
+    def test_host(self):
+        for host in ("evil.example", f"evil.example:{self.editor.port}", "127.0.0.1", "localhost", "127.0.0.1:1",
+                     f"127.0.0.1.evil.example:{self.editor.port}", f"127.0.0.1:{self.editor.port}.", ""):
+            with self.subTest(host=host):
+                self.assertEqual(self.both({"Host": host}), {421})
+        self.assertEqual(self.editor.get("/", {"Host": f"localhost:{self.editor.port}"})[0], 200)
+
+    def test_duplicate_and_missing_host(self):
+        good = f"Host: {self.editor.host}\n"
+        self.assertEqual(self.editor.raw(f"GET / HTTP/1.1\n{good}\n"), 200)
+        self.assertEqual(self.editor.raw(f"GET / HTTP/1.1\n{good}{good}\n"), 400)
+        self.assertEqual(self.editor.raw(f"GET / HTTP/1.1\n{good}Host: evil.example\n\n"), 400)
+        self.assertEqual(self.editor.raw(f"GET / HTTP/1.1\nhOsT: evil.example\n{good}\n"), 400)
+        self.assertEqual(self.editor.raw("GET / HTTP/1.1\n\n"), 400)
+        self.assertEqual(self.editor.raw("GET / HTTP/1.0\n\n"), 400)
+
+    def test_origin(self):
+        host = self.editor.host
+        for origin in ("null", "http://evil.example", f"https://{host}", f"http://{host}/", f"http://{host}.evil.example",
+                       "http://127.0.0.1", "http://127.0.0.1:1", f"http://localhost:{self.editor.port}", "", "file://"):
+            with self.subTest(origin=origin):
+                self.assertEqual(self.both({"Origin": origin}), {403})
+        self.assertEqual(self.editor.get("/document", {"Origin": f"http://{host}"})[0], 200)
+
+    def test_fetch_from_another_site(self):
+        for site in ("cross-site", "same-site", "something"):
+            self.assertEqual(self.both({"Sec-Fetch-Site": site}), {403})
+        for site in ("same-origin", "none"):
+            self.assertEqual(self.editor.get("/", {"Sec-Fetch-Site": site})[0], 200)
+
+    def test_token(self):
+        right = self.editor.token
+        for token in ("", "x", right[:-1], right + "0", right[::-1], right.upper() + " ", "%TOKEN%"):
+            headers = {"X-Batten-Token": token}
+            with self.subTest(token=token):
+                self.assertEqual(self.editor.get("/document", headers)[0], 403)
+                self.assertEqual(self.editor.put(drawing(5), '"x"', headers)[0], 403)
+        self.assertEqual(self.editor.get("/document", token=False)[0], 403)
+        twice = f"X-Batten-Token: {right}\n"
+        self.assertEqual(self.editor.raw(f"GET /document HTTP/1.1\nHost: {self.editor.host}\n{twice}{twice}\n"), 400)
+
+    def test_paths(self):
+        for path in ("/nothing", "/document/", "/document.batten", "//", "/index.html/", "/../etc/passwd",
+                     "/..%2f..%2fetc%2fpasswd", "/%2e%2e/%2e%2e/etc/passwd", "/icons/../main.js", "/d.batten",
+                     "/main.js%00.png", "/module/wasi.c", "http://evil.example/", "*"):
+            with self.subTest(path=path):
+                self.assertIn(self.editor.raw(f"GET {path} HTTP/1.1\nHost: {self.editor.host}\n\n"), (400, 404))
+
+    def test_methods(self):
+        for method in ("POST", "DELETE", "OPTIONS", "PATCH", "TRACE", "BREW"):
+            status, headers, _ = self.editor.request(method, "/document")
+            self.assertEqual((status, headers["Allow"]), (405, "GET, HEAD, PUT"))
+            self.assertEqual(self.editor.request(method, "/")[0], 405)
+        self.assertEqual(self.editor.request("PUT", "/", {"X-Batten-Token": self.editor.token}, b"x")[0], 405)
+
+    def test_media_type(self):
+        for kind in ("image/svg+xml", "text/plain", "application/jsonp", "", None):
+            with self.subTest(kind=kind):
+                self.assertEqual(self.editor.put(drawing(5), kind=kind)[0], 415)
+
+    def test_body_too_large(self):
+        head = (f"PUT /document HTTP/1.1\nHost: {self.editor.host}\nX-Batten-Token: {self.editor.token}\n"
+                'Content-Type: application/json\nIf-Match: "x"\n')
+        for length in ((64 << 20) + 1, 1 << 40, 1 << 62):
+            self.assertEqual(self.editor.raw(f"{head}Content-Length: {length}\n\n"), 413)
+        for length in ("-1", "1x", "99999999999999999999999999"):
+            self.assertIn(self.editor.raw(f"{head}Content-Length: {length}\n\n"), (400, 413))
+        self.assertIn(self.editor.raw(f"{head}Content-Length: 3\nContent-Length: 4\n\nabc"), (400,))
+        self.assertEqual(self.editor.raw(f"{head}Transfer-Encoding: chunked\n\n1\nx\n0\n\n"), 411)
+        self.assertIn(self.editor.raw(f"{head}\n"), (411,))
+
+    def test_body_that_is_no_drawing(self):
+        for body in (b"", b"{", b"null", b"<svg/>", drawing()[:-2], drawing().replace(b'"knots": [0, 0, 1, 1]', b'"knots": [1]'),
+                     drawing() + b"x", b"\xff\xfe\0"):
+            with self.subTest(body=body):
+                status, _, text = self.editor.put(body)
+                self.assertEqual(status, 422, text)
+                self.assertTrue(text.startswith(b"Not a drawing: "))
+
+    def test_tags(self):
+        for tag in ('"x"', "x", "*", "W/" + self.editor.tag(), self.editor.tag()[1:-1], '"none"'):
+            with self.subTest(tag=tag):
+                self.assertEqual(self.editor.put(drawing(5), tag)[0], 412)
+        self.assertEqual(self.editor.put(drawing(5), "", {"If-Match": None})[0], 428)
+
+    def test_half_a_body_changes_nothing(self):
+        head = (f"PUT /document HTTP/1.1\r\nHost: {self.editor.host}\r\nX-Batten-Token: {self.editor.token}\r\n"
+                f"Content-Type: application/json\r\nIf-Match: {self.editor.tag()}\r\nContent-Length: 5000\r\n\r\n")
+        with socket.create_connection(("127.0.0.1", self.editor.port)) as connection:
+            connection.sendall(head.encode() + drawing(5))
+        self.assertEqual(self.editor.get("/document")[2], drawing())
+
+    def test_noise(self):
+        for noise in (b"\0" * 100, b"GET\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", b"A" * 100000):
+            with self.subTest(noise=noise[:20]):
+                with socket.create_connection(("127.0.0.1", self.editor.port), timeout=60) as connection:
+                    answer = b""
+                    try:
+                        connection.sendall(noise + b"\r\n\r\n")
+                        connection.shutdown(socket.SHUT_WR)
+                        answer = connection.recv(4096)
+                    except ConnectionError:
+                        pass  # closed on us: fine
+                    self.assertNotIn(b" 200 ", answer[:20])
+
+
+class Saving(EditTest):
+    def test_saves_and_moves_the_tag(self):
+        editor = self.start(content=drawing())
+        first = editor.tag()
+        status, headers, body = editor.put(drawing(2), first)
+        self.assertEqual((status, body, self.path.read_bytes()), (204, b"", drawing(2)))
+        self.assertNotEqual(headers["ETag"], first)
+        self.assertEqual(headers["ETag"], editor.tag())
+        self.assertEqual(editor.put(drawing(3), first)[0], 412)
+        self.assertEqual(editor.put(drawing(3), headers["ETag"], {"Content-Type": "application/json; charset=utf-8"})[0], 204)
+        self.assertEqual(os.listdir(self.folder), ["d.batten"])
+
+    def test_file_that_changed_on_disk_is_not_touched(self):
+        editor = self.start(content=drawing())
+        tag = editor.tag()
+        self.path.write_bytes(drawing(7))
+        self.assertEqual(editor.put(drawing(2), tag)[0], 412)
+        self.assertEqual(self.path.read_bytes(), drawing(7))
+        self.path.unlink()
+        self.assertEqual(editor.put(drawing(2), tag)[0], 412)
+        self.assertFalse(self.path.exists())
+
+    def test_touching_is_no_change(self):
+        editor = self.start(content=drawing())
+        tag = editor.tag()
+        os.utime(self.path, (1, 1))
+        self.assertEqual(editor.put(drawing(2), tag)[0], 204)
+
+    def test_two_editors_on_one_file(self):
+        first = self.start(content=drawing())
+        second = self.editor_on(self.path)
+        tag = second.tag()
+        self.assertEqual(first.put(drawing(2), tag)[0], 204)
+        self.assertEqual(second.put(drawing(3), tag)[0], 412)
+        self.assertEqual(self.path.read_bytes(), drawing(2))
+
+    def test_new_file(self):
+        for name in ("new.batten", "new.svg"):
+            editor = self.start(name)
+            self.assertFalse(self.path.exists())
+            status, headers, body = editor.get("/document")
+            self.assertEqual((status, self.path.exists()), (200, False))
+            kind = headers["Content-Type"]
+            self.assertEqual(editor.put(body, headers["ETag"], kind=kind)[0], 204)
+            self.assertEqual(self.path.read_bytes(), body)
+            self.assertEqual(json.loads(self.done("info", self.path, "--json"))["objects"], [])
+            self.assertIn("first save", editor.end()[2])
+
+    def test_new_file_that_somebody_else_made_is_not_touched(self):
+        editor = self.start("new.batten")
+        tag = editor.tag()
+        self.path.write_bytes(b"mine")
+        self.assertEqual(editor.put(drawing(), tag)[0], 412)
+        self.assertEqual(self.path.read_bytes(), b"mine")
+
+    def test_mode_and_links_stay(self):
+        self.path = self.folder / "real" / "d.batten"
+        self.path.parent.mkdir()
+        self.path.write_bytes(drawing())
+        self.path.chmod(0o640)
+        (self.folder / "link.batten").symlink_to("real/d.batten")
+        (self.folder / "far.batten").symlink_to(self.folder / "link.batten")
+        editor = self.editor_on(self.folder / "far.batten")
+        self.assertEqual(editor.put(drawing(2))[0], 204)
+        self.assertEqual(self.path.read_bytes(), drawing(2))
+        self.assertEqual(stat.S_IMODE(self.path.stat().st_mode), 0o640)
+        self.assertTrue((self.folder / "far.batten").is_symlink() and (self.folder / "link.batten").is_symlink())
+        self.assertEqual(os.listdir(self.path.parent), ["d.batten"])
+
+    def test_link_to_a_file_that_is_not_there_yet(self):
+        (self.folder / "link.batten").symlink_to("real.batten")
+        editor = self.editor_on(self.folder / "link.batten")
+        self.assertEqual(editor.put(drawing(2))[0], 204)
+        self.assertEqual((self.folder / "real.batten").read_bytes(), drawing(2))
+        self.assertTrue((self.folder / "link.batten").is_symlink())
+
+    def test_read_only_file(self):
+        self.file("d.batten", drawing())
+        (self.folder / "d.batten").chmod(0o444)
+        editor = self.start()
+        status, _, text = editor.put(drawing(2))
+        self.assertEqual((status, self.path.read_bytes()), (409, drawing()))
+        self.assertIn(b"read-only", text)
+        self.assertIn("read-only", editor.end()[2])
+
+    def test_saves_at_once_do_not_mix(self):
+        editor = self.start(content=drawing())
+        tag = editor.tag()
+        bodies = [drawing(x) for x in range(2, 10)]
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:
+            answers = sorted(pool.map(lambda body: editor.put(body, tag)[0], bodies))
+        self.assertEqual(answers, [204] + [412] * 7)
+        self.assertIn(self.path.read_bytes(), bodies)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,196 @@
+"""convert, info and pipes: formats, what is left out, output that appears whole or not at all."""
+import json
+import math
+import os
+import stat
+import unittest
+import xml.etree.ElementTree
+
+from program import CURVE, PROGRAM, RING, ROOT, ProgramTest
+
+CAR = ROOT / "examples" / "car.svg"
+MIXED = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50" width="100" height="50">
+<path d="M0 0C10 10 20 10 30 0" stroke="red" fill="none"/><text x="1" y="2">hello</text><text>again</text>
+<image href="x.png" width="3" height="3"/><circle cx="50" cy="25" r="10"/></svg>"""
+
+
+class Convert(ProgramTest):
+    def test_curve_to_everything_and_back_bit_for_bit(self):
+        for curve in (CURVE, RING, dict(CURVE, points=[[0.1, 1 / 3], [1e-300, 2], [3e9, 3], [5, -0.0], [6, 2 / 7]])):
+            first = self.file("a.json", curve)
+            for steps in (["b.batten"], ["b.svg"], ["b.batten", "c.svg", "d.batten"]):
+                last = first
+                for step in (*steps, "e.json"):
+                    self.done("convert", last, self.folder / step)
+                    last = self.folder / step
+                back = json.loads((self.folder / "e.json").read_text())
+                self.assertEqual({key: back[key] for key in curve}, curve)
+                for now, then in zip(back["points"], curve["points"]):  # the sign of zero, too
+                    self.assertEqual([math.copysign(1, v) for v in now], [math.copysign(1, v) for v in then])
+
+    def test_svg_out_is_svg(self):
+        self.done("convert", self.file("a.json", CURVE), self.folder / "a.svg")
+        root = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+        self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+        self.assertEqual(len(root.findall(".//{http://www.w3.org/2000/svg}path")), 1)
+
+    def test_car_survives(self):
+        self.done("convert", CAR, self.folder / "car.batten")
+        self.done("convert", self.folder / "car.batten", self.folder / "car.svg")
+        self.done("convert", self.folder / "car.svg", self.folder / "again.batten")
+        first, again = ((self.folder / name).read_bytes() for name in ("car.batten", "again.batten"))
+        self.assertEqual(first, again)
+        self.assertGreater(len(json.loads(first)["objects"]), 20)
+
+    def test_many_curves_are_no_curve(self):
+        line = self.refused(1, "convert", CAR, self.folder / "car.json")
+        self.assertRegex(line, r"expected 1, found \d+$")
+        self.assertFalse((self.folder / "car.json").exists())
+
+    def test_what_is_left_out_is_counted(self):
+        name = self.file("m.svg", MIXED)
+        result = self.run_program("convert", name, self.folder / "m.batten")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count(b"\n"), 1)
+        self.assertRegex(result.stderr.decode(), r"m\.svg: Left out: .*2 texts.*1 image")
+        self.assertEqual(self.run_program("convert", self.folder / "m.batten", self.folder / "n.svg").stderr, b"")
+
+    def test_pipes_tell_the_format_from_the_text(self):
+        native = self.done("convert", "-", "-", "--to", "batten", stdin=json.dumps(CURVE))
+        svg = self.done("convert", "-", "-", "--to", "svg", stdin=native)
+        back = json.loads(self.done("convert", "-", "-", "--to", "json", stdin=svg))
+        self.assertEqual({key: back[key] for key in CURVE}, CURVE)
+        self.assertEqual(self.done("convert", "-", "-", "--to", "batten", stdin=CAR.read_bytes()),
+                         self.done("convert", CAR, "-", "--to", "batten"))
+
+    def test_bad_files(self):
+        for name, content, words in (
+            ("a.svg", "", "line 1"), ("a.svg", "<svg", "line 1"), ("a.svg", "<svg>\n<g></svg>", "line 2"),
+            ("a.svg", "{}", "line 1"), ("a.svg", "<html/>", ""), ("a.batten", "<svg/>", "line 1"),
+            ("a.batten", "{}", ""), ("a.batten", '{"batten":99}', ""), ("a.json", '{"degree":3}', ""), ("a", "hello", "SVG"),
+            ("a.svg", '<?xml version="1.0" encoding="martian"?><svg/>', "line 1"),
+        ):
+            with self.subTest(name=name, content=content):
+                path = self.file(name, content)
+                line = self.refused(1, "convert", path, self.folder / "out.batten")
+                self.assertTrue(line.startswith(f"{path}: "), line)
+                self.assertIn(words, line)
+                self.assertFalse((self.folder / "out.batten").exists())
+
+    def test_entities_do_not_explode(self):
+        text = '<!DOCTYPE svg [<!ENTITY a "xxxxxxxxxxxxxxxx">' + "".join(
+            f'<!ENTITY {b} "{"&" + a + ";"}{("&" + a + ";") * 15}">' for a, b in zip("abcdefgh", "bcdefghi"))
+        self.refused(1, "convert", self.file("a.svg", text + "]><svg><title>&i;</title></svg>"), self.folder / "o.batten")
+
+    def test_windows_encoding(self):
+        text = '<?xml version="1.0" encoding="Windows-1252"?><svg xmlns="http://www.w3.org/2000/svg">' \
+               '<path id="Stra\xdfe\x80" d="M0 0L1 1"/></svg>'
+        info = self.json("info", self.file("a.svg", text.encode("latin1")), "--json")
+        self.assertEqual(info["objects"][0]["name"], "Straße€")
+
+
+class Output(ProgramTest):
+    def test_old_file_stays_when_the_data_are_bad(self):
+        old = self.file("out.svg", "old")
+        self.refused(1, "convert", self.file("bad.json", "{"), old)
+        self.assertEqual(open_text(old), "old")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["bad.json", "out.svg"])
+
+    def test_mode_link_and_nothing_left_beside(self):
+        source, old = self.file("c.json", CURVE), self.folder / "out.batten"
+        old.write_text("old")
+        old.chmod(0o604)
+        (self.folder / "link.batten").symlink_to("out.batten")
+        self.done("convert", source, self.folder / "link.batten")
+        self.assertTrue((self.folder / "link.batten").is_symlink())
+        self.assertEqual(stat.S_IMODE(old.stat().st_mode), 0o604)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["c.json", "link.batten", "out.batten"])
+
+    def test_new_file_has_the_usual_mode(self):
+        source = self.file("c.json", CURVE)
+        mask = os.umask(0o027)
+        try:
+            self.done("convert", source, self.folder / "out.batten")
+        finally:
+            os.umask(mask)
+        self.assertEqual(stat.S_IMODE((self.folder / "out.batten").stat().st_mode), 0o640)
+
+    def test_places_that_cannot_be_written(self):
+        source = self.file("c.json", CURVE)
+        old = self.folder / "old.batten"
+        old.write_text("old")
+        old.chmod(0o444)
+        self.assertIn("read-only", self.refused(1, "convert", source, old))
+        self.assertEqual(old.read_text(), "old")
+        self.refused(1, "convert", source, self.folder / "nowhere" / "out.batten")
+        (self.folder / "folder.svg").mkdir()
+        self.refused(1, "convert", source, self.folder / "folder.svg")
+        os.symlink("loop.svg", self.folder / "loop.svg")
+        self.refused(1, "convert", source, self.folder / "loop.svg")
+
+    def test_same_file_in_and_out(self):
+        name = self.file("c.json", CURVE)
+        self.done("convert", name, self.folder / "a.batten")
+        before = (self.folder / "a.batten").read_bytes()
+        self.done("convert", self.folder / "a.batten", self.folder / "a.batten")
+        self.assertEqual((self.folder / "a.batten").read_bytes(), before)
+
+    def test_pipe_that_closes_early(self):
+        source = self.file("c.json", CURVE)
+        script = f"{PROGRAM} eval {source} --samples 200000 2>err; echo $? > status"
+        os.system(f"cd {self.folder} && ( {script} ) | head -c 10 > /dev/null")
+        self.assertEqual((self.folder / "status").read_text(), "1\n")
+        self.assertEqual((self.folder / "err").read_text().count("\n"), 1)
+
+
+class Info(ProgramTest):
+    def test_car(self):
+        info = self.json("info", CAR, "--json")
+        self.assertEqual(info["format"], "svg")
+        self.assertEqual(info["page"], [0, 0, 1000, 420])
+        self.assertIs(info["foreign"], True)
+        roof = next(item for item in info["objects"] if item["name"] == "roof")
+        self.assertEqual([c["degree"] for c in roof["curves"]], [3])
+        self.assertEqual(info["curves"], sum(len(item["curves"]) for item in info["objects"]))
+        text = self.done("info", CAR).decode()
+        self.assertIn("not promised to survive", text)
+        self.assertIn("roof", text)
+
+    def test_svg_saved_by_batten_keeps_everything(self):
+        self.done("convert", CAR, self.folder / "car.svg")
+        info = self.json("info", self.folder / "car.svg", "--json")
+        self.assertIs(info["foreign"], False)
+        self.assertIn("keeps everything", self.done("info", self.folder / "car.svg").decode())
+
+    def test_what_is_left_out(self):
+        info = self.json("info", self.file("m.svg", MIXED), "--json")
+        self.assertEqual((info["left_out"]["texts"], info["left_out"]["images"]), (2, 1))
+        self.assertEqual(len(info["objects"]), 2)
+
+    def test_curve(self):
+        info = self.json("info", self.file("c.json", dict(RING, degree=1)), "--json")
+        curve = info["objects"][0]["curves"][0]
+        points = RING["points"]
+        length = sum(((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5 for a, b in zip(points, points[1:] + points[:1]))
+        self.assertAlmostEqual(curve.pop("length"), length, 9)
+        self.assertEqual(curve, {"degree": 1, "dimension": 2, "closed": True, "points": 5, "knots": 6})
+        self.assertIsNone(info["page"])
+
+
+class Chain(ProgramTest):
+    def test_fit_sketch_convert_render(self):
+        stroke = self.file("s.csv", "x,y\n" + "".join(f"{x},{x * (100 - x) / 50}\n" for x in range(101)))
+        other = self.file("t.csv", "x,y\n" + "".join(f"{x},{x * (100 - x) / 50 + 4}\n" for x in range(30, 71)))
+        script = (f"set -e; {PROGRAM} fit {stroke} | {PROGRAM} sketch - {other} | {PROGRAM} convert - - --to svg"
+                  f" | {PROGRAM} render - {self.folder}/out.png --size 200x100")
+        self.assertEqual(os.system(script), 0)
+        self.assertEqual((self.folder / "out.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+
+def open_text(name):
+    with open(name) as file:
+        return file.read()
+
+
+if __name__ == "__main__":
+    unittest.main()

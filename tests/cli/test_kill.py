@@ -1,0 +1,44 @@
+"""label: slow. A kill in the middle of a save leaves the old file or the new one, whole."""
+import http.client
+import random
+import threading
+import time
+import unittest
+
+from test_edit import EditTest, drawing
+
+
+class Kill(EditTest):
+    def test_kill_while_saving(self):
+        random.seed(5)
+        versions = [drawing(x, 2000) for x in (1, 2)]
+        saves = 0
+        for _ in range(12):
+            editor = self.start(content=versions[0])
+            stop = threading.Event()
+
+            def save():
+                nonlocal saves
+                tag, number = editor.tag(), 0
+                while not stop.is_set():
+                    number += 1
+                    try:
+                        tag = editor.put(versions[number % 2], tag)[1]["ETag"]
+                        saves += 1
+                    except (OSError, http.client.HTTPException):
+                        return
+
+            thread = threading.Thread(target=save)
+            thread.start()
+            time.sleep(random.uniform(0.1, 0.4))
+            editor.process.kill()
+            stop.set()
+            thread.join()
+            self.assertIn(self.path.read_bytes(), versions)
+            for left in self.folder.glob(".batten-*"):  # a killed process cannot clean up
+                left.unlink()
+        self.assertGreater(saves, 12)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+"""render: PNG against librsvg's picture of the SVG, sizes, backgrounds, PDF."""
+import json
+import shutil
+import struct
+import subprocess
+import unittest
+import xml.etree.ElementTree
+import zlib
+
+import numpy
+
+from program import CURVE, ROOT, ProgramTest
+
+CAR = ROOT / "examples" / "car.svg"
+
+
+def pixels(data):
+    """An RGB or RGBA PNG of 8 bits as an array (height, width, 4)."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height, depth, kind, _, _, interlace = struct.unpack(">IIBBBBB", data[16:29])
+    assert depth == 8 and kind in (2, 6) and interlace == 0
+    at, packed = 8, b""
+    while at < len(data):
+        size = struct.unpack(">I", data[at:at + 4])[0]
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    channels = 4 if kind == 6 else 3
+    raw = numpy.frombuffer(zlib.decompress(packed), numpy.uint8).reshape(height, 1 + width * channels)
+    image = numpy.zeros((height, width, channels), int)
+    for y in range(height):
+        row, above = raw[y, 1:].reshape(width, channels).astype(int), image[y - 1] if y else numpy.zeros((width, channels), int)
+        if raw[y, 0] == 0:
+            image[y] = row
+        elif raw[y, 0] == 1:
+            image[y] = numpy.cumsum(row, 0) % 256
+        elif raw[y, 0] == 2:
+            image[y] = (row + above) % 256
+        else:
+            for x in range(width):
+                left, corner = (image[y, x - 1], above[x - 1]) if x else (numpy.zeros(channels, int),) * 2
+                if raw[y, 0] == 3:
+                    guess = (left + above[x]) // 2
+                else:
+                    sums = numpy.abs([above[x] - corner, left - corner, left + above[x] - 2 * corner])
+                    guess = numpy.where((sums[0] <= sums[1]) & (sums[0] <= sums[2]), left,
+                                        numpy.where(sums[1] <= sums[2], above[x], corner))
+                image[y, x] = (row[x] + guess) % 256
+    if channels == 3:
+        image = numpy.dstack([image, numpy.full((height, width), 255)])
+    return image
+
+
+class Render(ProgramTest):
+    def png(self, name, *words):
+        self.done("render", name, self.folder / "out.png", *words)
+        return pixels((self.folder / "out.png").read_bytes())
+
+    def rsvg(self, name, width, height):
+        data = subprocess.run(["rsvg-convert", "-w", str(width), "-h", str(height), "-b", "white", str(name)],
+                              check=True, capture_output=True).stdout
+        return pixels(data)
+
+    def compare(self, ours, theirs):
+        """Two rasterisers may differ by a shade along edges, not in where things are."""
+        self.assertEqual(ours.shape, theirs.shape)
+        difference = numpy.abs(ours[:, :, :3] - theirs[:, :, :3]).max(2)
+        self.assertLess((difference > 64).mean(), 0.002)
+        self.assertLess(difference.mean(), 1.0)
+        self.assertGreater((theirs[:, :, :3].min(2) < 128).mean(), 0.005)  # there is something to see
+
+    @unittest.skipUnless(shutil.which("rsvg-convert"), "librsvg2-bin is not here")
+    def test_car_as_librsvg_paints_it(self):
+        self.compare(self.png(CAR, "--size", "500x210"), self.rsvg(CAR, 500, 210))
+
+    @unittest.skipUnless(shutil.which("rsvg-convert"), "librsvg2-bin is not here")
+    def test_styles_as_librsvg_paints_them(self):
+        svg = self.file("s.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="10 20 200 100" width="200" height="100">
+<rect x="20" y="30" width="60" height="40" fill="#3366cc" opacity=".5" stroke="#cc3300" stroke-width="8"/>
+<path d="M100 30L160 30L110 60L150 100" fill="none" stroke="black" stroke-width="6" stroke-linejoin="bevel" stroke-linecap="square"/>
+<path d="M60 60h60v60h-60z M75 75h30v30h-30z" fill="#0a0" fill-rule="evenodd" fill-opacity=".7"/>
+<circle cx="180" cy="80" r="20" fill="gold" stroke="navy" stroke-width="3" stroke-opacity=".5"/></svg>""")
+        self.compare(self.png(svg), self.rsvg(svg, 200, 100))
+        self.done("render", svg, self.folder / "o.svg")  # our SVG by librsvg is our PNG
+        self.compare(self.png(svg), self.rsvg(self.folder / "o.svg", 200, 100))
+
+    def test_sizes(self):
+        curve = self.file("c.json", CURVE)
+        self.assertEqual(self.png(CAR).shape, (420, 1000, 4))
+        self.assertEqual(self.png(CAR, "--size", "100x100").shape, (100, 100, 4))
+        self.assertEqual(max(self.png(curve).shape), 1000)
+
+    def test_a_line_is_where_it_should_be(self):
+        line = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [100, 0]]}
+        image = self.png(self.file("c.json", line), "--size", "102x10")  # 2 wide, with its caps 102 x 2
+        self.assertTrue((image[4:6, 2:100, :3] == 0).all())
+        self.assertTrue((image[[0, 1, 2, 7, 8, 9]] == 255).all())
+
+    def test_backgrounds(self):
+        curve = self.file("c.json", CURVE)
+        for words, corner in (([], [255] * 4), (["--background", "none"], [0] * 4),
+                              (["--background", "#102030"], [16, 32, 48, 255])):
+            self.assertEqual(self.png(curve, "--size", "40x20", *words)[0, 0].tolist(), corner)
+
+    def test_svg(self):
+        self.done("render", CAR, self.folder / "o.svg", "--size", "500x300", "--background", "#ffeedd")
+        root = xml.etree.ElementTree.parse(self.folder / "o.svg").getroot()
+        self.assertEqual((root.get("width"), root.get("height"), root.get("viewBox")), ("500", "300", "0 0 1000 420"))
+        self.assertIsNone(root.find("{http://www.w3.org/2000/svg}metadata"))
+        info = self.json("info", self.folder / "o.svg", "--json")
+        self.assertIs(info["foreign"], True)  # a picture, not a document
+
+    def test_pdf(self):
+        self.done("render", CAR, self.folder / "o.pdf")
+        data = (self.folder / "o.pdf").read_bytes()
+        self.assertTrue(data.startswith(b"%PDF-1.") and data.rstrip().endswith(b"%%EOF"))
+        self.assertIn(b"/MediaBox [ 0 0 1000 420 ]", data)
+
+    def test_degenerate_drawings(self):
+        empty = self.file("e.batten", '{"batten":1,"page":[0,0,0,0],"next":1,"objects":[]}')
+        self.assertEqual(self.png(empty, "--size", "8x8").shape, (8, 8, 4))
+        dot = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[5, 5], [5, 5]]}
+        self.png(self.file("d.json", dot), "--size", "8x8")
+        for size in (1e-70, 1e70):
+            wide = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [size, size]]}
+            self.run_program("render", self.file("w.json", wide), self.folder / "w.png", "--size", "8x8")
+
+    def test_standard_output(self):
+        data = self.done("render", "-", "-", "--to", "png", "--size", "20x10", stdin=json.dumps(CURVE))
+        self.assertEqual(pixels(data).shape, (10, 20, 4))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,75 @@
+"""Exit status 2 and one line for wrong usage; help with an example for every command."""
+import re
+import subprocess
+import unittest
+
+from program import CURVE, PROGRAM, ProgramTest
+
+COMMANDS = ["edit", "eval", "nearest", "fit", "sketch", "convert", "render", "info", "replay"]
+
+
+class Usage(ProgramTest):
+    def test_help_of_every_command_has_usage_and_example(self):
+        overview = self.done("--help").decode()
+        for name in COMMANDS:
+            self.assertRegex(overview, rf"(?m)^  {name} +\S")
+            text = self.done(name, "--help").decode()
+            self.assertTrue(text.startswith(f"Usage: batten {name} "), text)
+            self.assertRegex(text, rf"(?m)^Example:\n  batten {name} ")
+            self.assertEqual(text, self.done("help", name).decode())
+            usage = text.splitlines()[0]
+            for option in re.findall(r"--[a-z]+", usage):  # what the usage names, the list explains
+                self.assertRegex(text, rf"(?m)^  {option}\b")
+            self.assertLess(max(map(len, text.splitlines())), 121)
+
+    def test_version(self):
+        self.assertRegex(self.done("--version").decode(), r"^batten \d+\.\d+\.\d+\n$")
+
+    def test_wrong_usage_is_2_and_one_line(self):
+        curve = self.file("c.json", CURVE)
+        for words in (
+            [], ["frobnicate"], ["frames", curve, "--at", "1"], ["tangents", curve], ["levels", curve],
+            ["eval"], ["eval", curve], ["eval", curve, "--at", "1", "--samples", "3"], ["eval", curve, "--at"],
+            ["eval", curve, "--at", ""], ["eval", curve, "--at", "1,,2"], ["eval", curve, "--at", "1,x"],
+            ["eval", curve, "--at", "nan"], ["eval", curve, "--at", "inf"], ["eval", curve, "--at", "1e999"],
+            ["eval", curve, "--samples", "0"], ["eval", curve, "--samples", "-3"], ["eval", curve, "--samples", "2.5"],
+            ["eval", curve, "--samples", "3", "--samples", "4"], ["eval", curve, "--samples", "3", "--derivatives", "-1"],
+            ["eval", curve, "--samples", "3", "--frob"], ["eval", curve, curve, "--samples", "3"],
+            ["eval", "", "--samples", "3"],
+            ["nearest", curve], ["nearest", curve, "--point", "1"], ["nearest", curve, "--point", "1,2,3,4"],
+            ["nearest", curve, "--point", "1,b"],
+            ["fit"], ["fit", curve, "--tolerance", "0"], ["fit", curve, "--tolerance", "-1"], ["fit", curve, "--closed=1"],
+            ["fit", curve, "--pixel", "zero"],
+            ["sketch", curve], ["sketch", "-", "-"], ["sketch", curve, curve, "--pins", "4"],
+            ["sketch", curve, curve, "--pins", "2.5"],
+            ["convert", curve], ["convert", curve, "out.doc"], ["convert", curve, "-"], ["convert", curve, "out"],
+            ["convert", curve, "x.svg", "--to", "png"],
+            ["render", curve, "out.gif"], ["render", curve, "-"], ["render", curve, "o.png", "--size", "10"],
+            ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
+            ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],
+            ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
+            ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
+        ):
+            with self.subTest(words=words):
+                self.assertRegex(self.refused(2, *words), r"^batten( [a-z]+)?: .*\(see: batten.* --help\)$")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["c.json"])  # nothing written
+
+    def test_option_forms(self):
+        curve = self.file("c.json", CURVE)
+        expected = self.done("eval", curve, "--at", "-0,1e0,2")
+        self.assertEqual(self.done("eval", "--at=-0,1e0,2", curve), expected)
+        self.assertEqual(self.done("eval", "--at=-0,1e0,2", "--", curve), expected)
+        odd = self.file("--help", CURVE)  # a file may be called anything
+        self.assertEqual(self.run_program("eval", "--at=-0,1e0,2", "--", "--help").stdout, expected, odd)
+
+    def test_standard_output_that_is_full_is_a_failure(self):
+        curve = self.file("c.json", CURVE)
+        for words in (["eval", curve, "--samples", "3"], ["--help"], ["info", curve]):
+            with open("/dev/full", "wb") as full:
+                result = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(result.returncode, 1)
+            self.assertEqual(result.stderr.count(b"\n"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
