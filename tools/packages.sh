@@ -36,7 +36,6 @@ need_to_build() {
     need libexpat1-dev /usr/include/expat.h
     need libcairo2-dev /usr/include/cairo/cairo.h
     need libmicrohttpd-dev /usr/include/microhttpd.h
-    need libcairo2-dev /usr/include/cairo/cairo.h
     need clang clang
     need lld wasm-ld
     need wasi-libc /usr/include/wasm32-wasi/wasi/api.h
@@ -58,6 +57,7 @@ need_to_test() {
     need python3-scipy '/usr/lib/python3/dist-packages/scipy'
     need python3-jsonschema /usr/lib/python3/dist-packages/jsonschema
     need librsvg2-bin rsvg-convert
+    need groff-base groff
     need nodejs node
     need npm npm
     need chromium chromium

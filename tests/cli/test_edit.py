@@ -290,16 +290,16 @@ class Refusals(EditTest):
 
     def test_noise(self):
         for noise in (b"\0" * 100, b"GET\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", b"A" * 100000):
-            with self.subTest(noise=noise[:20]):
-                with socket.create_connection(("127.0.0.1", self.editor.port), timeout=60) as connection:
-                    answer = b""
-                    try:
-                        connection.sendall(noise + b"\r\n\r\n")
-                        connection.shutdown(socket.SHUT_WR)
-                        answer = connection.recv(4096)
-                    except ConnectionError:
-                        pass  # closed on us: fine
-                    self.assertNotIn(b" 200 ", answer[:20])
+            with self.subTest(noise=noise[:20]), socket.create_connection(("127.0.0.1", self.editor.port)) as connection:
+                connection.settimeout(0.3)  # the server may wait for more
+                answer = b""
+                try:
+                    connection.sendall(noise + b"\r\n\r\n")
+                    answer = connection.recv(4096)
+                except OSError:
+                    pass
+                self.assertNotIn(b" 200 ", answer[:20])
+                self.assertEqual(self.editor.get("/")[0], 200)
 
 
 class Saving(EditTest):

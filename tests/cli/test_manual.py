@@ -11,7 +11,6 @@ PAGE = ROOT / "docs" / "batten.1"
 
 
 class Manual(ProgramTest):
-    @unittest.skipUnless(shutil.which("groff"), "groff is not here")
     def test_renders_without_warnings(self):
         result = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-z", str(PAGE)], capture_output=True, check=True)
         self.assertEqual(result.stderr, b"")
