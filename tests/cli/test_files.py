@@ -23,7 +23,7 @@ class Convert(ProgramTest):
                 for step in (*steps, "e.json"):
                     self.done("convert", last, self.folder / step)
                     last = self.folder / step
-                back = json.loads((self.folder / "e.json").read_text())
+                back = json.loads((self.folder / "e.json").read_text(), parse_int=float)  # -0 has its sign
                 self.assertEqual({key: back[key] for key in curve}, curve)
                 for now, then in zip(back["points"], curve["points"]):  # the sign of zero, too
                     self.assertEqual([math.copysign(1, v) for v in now], [math.copysign(1, v) for v in then])
@@ -137,7 +137,7 @@ class Output(ProgramTest):
 
     def test_pipe_that_closes_early(self):
         source = self.file("c.json", CURVE)
-        script = f"{PROGRAM} eval {source} --samples 200000 2>err; echo $? > status"
+        script = f"{PROGRAM} eval {source} --samples 60000 2>err; echo $? > status"
         os.system(f"cd {self.folder} && ( {script} ) | head -c 10 > /dev/null")
         self.assertEqual((self.folder / "status").read_text(), "1\n")
         self.assertEqual((self.folder / "err").read_text().count("\n"), 1)
