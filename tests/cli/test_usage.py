@@ -5,7 +5,7 @@ import unittest
 
 from program import CURVE, PROGRAM, ProgramTest
 
-COMMANDS = ["edit", "eval", "nearest", "fit", "sketch", "convert", "render", "info", "replay"]
+COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay"]
 
 
 class Usage(ProgramTest):
@@ -28,7 +28,7 @@ class Usage(ProgramTest):
     def test_wrong_usage_is_2_and_one_line(self):
         curve = self.file("c.json", CURVE)
         for words in (
-            [], ["frobnicate"], ["frames", curve, "--at", "1"], ["tangents", curve], ["levels", curve],
+            [], ["frobnicate"], ["frames", curve], ["tangents"], ["levels"],
             ["eval"], ["eval", curve], ["eval", curve, "--at", "1", "--samples", "3"], ["eval", curve, "--at"],
             ["eval", curve, "--at", ""], ["eval", curve, "--at", "1,,2"], ["eval", curve, "--at", "1,x"],
             ["eval", curve, "--at", "nan"], ["eval", curve, "--at", "inf"], ["eval", curve, "--at", "1e999"],
