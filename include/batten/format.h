@@ -46,9 +46,9 @@ typedef struct bat_svg_report {
     int skipped_text, skipped_images, skipped_gradients, skipped_clips, skipped_other; /* what was left out */
     int skipped_hidden; /* display none, visibility hidden, neither stroke nor fill */
     int broken_paths;   /* path data, shapes or transforms with errors: read up to the error */
-    int foreign;        /* elements of other programs (editor settings, licences, ...): not kept when saving */
-    bool native;        /* the file carried a native document: every knot is as it was */
-    bool edited;        /* it did, but the drawing has been changed since: the drawing was read */
+    int foreign; /* elements of other programs (editor settings, licences, ...): not kept when saving */
+    bool native; /* the file carried a native document: every knot is as it was */
+    bool edited; /* it did, but the drawing has been changed since: the drawing was read */
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
