@@ -165,7 +165,8 @@ export class Input {
     } else {
       this.held.delete(event.key);
     }
-    if (this.engine.key(event.key, down, modifiersOf(event), event.timeStamp)) {
+    const used = this.engine.key(event.key, down, modifiersOf(event), event.timeStamp);
+    if (used || event.key === 'Alt') { // Alt alone would open the browser's menu
       event.preventDefault();
     }
     this.wake();

@@ -236,6 +236,8 @@ export class Panel {
         if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
           event.preventDefault();
           this.#step(row, input, event.key === 'ArrowUp' ? 1 : -1);
+        } else if (event.key === 'Enter' || event.key === 'Escape') {
+          input.blur(); // the keys belong to the drawing again
         }
       });
     }

@@ -78,6 +78,7 @@ export class Theme {
       (this.choice === 'system' && matchMedia('(prefers-color-scheme: dark)').matches);
     // A token says light and dark at once; an element that wears it tells what it comes to.
     const probe = document.createElement('i');
+    probe.style.forcedColorAdjust = 'none';
     root.append(probe);
     const token = (/** @type {string} */ name) => {
       probe.style.color = `var(--role-${name}, transparent)`;

@@ -72,6 +72,10 @@ test('the empty page, and a notice with something to do', async () => {
   assert.deepEqual(await violations(page), []);
   await page.evaluate(() => batten.notice.say('The file changed on disk since it was opened. It was not touched.',
     { label: 'Download a copy', run: () => {} }));
+  await page.evaluate(() => {
+    document.getElementById('pending').hidden = false;
+    document.getElementById('pending-text').textContent = 'The tolerance could not be met.';
+  });
   await page.screenshot({ path: path.join(SCREENSHOTS, 'desk-light-notice.png') });
   assert.deepEqual(await violations(page), []);
   await context.close();
