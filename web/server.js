@@ -5,13 +5,6 @@ export class Changed extends Error {}
 
 /** @typedef {{ name: string, bytes: Uint8Array }} FileBytes */
 
-/** What the server's refusals mean. @type {Record<number, string>} */
-const REASONS = {
-  403: 'The server refused: this page belongs to another run of Batten. Open the address it printed.',
-  413: 'The server refused: the drawing is too large.',
-  415: 'The server refused: the file is of another format.',
-};
-
 export class Server {
   constructor() {
     const token = document.querySelector('meta[name=batten-token]')?.getAttribute('content') ?? '';
@@ -59,7 +52,9 @@ export class Server {
       throw new Changed('The file changed on disk since it was opened. It was not touched.');
     }
     if (!response.ok) {
-      throw new Error(REASONS[response.status] ?? `The server answered ${response.status} ${response.statusText}.`);
+      // The server says in one line of plain text what it objects to.
+      const reason = (await response.text()).trim();
+      throw new Error(reason || `The server answered ${response.status} ${response.statusText}.`);
     }
     return response;
   }

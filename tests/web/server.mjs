@@ -1,14 +1,17 @@
 // A stand-in for the server of `batten edit`: the shell's files with its headers, and one document.
 // It exists so that a test can look at, and spoil, what the real one would hold.
+import { spawn } from 'node:child_process';
 import crypto from 'node:crypto';
 import fs from 'node:fs';
 import http from 'node:http';
+import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = path.join(ROOT, 'web');
 export const MODULE = process.env.BATTEN_MODULE ?? path.join(ROOT, 'build/wasm/batten.wasm');
+export const PROGRAM = process.env.BATTEN_PROGRAM ?? path.join(ROOT, 'build/release/batten');
 export const EXAMPLE = path.join(ROOT, 'examples/car.svg');
 
 const TYPES = {
@@ -77,4 +80,33 @@ export async function serve(document) {
     server.close();
   };
   return state;
+}
+
+/**
+ * The program's own server, on a file in a folder of its own. No bytes: the file is not there yet.
+ * @param {Buffer} bytes
+ * @param {string} name
+ */
+export async function edit(bytes, name) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-web-'));
+  const file = path.join(folder, name);
+  if (bytes.length > 0) {
+    fs.writeFileSync(file, bytes);
+  }
+  const program = spawn(PROGRAM, ['edit', file, '--no-open'], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const address = await new Promise((resolve, reject) => {
+    program.on('error', reject);
+    program.on('exit', (status) => reject(new Error(`batten edit ended with ${status}`)));
+    program.stdout.on('data', (text) => resolve(String(text).trim()));
+  });
+  return {
+    address,
+    get bytes() {
+      return fs.readFileSync(file);
+    },
+    close() {
+      program.kill();
+      fs.rmSync(folder, { recursive: true, force: true });
+    },
+  };
 }

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
 import { bezier, inked, launch, open, place, ready, settle, state } from './page.mjs';
-import { EXAMPLE, serve } from './server.mjs';
+import { edit, EXAMPLE, serve } from './server.mjs';
 
 let browser;
 before(async () => {
@@ -33,8 +33,8 @@ function distances(page, text, points) {
   }, [text, points]);
 }
 
-test('open, redraw the roof, undo, redo, save, reload, compare', async () => {
-  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+/** @param {{ address: string, bytes: Buffer, close: () => void }} server */
+async function wholeSession(server) {
   const { page, hand, faults, context } = await open(browser, server.address);
   const opened = await state(page);
   assert.equal(opened.check, '');
@@ -77,7 +77,6 @@ test('open, redraw the roof, undo, redo, save, reload, compare', async () => {
   const before = server.bytes.toString();
   await page.click('[data-name=save]');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
-  assert.equal(server.saves, 1);
 
   await page.reload();
   await ready(page);
@@ -97,8 +96,38 @@ test('open, redraw the roof, undo, redo, save, reload, compare', async () => {
   assert.ok(Math.max(...moved) < 0.2, `the rest stays: ${moved}`);
   assert.deepEqual(faults, []);
   await context.close();
-  server.close();
+}
+
+test('open, redraw the roof, undo, redo, save, reload, compare', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  await wholeSession(server);
+  assert.equal(server.saves, 1);
 });
+
+test('the same with the program itself, on a file', async (t) => {
+  const server = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(server.close);
+  await wholeSession(server);
+});
+
+test('the program and a native file', async (t) => {
+  const native = await edit(Buffer.from(''), 'new.batten');
+  t.after(native.close);
+  const { page, hand, faults, context } = await open(browser, native.address);
+  assert.equal(await page.textContent('#name'), 'new.batten');
+  await hand.stroke(bezier([300, 300], [500, 100], [700, 500], [900, 300]));
+  const { digest } = await state(page);
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.equal(JSON.parse(native.bytes.toString()).format, 'batten');
+  await page.reload();
+  await ready(page);
+  assert.equal((await state(page)).digest, digest);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
 
 test('a file that changed on disk is not overwritten', async () => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
