@@ -13,7 +13,7 @@ before(async () => {
 after(() => browser.close());
 
 /** Where the pen goes: over the middle of the roof, a little higher than it is. */
-const NEW_ROOF = [[440, 137], [490, 103], [560, 92], [690, 114]];
+const NEW_ROOF = [[440, 135], [490, 88], [580, 80], [690, 115]];
 
 /**
  * Distances of points from the nearest of a file's outlines, as the browser itself understands the file.
@@ -23,13 +23,22 @@ function distances(page, text, points) {
   return page.evaluate(([svg, asked]) => {
     const root = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true);
     document.body.append(root);
-    const places = [...root.querySelectorAll('path')].flatMap((path) => {
+    const nearest = asked.map(() => Infinity);
+    for (const path of root.querySelectorAll('path')) {
       const length = path.getTotalLength();
-      const count = Math.ceil(length / 0.25);
-      return Array.from({ length: count + 1 }, (_, i) => path.getPointAtLength((length * i) / count));
-    });
+      const count = Math.ceil(length);
+      const places = Array.from({ length: count + 1 }, (_, i) => path.getPointAtLength((length * i) / count));
+      for (let i = 1; i < places.length; i++) {
+        const [a, b] = [places[i - 1], places[i]];
+        const [dx, dy] = [b.x - a.x, b.y - a.y];
+        asked.forEach(([x, y], k) => {
+          const t = Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
+          nearest[k] = Math.min(nearest[k], Math.hypot(a.x + t * dx - x, a.y + t * dy - y));
+        });
+      }
+    }
     root.remove();
-    return asked.map(([x, y]) => Math.min(...places.map((p) => Math.hypot(p.x - x, p.y - y))));
+    return nearest;
   }, [text, points]);
 }
 
