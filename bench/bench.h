@@ -14,6 +14,7 @@ typedef struct bench_row {
     void (*note)(void *context, char *out, int room); /* facts after the last run; may be 0 */
 } bench_row;
 
-extern const bench_row bench_rows_eval[], bench_rows_shape[]; /* each ends with a row without a name */
+extern const bench_row bench_rows_eval[], bench_rows_shape[],
+    bench_rows_editor[]; /* each ends with a row without a name */
 
 #endif
