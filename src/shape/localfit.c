@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double softer = 1.0 / 64, shortest_span = 0.5, slowest = 0.5, fastest = 2;
+static const double softer = 1.0 / 64, shortest_span = 0.5, slowest = 0.6, fastest = 1.7;
 
 int bat_local_fewest(const bat_local_problem *q) {
     const int p = q->degree;
@@ -92,10 +92,11 @@ static void factors(bat_local_machine *k) {
     }
 }
 
-static bool speed_kept(const bat_local_machine *k) {
+static bool speed_kept(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int p = q->degree, m = q->dimension, slots = bat_lsq_slots(&k->space);
     const double *t = k->space.knots + p;
+    k->slow_count = 0;
     for (int s = 0; s < slots; s++) {
         if (!(t[s + 1] > t[s])) continue;
         const double half = 0.5 * (t[s + 1] - t[s]);
@@ -113,15 +114,19 @@ static bool speed_kept(const bat_local_machine *k) {
                 v2 += d * d;
             }
             const double want = q->law[i] * half;
-            if (v2 < slowest * slowest * want * want || v2 > fastest * fastest * want * want) return false;
+            if (v2 < slowest * slowest * want * want || v2 > fastest * fastest * want * want) {
+                k->slow[k->slow_count++] = q->w[i];
+                break; /* one place a span says enough */
+            }
         }
     }
-    return true;
+    return k->slow_count == 0;
 }
 
 bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *status) {
     const bat_local_problem *q = k->problem;
     const int p = q->degree, m = q->dimension;
+    k->slow_count = 0;
     build(k, set);
     const int n = k->space.count;
     memset(k->a, 0, (size_t)n * (size_t)(p + 1) * sizeof *k->a);
@@ -298,6 +303,7 @@ static void machine_free(bat_local_machine *k) {
     free(k->factor);
     free(k->border);
     free(k->rank);
+    free(k->slow);
     free(k->first);
     free(k->limit);
     free(k->distance);
@@ -325,14 +331,15 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     k->local = malloc(n * (size_t)(p + 1) * m * sizeof(double));
     k->factor = malloc(n * sizeof(double));
     k->rank = malloc((n + 1) * sizeof(double));
+    k->slow = malloc((n + 1) * sizeof(double));
     k->border = q->closed ? malloc((n * (size_t)p + BAT_CYCLIC_DENSE) * sizeof(double)) : NULL;
     k->first = malloc((n + 1) * sizeof *k->first);
     k->limit = malloc(q->count * sizeof(double));
     k->distance = malloc(q->count * sizeof(double));
     k->soft = malloc(q->count * sizeof(double));
     k->wild = calloc(q->count, 1);
-    bool fine = k->space.knots && k->a && k->b && k->points && k->local && k->factor && k->rank && k->first &&
-                k->limit && k->distance && k->soft && k->wild && (!q->closed || k->border);
+    bool fine = k->space.knots && k->a && k->b && k->points && k->local && k->factor && k->rank && k->slow &&
+                k->first && k->limit && k->distance && k->soft && k->wild && (!q->closed || k->border);
     bat_knot_set *sets[3] = {&k->best, &k->trial, &k->spare};
     for (int i = 0; i < 3; i++) {
         sets[i]->w = malloc(n * sizeof(double));

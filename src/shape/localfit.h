@@ -70,6 +70,8 @@ typedef struct bat_local_machine {
     bat_knot_set best, trial, spare;
     double *points; /* of the last solve */
     int solves;
+    double *slow; /* w where the last solve left the speed law */
+    int slow_count;
     double ridge; /* relative; 0 unless the equations were singular */
 } bat_local_machine;
 

@@ -84,7 +84,11 @@ static bool settle(reduction *r, bat_status *status) {
             put_back(r, q->w[worst]);
             local = true;
         }
-        if (!local) { /* the speed law, or too few knots: halve */
+        for (int i = 0; i < k->slow_count; i++) {
+            put_back(r, k->slow[i]);
+            local = true;
+        }
+        if (!local) { /* too few knots, or no solution: halve */
             bool toggle = true;
             for (int i = 0; i < k->best.count; i++)
                 if (r->fate[i] != KEEP) {

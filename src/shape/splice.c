@@ -8,12 +8,19 @@
 
 /* Stored span of the kept piece next to a cut, and the cut reduced into the domain; open curves: the same. */
 static int kept_span(const bat_curve *curve, int side, double cut, double *reduced) {
-    if (side == 0) {
-        *reduced = bat_curve_reduce_left(curve, cut);
-        return bat_span_left(curve, *reduced, -1);
+    const double *t = curve->knots;
+    *reduced = side == 0 ? bat_curve_reduce_left(curve, cut) : bat_curve_reduce(curve, cut);
+    int span = bat_span(curve, *reduced, -1);
+    if (curve->closed) { /* a cut at a knot must stay at it when a period is taken off */
+        const double slack = 1e-13 * (fabs(cut) + fabs(*reduced) + t[curve->spread] - t[curve->degree]);
+        if (*reduced - t[span] <= slack)
+            *reduced = t[span];
+        else if (t[span + 1] - *reduced <= slack)
+            *reduced = t[span + 1];
+        *reduced = side == 0 ? bat_curve_reduce_left(curve, *reduced) : bat_curve_reduce(curve, *reduced);
+        span = bat_span(curve, *reduced, -1);
     }
-    *reduced = bat_curve_reduce(curve, cut);
-    return bat_span(curve, *reduced, -1);
+    return side == 0 ? bat_span_left(curve, *reduced, -1) : span;
 }
 
 /* Knots kept of a closed curve: strictly inside (cut of end 1, cut of end 0 + period), ascending and unrolled
@@ -28,8 +35,8 @@ static int kept_closed(const bat_plan *plan, const bat_curve *curve, double *kno
     for (int j = span + 1; count < room; j++) {
         const int turns = (j - p) / n;
         const double knot = curve->knots[j - turns * n] + turns * period + (from - reduced);
-        if (!(knot < to)) break;
-        if (knot > from) knots[count++] = knot;
+        if (!(knot < to - 1e-12 * period)) break;
+        knots[count++] = knot;
     }
     return count;
 }
@@ -88,7 +95,7 @@ void bat_plan_problem(const bat_plan *plan, bat_local_problem *q) {
                 int j = index, turns = 0;
                 while (j < 0) j += n, turns--;
                 const double knot = stored[j] + turns * period + (e->cut - s->base);
-                if (knot <= plan->end[1].cut - period) break;
+                if (knot <= plan->end[1].cut - period + 1e-12 * period) break;
                 s->outer[p - 2 - filled] = (knot - e->cut) * t->rate;
             }
             for (; filled < p - 1; filled++)

@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static inline double random_normal(random_source *r) {
     const double a = random_unit(r), b = random_unit(r);
@@ -72,6 +73,35 @@ static inline drawn draw_along(random_source *r, const bat_curve *curve, double 
         for (size_t c = 0; c < m; c++) d.points[i * m + c] = d.truth[i * m + c] + noise * random_normal(r);
     }
     d.stroke = (bat_stroke){.dimension = (int)m, .count = count, .points = d.points};
+    return d;
+}
+
+/* A calm hand: a Bezier curve whose seven control points are points of the stretch, moved at random. */
+static inline drawn draw_calmly(random_source *r, const bat_curve *curve, double u0, double u1, size_t count,
+                                double height, double noise) {
+    enum { DEGREE = 6 };
+    drawn d;
+    double control[DEGREE + 1][2];
+    for (int k = 0; k <= DEGREE; k++) {
+        bat_curve_eval(curve, u0 + (u1 - u0) * k / DEGREE, 0, control[k]);
+        const double move = k == 0 || k == DEGREE ? 0.2 * height : height;
+        for (int c = 0; c < 2; c++) control[k][c] += move * random_between(r, -1, 1);
+    }
+    d.points = malloc(count * 2 * sizeof(double)), d.truth = malloc(count * 2 * sizeof(double));
+    if (!d.points || !d.truth) abort();
+    for (size_t i = 0; i < count; i++) {
+        const double f = (double)i / (double)(count - 1);
+        double row[DEGREE + 1][2];
+        memcpy(row, control, sizeof row);
+        for (int q = DEGREE; q > 0; q--)
+            for (int k = 0; k < q; k++)
+                for (int c = 0; c < 2; c++) row[k][c] += f * (row[k + 1][c] - row[k][c]);
+        for (int c = 0; c < 2; c++) {
+            d.truth[2 * i + (size_t)c] = row[0][c];
+            d.points[2 * i + (size_t)c] = row[0][c] + noise * random_normal(r);
+        }
+    }
+    d.stroke = (bat_stroke){.dimension = 2, .count = count, .points = d.points};
     return d;
 }
 
