@@ -223,6 +223,8 @@ static void move(bat_editor *editor, const bat_pointer *event) {
         return;
     }
     s->predicted_count = 0;
+    s->hover[0] = event->x; /* where the highlight will be looked for when the stroke has ended */
+    s->hover[1] = event->y;
     bat_status status = add_sample(s, event);
     if (status != BAT_OK) {
         give_up(editor, status);

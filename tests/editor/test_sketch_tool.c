@@ -47,6 +47,21 @@ static void hover_lights_the_curve_up(void **state) {
     bat_editor_free(editor);
 }
 
+/* After a stroke the curve under the pen is the one that lights up, not the one it came from. */
+static void highlight_follows_the_stroke(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    pen_event(&p, BAT_POINTER_HOVER, 500, 200);
+    pen_line(&p, 500, 230, 500, 400, 10);
+    pen_event(&p, BAT_POINTER_HOVER, 500, 200);
+    pen_line(&p, 400, 300, 400, 598, 10);
+    const bat_item *item = pen_live(bat_editor_frame(editor), BAT_ROLE_HIGHLIGHT);
+    assert_non_null(item);
+    assert_true(item->bounds[3] + bat_editor_frame(editor)->origin[1] > 590);
+    bat_editor_free(editor);
+}
+
 static void reach_is_in_pixels(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
@@ -476,6 +491,7 @@ static void yes_or_no(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hover_lights_the_curve_up),
+        cmocka_unit_test(highlight_follows_the_stroke),
         cmocka_unit_test(reach_is_in_pixels),
         cmocka_unit_test(redraw_is_one_step),
         cmocka_unit_test(fit_shows_while_the_pen_is_down),
