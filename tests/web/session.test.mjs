@@ -129,7 +129,9 @@ test('the program and a native file', async (t) => {
   const { digest } = await state(page);
   await page.keyboard.press('Control+S');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
-  assert.equal(JSON.parse(native.bytes.toString()).format, 'batten');
+  const saved = JSON.parse(native.bytes.toString());
+  assert.equal(saved.batten, 1);
+  assert.equal(saved.objects.length, 1);
   await page.reload();
   await ready(page);
   assert.equal((await state(page)).digest, digest);
