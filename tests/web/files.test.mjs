@@ -91,6 +91,38 @@ test('bad files are refused with a reason, and change nothing', async () => {
   await context.close();
 });
 
+test('a heavy drawing: the layer moves with the view at once and is painted when the hand rests', async () => {
+  const { page, hand, faults, context } = await open(browser, server.address);
+  const paths = Array.from({ length: 600 }, (_, i) => {
+    const [x, y] = [10 + (i % 20) * 50, 10 + Math.floor(i / 20) * 20];
+    const parts = Array.from({ length: 12 }, (_, k) => `q1.5 ${k % 2 ? -6 : 6} 3 0`).join('');
+    return `<path d="M${x} ${y}${parts}"/>`;
+  });
+  await drop(page, 'heavy.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1020 620" fill="none"
+    stroke="#000">${paths.join('')}</svg>`);
+  assert.equal(await count(page), 601);
+  const before = (await state(page)).counts;
+  await page.mouse.move(600, 400);
+  for (let i = 0; i < 5; i++) {
+    await page.mouse.wheel(20, 10);
+    await settle(page);
+  }
+  const moved = await page.evaluate(() => ({
+    ...batten.painter.counts, transform: document.getElementById('still').style.transform }));
+  assert.ok(moved.moved > before.moved, 'the layer moved');
+  await page.waitForTimeout(300);
+  await settle(page);
+  const rested = await page.evaluate(() => ({
+    ...batten.painter.counts, transform: document.getElementById('still').style.transform }));
+  assert.ok(rested.full > before.full && rested.full <= before.full + 3, `painted ${rested.full - before.full} times`);
+  assert.equal(rested.transform, '');
+  // Memory has grown on the way; strokes and frames still read the right words.
+  await hand.stroke([[100, 60], [300, 50], [500, 62]]);
+  assert.equal((await state(page)).check, '');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
 test('what an SVG file holds beyond outlines is named as left out', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'mixed.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
