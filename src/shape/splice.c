@@ -59,7 +59,13 @@ void bat_plan_problem(const bat_plan *plan, bat_local_problem *q) {
         bat_local_side *s = &q->side[side];
         const double at = side == 0 ? 0 : t->end;
         for (int i = 0; i < p; i++) s->outer[i] = at;
-        if (e->kind == BAT_END_FREE) continue;
+        if (e->kind ==
+            BAT_END_FREE) { /* the curve ends where the stroke does, neither short of it nor beyond */
+            const size_t m = (size_t)plan->dimension;
+            s->pins = 1;
+            memcpy(s->point, t->x + (side == 0 ? 0 : (t->count - 1) * m), m * sizeof *s->point);
+            continue;
+        }
         if (e->kind == BAT_END_POINT) {
             s->pins = 1;
             bat_curve_eval(e->curve, e->cut, 0, s->point);

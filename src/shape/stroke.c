@@ -121,21 +121,21 @@ static bool is_corner(const double *z, const double *arc, size_t count, size_t m
 
 /* Sample indices of corners: sharpest of each run of sharp turns, confirmed at half the chord, where a bow
  * turns half as much and a corner as much as before. */
-static size_t find_corners(const double *z, const double *arc, size_t count, size_t m, size_t *corners) {
+static size_t find_corners(const double *z, const double *arc, size_t count, size_t m, double chord,
+                           size_t *corners) {
     size_t found = 0, best = 0;
     double best_turn = 0, run_end = 0;
     const double total = arc[count - 1];
     for (size_t i = 1; i + 1 < count; i++) {
-        if (arc[i] < corner_chord || arc[i] > total - corner_chord) continue;
+        if (arc[i] < chord || arc[i] > total - chord) continue;
         double turn, half;
-        const bool sharp = is_corner(z, arc, count, m, arc[i], corner_chord, &turn) &&
-                           is_corner(z, arc, count, m, arc[i], 0.5 * corner_chord, &half) &&
-                           half > 0.75 * turn;
+        const bool sharp = is_corner(z, arc, count, m, arc[i], chord, &turn) &&
+                           is_corner(z, arc, count, m, arc[i], 0.5 * chord, &half) && half > 0.65 * turn;
         if (best > 0 && arc[i] > run_end) {
             corners[found++] = best;
             best = 0, best_turn = 0;
         }
-        if (sharp && turn > best_turn) best = i, best_turn = turn, run_end = arc[i] + corner_chord;
+        if (sharp && turn > best_turn) best = i, best_turn = turn, run_end = arc[i] + chord;
     }
     if (best > 0) corners[found++] = best;
     return found;
@@ -286,8 +286,18 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
         if (arc[count - 1] < dot_length || distance(low, high, m) < fmax(4, 5 * out->sigma)) status = BAT_DOT;
     }
     if (status == BAT_OK && o->corners) {
-        corner_count = find_corners(z, arc, count, m, corners);
-        if (corner_count > 0 && lambda > 0) {
+        /* The full smoothing rounds corners off before they could be seen: look at a light one. */
+        double *light = lambda > 0 ? malloc(count * (m + 1) * sizeof *light) : z;
+        if (!light) status = BAT_MEMORY;
+        if (status == BAT_OK && light != z) {
+            status = bat_whittaker(count, stroke->dimension, y + first * m, NULL, 2, work, light);
+            measure(light, count, m, light + count * m);
+        }
+        if (status == BAT_OK)
+            corner_count = find_corners(light, light != z ? light + count * m : arc, count, m,
+                                        fmax(corner_chord, 10 * out->sigma), corners);
+        if (light != z) free(light);
+        if (status == BAT_OK && corner_count > 0 && lambda > 0) {
             status = smooth_pieces(y + first * m, count, m, lambda, corners, corner_count, work, z);
             measure(z, count, m, arc);
         }
