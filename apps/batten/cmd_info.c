@@ -89,12 +89,16 @@ static int print_json(const char *name, const drawing_file *drawing) {
     put_member(&text, "points", (uint64_t)totals.points);
     put_member(&text, "knots", (uint64_t)totals.knots);
     const bat_svg_report *report = &drawing->report;
-    bat_text_string(&text, forgets(drawing) ? ",\"foreign\":true" : ",\"foreign\":false");
+    bat_text_string(&text, forgets(drawing) ? ",\"keeps_all\":false" : ",\"keeps_all\":true");
+    bat_text_string(&text, report->edited ? ",\"edited\":true" : ",\"edited\":false");
+    put_member(&text, "foreign", (uint64_t)report->foreign);
+    put_member(&text, "broken_paths", (uint64_t)report->broken_paths);
     bat_text_string(&text, ",\"left_out\":{\"texts\":");
     bat_text_integer(&text, (uint64_t)report->skipped_text);
     put_member(&text, "images", (uint64_t)report->skipped_images);
     put_member(&text, "gradients", (uint64_t)report->skipped_gradients);
     put_member(&text, "clips", (uint64_t)report->skipped_clips);
+    put_member(&text, "hidden", (uint64_t)report->skipped_hidden);
     put_member(&text, "other", (uint64_t)report->skipped_other);
     bat_text_string(&text, "},\n\"objects\":[");
     for (int i = 0; i < bat_document_count(document); i++) {
@@ -157,6 +161,12 @@ static int print_text(const char *name, const drawing_file *drawing) {
     if (drawing->format == DRAWING_SVG) {
         bat_svg_report_line(&drawing->report, line, sizeof line);
         if (line[0]) put_line(&text, "import", line);
+        snprintf(line, sizeof line, "%d path%s with errors, read up to the error",
+                 drawing->report.broken_paths, drawing->report.broken_paths == 1 ? "" : "s");
+        if (drawing->report.broken_paths) put_line(&text, "errors", line);
+        snprintf(line, sizeof line, "%d element%s of other programs", drawing->report.foreign,
+                 drawing->report.foreign == 1 ? "" : "s");
+        if (drawing->report.foreign) put_line(&text, "foreign", line);
     }
     put_line(&text, "saving",
              forgets(drawing) ? "keeps the outlines; content of other programs is not promised to survive"
@@ -187,7 +197,8 @@ const cli_command command_info = {
     .name = "info",
     .usage = "FILE [--json]",
     .summary = "What is in a file: objects, curves, knots, page, and what saving would not keep.",
-    .details = NULL,
+    .details = "As JSON, \"keeps_all\" is false when content of the file is not promised to survive a save,\n"
+               "\"left_out\" counts what was not read, \"foreign\" elements of other programs.",
     .example = "batten info drawing.svg --json",
     .operands = 1,
     .options = {{"--json", NULL, "as JSON"}},

@@ -148,7 +148,7 @@ class Info(ProgramTest):
         info = self.json("info", CAR, "--json")
         self.assertEqual(info["format"], "svg")
         self.assertEqual(info["page"], [0, 0, 1000, 420])
-        self.assertIs(info["foreign"], True)
+        self.assertIs(info["keeps_all"], False)
         roof = next(item for item in info["objects"] if item["name"] == "roof")
         self.assertEqual([c["degree"] for c in roof["curves"]], [3])
         self.assertEqual(info["curves"], sum(len(item["curves"]) for item in info["objects"]))
@@ -159,13 +159,26 @@ class Info(ProgramTest):
     def test_svg_saved_by_batten_keeps_everything(self):
         self.done("convert", CAR, self.folder / "car.svg")
         info = self.json("info", self.folder / "car.svg", "--json")
-        self.assertIs(info["foreign"], False)
+        self.assertIs(info["keeps_all"], True)
         self.assertIn("keeps everything", self.done("info", self.folder / "car.svg").decode())
 
     def test_what_is_left_out(self):
         info = self.json("info", self.file("m.svg", MIXED), "--json")
         self.assertEqual((info["left_out"]["texts"], info["left_out"]["images"]), (2, 1))
         self.assertEqual(len(info["objects"]), 2)
+
+    def test_svg_that_another_program_changed(self):
+        self.done("convert", CAR, self.folder / "car.svg")
+        text = open_text(self.folder / "car.svg")
+        at = text.index(" d=\"M") + 5
+        changed = self.file("changed.svg", text[:at] + "1" + text[at:])
+        info = self.json("info", changed, "--json")
+        self.assertEqual((info["edited"], info["keeps_all"]), (True, False))
+        self.assertEqual(self.run_program("convert", changed, self.folder / "o.batten").stderr.count(b"\n"), 1)
+
+    def test_names_reach_the_terminal_without_controls(self):
+        name = self.file("a.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path id="a&#x9;b&#x7f;" d="M0 0L1 1"/></svg>')
+        self.assertNotRegex(self.done("info", name).decode(), r"[\t\x7f\x1b]")
 
     def test_curve(self):
         info = self.json("info", self.file("c.json", dict(RING, degree=1)), "--json")
