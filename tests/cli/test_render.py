@@ -9,7 +9,7 @@ import zlib
 
 import numpy
 
-from program import CURVE, ROOT, ProgramTest
+from program import CURVE, PROGRAM, ROOT, ProgramTest
 
 CAR = ROOT / "examples" / "car.svg"
 
@@ -124,6 +124,11 @@ class Render(ProgramTest):
         for size in (1e-70, 1e70):
             wide = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [size, size]]}
             self.run_program("render", self.file("w.json", wide), self.folder / "w.png", "--size", "8x8")
+
+    def test_pictures_of_the_documents_can_be_made(self):
+        subprocess.run([ROOT / "docs/pictures/make", PROGRAM, self.folder], check=True)
+        made, kept = ((folder / "car.png").read_bytes() for folder in (self.folder, ROOT / "docs/pictures"))
+        self.assertEqual(made[:24], kept[:24])  # the same size; shades may differ between versions of cairo
 
     def test_standard_output(self):
         data = self.done("render", "-", "-", "--to", "png", "--size", "20x10", stdin=json.dumps(CURVE))
