@@ -17,6 +17,8 @@ export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4,
 const SCRATCH = 1024; // bytes for what a call hands back
 const EVENTS = 64; // pointer events sent in one call
 const OK = 0;
+const HOPELESS = 3; // traps in a row after which the journal is given up
+const DEAD = 6;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
@@ -49,6 +51,12 @@ export class Engine {
     this.onrecovery = () => {};
     /** The journal up to the last call that returned, outside of the module's memory. */
     this.journal = new Uint8Array(0);
+    /** The journal as it was when the module last trapped: what a report of the fault needs. */
+    this.broken = new Uint8Array(0);
+    /** Traps since the last frame that was made. */
+    this.traps = 0;
+    /** Gave up: even an empty editor traps. */
+    this.dead = false;
     this.size = [1, 1, 1];
     /** @type {Exports} */
     this.wasm = /** @type {any} */ (null);
@@ -159,7 +167,12 @@ export class Engine {
   /** @param {unknown} error */
   #recover(error) {
     const whole = this.journal;
-    let part = whole;
+    if (this.traps++ === 0) {
+      this.broken = whole;
+    }
+    this.dead = this.traps > DEAD;
+    // A journal whose very picture traps is no help: an empty drawing then.
+    let part = this.traps > HOPELESS ? whole.subarray(0, 0) : whole;
     // The step that broke the module may break it again: give up the last steps, one after the other.
     for (let lost = 0; lost < 8 && part.length > 0; lost++) {
       try {
@@ -175,6 +188,7 @@ export class Engine {
       part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
     }
     this.#start();
+    this.journal = new Uint8Array(0);
     this.onrecovery(whole.length === 0, error);
   }
 
@@ -365,6 +379,7 @@ export class Engine {
   /** @param {number} status */
   #opened(status) {
     if (status === OK) {
+      this.journal = new Uint8Array(0); // another one: to be copied afresh
       return;
     }
     if (status < 0) {
@@ -426,6 +441,7 @@ export class Engine {
     const broken = -1;
     const status = this.#guard(() => this.#lend(journal, (text, size) =>
       this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), broken);
+    this.journal = new Uint8Array(0); // another one: to be copied afresh
     return status === OK;
   }
 
@@ -438,7 +454,9 @@ export class Engine {
   frame() {
     return this.#guard(() => {
       this.#keepJournal();
-      return this.#readFrame(this.wasm.editor_frame(this.editor));
+      const frame = this.#readFrame(this.wasm.editor_frame(this.editor));
+      this.traps = 0;
+      return frame;
     }, null);
   }
 

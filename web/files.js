@@ -199,9 +199,9 @@ export class Files {
   }
 
   /** All steps since opening. */
-  downloadJournal() {
+  downloadJournal(journal = this.engine.journal) {
     const stem = this.name.replace(/\.(svg|batten)$/i, '');
-    this.#deliver(this.engine.journal, `${stem}.journal`, 'application/x-ndjson');
+    this.#deliver(journal, `${stem}.journal`, 'application/x-ndjson');
   }
 
   /**

@@ -46,9 +46,12 @@ class Shell {
     this.panel.themeButton?.addEventListener('click', () => this.theme.toggle());
     this.engine.onrecovery = (whole, error) => {
       console.error(error);
-      const text = whole ? 'Something broke inside. The drawing was brought back from its journal.' :
-        'Something broke inside. The last steps could not be brought back.';
-      this.notice.say(text, { label: 'Download the journal', run: () => this.files.downloadJournal() });
+      let text = 'Something broke inside. The drawing was brought back from its journal.';
+      if (!whole) {
+        text = 'Something broke inside. Not all steps could be brought back.';
+        this.keeper.noted = null; // what is kept stays kept, though the drawing shown is not unsaved
+      }
+      this.notice.say(text, { label: 'Download the journal', run: () => this.files.downloadJournal(this.engine.broken) });
       this.wake();
     };
     new ResizeObserver(() => this.#resize()).observe(this.stage);
@@ -72,9 +75,9 @@ class Shell {
     this.wake();
   }
 
-  /** Asks for a frame, once. */
+  /** Asks for a frame, once; not of an engine that cannot make one. */
   wake() {
-    if (!this.due) {
+    if (!this.due && !this.engine.dead) {
       this.due = true;
       requestAnimationFrame(() => this.#frame());
     }

@@ -52,6 +52,35 @@ for (const [name, spoil] of Object.entries(breaks)) {
   });
 }
 
+for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up'], [1e9, 'a module that never works']]) {
+  test(`${name}, its journal is not`, async () => {
+    const { page, hand, context } = await open(browser, server.address);
+    await hand.stroke([await place(page, 60, 60), await place(page, 180, 40), await place(page, 300, 60)]);
+    const steps = await page.evaluate(() => batten.engine.journal.length);
+    assert.ok(steps > 100);
+    await page.evaluate((count) => {
+      const Instance = WebAssembly.Instance;
+      let left = count;
+      globalThis.starts = 0;
+      WebAssembly.Instance = function spoiled(module, imports) {
+        const { exports } = new Instance(module, imports);
+        globalThis.starts++;
+        return { exports: left-- > 0 ? { ...exports, editor_frame: exports.module_break } : exports };
+      };
+      batten.engine.editor = 0xfffffff0;
+    }, bad);
+    await hand.hover(await place(page, 100, 100));
+    await page.waitForTimeout(500);
+    const starts = await page.evaluate(() => globalThis.starts);
+    await page.waitForTimeout(200);
+    assert.equal(await page.evaluate(() => globalThis.starts), starts, 'it does not try for ever');
+    assert.match(await page.textContent('#notice-text'), /Not all steps/);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#notice-action')]);
+    assert.equal(fs.readFileSync(await download.path()).length, steps);
+    await context.close();
+  });
+}
+
 test('a page that was killed loses no step', async () => {
   const { page, hand, context } = await open(browser, server.address);
   const points = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
