@@ -2,7 +2,8 @@
 // are tokens in style.css.
 
 /** Role numbers of editor.h, in order, as the tokens name them. */
-const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending'];
+const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending',
+  'selection', 'handle', 'marquee'];
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
 

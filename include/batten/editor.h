@@ -92,7 +92,10 @@ typedef enum bat_role {
     BAT_ROLE_PREDICTED,  /* ahead of the pen */
     BAT_ROLE_KNOT,       /* marks on the fit's knots: small closed shapes to be filled */
     BAT_ROLE_PAGE,       /* the page's border, first in the static list when there is a page */
-    BAT_ROLE_PENDING     /* a fit that waits for the user's yes */
+    BAT_ROLE_PENDING,    /* a fit that waits for the user's yes */
+    BAT_ROLE_SELECTION,  /* outlines of what is selected, and the box around it */
+    BAT_ROLE_HANDLE,     /* what can be taken hold of: small closed shapes */
+    BAT_ROLE_MARQUEE     /* the box that a drag draws to select */
 } bat_role;
 
 enum {

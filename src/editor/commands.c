@@ -5,6 +5,24 @@
 
 typedef bat_status command_function(bat_editor *editor, bool down);
 
+/* The selection after a step: what the step brought back is selected, for it is what the eye looks for; what
+ * is gone is not. The sketch tool selects nothing. */
+static void follow(bat_editor *editor, bool undone) {
+    const bat_history *history = &editor->history;
+    const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
+    bat_selection_prune(&editor->selection, editor->document);
+    if (editor->tool == BAT_TOOL_SKETCH) return;
+    bool cleared = false;
+    for (int i = 0; i < step->count; i++) {
+        const bat_object *from = undone ? step->deltas[i].after : step->deltas[i].before;
+        const bat_object *to = undone ? step->deltas[i].before : step->deltas[i].after;
+        if (from || !to || bat_document_find(editor->document, bat_object_id(to)) < 0) continue;
+        if (!cleared) bat_selection_clear(&editor->selection);
+        cleared = true;
+        bat_selection_add(&editor->selection, bat_object_id(to)); /* without memory: not selected */
+    }
+}
+
 /* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
 static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(bat_history *, bat_document *),
                        bat_status (*back)(bat_history *, bat_document *)) {
@@ -20,6 +38,7 @@ static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(ba
     bat_text_free(&line);
     if (status != BAT_OK) back(&editor->history, editor->document);
     editor->revision++;
+    if (status == BAT_OK) follow(editor, go == bat_history_undo);
     return status;
 }
 

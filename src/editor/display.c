@@ -2,6 +2,8 @@
 #include "editor/editor.h"
 #include <string.h>
 
+enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
+
 static bat_cursor cursor(const bat_editor *editor) {
     if (bat_contacts_count(&editor->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
     if (editor->holding_pan) return BAT_CURSOR_GRAB;
@@ -30,6 +32,21 @@ static void drawing(const bat_editor *editor, bat_frame *frame) {
     frame->error = report->max_error;
 }
 
+/* The outlines of the selection, under whatever the tool shows. */
+static void show_selection(bat_editor *editor) {
+    const bat_scene *scene = &editor->scene;
+    const bat_selection *selection = &editor->selection;
+    if (!selection->count) return;
+    bat_overlay_item(&editor->overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
+    int shown = 0;
+    for (int i = 0; i < scene->count && shown < BAT_OUTLINES_MAX; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        if (!bat_selection_has(selection, bat_object_id(entry->object))) continue;
+        shown++;
+        bat_path_copy(&editor->overlay.path, entry->path, entry->item.path_count);
+    }
+}
+
 const bat_frame *bat_editor_frame(bat_editor *editor) {
     const bat_tool *tool = bat_editor_tool(editor);
     bat_scene *scene = &editor->scene;
@@ -38,6 +55,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     if (tool->update) tool->update(editor);
 
     bat_overlay_begin(&editor->overlay, scene->origin);
+    show_selection(editor);
     if (tool->overlay) tool->overlay(editor, &editor->overlay);
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 

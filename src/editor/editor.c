@@ -88,6 +88,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_samples_free(&editor->sketching.pending.samples);
     bat_scene_free(&editor->scene);
     free(editor->overlay.path.data);
+    bat_selection_free(&editor->selection);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
     bat_document_free(editor->document);
@@ -135,6 +136,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     }
     strcpy(own_name, name);
     if (editor->document) bat_editor_interrupt(editor);
+    bat_selection_clear(&editor->selection);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
     free(editor->name);

@@ -8,6 +8,7 @@
 #include "editor/line.h"
 #include "editor/overlay.h"
 #include "editor/scene.h"
+#include "editor/selection.h"
 #include "editor/sketching.h"
 #include "editor/tables.h"
 #include "editor/tool.h"
@@ -27,6 +28,7 @@ struct bat_editor {
         asked_state; /* states of the history: on disk; when the host last took a save request */
     bool asked;
     bat_transaction transaction;
+    bat_selection selection; /* what commands act on; never part of the document, history or journal */
     bat_journal journal;
 
     double values[BAT_PROPERTY_COUNT];

@@ -45,6 +45,8 @@ const char *bat_editor_check(const bat_editor *editor) {
     const bat_history *history = &editor->history;
     if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_STEPS)
         return "the history is out of step";
+    if (!editor->transaction.open && !bat_selection_holds(&editor->selection, editor->document))
+        return "the selection has objects that are not in the document";
     if (editor->transaction.open && !bat_editor_busy(editor))
         return "a transaction is open and nobody holds it";
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {

@@ -2,6 +2,7 @@
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 float bat_path_float(double value) { return (float)fmin(fmax(value, -1e30), 1e30); }
 
@@ -36,6 +37,11 @@ void bat_path_cubic(bat_path *path, const double *three_points) {
     command(path, BAT_PATH_CUBIC, three_points, 3);
 }
 void bat_path_close(bat_path *path) { command(path, BAT_PATH_CLOSE, NULL, 0); }
+
+void bat_path_copy(bat_path *path, const float *commands, size_t count) {
+    float *end = count ? grow(path, count) : NULL;
+    if (end) memcpy(end, commands, count * sizeof *commands);
+}
 
 void bat_path_curve(bat_path *path, const bat_curve *curve) {
     double *points = NULL;

@@ -22,6 +22,8 @@ void bat_path_close(bat_path *path);
 void bat_path_curve(bat_path *path, const bat_curve *curve);
 /* Bounds of the commands path[first..count), coordinates taken as they are: the control points' box. */
 void bat_path_bounds(const bat_path *path, size_t first, float bounds[4]);
+/* Commands that another path of the same origin holds. */
+void bat_path_copy(bat_path *path, const float *commands, size_t count);
 float bat_path_float(double value); /* to float, kept finite */
 
 /* Empty boxes have low > high. */

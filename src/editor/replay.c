@@ -2,6 +2,7 @@
  * Replay: a journal run line by line through the same calls that made it. Besides the engine's own lines it
  * takes raw events, so that a scripted session is a journal too.
  */
+#include "editor/change.h"
 #include "editor/edit_codec.h"
 #include "editor/editor.h"
 #include <batten/bezier.h>
@@ -64,6 +65,7 @@ static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem 
         bat_status status = bat_editor_command(editor, name);
         return status == BAT_OK ? status : say(problem, status, "nothing to undo or redo here");
     }
+    if (name && !strcmp(name, "change")) return bat_change_perform(editor, json, problem);
     bat_edit edit = {0};
     bat_curve *curve = NULL;
     bat_sketch_report report;

@@ -1,3 +1,4 @@
+#include "editor/change.h"
 #include "editor/editor.h"
 #include <stdlib.h>
 
@@ -65,17 +66,21 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
         bat_transaction_cancel(editor);
         return BAT_OK;
     }
+    bat_text own = {0};
+    if (!line) bat_change_write(transaction->deltas, transaction->count, label, line = &own);
     bat_text_string(line, ",\"digest\":");
     bat_line_digest(line, bat_document_digest(editor->document));
     bat_text_string(line, "}");
     bat_status status = bat_history_reserve(&editor->history);
     if (status == BAT_OK) status = bat_journal_append(&editor->journal, line->data, line->size, line->failed);
+    bat_text_free(&own);
     if (status != BAT_OK) {
         bat_transaction_cancel(editor);
         return status;
     }
     bat_history_push(&editor->history, (int)label, transaction->count, transaction->deltas);
     *transaction = (bat_transaction){0};
+    bat_selection_prune(&editor->selection, editor->document);
     return BAT_OK;
 }
 
@@ -88,4 +93,5 @@ void bat_transaction_cancel(bat_editor *editor) {
     }
     bat_deltas_free(transaction->deltas, transaction->count);
     *transaction = (bat_transaction){0};
+    bat_selection_prune(&editor->selection, editor->document);
 }

@@ -173,6 +173,10 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     return read_path(r, node, (bat_id)id, name, &style, out);
 }
 
+bat_status bat_object_from_json(const bat_json *json, uint32_t node, bat_object **out, bat_problem *problem) {
+    return read_object(&(reader){json, problem}, node, out);
+}
+
 static bat_status read_objects(const reader *r, uint32_t list, bat_document *document) {
     if (bat_json_type_of(r->json, list) != BAT_JSON_LIST)
         return complain(r, list ? list : 1, "objects", "a list");
@@ -279,7 +283,7 @@ static void write_style(bat_text *text, const bat_style *style) {
     bat_text_string(text, "}");
 }
 
-static void write_object(bat_text *text, const bat_object *object) {
+void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "{\"id\":");
     bat_text_integer(text, bat_object_id(object));
     const bat_spline *spline = bat_object_spline(object);
@@ -314,7 +318,7 @@ void bat_document_to_json(const bat_document *document, bat_text *text) {
     bat_text_string(text, ",\n\"objects\":[");
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_text_string(text, i > 0 ? ",\n " : "\n ");
-        write_object(text, bat_document_at(document, i));
+        bat_object_to_json(bat_document_at(document, i), text);
     }
     bat_text_string(text, "]}\n");
 }
