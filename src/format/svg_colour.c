@@ -200,7 +200,7 @@ static bool function(const char *text, bool hsl, uint32_t *colour) {
         if (percent) at++;
         if (hsl && n == 0 && end - at >= 3 && strncmp(at, "deg", 3) == 0) at += 3;
         if (n == 3 ? percent : hsl && n > 0) v[n] /= 100;
-        if (!hsl && n < 3 && percent) v[n] *= 2.55;
+        if (!hsl && n < 3 && percent) v[n] = v[n] * 255 / 100;
         n++;
         while (at < end && (is_space(*at) || *at == ',' || *at == '/')) at++;
     }
