@@ -1,0 +1,63 @@
+/* Any bytes as a document, a curve and a stroke. What reads, writes, and reads again as the same, bit for bit. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void check_document(const char *text, size_t size) {
+    bat_document *document, *back;
+    bat_problem problem;
+    char *written;
+    if (bat_document_read(text, size, &document, &problem) != BAT_OK) {
+        if (!memchr(problem.place, 0, sizeof problem.place) ||
+            !memchr(problem.message, 0, sizeof problem.message))
+            abort();
+        return;
+    }
+    if (bat_document_check(document)) abort();
+    if (bat_document_write(document, &written, &size) == BAT_OK) {
+        if (bat_document_read(written, size, &back, &problem) != BAT_OK) abort();
+        if (bat_document_digest(back) != bat_document_digest(document)) abort();
+        if (bat_document_new_id(back) != bat_document_new_id(document)) abort();
+        bat_document_free(back);
+        bat_free(written);
+    }
+    bat_document_free(document);
+}
+
+static void check_curve(const char *text, size_t size) {
+    bat_curve *curve, *back;
+    bat_problem problem;
+    char *written;
+    if (bat_curve_read(text, size, &curve, &problem) != BAT_OK) return;
+    if (bat_curve_write(curve, &written, &size) == BAT_OK) {
+        if (bat_curve_read(written, size, &back, &problem) != BAT_OK || !bat_curve_equal(curve, back))
+            abort();
+        bat_curve_free(back);
+        bat_free(written);
+    }
+    bat_curve_free(curve);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    const char *text = (const char *)data;
+    bat_stroke stroke;
+    void *block;
+    bat_problem problem;
+    check_document(text, size);
+    check_curve(text, size);
+    if (bat_stroke_read(text, size, &stroke, &block, &problem) == BAT_OK) {
+        double sum = 0;
+        for (size_t i = 0; i < stroke.count * (size_t)stroke.dimension; i++) sum += stroke.points[i];
+        for (size_t i = 0; i < stroke.count; i++) {
+            if (stroke.pressure) sum += stroke.pressure[i];
+            if (stroke.time) sum += stroke.time[i];
+        }
+        if (sum != sum) abort();
+        bat_free(block);
+    }
+    return 0;
+}

@@ -1,0 +1,83 @@
+/* A byte stream as elements: 0x01 name 0x02 attribute 0x03 value ... 0x04 opens one, 0x05 closes it, the rest is text.
+ * What reads is a valid document, writes, and reads again as the same. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include "document/utf8.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { OPEN = 1, ATTRIBUTE = 2, VALUE = 3, START = 4, END = 5, PAIRS = 24 };
+
+static void feed(bat_svg_reader *reader, char *text, size_t size) {
+    for (size_t i = 0; i < size;) {
+        if (text[i] == OPEN) {
+            const char *list[2 * PAIRS + 1], *name = text + ++i;
+            int n = 0;
+            for (; i < size && text[i] != START; i++) {
+                char mark = text[i];
+                if (mark == ATTRIBUTE || mark == VALUE) text[i] = '\0';
+                if ((mark == ATTRIBUTE && n % 2 == 0 && n < 2 * PAIRS) || (mark == VALUE && n % 2 == 1))
+                    list[n++] = text + i + 1;
+            }
+            text[i] = '\0'; /* there is one byte behind the end */
+            list[n - n % 2] = NULL;
+            bat_svg_reader_start(reader, name, list);
+            i++;
+        } else if (text[i] == END) {
+            bat_svg_reader_end(reader);
+            i++;
+        } else {
+            size_t start = i;
+            while (i < size && text[i] != OPEN && text[i] != END) i++;
+            bat_svg_reader_text(reader, text + start, i - start);
+        }
+    }
+}
+
+/* Through the native format and back. */
+static bat_document *read_native(const bat_document *document) {
+    char *text;
+    size_t size;
+    bat_document *back = NULL;
+    bat_status status = bat_document_write(document, &text, &size);
+    if (status == BAT_MEMORY) return NULL;
+    if (status != BAT_OK) abort();
+    if (bat_document_read(text, size, &back, NULL) != BAT_OK) abort();
+    bat_free(text);
+    return back;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    bat_svg_reader *reader;
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_problem problem;
+    char *text = malloc(size + 1);
+    if (!text || bat_svg_reader_create(NULL, &reader) != BAT_OK) {
+        free(text);
+        return 0;
+    }
+    memcpy(text, data, size);
+    text[size] = '\0';
+    feed(reader, text, size);
+    free(text);
+    if (bat_svg_reader_finish(reader, &document, &report, &problem) != BAT_OK) return 0;
+    if (bat_document_check(document)) abort();
+    char line[200], *svg;
+    bat_svg_report_line(&report, line, sizeof line);
+    bat_document *back = read_native(document);
+    if (back && bat_document_digest(back) != bat_document_digest(document)) abort();
+    bat_status status = bat_svg_write(document, true, &svg, &size);
+    if (status == BAT_OK) {
+        if (!bat_utf8_valid(svg, size)) abort();
+        bat_free(svg);
+    } else if (status != BAT_MEMORY && status != BAT_COUNT)
+        abort();
+    bat_document_free(back);
+    bat_document_free(document);
+    return 0;
+}
