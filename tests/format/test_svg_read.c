@@ -123,18 +123,18 @@ static void styles_cascade(void **state) {
 
 static void use_and_viewports(void **state) {
     (void)state;
-    bat_document *d =
-        read_svg("<svg viewBox='0 0 100 100' xmlns:xlink='http://www.w3.org/1999/xlink'>"
-                 "<use href='#later' x='10' y='20'/>"                        /* 0: forward */
-                 "<use xlink:href='#s' x='1' y='2' width='20' height='40'/>" /* 1: symbol, meet, centred */
-                 "<svg x='50' y='50' width='10' height='10' viewBox='0 0 5 5'><rect width='1' "
-                 "height='1'/></svg>" /* 2 */
-                 "<defs><rect id='later' width='3' height='4' transform='translate(1)'/>"
-                 "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol></defs>"
-                 "<g id='g'><use href='#g'/></g><use id='u' href='#v'/><use id='v' href='#u'/><use "
-                 "href='#nothing'/>"
-                 "<rect id='later' width='90' height='90' transform='scale(.5)translate(2 "
-                 "2)rotate(90)'/></svg>");
+    bat_document *d = read_svg(
+        "<svg viewBox='0 0 100 100' xmlns:xlink='http://www.w3.org/1999/xlink'>"
+        "<use href='#later' x='10' y='20'/>"                        /* 0: forward */
+        "<use xlink:href='#s' x='1' y='2' width='20' height='40'/>" /* 1: symbol, meet, centred */
+        "<svg x='50' y='50' width='10' height='10' viewBox='0 0 5 5'><rect width='1' "
+        "height='1'/></svg>" /* 2 */
+        "<defs><rect id='later' width='3' height='4' transform='translate(1)'/>"
+        "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol></defs>"
+        "<g id='g'><use href='#g'/></g><use id='u' href='#v'/><use id='v' href='#u'/><use "
+        "href='#nothing'/>"
+        "<rect id='later' width='90' height='90' transform='scale(.5)translate(2 "
+        "2)rotate(90)'/></svg>");
     expect_box(d, 0, 11, 20, 14, 24);
     expect_box(d, 1, 1, 12, 21, 32);
     expect_box(d, 2, 50, 50, 52, 52);

@@ -1,0 +1,40 @@
+/* Prints random documents for test_schema.py, each ended by a zero byte. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+#include "support/random_curve.h"
+
+#include <stdio.h>
+
+static void write_one(random_source *r, int objects) {
+    bat_document *document;
+    if (bat_document_create(&document) != BAT_OK) abort();
+    for (int i = 0; i < objects; i++) {
+        bat_curve *curve = random_curve(r, 1 + i % 7, 2 + i % 2, i % 3, i % 9);
+        bat_style style = {.stroked = i % 2,
+                           .filled = i % 3,
+                           .stroke = (uint32_t)(r->state >> 32),
+                           .width = random_unit(r),
+                           .opacity = random_unit(r),
+                           .cap = (bat_cap)(i % 3),
+                           .join = (bat_join)(i % 3),
+                           .miter_limit = 1 + random_unit(r)};
+        bat_object *object;
+        if (bat_object_create_path(bat_document_new_id(document), i % 2 ? "n\"\n" : "", &style, 1, &curve,
+                                   &object))
+            abort();
+        if (bat_document_put(document, 0, object)) abort();
+        bat_object_release(object);
+    }
+    char *text;
+    size_t size;
+    if (bat_document_write(document, &text, &size)) abort();
+    fwrite(text, 1, size + 1, stdout);
+    bat_free(text);
+    bat_document_free(document);
+}
+
+int main(void) {
+    random_source r = {41};
+    for (int i = 0; i < 25; i++) write_one(&r, i);
+    return 0;
+}
