@@ -97,7 +97,7 @@ static bat_status make_room(bat_svg_tree *tree, uint32_t attributes) {
         tree->elements = grown;
         tree->room = room;
     }
-    if (tree->attribute_count + 2 * attributes > tree->attribute_room) {
+    if (tree->attribute_count + 2 * attributes >= tree->attribute_room) {
         uint32_t room = tree->attribute_room * 2 + 2 * attributes + 128;
         uint32_t *grown = realloc(tree->attributes, room * sizeof *grown);
         if (!grown) return BAT_MEMORY;
