@@ -2,6 +2,8 @@
 // call may grow the memory and detach them. When the module traps, its instance is dropped and the journal is
 // replayed into a new one.
 
+import { readFrame, readString } from './frame.js';
+
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {import('./types.js').Pointer} Pointer */
@@ -21,7 +23,6 @@ const HOPELESS = 3; // traps in a row after which the journal is given up
 const DEAD = 6;
 
 const encoder = new TextEncoder();
-const decoder = new TextDecoder();
 
 /** Something the engine refused: its words are for the user. */
 export class Refusal extends Error {}
@@ -108,10 +109,9 @@ export class Engine {
     return address;
   }
 
-  /** A string that ends with a NUL. @param {number} address */
+  /** @param {number} address */
   #string(address) {
-    const bytes = new Uint8Array(this.wasm.memory.buffer);
-    return decoder.decode(bytes.subarray(address, bytes.indexOf(0, address)));
+    return readString(this.wasm.memory, address);
   }
 
   /**
@@ -177,7 +177,9 @@ export class Engine {
     for (let lost = 0; lost < 8 && part.length > 0; lost++) {
       try {
         this.#start();
-        if (this.#lend(part, (text, size) => this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)) === OK) {
+        const status = this.#lend(part, (text, size) =>
+          this.wasm.editor_replay(this.editor, text, size, 0, this.scratch));
+        if (status === OK) {
           this.journal = part;
           this.onrecovery(lost === 0, error);
           return;
@@ -454,7 +456,10 @@ export class Engine {
   frame() {
     return this.#guard(() => {
       this.#keepJournal();
-      const frame = this.#readFrame(this.wasm.editor_frame(this.editor));
+      const at = this.wasm.editor_frame(this.editor);
+      const frame = readFrame(this.wasm.memory, this.layout, at, this.stillVersion, this.still);
+      this.still = frame.still;
+      this.stillVersion = frame.stillVersion;
       this.traps = 0;
       return frame;
     }, null);
@@ -468,85 +473,5 @@ export class Engine {
       return;
     }
     this.journal = new Uint8Array(this.wasm.memory.buffer).slice(address, address + size);
-  }
-
-  /**
-   * @param {number} at
-   * @returns {Frame}
-   */
-  #readFrame(at) {
-    const view = this.#view();
-    const place = this.layout;
-    const word = (/** @type {string} */ name) => view.getUint32(at + place[name], true);
-    const double = (/** @type {string} */ name, index = 0) => view.getFloat64(at + place[name] + 8 * index, true);
-    const single = (/** @type {string} */ name, index = 0) => view.getFloat32(at + place[name] + 4 * index, true);
-    const stillVersion = word('frame.still_version');
-    const stillChanged = stillVersion !== this.stillVersion;
-    if (stillChanged) {
-      this.still = this.#readItems(view, word('frame.still'), word('frame.still_count'));
-      this.stillVersion = stillVersion;
-    }
-    return {
-      x: double('frame.view', 0),
-      y: double('frame.view', 1),
-      zoom: double('frame.view', 2),
-      originX: double('frame.origin', 0),
-      originY: double('frame.origin', 1),
-      stillChanged,
-      still: this.still,
-      dirty: [single('frame.dirty', 0), single('frame.dirty', 1), single('frame.dirty', 2), single('frame.dirty', 3)],
-      live: this.#readItems(view, word('frame.live'), word('frame.live_count')),
-      cursor: word('frame.cursor'),
-      requests: word('frame.requests'),
-      unsaved: word('frame.unsaved') !== 0,
-      canUndo: word('frame.can_undo') !== 0,
-      canRedo: word('frame.can_redo') !== 0,
-      tool: word('frame.tool'),
-      knotsBefore: word('frame.knots_before'),
-      knotsAfter: word('frame.knots_after'),
-      pending: word('frame.pending') !== 0,
-      error: double('frame.error'),
-      tolerance: double('frame.tolerance'),
-      hint: this.#string(word('frame.hint')),
-      notice: this.#string(word('frame.notice')),
-      noticeVersion: word('frame.notice_version'),
-      name: this.#string(word('frame.name')),
-    };
-  }
-
-  /**
-   * @param {DataView} view
-   * @param {number} first
-   * @param {number} count
-   * @returns {Item[]}
-   */
-  #readItems(view, first, count) {
-    const place = this.layout;
-    /** @type {Item[]} */
-    const items = [];
-    for (let i = 0; i < count; i++) {
-      const at = first + i * place['item.size'];
-      const path = view.getUint32(at + place['item.path'], true);
-      const bounds = at + place['item.bounds'];
-      items.push({
-        id: view.getUint32(at + place['item.id'], true),
-        version: view.getUint32(at + place['item.version'], true),
-        role: view.getUint32(at + place['item.role'], true),
-        flags: view.getUint32(at + place['item.flags'], true),
-        stroke: view.getUint32(at + place['item.stroke'], true),
-        fill: view.getUint32(at + place['item.fill'], true),
-        width: view.getFloat32(at + place['item.width'], true),
-        opacity: view.getFloat32(at + place['item.opacity'], true),
-        cap: view.getUint32(at + place['item.cap'], true),
-        join: view.getUint32(at + place['item.join'], true),
-        miterLimit: view.getFloat32(at + place['item.miter_limit'], true),
-        x0: view.getFloat32(bounds, true),
-        y0: view.getFloat32(bounds + 4, true),
-        x1: view.getFloat32(bounds + 8, true),
-        y1: view.getFloat32(bounds + 12, true),
-        path: new Float32Array(this.wasm.memory.buffer, path, view.getUint32(at + place['item.path_count'], true)),
-      });
-    }
-    return items;
   }
 }

@@ -14,6 +14,8 @@ const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait'];
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+/** @param {string} id */
+const canvas = (id) => /** @type {HTMLCanvasElement} */ (document.getElementById(id));
 
 class Shell {
   /** @param {WebAssembly.Module} module */
@@ -24,8 +26,7 @@ class Shell {
     this.keeper = new Keeper();
     this.engine = new Engine(module);
     this.theme = new Theme();
-    this.painter = new Painter(/** @type {HTMLCanvasElement} */ (part('still')),
-      /** @type {HTMLCanvasElement} */ (part('overlay')), this.theme);
+    this.painter = new Painter(canvas('still'), canvas('overlay'), this.theme);
     this.wake = this.wake.bind(this);
     this.panel = new Panel(this.engine, this.wake);
     this.files = new Files(this.engine, this.server, this.notice, this.wake);
@@ -51,7 +52,8 @@ class Shell {
         text = 'Something broke inside. Not all steps could be brought back.';
         this.keeper.noted = null; // what is kept stays kept, though the drawing shown is not unsaved
       }
-      this.notice.say(text, { label: 'Download the journal', run: () => this.files.downloadJournal(this.engine.broken) });
+      const run = () => this.files.downloadJournal(this.engine.broken);
+      this.notice.say(text, { label: 'Download the journal', run });
       this.wake();
     };
     new ResizeObserver(() => this.#resize()).observe(this.stage);

@@ -44,6 +44,7 @@
  * @property {number} zoom
  * @property {number} originX
  * @property {number} originY
+ * @property {number} stillVersion
  * @property {boolean} stillChanged
  * @property {Item[]} still back to front
  * @property {[number, number, number, number]} dirty x0 > x1: nothing
