@@ -403,11 +403,9 @@ const char *serve_start(const char *path, drawing_format format, int port, http_
     const char *slash = strrchr(path, '/');
     server->name = percent_encoded(slash ? slash + 1 : path);
     const char *wrong = NULL;
-    if (!server->name)
-        wrong = "out of memory";
-    else if (!make_token(server->token))
+    if (!make_token(server->token))
         wrong = "no random numbers";
-    else if (!make_page(server))
+    else if (!server->name || !make_page(server))
         wrong = "out of memory";
     else
         wrong = listen_on(server, port);

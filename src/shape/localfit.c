@@ -232,9 +232,8 @@ static bool split_failing(bat_local_machine *k) {
     const bat_knot_set *now = &k->best;
     next->count = 0;
     bool changed = false;
-    const int from = q->closed ? 1 : 1;
     for (int s = 0; s < slots; s++) {
-        if (s >= from) { /* knot at the start of slot s is interior knot s - 1 */
+        if (s >= 1) { /* knot at the start of slot s is interior knot s - 1 */
             next->w[next->count] = now->w[s - 1];
             next->fixed[next->count++] = now->fixed[s - 1];
         }
@@ -360,18 +359,18 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
     }
     start_knots(k);
     bat_status status = BAT_OK;
-    bool met = false, far = true;
+    bool far = true;
     double least = INFINITY;
     set_copy(&k->spare, &k->best);
     for (int round = 0; round < 24; round++) {
-        met = bat_local_try(k, &k->best, &status);
+        bat_local_try(k, &k->best, &status);
         if (status == BAT_SINGULAR && k->ridge == 0) { /* too few samples somewhere: hold still there */
             k->ridge = 1e-10;
-            met = bat_local_try(k, &k->best, &status);
+            bat_local_try(k, &k->best, &status);
         }
         if (status != BAT_OK) break;
         const double ratio = worst_ratio(k);
-        met = ratio <= 1; /* the speed law binds the removal only */
+        const bool met = ratio <= 1; /* the speed law binds the removal only */
         if (ratio < least) least = ratio, set_copy(&k->spare, &k->best);
         if (met || !split_failing(k)) break;
         set_copy(&k->best, &k->trial);

@@ -186,7 +186,7 @@ int bat_track_candidates(const bat_track *k, const double *q, double slack, int 
             }
         }
         if (i == -1) {
-            before = here = INFINITY;
+            here = INFINITY;
             continue;
         }
         if (i == 0 && closed) {

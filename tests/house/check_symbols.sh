@@ -21,12 +21,12 @@ done | sort -u)
 [ -z "$mutable" ] || { echo "libbatten.a: mutable globals:"; echo "$mutable"; fail=1; }
 
 declared=$(cat "$2"/batten/*.h | tr '\n' ' ' | sed 's/BAT_API/\n&/g' | sed -n 's/^BAT_API[^(;]*[ *]\(bat_[a-z0-9_]*\)(.*/\1/p' | sort -u)
-echo "$declared" > declared.txt
-echo "$shown" > shown.txt
-hidden=$(comm -13 declared.txt shown.txt)
+echo "$declared" > "$1/declared.txt"
+echo "$shown" > "$1/shown.txt"
+hidden=$(comm -13 "$1/declared.txt" "$1/shown.txt")
 [ -z "$hidden" ] || { echo "libbatten.so: shown but declared by no public header:"; echo "$hidden"; fail=1; }
-missing=$(comm -23 declared.txt shown.txt)
-[ -z "$missing" ] || { echo "declared with BAT_API but not in libbatten.so:"; echo "$missing"; }
+missing=$(comm -23 "$1/declared.txt" "$1/shown.txt")
+[ -z "$missing" ] || { echo "declared with BAT_API but not in libbatten.so:"; echo "$missing"; fail=1; }
 
 soname=$(readelf -d "$shared" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [ "$soname" = libbatten.so.0 ] || { echo "SONAME is '$soname', expected libbatten.so.0"; fail=1; }
