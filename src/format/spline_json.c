@@ -104,11 +104,13 @@ bat_status bat_spline_from_json(const bat_json *json, uint32_t node, bat_spline 
         status = bat_json_say(json, list, BAT_COUNT, "points: expected fewer", problem);
     else if (!(all = calloc(2 * size + 2 * count + 1, sizeof *all)))
         status = bat_json_say(json, list, BAT_MEMORY, bat_status_message(BAT_MEMORY), problem);
-    if (status == BAT_OK) {
-        if (size) memcpy(all, points, size * sizeof *all);
-        for (size_t i = 0; i < 2 * count; i++) all[2 * size + i] = 1;
-        status = read_closed(json, node, &closed, problem);
+    if (!all) {
+        free(points);
+        return status;
     }
+    if (size) memcpy(all, points, size * sizeof *all);
+    for (size_t i = 0; i < 2 * count; i++) all[2 * size + i] = 1;
+    status = read_closed(json, node, &closed, problem);
     if (status == BAT_OK)
         status = read_tangents(json, bat_json_member(json, node, "tangents"), dimension, count, all + size,
                                problem);

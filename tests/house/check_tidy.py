@@ -13,12 +13,14 @@ import sys
 ROOT = pathlib.Path(sys.argv[1])
 CLEAN = pathlib.Path("tidy")
 FLAGS = ["-std=c17", f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}/apps/batten", "-D_POSIX_C_SOURCE=200809L"]
+LIBRARIES = subprocess.run(["pkg-config", "--cflags", "cairo", "expat", "libmicrohttpd"], capture_output=True, text=True,
+                           check=True).stdout.split()
 WASM = ["--target=wasm32-wasi", "-nostdlibinc", "-isystem", "/usr/include/wasm32-wasi"]
 
 
 def check(path):
     """(path, text of the findings, whether it was read)"""
-    flags = FLAGS + (WASM if "module" in path.parts else [])
+    flags = FLAGS + (WASM if "module" in path.parts else LIBRARIES if "apps" in path.parts else [])
     text = subprocess.run(["clang", *flags, "-E", str(path)], capture_output=True, check=False).stdout
     key = hashlib.sha256(text + (ROOT / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes())
     mark = CLEAN / key.hexdigest()
