@@ -197,7 +197,7 @@ static void start_knots(bat_local_machine *k) {
             for (; warm < q->warm_count && q->warm[warm] < to; warm++)
                 set_add(set, k->room - p, q->warm[warm], false);
         } else {
-            int pieces = (int)fmin(ceil((to - from) / q->span), 0.5 * (double)q->count + 2);
+            int pieces = (int)fmin(ceil((to - from) / q->span), (double)q->count / 3 + 2);
             if (pieces < 1) pieces = 1;
             if (q->fixed_count == 0 && pieces < bat_local_fewest(q) + 2) pieces = bat_local_fewest(q) + 2;
             for (int i = 1; i < pieces; i++)

@@ -187,7 +187,8 @@ bat_status bat_local_reduce(bat_local_machine *k) {
     r.order = malloc(2 * n * sizeof *r.order);
     bat_status status = r.fate && r.tried && r.order ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) {
-        r.budget = k->solves + 80 + k->best.count;
+        /* Batches need few solves; a scribble of thousands of knots must not take seconds. */
+        r.budget = k->solves + 60 + (k->best.count < 140 ? k->best.count : 140);
         /* Cheap thirds; then each that failed in company once more, well apart; then pairs. */
         while (remove_batch(&r, 1.0 / 3, 1, &status) && k->solves < r.budget) {
         }
