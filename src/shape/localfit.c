@@ -160,7 +160,19 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     }
     memcpy(k->points, k->b, (size_t)n * (size_t)m * sizeof *k->points);
     bat_lsq_local(&k->space, m, k->points, k->local);
-    const double worst = bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, 2, NULL, k->distance);
+    /* Most samples are near enough at their own parameter; only the others are projected. */
+    double worst = bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, k->exact ? 2 : 0, NULL,
+                                 k->distance);
+    for (size_t i = 0; !k->exact && worst < INFINITY && i < q->count;) {
+        const size_t from = i;
+        while (i < q->count && bat_local_fails(k, i)) i++;
+        if (i > from)
+            bat_lsq_error(&k->space, m, k->local, i - from, q->w + from, q->x + from * (size_t)m, 2, NULL,
+                          k->distance + from);
+        else
+            i++;
+    }
+    k->holds_best = false;
     if (!(worst < INFINITY)) {
         *status = BAT_NUMBER;
         return false;
@@ -386,6 +398,7 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
         mark_wild(k);
         if (q->remove) status = bat_local_reduce(k);
     }
+    k->exact = true;
     if (status == BAT_OK) bat_local_try(k, &k->best, &status);
     if (status == BAT_OK) {
         const int n = k->space.count;

@@ -70,7 +70,9 @@ typedef struct bat_local_machine {
     bat_knot_set best, trial, spare;
     double *points; /* of the last solve */
     int solves;
-    double *slow; /* w where the last solve left the speed law */
+    bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
+    bool holds_best; /* the local polynomials are those of best */
+    double *slow;    /* w where the last solve left the speed law */
     int slow_count;
     double ridge; /* relative; 0 unless the equations were singular */
 } bat_local_machine;

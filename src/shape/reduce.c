@@ -69,6 +69,7 @@ static bool settle(reduction *r, bat_status *status) {
         if (fine) {
             const bat_knot_set swap = k->best;
             k->best = k->trial, k->trial = swap;
+            k->holds_best = true;
             return true;
         }
         bool local = false;
@@ -116,7 +117,7 @@ static void carry_marks(reduction *r, int before) {
 /* The state of the machine is that of best again: ranks need its local polynomials. */
 static bool rank_best(reduction *r, bat_status *status) {
     bat_local_machine *k = r->machine;
-    bat_local_try(k, &k->best, status);
+    if (!k->holds_best) bat_local_try(k, &k->best, status);
     if (*status != BAT_OK) return false;
     bat_lsq_rank(&k->space, k->problem->dimension, k->local, k->rank);
     return true;
