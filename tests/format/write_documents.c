@@ -25,6 +25,13 @@ static void write_one(random_source *r, int objects) {
         if (bat_document_put(document, 0, object)) abort();
         bat_object_release(object);
     }
+    const double points[] = {0, 0, 1, 2, 3, 1, 4, 4}, tangents[] = {0, 0, 1, 0, 0, 0, 0, 0};
+    bat_spline spline = {.dimension = 2, .count = 4, .points = points, .tangents = tangents};
+    bat_style plain = bat_style_defaults();
+    bat_object *made;
+    if (bat_object_create_spline(bat_document_new_id(document), "s", &plain, &spline, NULL, &made)) abort();
+    if (bat_document_put(document, 0, made)) abort();
+    bat_object_release(made);
     char *text;
     size_t size;
     if (bat_document_write(document, &text, &size)) abort();
