@@ -23,7 +23,7 @@ static int small(bytes *in, int most) {
 static double number(bytes *in, bool wild) {
     const int kind = small(in, 255);
     double x = 0;
-    if (!wild || kind < 250) return (kind - 125) * 2 + small(in, 15) / 8.0;
+    if (!wild || kind < 250) return kind - 125 + small(in, 15) / 16.0;
     if (in->left < sizeof x) return 0;
     memcpy(&x, in->data, sizeof x);
     in->data += sizeof x, in->left -= sizeof x;
@@ -83,7 +83,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_sketch_options options = bat_sketch_defaults();
     options.pins = 2 + small(&in, 1);
     options.keep_corners = small(&in, 1);
-    const double tolerances[] = {0, 0.05, 0.5, 3, 30}, widths[] = {3, 0, 1, 10};
+    const double tolerances[] = {0, 0.2, 0.5, 3, 30}, widths[] = {3, 0, 1, 10};
     options.tolerance = tolerances[small(&in, 4)];
     options.width = widths[small(&in, 3)];
     if (wild) options.pixel = fabs(number(&in, true));
@@ -116,9 +116,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         if (out && !wild && options.pins == 3) check_kept(a, out, &report);
         bat_sketch_live *live;
         if (bat_sketch_begin(a, BAT_SKETCH_REDRAW, &options, dimension, &live) == BAT_OK) {
-            for (size_t i = 0; i < count; i += 9) {
+            for (size_t i = 0; i < count; i += 21) {
                 const bat_stroke part = {.dimension = dimension,
-                                         .count = i + 9 < count ? 9 : count - i,
+                                         .count = i + 21 < count ? 21 : count - i,
                                          .points = points + i * (size_t)dimension};
                 if (bat_sketch_add(live, &part) != BAT_OK) abort();
                 bat_curve *shown = NULL;

@@ -189,7 +189,10 @@ bat_status bat_local_reduce(bat_local_machine *k) {
     bat_status status = r.fate && r.tried && r.order ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) {
         /* Batches need few solves; a scribble of thousands of knots must not take seconds. */
-        r.budget = k->solves + 60 + (k->best.count < 140 ? k->best.count : 140);
+        const size_t affordable = 400000 / k->problem->count;
+        int extra = k->best.count < 140 ? k->best.count : 140;
+        if (affordable < (size_t)extra) extra = (int)affordable;
+        r.budget = k->solves + 40 + extra;
         /* Cheap thirds; then each that failed in company once more, well apart; then pairs. */
         while (remove_batch(&r, 1.0 / 3, 1, &status) && k->solves < r.budget) {
         }
