@@ -1,16 +1,20 @@
 #include "serve.h"
 
 #include "document_file.h"
+#include "peer.h"
 #include "web_files.h"
 
 #include <arpa/inet.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 enum {
     TOKEN_BYTES = 16,
@@ -302,6 +306,14 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
     return request->body ? put_document(server, connection, request) : get_document(server, connection);
 }
 
+static enum MHD_Result on_connection(void *user, const struct sockaddr *address, socklen_t size) {
+    const http_server *server = user;
+    struct sockaddr_in peer;
+    if (address->sa_family != AF_INET || size < sizeof peer) return MHD_NO;
+    memcpy(&peer, address, sizeof peer);
+    return peer_is_ours(&peer, server->port) ? MHD_YES : MHD_NO;
+}
+
 /* Paths are compared as they come: ours hold nothing that is written with percent signs. */
 static size_t keep_escapes(void *user, struct MHD_Connection *connection, char *text) {
     (void)user;
@@ -377,22 +389,39 @@ static bool make_page(http_server *server) {
     return true;
 }
 
-static const char *listen_on(http_server *server, int port) {
+/* A socket of our own, so that the port is known before the first request comes in. -1: errno says why. */
+static int listen_on(http_server *server, int port) {
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    errno = 0;
-    server->daemon = MHD_start_daemon(MHD_USE_AUTO_INTERNAL_THREAD, (uint16_t)port, NULL, NULL, on_request,
-                                      server, MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_CONNECTION_LIMIT,
+    int listener = socket(AF_INET, SOCK_STREAM, 0);
+    if (listener < 0) return -1;
+    int on = 1; /* a port may be taken again right after its last owner has ended */
+    socklen_t size = sizeof address;
+    if (setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
+        fcntl(listener, F_SETFD, FD_CLOEXEC) != 0 ||
+        bind(listener, (const struct sockaddr *)&address, sizeof address) != 0 ||
+        listen(listener, CONNECTIONS_MAX) != 0 ||
+        getsockname(listener, (struct sockaddr *)&address, &size) != 0) {
+        int reason = errno;
+        close(listener);
+        errno = reason;
+        return -1;
+    }
+    server->port = ntohs(address.sin_port);
+    snprintf(server->hosts[0], HOST_ROOM, "127.0.0.1:%d", server->port);
+    snprintf(server->hosts[1], HOST_ROOM, "localhost:%d", server->port);
+    return listener;
+}
+
+static const char *start(http_server *server, int port) {
+    int listener = listen_on(server, port);
+    if (listener < 0) return strerror(errno);
+    server->daemon = MHD_start_daemon(MHD_USE_AUTO_INTERNAL_THREAD, 0, on_connection, server, on_request,
+                                      server, MHD_OPTION_LISTEN_SOCKET, listener, MHD_OPTION_CONNECTION_LIMIT,
                                       (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
                                       (unsigned)IDLE_SECONDS, MHD_OPTION_UNESCAPE_CALLBACK, keep_escapes,
                                       NULL, MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL, MHD_OPTION_END);
-    if (!server->daemon) return errno ? strerror(errno) : "the server cannot be started";
-    const union MHD_DaemonInfo *info = MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_BIND_PORT);
-    if (!info) return "the server's port is not known";
-    server->port = info->port;
-    snprintf(server->hosts[0], HOST_ROOM, "127.0.0.1:%d", server->port);
-    snprintf(server->hosts[1], HOST_ROOM, "localhost:%d", server->port);
-    return NULL;
+    return server->daemon ? NULL : "the server cannot be started";
 }
 
 const char *serve_start(const char *path, drawing_format format, int port, http_server **out) {
@@ -403,12 +432,13 @@ const char *serve_start(const char *path, drawing_format format, int port, http_
     const char *slash = strrchr(path, '/');
     server->name = percent_encoded(slash ? slash + 1 : path);
     const char *wrong = NULL;
-    if (!make_token(server->token))
+    if (!make_token(server->token)) {
         wrong = "no random numbers";
-    else if (!server->name || !make_page(server))
+    } else if (!server->name || !make_page(server)) {
         wrong = "out of memory";
-    else
-        wrong = listen_on(server, port);
+    } else {
+        wrong = start(server, port);
+    }
     if (wrong)
         serve_stop(server);
     else

@@ -14,6 +14,8 @@
  *   422 a body that is no drawing in the file's format: nothing is written
  *   428 no If-Match
  *
+ * Connections of other users of the machine are closed at once, where the system tells whose they are.
+ *
  * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with
  * If-Match saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%.
  */

@@ -288,6 +288,15 @@ class Refusals(EditTest):
             connection.sendall(head.encode() + drawing(5))
         self.assertEqual(self.editor.get("/document")[2], drawing())
 
+    @unittest.skipUnless(os.geteuid() == 0, "only the superuser can act as somebody else")
+    def test_other_users_of_the_machine(self):
+        script = ("import http.client, os, sys; os.setgroups([]); os.setgid(65534); os.setuid(65534)\n"
+                  f"c = http.client.HTTPConnection('127.0.0.1', {self.editor.port}); c.request('GET', '/')\n"
+                  "print(c.getresponse().status)")
+        result = subprocess.run(["/usr/bin/python3", "-c", script], capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stderr, "RemoteDisconnected|ConnectionResetError|BrokenPipeError")
+
     def test_noise(self):
         for noise in (b"\0" * 100, b"GET\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", b"A" * 100000):
             with self.subTest(noise=noise[:20]), socket.create_connection(("127.0.0.1", self.editor.port)) as connection:
