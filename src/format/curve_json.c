@@ -1,6 +1,9 @@
 /* CURVE as JSON: {"degree":3, "closed":false, "knots":[...], "points":[[x,y],...]}. */
 #include "format/curve_json.h"
+#include "format/number.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -73,6 +76,37 @@ bat_status bat_vector_from_json(const bat_json *json, uint32_t list, const char 
     return BAT_OK;
 }
 
+static uint32_t item(const bat_json *json, uint32_t list, size_t index) {
+    uint32_t at = bat_json_first(json, list);
+    for (; index > 0; index--) at = json->nodes[at].next;
+    return at;
+}
+
+/* The kernel does not take these knots: which one, and why. */
+static bat_status complain_of_knots(const bat_json *json, uint32_t list, int degree, bool closed,
+                                    size_t count, const double *knots, bat_problem *problem) {
+    char message[160], low[BAT_NUMBER_ROOM], found[BAT_NUMBER_ROOM];
+    size_t run = 1; /* equal knots up to this one */
+    for (size_t i = 1; i < count; i++) {
+        run = knots[i] == knots[i - 1] ? run + 1 : 1;
+        bool end = !closed && (knots[i] == knots[0] || knots[i] == knots[count - 1]);
+        size_t most = (size_t)degree + end;
+        if (knots[i] >= knots[i - 1] && run <= most) continue;
+        bat_number_print(knots[i - 1], low);
+        bat_number_print(knots[i], found);
+        if (run > most)
+            snprintf(message, sizeof message, "knots: expected at most %zu knots at %s, found more", most,
+                     found);
+        else
+            snprintf(message, sizeof message, "knots: expected at least %s, found %s", low, found);
+        return bat_json_say(json, item(json, list, i), BAT_KNOTS, message, problem);
+    }
+    return bat_json_say(json, list, BAT_KNOTS,
+                        "knots: expected a domain whose first and last span are not empty, and knots neither "
+                        "too close nor too large, found others",
+                        problem);
+}
+
 /* Knots and points are read: do the counts fit, and does the kernel take them? */
 static bat_status make_curve(const bat_json *json, uint32_t node, double degree, bool closed,
                              size_t knot_count, const double *knots, size_t count, int dimension,
@@ -80,21 +114,33 @@ static bat_status make_curve(const bat_json *json, uint32_t node, double degree,
     if (degree != 1 && degree != 2 && degree != 3 && degree != 4 && degree != 5 && degree != 6 && degree != 7)
         return bat_json_complain(json, bat_json_member(json, node, "degree"), BAT_DEGREE, "degree", "1 to 7",
                                  problem);
-    if (count > BAT_POINTS_MAX || count < (closed ? 2 : (size_t)degree + 1))
-        return bat_json_say(json, bat_json_member(json, node, "points"), BAT_COUNT,
-                            closed ? "points: expected at least 2, found fewer"
-                                   : "points: expected at least degree + 1, found fewer",
-                            problem);
-    if (knot_count != count + (closed ? 1 : (size_t)degree + 1))
-        return bat_json_say(json, bat_json_member(json, node, "knots"), BAT_KNOTS,
-                            closed ? "knots: expected one more than points, found another count"
-                                   : "knots: expected points + degree + 1, found another count",
-                            problem);
+    uint32_t point_list = bat_json_member(json, node, "points"),
+             knot_list = bat_json_member(json, node, "knots");
+    char message[160];
+    size_t least = closed ? 2 : (size_t)degree + 1, fitting = count + (closed ? 1 : (size_t)degree + 1);
+    if (count > BAT_POINTS_MAX || count < least) {
+        snprintf(message, sizeof message, "points: expected %zu to %d, found %zu", least, BAT_POINTS_MAX,
+                 count);
+        return bat_json_say(json, point_list, BAT_COUNT, message, problem);
+    }
+    if (knot_count != fitting) {
+        snprintf(message, sizeof message, "knots: expected %zu for %zu points%s, found %zu", fitting, count,
+                 closed ? " of a closed curve" : "", knot_count);
+        return bat_json_say(json, knot_list, BAT_KNOTS, message, problem);
+    }
     bat_status status = bat_curve_create((int)degree, dimension, closed, (int)count, knots, points, out);
-    return status == BAT_OK
-               ? BAT_OK
-               : bat_json_say(json, bat_json_member(json, node, status == BAT_KNOTS ? "knots" : "points"),
-                              status, bat_status_message(status), problem);
+    if (status == BAT_OK) return BAT_OK;
+    if (status == BAT_KNOTS)
+        return complain_of_knots(json, knot_list, (int)degree, closed, knot_count, knots, problem);
+    if (status == BAT_NUMBER) {
+        bool knot = false;
+        for (size_t i = 0; i < knot_count; i++) knot = knot || fabs(knots[i]) > BAT_KNOT_MAX;
+        return bat_json_say(json, knot ? knot_list : point_list, status,
+                            knot ? "knots: expected numbers up to 1e30, found greater ones"
+                                 : "points: expected numbers up to 1e75, found greater ones",
+                            problem);
+    }
+    return bat_json_say(json, point_list, status, bat_status_message(status), problem);
 }
 
 bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem) {
