@@ -46,8 +46,8 @@ static bat_status add_node(reader *r, bat_json_type type, uint32_t *out) {
     if (json->count == json->room) {
         uint32_t room = json->room < 64 ? 64 : json->room + json->room / 2;
         /* Sizes have 32 bits in WASM. */
-        bool fits = room <= SIZE_MAX / sizeof *json->nodes;
-        bat_json_node *nodes = fits ? realloc(json->nodes, (size_t)room * sizeof *nodes) : NULL;
+        size_t size = (size_t)room * sizeof *json->nodes;
+        bat_json_node *nodes = size / sizeof *nodes == room ? realloc(json->nodes, size) : NULL;
         if (!nodes) return bat_problem_set(r->problem, BAT_MEMORY, "", bat_status_message(BAT_MEMORY));
         json->nodes = nodes;
         json->room = room;
