@@ -235,7 +235,7 @@ bat_status bat_plan_add_kept(bat_plan *plan, int side, double step) {
     bat_target *t = &plan->target;
     const double from = side == 0 ? e->cut : e->joint_u, to = side == 0 ? e->joint_u : e->cut;
     const double length = fabs(bat_track_s(e->track, to) - bat_track_s(e->track, from));
-    const size_t m = (size_t)plan->dimension, pieces = (size_t)fmax(ceil(length / step), 4);
+    const size_t m = (size_t)plan->dimension, pieces = (size_t)fmin(fmax(ceil(length / step), 4), 4096);
     for (size_t i = side == 0 ? 0 : 1; i <= pieces - (side == 0 ? 1 : 0); i++) {
         const double u = from + (to - from) * (double)i / (double)pieces;
         double jet[2 * BAT_DIMENSION_MAX];
@@ -322,7 +322,8 @@ bat_status bat_plan_target(bat_plan *plan) {
         }
         if (e->kind == BAT_END_FREE || status != BAT_OK) continue;
         const double total = e->lead + e->blend;
-        const size_t count = (size_t)fmax(ceil(total / fmin(step, 0.5 * fmax(plan->tolerance, 1))), 24) + 1;
+        const size_t count =
+            (size_t)fmin(fmax(ceil(total / fmin(step, 0.5 * fmax(plan->tolerance, 1))), 24), 4096) + 1;
         free(points);
         points = malloc(2 * count * m * sizeof *points);
         if (!points) {
@@ -368,7 +369,7 @@ bat_status bat_plan_ring(bat_plan *plan) {
     stroke_frame(stroke, from, &b);
     bat_status status = BAT_OK;
     const double step = L / (double)(stroke->count - 1);
-    const size_t count = (size_t)fmax(ceil((2 * give + nearest) / fmin(step, 2)), 12) + 1;
+    const size_t count = (size_t)fmin(fmax(ceil((2 * give + nearest) / fmin(step, 2)), 12), 4096) + 1;
     double *points = malloc(count * m * sizeof *points);
     size_t *corners = malloc((stroke->corner_count + 1) * sizeof *corners), corner_count = 0;
     if (!points || !corners) status = BAT_MEMORY;
