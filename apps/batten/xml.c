@@ -108,7 +108,7 @@ bat_status xml_read_svg(const char *text, size_t size, const bat_svg_options *op
     } else { /* the reader itself says what it did not like */
         status = bat_svg_reader_finish(feed.reader, out, report, problem);
         if (status == BAT_OK && feed.status != BAT_OK) status = feed.status;
-        if (status != BAT_OK && !problem->place[0] && feed.line) place_at(problem, feed.line, feed.column);
+        if (status != BAT_OK && feed.line) place_at(problem, feed.line, feed.column);
     }
     XML_ParserFree(feed.parser);
     return status;
