@@ -65,6 +65,16 @@ BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1,
 BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
                                 bat_joint *joints, double **bezier, int *segments, bat_curve **out);
 
+/*
+ * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The
+ * points beside it get the directions that they have and tensions that keep the shape, which FAITHFUL does to
+ * rounding. *out: the new spline, all its arrays in *block (bat_free); *index: the new point. *deviation (may be
+ * NULL): a bound on how far the curve has moved. BAT_ARGUMENT: no such segment or t.
+ */
+BAT_API bat_status bat_tangents_insert(const bat_spline *spline, const bat_tangents_options *options,
+                                       int segment, double t, bat_spline *out, void **block, int *index,
+                                       double *deviation);
+
 #ifdef __cplusplus
 }
 #endif

@@ -320,6 +320,55 @@ static void defaults(void **state) {
     }
 }
 
+/* A point put on the curve leaves it where it was, in the plane, in space, on loops, beside free ends, and where
+ * directions and tensions were given before; the rest of the spline keeps its bits. */
+static void insertion_keeps_the_shape(void **state) {
+    (void)state;
+    seed = 6;
+    for (int round = 0; round < 2000; round++) {
+        setup s;
+        random_setup(&s, round);
+        double tension[32];
+        for (int i = 0; i < 32; i++) tension[i] = uniform(0.2, 2);
+        if (round % 3 == 0) s.spline.tension = tension;
+        int n = s.spline.dimension, segments, more, index;
+        double *before, *after, deviation, t = uniform(0.05, 0.95);
+        assert_int_equal(bat_tangents(&s.spline, NULL, NULL, &before, &segments, NULL), BAT_OK);
+        int segment = (int)uniform(0, segments);
+        bat_spline longer;
+        void *block;
+        assert_int_equal(
+            bat_tangents_insert(&s.spline, NULL, segment, t, &longer, &block, &index, &deviation), BAT_OK);
+        assert_true(deviation < 1e-10 * 900);
+        assert_int_equal(longer.count, s.spline.count + 1);
+        assert_int_equal(index, segment + 1);
+        assert_int_equal(bat_tangents(&longer, NULL, NULL, &after, &more, NULL), BAT_OK);
+        assert_int_equal(more, segments + 1);
+        for (int i = 0; i < segments; i++)
+            for (double x = 0.1; x < 1; x += 0.2) {
+                double expected[3], got[3];
+                bool first = x < t;
+                cubic(before + 4 * n * i, n, x, expected);
+                if (i == segment)
+                    cubic(after + 4 * n * (first ? i : i + 1), n, first ? x / t : (x - t) / (1 - t), got);
+                else
+                    cubic(after + 4 * n * (i > segment ? i + 1 : i), n, x, got);
+                for (int d = 0; d < n; d++) assert_true(fabs(expected[d] - got[d]) < 1e-10 * 900);
+            }
+        bat_free(before);
+        bat_free(after);
+        bat_free(block);
+    }
+    double points[] = {0, 0, 10, 5, 20, 0};
+    bat_spline s = {.dimension = 2, .count = 3, .points = points}, out;
+    void *block;
+    int index;
+    assert_int_equal(bat_tangents_insert(&s, NULL, 2, 0.5, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, NULL, -1, 0.5, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, NULL, 0, 1, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, NULL, 0, NAN, &out, &block, &index, NULL), BAT_ARGUMENT);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(segments_are_equation_4),
@@ -331,6 +380,7 @@ int main(void) {
         cmocka_unit_test(circle),
         cmocka_unit_test(degenerate),
         cmocka_unit_test(defaults),
+        cmocka_unit_test(insertion_keeps_the_shape),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
