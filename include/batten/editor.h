@@ -95,7 +95,16 @@ typedef enum bat_role {
     BAT_ROLE_PENDING,    /* a fit that waits for the user's yes */
     BAT_ROLE_SELECTION,  /* outlines of what is selected, and the box around it */
     BAT_ROLE_HANDLE,     /* what can be taken hold of: small closed shapes */
-    BAT_ROLE_MARQUEE     /* the box that a drag draws to select */
+    BAT_ROLE_MARQUEE,    /* the box that a drag draws to select */
+    BAT_ROLE_GHOST,      /* curves as they might become */
+    BAT_ROLE_POINT,      /* points that the user placed: small closed shapes, stroked and filled */
+    BAT_ROLE_CHOSEN,     /* the one of them that is chosen */
+    BAT_ROLE_PROMPT,     /* the circle that asks for a direction */
+    BAT_ROLE_ARROW,      /* the direction */
+    BAT_ROLE_WEDGE,      /* a zone filled behind the rest: directions that the formula reaches */
+    BAT_ROLE_BEYOND,     /* a fainter zone: those outside, still honoured */
+    BAT_ROLE_GUIDE,      /* what the pen has snapped to */
+    BAT_ROLE_VALUE       /* labels */
 } bat_role;
 
 enum {
@@ -118,6 +127,15 @@ typedef struct bat_item {
     float bounds[4];     /* x0 y0 x1 y1 with stroke width, relative to the origin */
     const float *path;
 } bat_item;
+
+/* A short text of live values. `at` is relative to the frame's origin; the text begins `offset` view pixels from
+ * there, with its middle at that height. align: -1: it ends there instead. */
+typedef struct bat_label {
+    uint32_t role;
+    int32_t align;
+    float at[2], offset[2];
+    const char *text; /* UTF-8 */
+} bat_label;
 
 typedef enum bat_cursor {
     BAT_CURSOR_CROSS,
@@ -146,6 +164,8 @@ typedef struct bat_frame {
         [4]; /* what changed in the static list since the last frame; x0 > x1: nothing; relative to the origin */
     uint32_t live_count;
     const bat_item *live; /* the overlay, whole, every frame */
+    uint32_t label_count;
+    const bat_label *labels; /* over the overlay */
     uint32_t cursor, requests;
     uint32_t unsaved, can_undo, can_redo;
     uint32_t tool;                      /* index into the tables' tools */

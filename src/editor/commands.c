@@ -47,10 +47,15 @@ static bool drop(bat_editor *editor) {
     return tool->cancel && tool->cancel(editor);
 }
 
+/* What has not been committed yet is what the user wants gone first. */
+static bool drop_uncommitted(bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    return tool->undo ? tool->undo(editor) : drop(editor);
+}
+
 static bat_status undo(bat_editor *editor, bool down) {
     (void)down;
-    /* What has not been committed yet is what the user wants gone first. */
-    if (drop(editor)) return BAT_OK;
+    if (drop_uncommitted(editor)) return BAT_OK;
     bat_status status = step(editor, "undo", bat_history_undo, bat_history_redo);
     bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_UNDONE
                               : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_UNDO
@@ -60,7 +65,7 @@ static bat_status undo(bat_editor *editor, bool down) {
 
 static bat_status redo(bat_editor *editor, bool down) {
     (void)down;
-    drop(editor);
+    drop_uncommitted(editor);
     bat_status status = step(editor, "redo", bat_history_redo, bat_history_undo);
     bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_REDONE
                               : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_REDO
@@ -181,10 +186,33 @@ static bat_status tool_sketch(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_SKETCH);
 }
+static bat_status tool_tangents(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_TANGENTS);
+}
 static bat_status tool_pan(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_PAN);
 }
+
+/* What the tool at work is to do. */
+#define TO_TOOL(name, id)                                                                                    \
+    static bat_status name(bat_editor *editor, bool down) {                                                  \
+        (void)down;                                                                                          \
+        const bat_tool *tool = bat_editor_tool(editor);                                                      \
+        return tool->command ? tool->command(editor, BAT_COMMAND_##id) : BAT_STATE;                          \
+    }
+TO_TOOL(point_next, POINT_NEXT)
+TO_TOOL(point_previous, POINT_PREVIOUS)
+TO_TOOL(point_add, POINT_ADD)
+TO_TOOL(point_delete, POINT_DELETE)
+TO_TOOL(point_default, POINT_DEFAULT)
+TO_TOOL(nudge_left, NUDGE_LEFT)
+TO_TOOL(nudge_right, NUDGE_RIGHT)
+TO_TOOL(nudge_up, NUDGE_UP)
+TO_TOOL(nudge_down, NUDGE_DOWN)
+TO_TOOL(free_curve, FREE_CURVE)
+#undef TO_TOOL
 
 static bat_status hold_pan(bat_editor *editor, bool down) {
     editor->holding_pan = down;

@@ -60,25 +60,26 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 
     bat_frame *frame = &editor->frame;
-    *frame = (bat_frame){
-        .view = {editor->view.x, editor->view.y, editor->view.zoom, 0},
-        .origin = {scene->origin[0], scene->origin[1]},
-        .still_version = scene->still_version,
-        .still_count = (uint32_t)scene->item_count,
-        .still = scene->items,
-        .live_count = editor->overlay.count,
-        .live = editor->overlay.items,
-        .cursor = (uint32_t)cursor(editor),
-        .requests = editor->requests,
-        .unsaved = editor->history.state != editor->saved_state,
-        .can_undo = bat_history_can_undo(&editor->history),
-        .can_redo = bat_history_can_redo(&editor->history),
-        .tool = (uint32_t)editor->tool,
-        .tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view),
-        .hint = hint(editor),
-        .notice = editor->notice == BAT_STRING_COUNT ? "" : bat_editor_text(editor, editor->notice),
-        .notice_version = editor->notice_version,
-        .name = editor->name};
+    *frame = (bat_frame){.view = {editor->view.x, editor->view.y, editor->view.zoom, 0},
+                         .origin = {scene->origin[0], scene->origin[1]},
+                         .still_version = scene->still_version,
+                         .still_count = (uint32_t)scene->item_count,
+                         .still = scene->items,
+                         .live_count = editor->overlay.count,
+                         .live = editor->overlay.items,
+                         .label_count = editor->overlay.label_count,
+                         .labels = editor->overlay.labels,
+                         .cursor = (uint32_t)cursor(editor),
+                         .requests = editor->requests,
+                         .unsaved = editor->history.state != editor->saved_state,
+                         .can_undo = bat_history_can_undo(&editor->history),
+                         .can_redo = bat_history_can_redo(&editor->history),
+                         .tool = (uint32_t)editor->tool,
+                         .tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view),
+                         .hint = hint(editor),
+                         .notice = editor->notice == BAT_STRING_COUNT ? "" : editor->notice_text,
+                         .notice_version = editor->notice_version,
+                         .name = editor->name};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     drawing(editor, frame);

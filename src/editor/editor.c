@@ -1,6 +1,7 @@
 /* The editor as a whole: made, opened, saved, ended. */
 #include "editor/editor.h"
 #include <batten/bezier.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,10 +18,19 @@ bool bat_editor_busy(const bat_editor *editor) {
     return tool->busy && tool->busy(editor);
 }
 
-void bat_editor_notice(bat_editor *editor, bat_string text) {
+void bat_editor_notice_value(bat_editor *editor, bat_string text, const char *value) {
     editor->notice = text;
-    if (text != BAT_STRING_COUNT) editor->notice_version++;
+    if (text == BAT_STRING_COUNT) return;
+    const char *words = bat_editor_text(editor, text), *hole = value ? strchr(words, '%') : NULL;
+    if (hole)
+        snprintf(editor->notice_text, BAT_NOTICE_ROOM, "%.*s%s%s", (int)(hole - words), words, value,
+                 hole + 1);
+    else
+        snprintf(editor->notice_text, BAT_NOTICE_ROOM, "%s", words);
+    editor->notice_version++;
 }
+
+void bat_editor_notice(bat_editor *editor, bat_string text) { bat_editor_notice_value(editor, text, NULL); }
 
 void bat_editor_notice_failure(bat_editor *editor, bat_status status) {
     bat_editor_notice(editor, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
@@ -29,6 +39,13 @@ void bat_editor_notice_failure(bat_editor *editor, bat_status status) {
 const char *bat_editor_text(const bat_editor *editor, bat_string text) {
     (void)editor; /* the language will be its property */
     return bat_string_english(text);
+}
+
+bat_style bat_editor_new_style(const bat_editor *editor) {
+    bat_style style = bat_style_defaults();
+    style.width = editor->values[BAT_PROPERTY_STROKE_WIDTH];
+    style.stroke = (uint32_t)editor->values[BAT_PROPERTY_STROKE_COLOUR];
+    return style;
 }
 
 void bat_editor_sync(bat_editor *editor) {
@@ -86,6 +103,7 @@ void bat_editor_free(bat_editor *editor) {
     if (editor->document) bat_editor_interrupt(editor);
     bat_samples_free(&editor->sketching.edit.samples);
     bat_samples_free(&editor->sketching.pending.samples);
+    bat_splining_free(&editor->splining);
     bat_scene_free(&editor->scene);
     free(editor->overlay.path.data);
     bat_selection_free(&editor->selection);
@@ -137,6 +155,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     strcpy(own_name, name);
     if (editor->document) bat_editor_interrupt(editor);
     bat_selection_clear(&editor->selection);
+    bat_splining_free(&editor->splining);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
     free(editor->name);

@@ -10,13 +10,14 @@
 #include "editor/scene.h"
 #include "editor/selection.h"
 #include "editor/sketching.h"
+#include "editor/splining.h"
 #include "editor/tables.h"
 #include "editor/tool.h"
 #include "editor/transaction.h"
 #include "editor/view.h"
 #include <batten/editor.h>
 
-enum { BAT_KEYS_ROOM = 64, BAT_FIT_MARGIN = 32 };
+enum { BAT_KEYS_ROOM = 64, BAT_FIT_MARGIN = 32, BAT_NOTICE_ROOM = 160 };
 
 struct bat_editor {
     bat_document *document;
@@ -35,6 +36,7 @@ struct bat_editor {
     char keys[BAT_COMMAND_COUNT][BAT_KEYS_ROOM]; /* shortcuts as they are now */
     bat_tool_id tool;
     bat_sketching sketching;
+    bat_splining splining;
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */
@@ -47,6 +49,7 @@ struct bat_editor {
     bat_overlay overlay;
     uint32_t requests;
     bat_string notice; /* BAT_STRING_COUNT: none */
+    char notice_text[BAT_NOTICE_ROOM];
     uint32_t notice_version;
     bat_frame frame;
     char *tables; /* JSON, made when asked for */
@@ -56,8 +59,12 @@ struct bat_editor {
 const bat_tool *bat_editor_tool(const bat_editor *editor);
 bool bat_editor_busy(const bat_editor *editor); /* the tool is between down and up */
 void bat_editor_notice(bat_editor *editor, bat_string text);
+/* The text with its first "%" replaced by the value. */
+void bat_editor_notice_value(bat_editor *editor, bat_string text, const char *value);
 void bat_editor_notice_failure(bat_editor *editor, bat_status status); /* out of memory, or no curve */
 const char *bat_editor_text(const bat_editor *editor, bat_string text);
+/* The style that new curves get. */
+bat_style bat_editor_new_style(const bat_editor *editor);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);
 /* Ends every contact and whatever the tool has under way. */

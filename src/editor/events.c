@@ -176,17 +176,18 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
     if (!key) return false;
     editor->time = bounded(time, 0, 1e13, editor->time);
     set_modifiers(editor, modifiers);
+    bool known = false;
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         bat_command_id id = (bat_command_id)i;
         bool hold = bat_command_at(id)->hold;
         /* A held key is let go whatever else is pressed by then. */
         if (!pressed && !(hold && bat_keys_match(editor->keys[i], key, 0))) continue;
         if (pressed && !bat_keys_match(editor->keys[i], key, modifiers)) continue;
-        bat_status status = bat_command_run(editor, id, pressed);
-        /* Enter and Escape with nothing to say yes or no to are the host's. */
-        return status == BAT_OK || (id != BAT_COMMAND_ACCEPT && id != BAT_COMMAND_CANCEL);
+        if (bat_command_run(editor, id, pressed) == BAT_OK) return true;
+        known = true; /* it finds nothing to do: the next one with this key may */
     }
-    return false;
+    /* Enter, Escape and Tab without a use are the host's; what goes with Ctrl must not reach the browser. */
+    return known && modifiers & (BAT_CTRL | BAT_META);
 }
 
 void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio) {

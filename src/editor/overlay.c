@@ -1,9 +1,12 @@
 #include "editor/overlay.h"
+#include "curve/real.h"
 #include <batten/refine.h>
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 void bat_overlay_begin(bat_overlay *overlay, const double origin[2]) {
-    overlay->count = 0;
+    overlay->count = overlay->label_count = 0;
     overlay->path.count = 0;
     overlay->path.failed = false;
     memcpy(overlay->path.origin, origin, sizeof overlay->path.origin);
@@ -46,6 +49,41 @@ void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius
     bat_path_line(path, point[0] + radius, point[1]);
     bat_path_line(path, point[0], point[1] + radius);
     bat_path_close(path);
+}
+
+void bat_overlay_arc(bat_overlay *overlay, const double centre[2], double radius, double a0, double a1,
+                     bool on) {
+    bat_path *path = &overlay->path;
+    double turn = a1 - a0, x = bat_cos(a0), y = bat_sin(a0);
+    int pieces = (int)fmin(fmax(ceil(fabs(turn) / (BAT_PI / 4)), 1), 64);
+    double step = turn / pieces, reach = 4.0 / 3 * bat_tan(step / 4) * radius;
+    (on ? bat_path_line : bat_path_move)(path, centre[0] + radius * x, centre[1] + radius * y);
+    for (int i = 1; i <= pieces; i++) {
+        double u = bat_cos(a0 + i * step), v = bat_sin(a0 + i * step);
+        bat_path_cubic(path,
+                       (double[]){centre[0] + radius * x - reach * y, centre[1] + radius * y + reach * x,
+                                  centre[0] + radius * u + reach * v, centre[1] + radius * v - reach * u,
+                                  centre[0] + radius * u, centre[1] + radius * v});
+        x = u, y = v;
+    }
+}
+
+void bat_overlay_circle(bat_overlay *overlay, const double centre[2], double radius) {
+    bat_overlay_arc(overlay, centre, radius, 0, 2 * BAT_PI, false);
+    bat_path_close(&overlay->path);
+}
+
+void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2], double dx, double dy,
+                       bool ends_there, const char *text) {
+    if (overlay->label_count == BAT_OVERLAY_LABELS) return;
+    uint32_t i = overlay->label_count++;
+    snprintf(overlay->texts[i], BAT_LABEL_ROOM, "%s", text);
+    overlay->labels[i] = (bat_label){.role = (uint32_t)role,
+                                     .align = ends_there ? -1 : 1,
+                                     .at = {bat_path_float(point[0] - overlay->path.origin[0]),
+                                            bat_path_float(point[1] - overlay->path.origin[1])},
+                                     .offset = {bat_path_float(dx), bat_path_float(dy)},
+                                     .text = overlay->texts[i]};
 }
 
 void bat_overlay_end(bat_overlay *overlay, double pixel) {

@@ -17,6 +17,10 @@ typedef struct bat_tool {
     void (*up)(bat_editor *editor, const bat_pointer *event);
     /* Drops whatever is under way, or waits for a yes; true when there was something. Nothing changes. */
     bool (*cancel)(bat_editor *editor);
+    /* Drops what has not been committed, before undo and redo go through the history; NULL: cancel. */
+    bool (*undo)(bat_editor *editor);
+    /* Commands of tools (commands.def says which); BAT_STATE: there is nothing to do it to. */
+    bat_status (*command)(bat_editor *editor, bat_command_id id);
     /* Says yes to what waits for it; false when nothing does. */
     bool (*accept)(bat_editor *editor);
     void (*modifiers)(bat_editor *editor);  /* editor->modifiers has changed */

@@ -111,13 +111,6 @@ static bat_sketch_options options(const bat_editor *editor) {
     return options;
 }
 
-static bat_style new_style(const bat_editor *editor) {
-    bat_style style = bat_style_defaults();
-    style.width = editor->values[BAT_PROPERTY_STROKE_WIDTH];
-    style.stroke = (uint32_t)editor->values[BAT_PROPERTY_STROKE_COLOUR];
-    return style;
-}
-
 /* Back to nothing under the pen; the memory of the samples is kept. */
 static void end_stroke(bat_sketching *s) {
     drop_session(s);
@@ -174,7 +167,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
                          .curve = pick.curve,
                          .view = {editor->view.x, editor->view.y, editor->view.zoom},
                          .options = options(editor),
-                         .style = new_style(editor),
+                         .style = bat_editor_new_style(editor),
                          .samples = samples};
     s->state = BAT_SKETCHING_DRAWING;
     s->device = event->device;
@@ -234,7 +227,8 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     if (s->travelled > TAP && s->has_pending) drop_pending(s);
 }
 
-static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
+static bat_string outcome(const bat_edit *edit, bool strayed, bool closed, bool freed) {
+    if (freed) return BAT_STRING_NOTICE_FREED;
     if (strayed) return BAT_STRING_NOTICE_STRAYED;
     if (edit->kind == BAT_EDIT_JOIN) return BAT_STRING_NOTICE_JOINED;
     if (edit->kind == BAT_EDIT_NEW && closed) return BAT_STRING_NOTICE_CLOSED;
@@ -282,12 +276,12 @@ static bool accept(bat_editor *editor) {
     s->pending_curve = NULL;
     drop_pending(s);
     end_stroke(s);
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_closed(curve), freed = bat_edit_frees(editor->document, &s->pending);
     bat_status status = bat_edit_commit(editor, &s->pending, curve);
     if (status != BAT_OK)
         bat_editor_notice_failure(editor, status);
     else
-        bat_editor_notice(editor, outcome(&s->pending, false, closed));
+        bat_editor_notice(editor, outcome(&s->pending, false, closed, freed));
     return true;
 }
 
@@ -314,10 +308,10 @@ static void up(bat_editor *editor, const bat_pointer *event) {
             keep_pending(s, curve, &report);
             bat_editor_notice(editor, BAT_STRING_NOTICE_PENDING);
         } else {
-            bool closed = bat_curve_closed(curve);
+            bool closed = bat_curve_closed(curve), freed = bat_edit_frees(editor->document, &s->edit);
             status = bat_edit_commit(editor, &s->edit, curve);
             if (status == BAT_OK)
-                bat_editor_notice(editor, outcome(&s->edit, strayed, closed));
+                bat_editor_notice(editor, outcome(&s->edit, strayed, closed, freed));
             else
                 bat_editor_notice_failure(editor, status);
         }

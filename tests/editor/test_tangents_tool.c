@@ -1,0 +1,538 @@
+/*
+ * The tangents tool, state by state: what taps and drags make of the document, what is shown meanwhile, that every
+ * step undoes, and that the journal tells the same story again.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "support/pen.h"
+#include "support/session.h"
+
+static const double PI = 3.14159265358979323846;
+
+static pen begin(bat_editor **editor) {
+    *editor = pen_editor();
+    assert_int_equal(bat_editor_command(*editor, "tool-tangents"), BAT_OK);
+    return pen_for(*editor);
+}
+
+static void sound(bat_editor *editor) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("%s", wrong);
+}
+
+static const bat_frame *show(bat_editor *editor) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    sound(editor);
+    return frame;
+}
+
+/* Far apart in time, so that two taps at one place are two taps. */
+static void tap(pen *p, double x, double y) {
+    p->time += 1000;
+    pen_event(p, BAT_POINTER_HOVER, x, y);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_DOWN, x, y);
+    sound(p->editor);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_UP, x, y);
+    show(p->editor);
+}
+
+static void drag_begin(pen *p, double x0, double y0, double x1, double y1) {
+    p->time += 1000;
+    pen_event(p, BAT_POINTER_HOVER, x0, y0);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_DOWN, x0, y0);
+    for (int i = 1; i <= 10; i++) {
+        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 10, y0 + (y1 - y0) * i / 10);
+        show(p->editor);
+    }
+}
+
+static void drag(pen *p, double x0, double y0, double x1, double y1) {
+    drag_begin(p, x0, y0, x1, y1);
+    pen_event(p, BAT_POINTER_UP, x1, y1);
+    show(p->editor);
+}
+
+static void twice(pen *p, double x, double y) {
+    tap(p, x, y);
+    p->time += 100;
+    pen_event(p, BAT_POINTER_DOWN, x, y);
+    pen_event(p, BAT_POINTER_UP, x, y);
+    show(p->editor);
+}
+
+/* Shortcut keys without modifiers, or with. */
+static bool key(bat_editor *editor, const char *name, uint32_t modifiers) {
+    bool used = bat_editor_key(editor, name, true, modifiers, 0);
+    bat_editor_key(editor, name, false, 0, 0);
+    show(editor);
+    return used;
+}
+
+static int objects(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
+static const bat_object *newest(const bat_editor *editor) {
+    return bat_document_at(bat_editor_document(editor), objects(editor) - 1);
+}
+static const bat_spline *spline_of(const bat_editor *editor) { return bat_object_spline(newest(editor)); }
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+/* A zigzag of four points, y 300 and 500, placed and ended. */
+static void four_points(pen *p) {
+    for (int i = 0; i < 4; i++) tap(p, 200 + 150 * i, i % 2 ? 500 : 320);
+    assert_true(key(p->editor, "Enter", 0));
+}
+
+/* The journal replayed elsewhere gives the same document. */
+static void replays(bat_editor *editor) {
+    size_t size;
+    const char *text = bat_editor_journal(editor, &size);
+    bat_editor *again = NULL;
+    bat_problem problem = {"", ""};
+    assert_int_equal(bat_editor_create(&again), BAT_OK);
+    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+        fail_msg("%s: %s", problem.place, problem.message);
+    assert_true(digest(again) == digest(editor));
+    bat_editor_free(again);
+}
+
+static void taps_place_points(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    tap(&p, 200, 320);
+    assert_int_equal(objects(editor), 2); /* one point is no curve yet */
+    assert_non_null(pen_live(show(editor), BAT_ROLE_PROMPT));
+    tap(&p, 350, 500);
+    assert_int_equal(objects(editor), 3);
+    tap(&p, 500, 320);
+    const bat_spline *s = spline_of(editor);
+    assert_int_equal(s->count, 3);
+    const double expected[] = {200, 320, 350, 500, 500, 320};
+    for (int i = 0; i < 6; i++) {
+        assert_true(fabs(s->points[i] - expected[i]) < 1e-9);
+        assert_true(s->tangents[i] == 0 && s->tension[i] == 1);
+    }
+    assert_true(key(editor, "Enter", 0));
+    assert_false(key(editor, "Enter", 0));
+    /* Every point is a step. */
+    bat_editor_command(editor, "undo");
+    assert_int_equal(spline_of(editor)->count, 2);
+    bat_editor_command(editor, "undo");
+    assert_int_equal(objects(editor), 2);
+    bat_editor_command(editor, "redo");
+    bat_editor_command(editor, "redo");
+    assert_int_equal(spline_of(editor)->count, 3);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void undo_while_placing_goes_back_a_point(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    tap(&p, 200, 320);
+    tap(&p, 350, 500);
+    tap(&p, 500, 320);
+    bat_editor_command(editor, "undo");
+    assert_int_equal(spline_of(editor)->count, 2);
+    tap(&p, 600, 330); /* goes on from there */
+    assert_int_equal(spline_of(editor)->count, 3);
+    assert_true(fabs(spline_of(editor)->points[4] - 600) < 1e-9);
+    bat_editor_command(editor, "undo");
+    bat_editor_command(editor, "undo");
+    assert_int_equal(objects(editor), 2);
+    tap(&p, 700, 500); /* the first point still waits for its second */
+    assert_int_equal(objects(editor), 3);
+    assert_true(fabs(spline_of(editor)->points[0] - 200) < 1e-9);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void backspace_takes_the_last_back(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    tap(&p, 200, 320);
+    tap(&p, 350, 500);
+    tap(&p, 500, 320);
+    assert_true(key(editor, "Backspace", 0));
+    assert_int_equal(spline_of(editor)->count, 2);
+    assert_true(key(editor, "Backspace", 0));
+    assert_int_equal(objects(editor), 2);
+    tap(&p, 360, 480);
+    assert_int_equal(spline_of(editor)->count, 2);
+    assert_true(fabs(spline_of(editor)->points[0] - 200) < 1e-9);
+    key(editor, "Backspace", 0);
+    assert_true(key(editor, "Backspace", 0)); /* the first point */
+    assert_false(key(editor, "Backspace", 0));
+    assert_int_equal(objects(editor), 2);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void a_tap_on_the_first_closes(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    for (int i = 0; i < 3; i++) tap(&p, 200 + 150 * i, i == 1 ? 500 : 320);
+    pen_event(&p, BAT_POINTER_HOVER, 201, 321);
+    const char *hint = show(editor)->hint;
+    assert_string_equal(hint, bat_string_english(BAT_STRING_HINT_PLACE_CLOSE));
+    tap(&p, 201, 321);
+    assert_true(spline_of(editor)->closed);
+    assert_true(bat_curve_closed(bat_object_curve(newest(editor), 0)));
+    assert_int_equal(spline_of(editor)->count, 3);
+    assert_false(key(editor, "Enter", 0)); /* placing has ended */
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static double angle_of(const double v[2]) { return atan2(v[1], v[0]) * 180 / PI; }
+
+static void a_drag_while_placing_gives_the_direction(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    drag(&p, 200, 320, 230, 290);
+    drag(&p, 400, 500, 437, 492);
+    const bat_spline *s = spline_of(editor);
+    assert_int_equal(s->count, 2);
+    assert_true(fabs(angle_of(s->tangents) + 45) < 1e-9);
+    assert_true(fabs(angle_of(s->tangents + 2) - atan2(-8, 37) * 180 / PI) < 1e-9);
+    assert_true(s->tension[2] == 1);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+/* The built tangent is the asked one, to 1e-9 rad, wherever the arrow points; only the two segments beside move. */
+static void the_arrow_turns_the_direction(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    for (int i = 0; i < 6; i++) tap(&p, 100 + 150 * i, i % 2 ? 500 : 320);
+    key(editor, "Enter", 0);
+    tap(&p, 400, 320);      /* choose the third */
+    p.modifiers = BAT_CTRL; /* no snapping */
+    for (int round = 0; round < 24; round++) {
+        bat_joint before[6], after[6];
+        double *b0, *b1, angle = round * 15 + 4, x = 400 + 44 * cos(angle * PI / 180),
+                         y = 320 + 44 * sin(angle * PI / 180);
+        int n0, n1;
+        assert_int_equal(bat_tangents(spline_of(editor), NULL, before, &b0, &n0, NULL), BAT_OK);
+        double d[2], start[2];
+        bat_splining_direction(spline_of(editor), before, 2, d);
+        for (int k = 0; k < 2; k++) start[k] = (k ? 320 : 400) + 44 * d[k];
+        drag_begin(&p, start[0], start[1], x, y);
+        const bat_frame *frame = show(editor);
+        assert_true(frame->busy);
+        assert_non_null(pen_live(frame, BAT_ROLE_WEDGE));
+        assert_non_null(pen_live(frame, BAT_ROLE_BEYOND));
+        assert_non_null(pen_live(frame, BAT_ROLE_GHOST));
+        assert_non_null(pen_live(frame, BAT_ROLE_ARROW));
+        assert_true(frame->label_count >= 2);
+        pen_event(&p, BAT_POINTER_UP, x, y);
+        const bat_spline *s = spline_of(editor);
+        assert_true(fabs(remainder(angle_of(s->tangents + 4) - angle, 360)) < 0.02); /* pixels are rounded */
+        assert_int_equal(bat_tangents(s, NULL, after, &b1, &n1, NULL), BAT_OK);
+        double cross = after[2].right[0] * s->tangents[5] - after[2].right[1] * s->tangents[4];
+        double dot = after[2].right[0] * s->tangents[4] + after[2].right[1] * s->tangents[5];
+        assert_true(fabs(atan2(cross, dot)) < 1e-9);
+        for (int i = 0; i < n0; i++)
+            if (i != 1 && i != 2) assert_memory_equal(b0 + 8 * i, b1 + 8 * i, 8 * sizeof(double));
+        bat_free(b0);
+        bat_free(b1);
+    }
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void directions_snap(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    tap(&p, 350, 500);
+    bat_joint joints[4];
+    double d[2];
+    assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    bat_splining_direction(spline_of(editor), joints, 1, d);
+    p.modifiers = BAT_SHIFT;
+    drag(&p, 350 + 44 * d[0], 500 + 44 * d[1], 350 + 40 * cos(0.5), 500 + 40 * sin(0.5)); /* 28.6 degrees */
+    assert_true(fabs(angle_of(spline_of(editor)->tangents + 2) - 30) < 1e-9);
+    /* To the outgoing chord, from two degrees beside it; with Ctrl it stays beside. */
+    double chord = atan2(-180, 150), beside = chord + 2 * PI / 180, at = 30 * PI / 180;
+    for (int held = 0; held < 2; held++) {
+        p.modifiers = held ? BAT_CTRL : 0;
+        drag(&p, 350 + 44 * cos(at), 500 + 44 * sin(at), 350 + 44 * cos(beside), 500 + 44 * sin(beside));
+        double found = angle_of(spline_of(editor)->tangents + 2) * PI / 180;
+        assert_true(fabs(found - (held ? beside : chord)) < (held ? 1e-3 : 1e-12));
+        at = found;
+    }
+    bat_editor_free(editor);
+}
+
+static void further_out_is_tension(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    tap(&p, 350, 500);
+    bat_joint joints[4];
+    double d[2];
+    assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    bat_splining_direction(spline_of(editor), joints, 1, d);
+    drag(&p, 350 + 44 * d[0], 500 + 44 * d[1], 350 + 124 * d[0], 500 + 124 * d[1]);
+    const double *tension = spline_of(editor)->tension + 2;
+    assert_true(fabs(tension[0] - 2) < 1e-3 && tension[0] == tension[1]);
+    /* A handle's end follows the pen: the outgoing one to 60 px, the other kept with Alt. */
+    assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    double end[2] = {350 + joints[1].right[0] / 3, 500 + joints[1].right[1] / 3};
+    p.modifiers = BAT_ALT | BAT_CTRL;
+    drag(&p, end[0], end[1], 350 + 70 * d[0], 500 + 70 * d[1]);
+    tension = spline_of(editor)->tension + 2;
+    assert_true(fabs(tension[0] - 2) < 1e-3);
+    assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    assert_true(fabs(hypot(joints[1].right[0], joints[1].right[1]) / 3 - 70) < 0.02);
+    /* A double-click gives direction and tension back. */
+    p.modifiers = 0;
+    twice(&p, 350, 500);
+    assert_true(spline_of(editor)->tangents[2] == 0 && spline_of(editor)->tension[3] == 1);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void points_move_and_go(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    uint64_t before = digest(editor);
+    drag(&p, 350, 500, 380, 540);
+    assert_true(fabs(spline_of(editor)->points[2] - 380) < 1e-9);
+    assert_true(fabs(spline_of(editor)->points[3] - 540) < 1e-9);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    tap(&p, 350, 500);
+    assert_true(key(editor, "Delete", 0));
+    assert_int_equal(spline_of(editor)->count, 3);
+    assert_true(fabs(spline_of(editor)->points[2] - 500) < 1e-9);
+    key(editor, "Delete", 0);
+    key(editor, "Delete", 0);
+    assert_int_equal(objects(editor), 2); /* two points less one is no spline */
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void cancel_changes_nothing(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    uint64_t before = digest(editor);
+    size_t size, later;
+    bat_editor_journal(editor, &size);
+    drag_begin(&p, 350, 500, 380, 540);
+    assert_true(digest(editor) != before); /* the drag shows */
+    assert_true(key(editor, "Escape", 0));
+    assert_true(digest(editor) == before);
+    pen_event(&p, BAT_POINTER_UP, 380, 540);
+    assert_true(digest(editor) == before);
+    bat_editor_journal(editor, &later);
+    assert_true(size == later);
+    assert_true(key(editor, "Escape", 0)); /* nothing chosen any more */
+    assert_false(key(editor, "Escape", 0));
+    bat_editor_free(editor);
+}
+
+/* A tap on the curve puts a point there, and the curve does not move. */
+static void insertion_keeps_the_curve(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    bat_curve *before = NULL;
+    assert_int_equal(bat_curve_copy(bat_object_curve(newest(editor), 0), &before), BAT_OK);
+    double u[9], at[2];
+    bat_curve_spread(before, 9, u);
+    bat_curve_eval(before, u[4], 0, at);
+    tap(&p, at[0], at[1]);
+    assert_int_equal(spline_of(editor)->count, 5);
+    assert_non_null(strstr(show(editor)->notice, "0.000 px"));
+    bat_finder *finder = NULL;
+    assert_int_equal(bat_finder_create(before, &finder), BAT_OK);
+    const bat_curve *after = bat_object_curve(newest(editor), 0);
+    double v[101], point[2];
+    bat_curve_spread(after, 101, v);
+    for (int i = 0; i < 101; i++) {
+        bat_near near;
+        bat_curve_eval(after, v[i], 0, point);
+        bat_finder_nearest(finder, point, &near);
+        assert_true(near.distance < 1e-7);
+    }
+    bat_finder_free(finder);
+    bat_curve_free(before);
+    /* By the keyboard: behind the chosen point. */
+    key(editor, "Tab", 0);
+    assert_true(key(editor, "Insert", 0));
+    assert_int_equal(spline_of(editor)->count, 6);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void keys_do_it_all(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    double view = show(editor)->view[0];
+    assert_true(key(editor, "ArrowLeft", 0)); /* nothing chosen: the view moves */
+    assert_true(show(editor)->view[0] < view);
+    key(editor, "ArrowRight", 0);
+    four_points(&p);
+    bat_editor_command(editor, "cancel"); /* lets go */
+    assert_true(key(editor, "Tab", 0));   /* takes the first spline, its first point */
+    assert_true(key(editor, "ArrowRight", 0));
+    assert_true(fabs(spline_of(editor)->points[0] - 201) < 1e-9);
+    assert_true(key(editor, "ArrowDown", BAT_SHIFT));
+    assert_true(fabs(spline_of(editor)->points[1] - 330) < 1e-9);
+    assert_true(key(editor, "Tab", 0)); /* its direction */
+    bat_joint joints[4];
+    double d[2], turned[2];
+    assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    bat_splining_direction(spline_of(editor), joints, 0, d);
+    assert_true(key(editor, "ArrowRight", BAT_SHIFT));
+    memcpy(turned, spline_of(editor)->tangents, sizeof turned);
+    assert_true(fabs(remainder(angle_of(turned) - angle_of(d) - 15, 360)) < 1e-9);
+    assert_true(key(editor, "ArrowUp", 0));
+    assert_true(fabs(spline_of(editor)->tension[0] - 1.05) < 1e-12);
+    assert_true(show(editor)->label_count >= 2); /* the values are read out */
+    assert_true(key(editor, "d", 0));
+    assert_true(spline_of(editor)->tangents[0] == 0);
+    for (int i = 0; i < 6; i++) assert_true(key(editor, "Tab", 0));
+    assert_false(key(editor, "Tab", 0)); /* past the last the focus may go on */
+    assert_true(key(editor, "Tab", BAT_SHIFT));
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void it_becomes_free(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    uint64_t before = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "free-curve"), BAT_OK);
+    assert_int_equal(bat_object_kind(newest(editor)), BAT_KIND_PATH);
+    assert_string_equal(show(editor)->notice, bat_string_english(BAT_STRING_NOTICE_FREED));
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    /* The sketch tool redraws a stretch of it: the same step frees it, and says so. */
+    bat_editor_command(editor, "tool-sketch");
+    double u[9], a[2], b[2];
+    const bat_curve *curve = bat_object_curve(newest(editor), 0);
+    bat_curve_spread(curve, 9, u);
+    bat_curve_eval(curve, u[3], 0, a);
+    bat_curve_eval(curve, u[5], 0, b);
+    p.time += 1000;
+    pen_line(&p, a[0], a[1], b[0], b[1], 12);
+    bat_editor_command(editor, "accept");
+    assert_int_equal(objects(editor), 3);
+    assert_int_equal(bat_object_kind(newest(editor)), BAT_KIND_PATH);
+    assert_string_equal(show(editor)->notice, bat_string_english(BAT_STRING_NOTICE_FREED));
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    assert_non_null(spline_of(editor));
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void another_tap_chooses(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    bat_editor_command(editor, "cancel");
+    double u[9], at[2];
+    bat_curve_spread(bat_object_curve(newest(editor), 0), 9, u);
+    bat_curve_eval(bat_object_curve(newest(editor), 0), u[4], 0, at);
+    pen_event(&p, BAT_POINTER_HOVER, at[0], at[1]);
+    assert_non_null(pen_live(show(editor), BAT_ROLE_HIGHLIGHT));
+    assert_null(pen_live(show(editor), BAT_ROLE_POINT));
+    tap(&p, at[0], at[1]);
+    assert_int_equal(spline_of(editor)->count, 4);
+    assert_non_null(pen_live(show(editor), BAT_ROLE_POINT));
+    bat_editor_free(editor);
+}
+
+static void two_equal_points_are_no_curve(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    tap(&p, 200, 320);
+    uint64_t before = digest(editor);
+    tap(&p, 200, 320);
+    assert_true(digest(editor) == before);
+    assert_int_equal(objects(editor), 2);
+    tap(&p, 300, 320);
+    drag(&p, 300, 320, 330, 350); /* the last point's own place: moves it */
+    assert_true(fabs(spline_of(editor)->points[2] - 330) < 1e-9);
+    bat_editor_free(editor);
+}
+
+/* Whatever comes in, the invariants hold and the journal replays. */
+static void wild_sessions(void **state) {
+    (void)state;
+    uint64_t seed = 7;
+    for (int round = 0; round < 12; round++) {
+        uint8_t data[4000];
+        for (size_t i = 0; i < sizeof data; i++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            data[i] = (uint8_t)(seed >> 56);
+        }
+        bat_editor *editor;
+        pen p = begin(&editor);
+        if (round % 2) four_points(&p);
+        session_bytes bytes = {data, sizeof data, 0};
+        double time = 1e6;
+        while (bytes.at < bytes.size) {
+            if (session_byte(&bytes) < 60) {
+                static const char *const wild[] = {"Tab", "ArrowUp", "Backspace", "Insert",
+                                                   "t",   "d",       "Enter"};
+                uint8_t which = session_byte(&bytes);
+                bat_editor_key(editor, wild[which % 7], true, which & 1u, time);
+            }
+            session_event(editor, &bytes, &time);
+            sound(editor);
+        }
+        bat_editor_command(editor, "cancel");
+        replays(editor);
+        bat_editor_free(editor);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(taps_place_points),
+        cmocka_unit_test(undo_while_placing_goes_back_a_point),
+        cmocka_unit_test(backspace_takes_the_last_back),
+        cmocka_unit_test(a_tap_on_the_first_closes),
+        cmocka_unit_test(a_drag_while_placing_gives_the_direction),
+        cmocka_unit_test(the_arrow_turns_the_direction),
+        cmocka_unit_test(directions_snap),
+        cmocka_unit_test(further_out_is_tension),
+        cmocka_unit_test(points_move_and_go),
+        cmocka_unit_test(cancel_changes_nothing),
+        cmocka_unit_test(insertion_keeps_the_curve),
+        cmocka_unit_test(keys_do_it_all),
+        cmocka_unit_test(it_becomes_free),
+        cmocka_unit_test(another_tap_chooses),
+        cmocka_unit_test(two_equal_points_are_no_curve),
+        cmocka_unit_test(wild_sessions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
