@@ -102,12 +102,12 @@ static bat_spline_hit find(bat_editor *editor, const double pixel[2], bat_device
         if (i >= 0) return (bat_spline_hit){.part = BAT_PART_POINT, .point = i};
         if (chosen >= 0) {
             bat_spline_hit hit = {.point = chosen};
-            if (on_handle(&p, spline, chosen, joints[chosen].right, 1))
+            if (on_ring(&p, spline, chosen)) /* first: a handle's end may lie on it */
+                hit.part = BAT_PART_DIRECTION;
+            else if (on_handle(&p, spline, chosen, joints[chosen].right, 1))
                 hit.part = BAT_PART_RIGHT;
             else if (on_handle(&p, spline, chosen, joints[chosen].left, -1))
                 hit.part = BAT_PART_LEFT;
-            else if (on_ring(&p, spline, chosen))
-                hit.part = BAT_PART_DIRECTION;
             if (hit.part) return hit;
         }
         if (s->near >= 0 && on_ring(&p, spline, s->near))
