@@ -1,5 +1,7 @@
 #include "paint_cairo.h"
 
+#include "document/nesting.h"
+
 #include <batten/bezier.h>
 
 #include <cairo-pdf.h>
@@ -137,7 +139,11 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
                     (area->height - scale * area->view[3]) / 2);
     cairo_scale(cairo, scale, scale);
     cairo_translate(cairo, -area->view[0], -area->view[1]);
+    bat_nesting nesting = {0};
     for (int i = 0; i < bat_document_count(document); i++) {
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, bat_document_at(document, i), &level);
+        if (level.hidden || bat_object_is_group(bat_document_at(document, i))) continue;
         bat_status status = paint_object(cairo, bat_document_at(document, i), 0.05 / scale);
         if (status != BAT_OK) return status;
     }

@@ -31,8 +31,14 @@ typedef struct bat_style {
 BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
 
 /* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
- * of the tangents hand, whose points and directions stay editable and give its one curve. */
-typedef enum bat_kind { BAT_KIND_PATH = 1, BAT_KIND_SPLINE = 2 } bat_kind;
+ * of the tangents hand, whose points and directions stay editable and give its one curve; or a container
+ * without curves: a group, or a layer, which is a group of the topmost level. */
+typedef enum bat_kind {
+    BAT_KIND_PATH = 1,
+    BAT_KIND_SPLINE = 2,
+    BAT_KIND_GROUP = 3,
+    BAT_KIND_LAYER = 4
+} bat_kind;
 typedef struct bat_object bat_object;
 
 /* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
@@ -44,6 +50,19 @@ BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat
 BAT_API bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
                                             const bat_spline *spline, const bat_tangents_options *options,
                                             bat_object **out);
+/* An empty container; what is in it names it as its parent. layer: a layer, else a group. */
+BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_object **out);
+/* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
+ * is kept. */
+BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
+                                          bat_object **out);
+/* A copy in another group (0: in none), under another name (UTF-8), hidden or shown, locked or free. */
+BAT_API bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out);
+BAT_API bat_status bat_object_with_name(const bat_object *object, const char *name, bat_object **out);
+BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, bool locked,
+                                         bat_object **out);
+/* A copy with another id: a duplicate. */
+BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
 /* A copy that differs in one curve (taken over on success), or in style. A spline becomes a path by it. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
@@ -64,7 +83,12 @@ BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
 /* The spline and how it is drawn; NULL when the object is none. Its tangents and tension are never NULL. */
 BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
-/* Exact box of the outline, without stroke width: low x, low y, high x, high y. */
+BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
+BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
+/* Its own: what is in a hidden or locked group is so too. */
+BAT_API bool bat_object_hidden(const bat_object *object);
+BAT_API bool bat_object_locked(const bat_object *object);
+/* Exact box of the outline, without stroke width: low x, low y, high x, high y. Groups: empty, low > high. */
 BAT_API void bat_object_bounds(const bat_object *object, double box[4]);
 
 typedef struct bat_document bat_document;
@@ -82,12 +106,17 @@ BAT_API bat_status bat_document_put(bat_document *document, int index, const bat
 BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_remove(bat_document *document, int index);
 
+/* The list is a tree in order: a group stands before (behind) what is in it, all of which follows at once.
+ * The index after the last object in the group at index; index + 1 for what is no group. */
+BAT_API int bat_document_end(const bat_document *document, int index);
+
 /* The page: x, y, width, height in document units (width 0: none; then the drawing's box is shown). */
 BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
-/* The invariants: ids unique, below the next id; curves valid; splines give their curves; styles in range. NULL when all hold, else which
+/* The invariants: ids unique, below the next id; curves valid; splines give their curves; styles in range; groups
+ * hold together, layers are in nothing but layers. NULL when all hold, else which
  * one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
 /* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is

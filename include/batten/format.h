@@ -44,7 +44,8 @@ typedef struct bat_svg_options {
 typedef struct bat_svg_report {
     int paths, curves; /* what was read; the rest tells about the visible drawing */
     int skipped_text, skipped_images, skipped_gradients, skipped_clips, skipped_other; /* what was left out */
-    int skipped_hidden; /* display none, visibility hidden, neither stroke nor fill */
+    int hidden;         /* paths that are not displayed: kept in the document, hidden; not among `paths` */
+    int skipped_hidden; /* not displayed otherwise, visibility hidden, neither stroke nor fill */
     int broken_paths;   /* path data, shapes or transforms with errors: read up to the error */
     int foreign; /* elements of other programs (editor settings, licences, ...): not kept when saving */
     bool native; /* the file carried a native document: every knot is as it was */

@@ -3,6 +3,7 @@
 
 #include "curve/curve.h"
 #include "document/digest.h"
+#include "document/nesting.h"
 #include "document/object.h"
 
 #include <math.h>
@@ -185,8 +186,34 @@ void bat_document_bounds(const bat_document *document, double box[4]) {
     }
 }
 
+int bat_document_end(const bat_document *document, int index) {
+    bat_nesting nesting = {0};
+    const bat_object *object = bat_document_at(document, index);
+    int end = index + 1;
+    if (!object || !bat_object_is_group(object)) return end;
+    /* Inside, every parent is the group itself or one opened since. */
+    nesting.open[nesting.depth++] = (bat_nesting_level){.id = bat_object_id(object)};
+    while (end < document->count && bat_object_parent(document->objects[end]) != 0 &&
+           bat_nesting_next(&nesting, document->objects[end], NULL))
+        end++;
+    return end;
+}
+
+const char *bat_document_check_nesting(const bat_document *document) {
+    bat_nesting nesting = {0};
+    for (int i = 0; i < document->count; i++) {
+        const bat_object *object = document->objects[i];
+        if (!bat_nesting_next(&nesting, object, NULL)) return "an object is not with its group";
+        if (bat_object_kind(object) == BAT_KIND_LAYER && nesting.depth > 1 &&
+            nesting.open[nesting.depth - 2].kind != BAT_KIND_LAYER)
+            return "a layer is in a group";
+    }
+    return NULL;
+}
+
 static const char *check_object(const bat_object *object) {
     bat_kind kind = bat_object_kind(object);
+    if (bat_object_is_group(object)) return bat_object_curve_count(object) ? "a group has curves" : NULL;
     if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE) return "an object is of no known kind";
     if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";
     int count = bat_object_curve_count(object);
@@ -213,7 +240,7 @@ const char *bat_document_check(const bat_document *document) {
     bool repeats;
     if (find_repeats(document->count, document->objects, &repeats) == BAT_OK && repeats)
         return "two objects share an id";
-    return NULL;
+    return bat_document_check_nesting(document);
 }
 
 uint64_t bat_document_digest(const bat_document *document) {

@@ -11,4 +11,7 @@ bat_status bat_document_fill(bat_document *document, int count, bat_object *cons
 bat_id bat_document_next(const bat_document *document);
 void bat_document_raise_next(bat_document *document, bat_id next);
 
+/* NULL, or what is wrong with the groups: the last part of bat_document_check. O(objects), no memory. */
+const char *bat_document_check_nesting(const bat_document *document);
+
 #endif

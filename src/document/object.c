@@ -23,6 +23,8 @@ struct bat_object {
     int users;
     bat_kind kind;
     bat_id id;
+    bat_id parent; /* of the group it is in, 0: in none */
+    bool hidden, locked;
     bat_style style;
     double box[4];
     int count;
@@ -80,8 +82,9 @@ static bat_object *allocate(int count, const char *name) {
 }
 
 static void measure(bat_object *object) {
-    memcpy(object->box, object->parts[0]->box, sizeof object->box);
-    for (int i = 1; i < object->count; i++) {
+    object->box[0] = object->box[1] = INFINITY;
+    object->box[2] = object->box[3] = -INFINITY;
+    for (int i = 0; i < object->count; i++) {
         const double *box = object->parts[i]->box;
         for (int k = 0; k < 2; k++) {
             object->box[k] = fmin(object->box[k], box[k]);
@@ -139,13 +142,42 @@ bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style
     return BAT_OK;
 }
 
+bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_object **out) {
+    if (!name) name = "";
+    if (!out || id == 0 || id > BAT_ID_MAX || !bat_utf8_valid(name, strlen(name))) return BAT_ARGUMENT;
+    bat_object *object = allocate(0, name);
+    if (!object) return BAT_MEMORY;
+    object->kind = layer ? BAT_KIND_LAYER : BAT_KIND_GROUP;
+    object->id = id;
+    object->style = bat_style_defaults();
+    measure(object);
+    *out = object;
+    return BAT_OK;
+}
+
+/* What lies beside curves and style. */
+static void keep_place(bat_object *object, const bat_object *from) {
+    object->parent = from->parent;
+    object->hidden = from->hidden;
+    object->locked = from->locked;
+}
+
+bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
+                                  bat_object **out) {
+    if (!object || bat_object_is_group(object)) return BAT_ARGUMENT;
+    bat_status status = bat_object_create_path(object->id, object->name, &object->style, count, curves, out);
+    if (status == BAT_OK) keep_place(*out, object);
+    return status;
+}
+
 /* A copy that shares every part. */
-static bat_object *share(const bat_object *object) {
-    bat_object *copy = allocate(object->count, object->name);
+static bat_object *share_as(const bat_object *object, const char *name) {
+    bat_object *copy = allocate(object->count, name);
     if (!copy) return NULL;
     copy->kind = object->kind;
     copy->id = object->id;
     copy->style = object->style;
+    keep_place(copy, object);
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
@@ -155,6 +187,8 @@ static bat_object *share(const bat_object *object) {
     if (copy->spline) copy->spline->users++;
     return copy;
 }
+
+static bat_object *share(const bat_object *object) { return share_as(object, object->name); }
 
 static void forget_spline(bat_object *object) {
     bat_kept_spline_release(object->spline);
@@ -189,10 +223,48 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     return BAT_OK;
 }
 
+bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
+    if (!object || !out || parent > BAT_ID_MAX || parent == object->id) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    copy->parent = parent;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_name(const bat_object *object, const char *name, bat_object **out) {
+    if (!object || !name || !out || !bat_utf8_valid(name, strlen(name))) return BAT_ARGUMENT;
+    bat_object *copy = share_as(object, name);
+    if (!copy) return BAT_MEMORY;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_state(const bat_object *object, bool hidden, bool locked, bat_object **out) {
+    if (!object || !out) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    copy->hidden = hidden;
+    copy->locked = locked;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out) {
+    if (!object || !out || id == 0 || id > BAT_ID_MAX || id == object->parent) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    copy->id = id;
+    *out = copy;
+    return BAT_OK;
+}
+
 bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline, bat_object **out) {
     if (!object || !object->spline) return BAT_ARGUMENT;
-    return bat_object_create_spline(object->id, object->name, &object->style, spline,
-                                    &object->spline->options, out);
+    bat_status status = bat_object_create_spline(object->id, object->name, &object->style, spline,
+                                                 &object->spline->options, out);
+    if (status == BAT_OK) keep_place(*out, object);
+    return status;
 }
 
 bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
@@ -221,6 +293,12 @@ bat_id bat_object_id(const bat_object *object) { return object->id; }
 bat_kind bat_object_kind(const bat_object *object) { return object->kind; }
 const char *bat_object_name(const bat_object *object) { return object->name; }
 const bat_style *bat_object_style(const bat_object *object) { return &object->style; }
+bat_id bat_object_parent(const bat_object *object) { return object->parent; }
+bool bat_object_hidden(const bat_object *object) { return object->hidden; }
+bool bat_object_locked(const bat_object *object) { return object->locked; }
+bool bat_object_is_group(const bat_object *object) {
+    return object->kind == BAT_KIND_GROUP || object->kind == BAT_KIND_LAYER;
+}
 int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {
@@ -261,6 +339,10 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     digest = bat_digest_double(digest, style->miter_limit);
     digest = bat_digest_number(digest, (uint64_t)object->count);
     for (int i = 0; i < object->count; i++) digest = bat_digest_curve(digest, object->parts[i]->curve);
+    /* Objects of the plain kind have the digests they always had. */
+    if (object->parent) digest = bat_digest_number(digest, object->parent << 2 | 1);
+    if (object->hidden) digest = bat_digest_number(digest, 2);
+    if (object->locked) digest = bat_digest_number(digest, 3);
     if (object->spline) digest = bat_kept_spline_digest(digest, object->spline);
     return digest;
 }

@@ -76,8 +76,6 @@ bat_status bat_change_perform(bat_editor *editor, const bat_json *json, bat_prob
     if (status != BAT_OK) return say(json, 1, status, problem);
     for (uint32_t node = bat_json_first(json, list); node && status == BAT_OK; node = json->nodes[node].next)
         status = perform(editor, json, node, problem);
-    const char *wrong = status == BAT_OK ? bat_document_check(editor->document) : NULL;
-    if (wrong) status = bat_json_say(json, list, BAT_ARGUMENT, wrong, problem);
     if (status != BAT_OK) {
         bat_transaction_cancel(editor);
         return status;

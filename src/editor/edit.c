@@ -77,9 +77,7 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
     for (int i = 0; i < count && status == BAT_OK; i++)
         if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
             kept++;
-    if (status == BAT_OK)
-        status = bat_object_create_path(bat_object_id(object), bat_object_name(object),
-                                        bat_object_style(object), kept, curves, out);
+    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
     if (status != BAT_OK)
         for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
     free(curves);

@@ -13,6 +13,7 @@ bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
+        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
         if (!box_near(scene->entries[i].box, point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             if (bat_curve_dimension(bat_object_curve(object, j)) != 2) continue;
@@ -34,6 +35,7 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
+        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
         if (!box_near(scene->entries[i].box, point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);

@@ -1,4 +1,4 @@
-/* Picking: which curve is near a point. Boxes first, then the finders of the few that are left. */
+/* Picking: which curve is near a point. What is hidden or locked is never near. Boxes first, then the finders of the few that are left. */
 #ifndef BATTEN_SRC_PICK_H
 #define BATTEN_SRC_PICK_H
 

@@ -1,4 +1,5 @@
 #include "editor/scene.h"
+#include "document/nesting.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,6 +128,16 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
     free(scene->entries);
     scene->entries = entries;
     scene->count = count;
+    /* A group's change is a change of all that is in it. */
+    bat_nesting nesting = {0};
+    for (int i = 0; i < count; i++) {
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, entries[i].object, &level);
+        if (entries[i].path && level.hidden != entries[i].hidden)
+            bat_box_add(scene->dirty, entries[i].item.bounds);
+        entries[i].hidden = level.hidden;
+        entries[i].locked = level.locked;
+    }
     return BAT_OK;
 }
 
@@ -158,6 +169,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     }
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
+        if (entry->hidden || bat_object_is_group(entry->object)) continue;
         if (!entry->path) {
             if (make_path(scene, entry))
                 bat_box_add(scene->dirty, entry->item.bounds);

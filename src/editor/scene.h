@@ -15,6 +15,7 @@ typedef struct bat_scene_entry {
     double box[4];      /* of the outline, document units */
     float *path;        /* NULL until made */
     bat_item item;
+    bool hidden, locked;  /* itself, or a group it is in */
     bat_finder **finders; /* one a curve, each NULL until asked for; NULL altogether before */
 } bat_scene_entry;
 

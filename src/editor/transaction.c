@@ -1,3 +1,4 @@
+#include "document/document.h"
 #include "editor/change.h"
 #include "editor/editor.h"
 #include <stdlib.h>
@@ -65,6 +66,10 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
     if (transaction->count == 0) {
         bat_transaction_cancel(editor);
         return BAT_OK;
+    }
+    if (bat_document_check_nesting(editor->document)) {
+        bat_transaction_cancel(editor);
+        return BAT_ARGUMENT;
     }
     bat_text own = {0};
     if (!line) bat_change_write(transaction->deltas, transaction->count, label, line = &own);

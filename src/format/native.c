@@ -149,14 +149,53 @@ static bat_status read_spline_object(const reader *r, uint32_t node, bat_id id, 
                         r->problem);
 }
 
+/* Group, visibility and lock; takes `object` over. */
+static bat_status place_object(const reader *r, uint32_t node, bat_object *object, bat_object **out) {
+    double parent = 0;
+    bool hidden = false, locked = false;
+    bat_object *placed = NULL;
+    bat_status status = read_number(r, node, "parent", 1, (double)BAT_FILE_ID_MAX,
+                                    "a whole number from 1 to 2147483647", &parent);
+    if (status == BAT_OK && parent != (double)(bat_id)parent)
+        status = complain(r, bat_json_member(r->json, node, "parent"), "parent",
+                          "a whole number from 1 to 2147483647");
+    if (status == BAT_OK) status = read_flag(r, node, "hidden", &hidden);
+    if (status == BAT_OK) status = read_flag(r, node, "locked", &locked);
+    if (status == BAT_OK && parent > 0) {
+        status = bat_object_with_parent(object, (bat_id)parent, &placed);
+        if (status != BAT_OK)
+            bat_json_say(r->json, node, status, "parent: not itself", r->problem);
+        else {
+            bat_object_release(object);
+            object = placed;
+        }
+    }
+    if (status == BAT_OK && (hidden || locked)) {
+        status = bat_object_with_state(object, hidden, locked, &placed);
+        if (status != BAT_OK)
+            bat_json_say(r->json, node, status, bat_status_message(status), r->problem);
+        else {
+            bat_object_release(object);
+            object = placed;
+        }
+    }
+    if (status != BAT_OK)
+        bat_object_release(object);
+    else
+        *out = object;
+    return status;
+}
+
 static bat_status read_object(const reader *r, uint32_t node, bat_object **out) {
     const bat_json *json = r->json;
     if (bat_json_type_of(json, node) != BAT_JSON_OBJECT) return complain(r, node, "objects", "an object");
     uint32_t kind = bat_json_member(json, node, "kind");
     const char *word = bat_json_text(json, kind);
     if (!word) return complain(r, kind ? kind : node, "kind", "a text");
-    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0)
-        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind", "\"path\" or \"spline\"", r->problem);
+    bool group = strcmp(word, "group") == 0 || strcmp(word, "layer") == 0;
+    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !group)
+        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind",
+                                 "\"path\", \"spline\", \"group\" or \"layer\"", r->problem);
     double id = 0;
     bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
                                     "a whole number from 1 to 2147483647", &id);
@@ -169,8 +208,16 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     bat_style style = bat_style_defaults();
     status = read_style(r, bat_json_member(json, node, "style"), &style);
     if (status != BAT_OK) return status;
-    if (strcmp(word, "spline") == 0) return read_spline_object(r, node, (bat_id)id, name, &style, out);
-    return read_path(r, node, (bat_id)id, name, &style, out);
+    bat_object *object = NULL;
+    if (group) {
+        status = bat_object_create_group((bat_id)id, name, word[0] == 'l', &object);
+        if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
+    } else if (strcmp(word, "spline") == 0) {
+        status = read_spline_object(r, node, (bat_id)id, name, &style, &object);
+    } else {
+        status = read_path(r, node, (bat_id)id, name, &style, &object);
+    }
+    return status == BAT_OK ? place_object(r, node, object, out) : status;
 }
 
 bat_status bat_object_from_json(const bat_json *json, uint32_t node, bat_object **out, bat_problem *problem) {
@@ -200,6 +247,8 @@ static bat_status read_objects(const reader *r, uint32_t list, bat_document *doc
     if (status != BAT_OK)
         while (count > 0) bat_object_release(objects[--count]);
     free(objects);
+    const char *wrong = status == BAT_OK ? bat_document_check_nesting(document) : NULL;
+    if (wrong) status = bat_json_say(r->json, list, BAT_ARGUMENT, wrong, r->problem);
     return status;
 }
 
@@ -287,8 +336,24 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "{\"id\":");
     bat_text_integer(text, bat_object_id(object));
     const bat_spline *spline = bat_object_spline(object);
-    bat_text_string(text, spline ? ",\"kind\":\"spline\",\"name\":" : ",\"kind\":\"path\",\"name\":");
+    static const char *const kinds[] = {[BAT_KIND_PATH] = "path",
+                                        [BAT_KIND_SPLINE] = "spline",
+                                        [BAT_KIND_GROUP] = "group",
+                                        [BAT_KIND_LAYER] = "layer"};
+    bat_text_string(text, ",\"kind\":\"");
+    bat_text_string(text, kinds[bat_object_kind(object)]);
+    bat_text_string(text, "\",\"name\":");
     bat_text_json_string(text, bat_object_name(object));
+    if (bat_object_parent(object)) {
+        bat_text_string(text, ",\"parent\":");
+        bat_text_integer(text, bat_object_parent(object));
+    }
+    if (bat_object_hidden(object)) bat_text_string(text, ",\"hidden\":true");
+    if (bat_object_locked(object)) bat_text_string(text, ",\"locked\":true");
+    if (bat_object_is_group(object)) {
+        bat_text_string(text, "}");
+        return;
+    }
     bat_text_string(text, ",\n  \"style\":");
     write_style(text, bat_object_style(object));
     if (spline) { /* its curve is made of it, so it is not written twice */

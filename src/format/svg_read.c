@@ -1,6 +1,7 @@
 /* SVG in: elements are collected, then drawn into a document once all are known. */
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/nesting.h"
 #include "document/utf8.h"
 #include "format/json.h"
 #include "format/svg.h"
@@ -103,6 +104,10 @@ typedef struct walk {
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
     int depth;
     long drawn, tried;
+    bat_id group;      /* the group being read, 0: none */
+    int members;       /* read into it so far */
+    int groups;        /* how deep that is */
+    int unseen;        /* how many of the elements being drawn are not displayed */
     bat_status status; /* stops everything */
 } walk;
 
@@ -216,7 +221,30 @@ static const char *find_name(const walk *w, uint32_t element) {
     return "";
 }
 
-static void add_object(walk *w, const char *name, const bat_style *style) {
+/* Into the group being read, hidden and locked as the element says. Takes the object over. */
+static void put_object(walk *w, uint32_t element, bool shown, bat_object *object) {
+    const char *locked = attribute(w, element, "data-locked"),
+               *insensitive = attribute(w, element, "sodipodi:insensitive");
+    bool lock = (locked && !strcmp(locked, "true")) || (insensitive && !strcmp(insensitive, "true"));
+    bat_object *placed = NULL;
+    bat_status status = BAT_OK;
+    if (w->group && (status = bat_object_with_parent(object, w->group, &placed)) == BAT_OK) {
+        bat_object_release(object);
+        object = placed;
+    }
+    if (status == BAT_OK && (lock || !shown) &&
+        (status = bat_object_with_state(object, !shown, lock, &placed)) == BAT_OK) {
+        bat_object_release(object);
+        object = placed;
+    }
+    if (status == BAT_OK) status = bat_document_put(w->document, bat_document_count(w->document), object);
+    bat_object_release(object);
+    if (status == BAT_OK) w->members++;
+    if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
+}
+
+static void add_object(walk *w, uint32_t element, bool shown, const bat_style *style) {
+    const char *name = find_name(w, element);
     bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
     if (!curves) {
         w->status = BAT_MEMORY;
@@ -229,9 +257,11 @@ static void add_object(walk *w, const char *name, const bat_style *style) {
         status = bat_object_create_path(bat_document_new_id(w->document), name, style, count, curves,
                                         &object);
     if (object) {
-        status = bat_document_put(w->document, bat_document_count(w->document), object);
-        bat_object_release(object);
-        count_paths(w->report, count);
+        put_object(w, element, shown, object);
+        if (w->unseen)
+            w->report->hidden++;
+        else
+            count_paths(w->report, count);
     } else {
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
         if (count > 0 && status != BAT_OK) w->report->broken_paths++; /* a stroke width out of all bounds */
@@ -269,8 +299,8 @@ static void draw_shape(walk *w, uint32_t element, const scope *s) {
         return;
     }
     if (s->style.marked) w->report->skipped_other++;
-    w->digest = bat_svg_digest(w->digest, &w->outline, &style);
-    add_object(w, find_name(w, element), &style);
+    if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style);
+    add_object(w, element, s->style.shown, &style);
 }
 
 static void draw(walk *w, uint32_t element, const scope *outer);
@@ -279,6 +309,47 @@ static void draw_children(walk *w, uint32_t element, const scope *s) {
     for (uint32_t at = w->tree->elements[element].first; at && w->status == BAT_OK;
          at = w->tree->elements[at].next)
         draw(w, at, s);
+}
+
+/* A group of the file becomes one of the document when it is a layer, has a name, hides or locks something, or
+ * holds more than one thing together; the rest only carried a transform or a style. */
+static void draw_group(walk *w, uint32_t element, const scope *s) {
+    const char *mode = attribute(w, element, "inkscape:groupmode");
+    bat_object *group = NULL;
+    const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
+    bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_kind(outer) == BAT_KIND_LAYER);
+    if (w->groups == BAT_NESTING_MAX) {
+        draw_children(w, element, s);
+        return;
+    }
+    bat_id above = w->group, own = bat_document_new_id(w->document);
+    int index = bat_document_count(w->document), members = w->members + 1;
+    bat_status status = bat_object_create_group(own, find_name(w, element), layer, &group);
+    if (status != BAT_OK) {
+        w->status = status;
+        return;
+    }
+    put_object(w, element, s->style.shown, group);
+    if (w->status != BAT_OK) return;
+    w->group = own;
+    w->members = 0;
+    w->groups++;
+    draw_children(w, element, s);
+    w->groups--;
+    w->group = above;
+    const bat_object *made = bat_document_at(w->document, index);
+    bool plain = !layer && !*bat_object_name(made) && !bat_object_hidden(made) && !bat_object_locked(made);
+    if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
+        members = members - 1 + w->members;
+        bat_document_remove(w->document, index);
+        bat_object *moved = NULL;
+        if (w->members == 1) {
+            w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
+            if (moved) bat_document_replace(w->document, index, moved);
+            bat_object_release(moved);
+        }
+    }
+    w->members = members;
 }
 
 static double length_of(const walk *w, uint32_t element, const char *name, double whole, double otherwise) {
@@ -359,7 +430,9 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     }
     scope s = *outer;
     find_style(w, element, outer, &s.style);
-    if (!s.style.shown) {
+    bool shown = s.style.shown;
+    /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
+    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP) {
         w->report->skipped_hidden++;
         return;
     }
@@ -377,8 +450,10 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     if (s.style.clipped) w->report->skipped_clips++;
     if (s.style.filtered) w->report->skipped_other++;
     w->active[w->depth++] = element;
+    bat_svg_report before = *w->report;
+    w->unseen += !shown;
     switch (kind) {
-    case BAT_SVG_GROUP: draw_children(w, element, &s); break;
+    case BAT_SVG_GROUP: draw_group(w, element, &s); break;
     case BAT_SVG_SWITCH: draw_switch(w, element, &s); break;
     case BAT_SVG_ROOT:
         draw_viewport(w, element, element, length_of(w, element, "x", s.width, 0),
@@ -389,6 +464,11 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     case BAT_SVG_TEXT: w->report->skipped_text++; break;
     case BAT_SVG_IMAGE: w->report->skipped_images++; break;
     default: w->report->skipped_other++; break;
+    }
+    w->unseen -= !shown;
+    if (!shown) { /* the report tells of the visible drawing */
+        before.hidden = w->report->hidden;
+        *w->report = before;
     }
     w->depth--;
 }
@@ -443,10 +523,12 @@ static void use_native(bat_svg_reader *reader, uint64_t digest, bat_document **d
     if (memcmp(page, written, sizeof page) != 0) bat_document_set_page(native, page);
     report->edited = false;
     report->native = true;
-    report->paths = bat_document_count(native);
-    report->curves = 0;
-    for (int i = 0; i < report->paths; i++)
-        report->curves += bat_object_curve_count(bat_document_at(native, i));
+    report->paths = report->curves = 0;
+    for (int i = 0; i < bat_document_count(native); i++) {
+        const bat_object *object = bat_document_at(native, i);
+        report->paths += !bat_object_is_group(object);
+        report->curves += bat_object_curve_count(object);
+    }
     bat_document_free(*document);
     *document = native;
 }

@@ -1,5 +1,6 @@
 /* SVG out: every curve as exact cubic Béziers, and the native document as text in the metadata. */
 #include "document/digest.h"
+#include "document/nesting.h"
 #include "format/native.h"
 #include "format/svg.h"
 #include "format/svg_digest.h"
@@ -123,17 +124,37 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     return BAT_OK;
 }
 
+static void write_name(bat_text *text, const char *attribute, const char *name) {
+    if (!*name) return;
+    bat_text_string(text, attribute);
+    bat_text_xml(text, name, strlen(name), true);
+    bat_text_string(text, "\"");
+}
+
+static void write_state(bat_text *text, const bat_object *object) {
+    if (bat_object_hidden(object)) bat_text_string(text, " display=\"none\"");
+    if (bat_object_locked(object)) bat_text_string(text, " data-locked=\"true\"");
+}
+
+static void open_group(bat_text *text, const bat_object *object, bool as_id) {
+    bool layer = bat_object_kind(object) == BAT_KIND_LAYER;
+    bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
+    write_name(text,
+               layer   ? " inkscape:label=\""
+               : as_id ? " id=\""
+                       : " data-name=\"",
+               bat_object_name(object));
+    write_state(text, object);
+    bat_text_string(text, ">\n");
+}
+
 /* The path element, and what a reader will see of it added to the digest. */
-static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bat_outline *outline,
-                               uint64_t *digest) {
-    const char *name = bat_object_name(object);
+static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
+                               bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
     bat_text_string(text, "<path");
-    if (*name) {
-        bat_text_string(text, as_id ? " id=\"" : " data-name=\"");
-        bat_text_xml(text, name, strlen(name), true);
-        bat_text_string(text, "\"");
-    }
+    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    write_state(text, object);
     write_style(text, style);
     bat_text_string(text, " d=\"");
     size_t start = text->size;
@@ -143,7 +164,7 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     }
     if (text->failed) return BAT_MEMORY;
     bat_outline_clear(outline);
-    if (style->stroked || style->filled) {
+    if (!hidden && (style->stroked || style->filled)) {
         bat_svg_path(text->data + start, text->size - start, outline);
         if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
         *digest = bat_svg_digest(*digest, outline, style);
@@ -158,8 +179,20 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
     bat_status status = unique ? find_ids(document, unique) : BAT_MEMORY;
     bat_outline outline = {0};
     *digest = bat_digest_begin();
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        status = write_object(text, bat_document_at(document, i), unique[i], &outline, digest);
+    bat_nesting nesting = {0};
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        int before = nesting.depth;
+        bool group = bat_object_is_group(object);
+        bat_nesting_next(&nesting, object, &level);
+        for (int k = nesting.depth - group; k < before; k++) bat_text_string(text, "</g>\n");
+        if (group)
+            open_group(text, object, unique[i]);
+        else
+            status = write_object(text, object, unique[i], level.hidden, &outline, digest);
+    }
+    for (int k = 0; k < nesting.depth; k++) bat_text_string(text, "</g>\n");
     bat_outline_free(&outline);
     free(unique);
     return status;
@@ -181,6 +214,12 @@ static void write_native(const bat_document *document, uint64_t digest, bat_text
     bat_text_free(&json);
 }
 
+static bool has_layers(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++)
+        if (bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER) return true;
+    return false;
+}
+
 bat_status bat_svg_write(const bat_document *document, bool with_native, char **out, size_t *size) {
     if (!document || !out || !size) return BAT_ARGUMENT;
     bat_text text = {0}, objects = {0};
@@ -194,6 +233,8 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
     }
     bat_text_string(&text,
                     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
+    if (has_layers(document))
+        bat_text_string(&text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
     write_number(&text, " width=\"", page[2]);
     write_number(&text, " height=\"", page[3]);
     bat_text_string(&text, " viewBox=\"");
