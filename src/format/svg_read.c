@@ -447,10 +447,10 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
         if (!bat_svg_transform(transform, m)) w->report->broken_paths++;
         bat_svg_compose(outer->matrix, m, s.matrix);
     }
+    bat_svg_report before = *w->report;
     if (s.style.clipped) w->report->skipped_clips++;
     if (s.style.filtered) w->report->skipped_other++;
     w->active[w->depth++] = element;
-    bat_svg_report before = *w->report;
     w->unseen += !shown;
     switch (kind) {
     case BAT_SVG_GROUP: draw_group(w, element, &s); break;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
+#include "document/nesting.h"
 #include "support/alloc_fail.h"
 #include <batten/bezier.h>
 #include "support/random_curve.h"
@@ -23,17 +24,39 @@ static bat_document *read_svg(const char *text) {
     return document;
 }
 
+/* Of the visible paths, the index-th, or how many there are: groups and what is not displayed left aside. */
+static const bat_object *shown(const bat_document *document, int index, int *count) {
+    const bat_object *found = NULL;
+    bat_nesting nesting = {0};
+    int seen = 0;
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level;
+        assert_true(bat_nesting_next(&nesting, object, &level));
+        if (bat_object_is_group(object) || level.hidden) continue;
+        if (seen++ == index) found = object;
+    }
+    if (count) *count = seen;
+    return found;
+}
+
+static int count_shown(const bat_document *document) {
+    int count;
+    shown(document, -1, &count);
+    return count;
+}
+
 static void expect_box(const bat_document *document, int index, double x0, double y0, double x1, double y1) {
     double box[4], expected[4] = {x0, y0, x1, y1};
-    assert_true(index < bat_document_count(document));
-    bat_object_bounds(bat_document_at(document, index), box);
+    assert_non_null(shown(document, index, NULL));
+    bat_object_bounds(shown(document, index, NULL), box);
     for (int i = 0; i < 4; i++)
         if (fabs(box[i] - expected[i]) > 1e-5) fail_msg("box %g %g %g %g", box[0], box[1], box[2], box[3]);
 }
 
 static const bat_style *style_of(const bat_document *document, int index) {
-    assert_true(index < bat_document_count(document));
-    return bat_object_style(bat_document_at(document, index));
+    assert_non_null(shown(document, index, NULL));
+    return bat_object_style(shown(document, index, NULL));
 }
 
 static void paths_become_curves(void **state) {
@@ -104,7 +127,8 @@ static void styles_cascade(void **state) {
         "<line x2='9' stroke='none' fill='rgba(1,2,3,0.2)' fill-opacity='0.5' fill-rule='evenodd'/>" /* 6 */
         "<line x2='9' stroke-width='10%' transform='scale(2,8)'/>" /* 7: sqrt(2 * 8) * 10% of the diagonal */
         "</g></svg>");
-    assert_int_equal(bat_document_count(d), 8);
+    assert_int_equal(bat_document_count(d), 9); /* the group */
+    assert_int_equal(count_shown(d), 8);
     assert_true(style_of(d, 0)->width == 7 && style_of(d, 0)->stroke == 0x00800080 &&
                 !style_of(d, 0)->filled);
     assert_true(style_of(d, 0)->opacity == 0.5 && style_of(d, 0)->cap == BAT_CAP_BUTT);
@@ -158,22 +182,24 @@ static void what_is_left_out_is_counted(void **state) {
                                "<switch><foreignObject/><path systemLanguage='de' d='M0 0L1 1'/><g><path "
                                "d='M0 0L2 2'/></g><path d='M0 0L9 9'/></switch>"
                                "<path d='M5 5z'/><path d='M5 5L5 5'/></svg>");
-    assert_int_equal(bat_document_count(d), 3);
+    assert_int_equal(bat_document_count(d), 5); /* the group that is not displayed, and its path */
+    assert_int_equal(count_shown(d), 3);
+    assert_int_equal(report.hidden, 1);
     assert_true(style_of(d, 0)->filled && style_of(d, 0)->fill == 0x808080ff);
-    assert_string_equal(bat_object_name(bat_document_at(d, 1)), "Arm");
+    assert_string_equal(bat_object_name(shown(d, 1, NULL)), "Arm");
     expect_box(d, 2, 0, 0, 2, 2);
     assert_int_equal(report.skipped_text, 2);
     assert_int_equal(report.skipped_images, 1);
     assert_int_equal(report.skipped_gradients, 1);
     assert_int_equal(report.skipped_clips, 1);
     assert_int_equal(report.skipped_other, 2); /* foreignObject, marker */
-    assert_int_equal(report.skipped_hidden, 3);
+    assert_int_equal(report.skipped_hidden, 2);
     assert_int_equal(report.broken_paths, 1);
     assert_true(report.foreign >= 2);
     char line[200];
     bat_svg_report_line(&report, line, sizeof line);
     assert_string_equal(
-        line, "Left out: 2 texts, 1 image, 1 gradient, 1 clip or mask, 2 others, 3 hidden, 1 broken part.");
+        line, "Left out: 2 texts, 1 image, 1 gradient, 1 clip or mask, 2 others, 2 hidden, 1 broken part.");
     bat_svg_report none = {0};
     bat_svg_report_line(&none, line, sizeof line);
     assert_string_equal(line, "");
