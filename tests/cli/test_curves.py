@@ -131,6 +131,13 @@ class Fit(ProgramTest):
             self.assertEqual(curve["report"]["knots_after"], len(curve["knots"]))
             self.assertLess(len(curve["points"]), 60)
 
+    def test_tolerance_that_cannot_be_met_is_bad_data(self):
+        points = [[x + 3 * math.sin(9.7 * x * x), y + 3 * math.sin(7.1 * x * x)] for x, y in wave(0, 300)]
+        name = self.file("s.json", {"points": points})
+        line = self.refused(1, "fit", name, "--tolerance", "0.001")
+        self.assertRegex(line, r"s\.json: points: expected a fit within 0\.001, the best found reaches \d")
+        self.assertGreater(float(line.split()[-1]), 0.001)
+
     def test_csv_and_json_are_the_same(self):
         points = wave(0, 100)
         as_json = self.done("fit", self.file("s.json", {"points": points, "pressure": [0.5] * 101}))
