@@ -14,7 +14,7 @@ import time
 import unittest
 import urllib.parse
 
-from program import PROGRAM, ProgramTest
+from program import PROGRAM, ROOT, ProgramTest
 
 STYLE = {"stroked": True, "stroke": "#000000ff", "width": 2, "cap": "round", "join": "round", "miter_limit": 4,
          "filled": False, "fill": "#000000ff", "even_odd": False, "opacity": 1}
@@ -395,6 +395,23 @@ class Saving(EditTest):
         self.assertEqual((status, self.path.read_bytes()), (409, drawing()))
         self.assertIn(b"read-only", text)
         self.assertIn("read-only", editor.end()[2])
+
+    def test_svg(self):
+        """A foreign SVG is saved as ours: it opens with every knot; the user was told what would be lost."""
+        car = (ROOT / "examples" / "car.svg").read_bytes()
+        editor = self.start("car.svg", car)
+        status, headers, body = editor.get("/document")
+        self.assertEqual((status, headers["Content-Type"], body), (200, "image/svg+xml", car))
+        native = self.done("convert", self.path, "-", "--to", "batten")
+        ours = self.done("convert", "-", "-", "--to", "svg", stdin=native)
+        self.assertEqual(editor.put(ours, kind="application/json")[0], 415)
+        self.assertEqual(editor.put(b"<svg", kind="image/svg+xml")[0], 422)
+        self.assertEqual(editor.put(native, kind="image/svg+xml")[0], 422)
+        self.assertEqual(self.path.read_bytes(), car)
+        self.assertEqual(editor.put(ours, kind="image/svg+xml")[0], 204)
+        self.assertEqual(self.path.read_bytes(), ours)
+        self.assertEqual(self.done("convert", self.path, "-", "--to", "batten"), native)
+        self.assertIn("not promised to survive", editor.end()[2])
 
     def test_saves_at_once_do_not_mix(self):
         editor = self.start(content=drawing())

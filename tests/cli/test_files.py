@@ -2,13 +2,17 @@
 import json
 import math
 import os
+import resource
 import stat
+import subprocess
 import unittest
 import xml.etree.ElementTree
 
 from program import CURVE, PROGRAM, RING, ROOT, ProgramTest
 
 CAR = ROOT / "examples" / "car.svg"
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
 MIXED = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50" width="100" height="50">
 <path d="M0 0C10 10 20 10 30 0" stroke="red" fill="none"/><text x="1" y="2">hello</text><text>again</text>
 <image href="x.png" width="3" height="3"/><circle cx="50" cy="25" r="10"/></svg>"""
@@ -16,7 +20,10 @@ MIXED = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50" width="1
 
 class Convert(ProgramTest):
     def test_curve_to_everything_and_back_bit_for_bit(self):
-        for curve in (CURVE, RING, dict(CURVE, points=[[0.1, 1 / 3], [1e-300, 2], [3e9, 3], [5, -0.0], [6, 2 / 7]])):
+        space = {"degree": 2, "closed": False, "knots": [0, 0, 0, 1, 1, 1], "points": [[0, 0, 0], [5, 9, 4], [10, 0, 2]]}
+        seventh = {"degree": 7, "closed": True, "knots": [0, 1, 2, 3, 4, 5, 6, 7, 8],
+                   "points": [[0, 0], [5, 0], [9, 3], [9, 9], [5, 12], [0, 12], [-4, 9], [-4, 3]]}
+        for curve in (CURVE, RING, space, seventh, dict(CURVE, points=[[0.1, 1 / 3], [1e-300, 2], [3e9, 3], [5, -0.0], [6, 2 / 7]])):
             first = self.file("a.json", curve)
             for steps in (["b.batten"], ["b.svg"], ["b.batten", "c.svg", "d.batten"]):
                 last = first
@@ -134,6 +141,16 @@ class Output(ProgramTest):
         before = (self.folder / "a.batten").read_bytes()
         self.done("convert", self.folder / "a.batten", self.folder / "a.batten")
         self.assertEqual((self.folder / "a.batten").read_bytes(), before)
+
+    @unittest.skipIf(SANITIZED, "the sanitizer needs more memory than there is")
+    def test_out_of_memory(self):
+        source = self.file("c.json", CURVE)
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20))
+        for words in (["eval", source, "--samples", "16000000"], ["render", source, "o.png", "--size", "30000x30000"]):
+            result = subprocess.run([PROGRAM, *words], capture_output=True, preexec_fn=limit, cwd=self.folder, timeout=100)
+            self.assertEqual((result.returncode, result.stdout), (1, b""))
+            self.assertIn(b"out of memory", result.stderr)
+            self.assertEqual(os.listdir(self.folder), ["c.json"])
 
     def test_pipe_that_closes_early(self):
         source = self.file("c.json", CURVE)
