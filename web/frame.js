@@ -2,6 +2,7 @@
 
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
+/** @typedef {import('./types.js').Label} Label */
 /** @typedef {Record<string, number>} Layout */
 
 const decoder = new TextDecoder();
@@ -44,6 +45,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     still: stillChanged ? readItems(view, place, word('frame.still'), word('frame.still_count')) : known,
     dirty: [single('frame.dirty', 0), single('frame.dirty', 1), single('frame.dirty', 2), single('frame.dirty', 3)],
     live: readItems(view, place, word('frame.live'), word('frame.live_count')),
+    labels: readLabels(memory, place, word('frame.labels'), word('frame.label_count')),
     cursor: word('frame.cursor'),
     requests: word('frame.requests'),
     unsaved: word('frame.unsaved') !== 0,
@@ -96,4 +98,27 @@ function readItems(view, place, first, count) {
     });
   }
   return items;
+}
+
+/**
+ * @param {WebAssembly.Memory} memory
+ * @param {Layout} place
+ * @param {number} first
+ * @param {number} count
+ * @returns {Label[]}
+ */
+function readLabels(memory, place, first, count) {
+  const view = new DataView(memory.buffer);
+  return Array.from({ length: count }, (_, i) => {
+    const at = first + i * place['label.size'];
+    const single = (/** @type {string} */ name, index = 0) => view.getFloat32(at + place[name] + 4 * index, true);
+    return {
+      role: view.getUint32(at + place['label.role'], true),
+      x: single('label.at', 0),
+      y: single('label.at', 1),
+      dx: single('label.offset', 0),
+      dy: single('label.offset', 1),
+      text: readString(memory, view.getUint32(at + place['label.text'], true)),
+    };
+  });
 }

@@ -15,6 +15,7 @@ const SCREEN_WIDTH = 8;
 const DASHED = 16;
 const ROLE_OBJECT = 0;
 const ROLE_PAGE = 8;
+const LABEL_FONT = '500 13px system-ui, sans-serif';
 
 /** @type {CanvasLineCap[]} */
 const CAPS = ['butt', 'round', 'square'];
@@ -237,11 +238,37 @@ export class Painter {
       context.setTransform(1, 0, 0, 1, 0, 0);
       context.clearRect(0, 0, this.overlay.width, this.overlay.height);
     }
-    this.overlayEmpty = frame.live.length === 0;
+    this.overlayEmpty = frame.live.length === 0 && frame.labels.length === 0;
     const scale = frame.zoom * this.ratio;
     context.setTransform(scale, 0, 0, scale, (frame.originX - frame.x) * scale, (frame.originY - frame.y) * scale);
     for (const item of frame.live) {
       this.#draw(context, item, shapeOf(item.path), frame.zoom);
+    }
+    this.#write(context, frame);
+  }
+
+  /**
+   * The labels, in view pixels, readable over whatever lies below.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Frame} frame
+   */
+  #write(context, frame) {
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.globalAlpha = 1;
+    context.font = LABEL_FONT;
+    context.textBaseline = 'middle';
+    context.textAlign = 'center';
+    context.lineJoin = 'round';
+    context.lineWidth = 4;
+    context.setLineDash([]);
+    for (const label of frame.labels) {
+      const look = this.theme.roles[label.role] ?? this.theme.roles[1];
+      const x = (frame.originX + label.x - frame.x) * frame.zoom + label.dx;
+      const y = (frame.originY + label.y - frame.y) * frame.zoom + label.dy;
+      context.strokeStyle = look.fill;
+      context.strokeText(label.text, x, y);
+      context.fillStyle = look.stroke;
+      context.fillText(label.text, x, y);
     }
   }
 

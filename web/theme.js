@@ -3,7 +3,8 @@
 
 /** Role numbers of editor.h, in order, as the tokens name them. */
 const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending',
-  'selection', 'handle', 'marquee'];
+  'selection', 'handle', 'marquee', 'ghost', 'point', 'chosen', 'prompt', 'arrow', 'wedge', 'beyond', 'guide',
+  'value'];
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
 

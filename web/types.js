@@ -38,6 +38,16 @@
  */
 
 /**
+ * @typedef {object} Label a short text of live values, over the overlay
+ * @property {number} role
+ * @property {number} x relative to the frame's origin
+ * @property {number} y
+ * @property {number} dx view pixels from there to the middle of the text
+ * @property {number} dy
+ * @property {string} text
+ */
+
+/**
  * @typedef {object} Frame
  * @property {number} x screen = (document - (x, y)) * zoom
  * @property {number} y
@@ -49,6 +59,7 @@
  * @property {Item[]} still back to front
  * @property {[number, number, number, number]} dirty x0 > x1: nothing
  * @property {Item[]} live
+ * @property {Label[]} labels
  * @property {number} cursor
  * @property {number} requests
  * @property {boolean} unsaved

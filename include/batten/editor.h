@@ -128,11 +128,10 @@ typedef struct bat_item {
     const float *path;
 } bat_item;
 
-/* A short text of live values. `at` is relative to the frame's origin; the text begins `offset` view pixels from
- * there, with its middle at that height. align: -1: it ends there instead. */
+/* A short text of live values. `at` is relative to the frame's origin; the text's middle lies `offset` view pixels
+ * from there. */
 typedef struct bat_label {
     uint32_t role;
-    int32_t align;
     float at[2], offset[2];
     const char *text; /* UTF-8 */
 } bat_label;

@@ -74,12 +74,11 @@ void bat_overlay_circle(bat_overlay *overlay, const double centre[2], double rad
 }
 
 void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2], double dx, double dy,
-                       bool ends_there, const char *text) {
+                       const char *text) {
     if (overlay->label_count == BAT_OVERLAY_LABELS) return;
     uint32_t i = overlay->label_count++;
     snprintf(overlay->texts[i], BAT_LABEL_ROOM, "%s", text);
     overlay->labels[i] = (bat_label){.role = (uint32_t)role,
-                                     .align = ends_there ? -1 : 1,
                                      .at = {bat_path_float(point[0] - overlay->path.origin[0]),
                                             bat_path_float(point[1] - overlay->path.origin[1])},
                                      .offset = {bat_path_float(dx), bat_path_float(dy)},

@@ -32,7 +32,7 @@ void bat_overlay_arc(bat_overlay *overlay, const double centre[2], double radius
                      bool on);
 /* A text beside a point; dx, dy: view pixels. Copied, and cut when too long. */
 void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2], double dx, double dy,
-                       bool ends_there, const char *text);
+                       const char *text);
 /* Sets pointers and bounds; items without a path fall out. pixel: a view pixel in document units. */
 void bat_overlay_end(bat_overlay *overlay, double pixel);
 

@@ -8,7 +8,8 @@
 #include <string.h>
 
 static const double POINT_RADIUS = 4.5, CHOSEN_RADIUS = 5.5, HANDLE_RADIUS = 4, ARROW_HEAD = 12; /* px */
-static const double GHOSTS[] = {-20, -10, 10, 20};                                               /* degrees */
+static const double LINE = 18;                     /* px between values */
+static const double GHOSTS[] = {-20, -10, 10, 20}; /* degrees */
 enum { GHOST_POINTS_MAX = 2000, MARKS_MAX = 3000 };
 
 void bat_splining_free(bat_splining *s) {
@@ -194,27 +195,27 @@ static void ghosts(bat_overlay *list, bat_draft *draft, int point, const bat_tan
 
 typedef struct corner {
     const double *at;
-    double dx, dy;
-    bool ends_there;
+    double dy;
 } corner;
 
-/* Beside the circle, on the side with more room. */
-static corner value_corner(const bat_editor *editor, const double at[2]) {
-    double screen[2];
-    bat_view_to_screen(&editor->view, at, screen);
-    bool left = screen[0] > editor->view.width - 220;
-    return (corner){at, (left ? -1 : 1) * (BAT_TENSION_RADIUS + 8), -18, left};
+/* Above or below the circle, where the curve does not go: away from the neighbours. */
+static corner value_corner(const bat_spline *spline, const bat_joint *joints, int point) {
+    double chord[2], lean = 0;
+    for (int step = -1; step <= 1; step += 2)
+        if (bat_splining_chord(spline, joints, point, step, chord)) lean += chord[1];
+    double clear = BAT_PROMPT_RADIUS + 16;
+    return (corner){spline->points + 2 * point, lean < 0 ? clear : -clear - 2 * LINE};
 }
 
 static void say(bat_overlay *list, corner *where, const char *text) {
-    bat_overlay_label(list, BAT_ROLE_VALUE, where->at, where->dx, where->dy, where->ends_there, text);
-    where->dy += 18;
+    bat_overlay_label(list, BAT_ROLE_VALUE, where->at, 0, where->dy, text);
+    where->dy += LINE;
 }
 
 static void values(bat_editor *editor, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
                    int point) {
     const bat_joint *joint = &joints[point];
-    corner where = value_corner(editor, spline->points + 2 * point);
+    corner where = value_corner(spline, joints, point);
     const char *in = bat_editor_text(editor, BAT_STRING_VALUE_IN);
     const char *out = bat_editor_text(editor, BAT_STRING_VALUE_OUT);
     char text[BAT_LABEL_ROOM];
