@@ -1,5 +1,6 @@
 /* Failures and remarks: always exactly one line on standard error. */
 #include "program.h"
+#include "progress.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@ static void put_line(char *line) {
     for (char *at = line; *at; at++) {
         if ((unsigned char)*at < 32 || *at == 127) *at = ' ';
     }
+    progress_end();
     fprintf(stderr, "%s\n", line);
 }
 
@@ -47,6 +49,7 @@ int fail_problem(const char *file, bat_status status, const bat_problem *problem
 }
 
 int fail_memory(void) {
+    progress_end();
     fputs("batten: out of memory\n", stderr);
     return EXIT_DATA;
 }

@@ -1,6 +1,7 @@
 #include "io.h"
 
 #include "program.h"
+#include "progress.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -228,6 +229,7 @@ io_result io_replace(const char *path, const void *data, size_t size, const io_s
 
 int io_write(const char *name, const void *data, size_t size) {
     if (strcmp(name, "-") == 0) {
+        progress_end(); /* both may be the same terminal */
         if (write_all(STDOUT_FILENO, data, size)) return EXIT_DONE;
         return fail_data("standard output", NULL, "cannot be written: %s", strerror(errno));
     }

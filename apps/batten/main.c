@@ -1,5 +1,6 @@
 /* The batten program: finds the subcommand and gives it its arguments. */
 #include "program.h"
+#include "progress.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -90,5 +91,9 @@ int main(int count, char **words) {
     }
     cli_arguments arguments;
     int status = arguments_parse(command, count - 2, words + 2, &arguments);
-    return finish(status ? status : command->run(&arguments));
+    if (status) return status;
+    if (command != &command_edit) progress_begin(command->name); /* the server is not at work, it waits */
+    status = command->run(&arguments);
+    progress_end();
+    return finish(status);
 }

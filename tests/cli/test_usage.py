@@ -1,6 +1,9 @@
 """Exit status 2 and one line for wrong usage; help with an example for every command."""
+import json
+import os
 import re
 import subprocess
+import time
 import unittest
 
 from program import CURVE, PROGRAM, ProgramTest
@@ -62,6 +65,24 @@ class Usage(ProgramTest):
         self.assertEqual(self.done("eval", "--at=-0,1e0,2", "--", curve), expected)
         odd = self.file("--help", CURVE)  # a file may be called anything
         self.assertEqual(self.run_program("eval", "--at=-0,1e0,2", "--", "--help").stdout, expected, odd)
+
+    def test_long_work_shows_on_a_terminal_and_only_there(self):
+        name = self.file("c.json", CURVE)
+        for terminal in (True, False):
+            keep, give = os.openpty() if terminal else os.pipe()
+            with subprocess.Popen([PROGRAM, "eval", "-", "--samples", "3"], stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE, stderr=give) as process:
+                time.sleep(1.3)  # it waits for its input
+                with open(name, "rb") as file:
+                    output = process.communicate(file.read())[0]
+            os.write(give, b"|")
+            shown = ""
+            while "|" not in shown:
+                shown += os.read(keep, 4096).decode()
+            os.close(give)
+            os.close(keep)
+            self.assertEqual((process.returncode, json.loads(output)["u"]), (0, [0, 1, 2]))
+            self.assertRegex(shown, r"^(\rbatten eval: \d s)+\r\x1b\[K\|$" if terminal else r"^\|$")
 
     def test_standard_output_that_is_full_is_a_failure(self):
         curve = self.file("c.json", CURVE)
