@@ -1,0 +1,84 @@
+/* Any bytes as a SPLINE, a SHAPE and EDITS of it. What is read gives finite numbers or a status; splines pass through
+ * their points, and a point put on the curve leaves the curve where it was. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void check_insert(const bat_spline *spline, const bat_tangents_options *options, int segments) {
+    bat_spline longer;
+    void *block = NULL;
+    int index;
+    double deviation;
+    bat_status status = bat_tangents_insert(spline, options, segments / 2, 0.375, &longer, &block, &index,
+                                            &deviation);
+    if (status != BAT_OK) return;
+    if (longer.count != spline->count + 1 || index <= 0 || index >= longer.count || !(deviation >= 0))
+        abort();
+    if (bat_tangents(&longer, options, NULL, NULL, NULL, NULL) != BAT_OK) abort();
+    bat_free(block);
+}
+
+static void check_spline(const bat_spline *spline) {
+    for (int choice = 0; choice < 6; choice++) {
+        bat_tangents_options options = {(bat_tangents_mode)(choice % 2), (bat_tangents_default)(choice / 2)};
+        bat_joint *joints = malloc((size_t)(spline->count + 1) * sizeof *joints);
+        double *bezier = NULL;
+        int segments = 0, size = spline->dimension;
+        bat_curve *curve = NULL;
+        if (joints && bat_tangents(spline, &options, joints, &bezier, &segments, &curve) == BAT_OK) {
+            for (int i = 0; i < 4 * segments * size; i++)
+                if (!isfinite(bezier[i])) abort();
+            for (int i = 0; i < spline->count; i++)
+                if (!joints[i].dropped && !isnan(joints[i].k) && !(joints[i].k >= 0 && joints[i].k <= 1))
+                    abort();
+            for (int i = 0; i + 1 < segments; i++)
+                if (memcmp(bezier + (4 * i + 3) * size, bezier + 4 * (i + 1) * size,
+                           (size_t)size * sizeof(double)))
+                    abort();
+            check_insert(spline, &options, segments);
+        } else if (bezier || curve) {
+            abort();
+        }
+        free(joints);
+        bat_free(bezier);
+        bat_curve_free(curve);
+    }
+}
+
+/* The first line break parts the SHAPE from the EDITS. */
+static void check_shape(const char *text, size_t size) {
+    const char *cut = memchr(text, '\n', size);
+    size_t first = cut ? (size_t)(cut - text) : size;
+    bat_shape *shape = NULL, *back = NULL;
+    bat_problem problem;
+    char *written = NULL;
+    size_t length = 0;
+    if (bat_shape_read(text, first, &shape, &problem) != BAT_OK) {
+        if (shape) abort();
+        return;
+    }
+    if (cut) bat_shape_edit(shape, cut + 1, size - first - 1, &problem);
+    if (bat_shape_write(shape, &written, &length) == BAT_OK) {
+        if (bat_shape_read(written, length, &back, &problem) == BAT_OK) bat_shape_free(back);
+        bat_free(written);
+    }
+    bat_shape_free(shape);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    const char *text = (const char *)data;
+    bat_spline spline;
+    void *block = NULL;
+    bat_problem problem;
+    if (bat_spline_read(text, size, &spline, &block, &problem) == BAT_OK) {
+        if (spline.count <= 200) check_spline(&spline);
+        bat_free(block);
+    }
+    check_shape(text, size);
+    return 0;
+}

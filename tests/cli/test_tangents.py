@@ -1,0 +1,126 @@
+"""batten tangents: through the points, in the directions, the same curve as B-spline and as Béziers (scipy)."""
+import json
+import math
+import random
+import unittest
+
+import numpy
+from scipy.interpolate import BSpline
+from program import ProgramTest
+
+
+def cubic(b, t):
+    s = 1 - t
+    return s**3 * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t**3 * b[3]
+
+
+def angle(a, b):
+    a, b = a / numpy.linalg.norm(a), b / numpy.linalg.norm(b)
+    return 2 * math.atan2(numpy.linalg.norm(a - b), numpy.linalg.norm(a + b))
+
+
+def k_of(c0, c1, t):
+    """Math 1.2, by angles: the sine of the angle to the outgoing chord over that to the incoming one."""
+    a, b = angle(t, c1), angle(t, c0)
+    return 1 / (1 + math.sqrt(math.sin(a) / math.sin(b) * numpy.linalg.norm(c1) / numpy.linalg.norm(c0)))
+
+
+class Tangents(ProgramTest):
+    def spline(self, spline, *words):
+        return self.json("tangents", self.file("spline.json", spline), *words)
+
+    def as_segments(self, result):
+        """The B-spline's pieces agree with the Béziers, in order; returns them."""
+        bezier = numpy.array(result["bezier"])
+        knots, points, closed = numpy.array(result["knots"]), numpy.array(result["points"]), result["closed"]
+        if closed:  # one period, unrolled by the degree
+            period = knots[-1] - knots[0]
+            knots = numpy.concatenate([knots[-4:-1] - period, knots, knots[1:4] + period])
+            points = numpy.concatenate([points[-3:], points])
+            breaks = numpy.unique(result["knots"])
+        else:
+            breaks = numpy.unique(knots)
+        self.assertEqual(len(breaks) - 1, len(bezier))
+        curve = BSpline(knots, points, 3)
+        for low, high, b in zip(breaks, breaks[1:], bezier):
+            for t in (0.1, 0.5, 0.9):
+                self.assertLess(numpy.abs(curve(low + t * (high - low)) - cubic(b, t)).max(), 1e-11 * 1000)
+        return bezier
+
+    def test_random_splines(self):
+        source = random.Random(4)
+        for turn in range(40):
+            n, size, closed = source.randint(3, 9), 2 + turn % 2, turn % 4 > 1
+            points = numpy.array([[source.uniform(-300, 300) for _ in range(size)] for _ in range(n)])
+            tangents = [[source.uniform(-1, 1) for _ in range(size)] if source.random() < 0.6 else None for _ in range(n)]
+            result = self.spline({"points": points.tolist(), "tangents": tangents, "closed": closed})
+            bezier = self.as_segments(result)
+            self.assertEqual(len(result["k"]), n)
+            self.assertEqual(len(bezier), n if closed else n - 1)
+            for i, b in enumerate(bezier):
+                follower = (i + 1) % n
+                self.assertTrue((b[0] == points[i]).all() and (b[3] == points[follower]).all())
+                if tangents[i]:
+                    self.assertLess(angle(b[1] - b[0], numpy.array(tangents[i])), 1e-9)
+                if tangents[follower]:
+                    self.assertLess(angle(b[3] - b[2], numpy.array(tangents[follower])), 1e-9)
+                if closed or follower:
+                    after = bezier[(i + 1) % len(bezier)] if closed or i + 1 < len(bezier) else None
+                    if after is not None:
+                        self.assertLess(angle(b[3] - b[2], after[1] - after[0]), 1e-9)
+
+    def test_k_and_where_there_is_none(self):
+        points = numpy.array([[0, 0], [100, 0], [150, 80], [300, 60]], float)
+        given = [[1, 0], [1, 0.5], [0, -1], None]
+        result = self.spline({"points": points.tolist(), "tangents": given})
+        self.assertIsNone(result["k"][0])
+        self.assertIsNone(result["k"][3])
+        self.assertIsNone(result["k"][2])  # outside the wedge
+        expected = k_of(points[1] - points[0], points[2] - points[1], numpy.array(given[1]))
+        self.assertAlmostEqual(result["k"][1], expected, delta=1e-12)
+
+    def test_modes_and_defaults(self):
+        corner = {"points": [[0, 0], [4, 0], [4, 9]]}
+        for rule, k in (("centripetal", 0.4), ("uniform", 0.5), ("chordal", 4 / 13)):
+            self.assertAlmostEqual(self.spline(corner, "--default", rule)["k"][1], k, delta=1e-12)
+        self.assertEqual(self.spline(corner), self.spline(corner, "--mode", "faithful", "--default", "centripetal"))
+        outside = dict(corner, tangents=[None, [0.5, -1], None])
+        self.assertIsNone(self.spline(outside)["k"][1])
+        self.assertAlmostEqual(self.spline(outside, "--mode", "paper")["k"][1], 0.02, delta=1e-12)
+
+    def test_tension_stretches_the_handles(self):
+        plain = {"points": [[0, 0], [4, 1], [9, 0]]}
+        one = numpy.array(self.spline(plain)["bezier"])
+        two = numpy.array(self.spline(dict(plain, tension=[None, [0.5, 2], 1]))["bezier"])
+        self.assertLess(numpy.abs((two[0][3] - two[0][2]) - 0.5 * (one[0][3] - one[0][2])).max(), 1e-14)
+        self.assertLess(numpy.abs((two[1][1] - two[1][0]) - 2 * (one[1][1] - one[1][0])).max(), 1e-14)
+        self.as_segments(self.spline(dict(plain, tension=[1, 0, 1])))  # a corner
+
+    def test_its_output_is_a_curve(self):
+        text = self.done("tangents", "-", stdin=json.dumps({"points": [[0, 0], [4, 1], [9, 0]], "closed": True}))
+        self.assertEqual(len(self.json("eval", "-", "--samples", "5", stdin=text)["points"]), 5)
+
+    def test_refusals(self):
+        cases = {
+            '{"points":[[0,0]]}': "points",
+            '{"points":[[1,1],[1,1]]}': "points",
+            '{"tangents":[]}': "points",
+            '{"points":[[0,0],[1,1,1]]}': "points",
+            '{"points":[[0,0],[1,1]],"tangents":[null]}': "tangents",
+            '{"points":[[0,0],[1,1]],"tangents":[null,[1]]}': "tangents",
+            '{"points":[[0,0],[1,1]],"tension":[1,-1]}': "tension",
+            '{"points":[[0,0],[1,1]],"closed":1}': "closed",
+            '{"points":[[0,0],[1,1e80]]}': "",
+            "[]": "spline",
+            "{": "",
+        }
+        for text, word in cases.items():
+            self.assertIn(word, self.refused(1, "tangents", self.file("bad.json", text)), text)
+        good = self.file("good.json", {"points": [[0, 0], [1, 1]]})
+        self.refused(2, "tangents", good, "--mode", "wild")
+        self.refused(2, "tangents", good, "--default", "none")
+        self.refused(1, "tangents", self.folder / "missing.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
