@@ -111,7 +111,68 @@ static void making_and_opening(void **state) {
     }
 }
 
+static void place(bat_editor *editor) {
+    pen p = pen_for(editor);
+    bat_editor_command(editor, "tool-tangents");
+    for (int i = 0; i < 4; i++) {
+        double x = 200 + 150 * i, y = i % 2 ? 500 : 320;
+        p.time += 1000;
+        pen_stroke(&p, pen_arch, (double[]){x, y, x, y, 0}, 1);
+    }
+    bat_editor_command(editor, "accept");
+    bat_editor_frame(editor);
+}
+static void turn(bat_editor *editor) {
+    pen p = pen_for(editor);
+    pen_stroke(&p, pen_arch, (double[]){650 + 44, 500, 650, 500 + 90, 0}, 16);
+    bat_editor_frame(editor);
+}
+static void shift(bat_editor *editor) {
+    pen p = pen_for(editor);
+    pen_event(&p, BAT_POINTER_HOVER, 350, 500);
+    bat_editor_frame(editor);
+    pen_stroke(&p, pen_arch, (double[]){350, 500, 380, 540, 0}, 16);
+    bat_editor_frame(editor);
+}
+static void insert(bat_editor *editor) { bat_editor_command(editor, "point-add"); }
+static void delete (bat_editor *editor) { bat_editor_command(editor, "point-delete"); }
+static void give_free(bat_editor *editor) { bat_editor_command(editor, "free-curve"); }
+
+/* The same of the tangents tool, one step each, on a spline whose last point is chosen. */
+static void failing_each_of_the_tangents(void **state) {
+    (void)state;
+    work *const works[] = {turn, shift, insert, delete, give_free};
+    for (size_t i = 0; i < sizeof works / sizeof *works; i++) {
+        uint64_t after = 0;
+        bool clean = false;
+        for (long n = 0; !clean; n++) {
+            long held = alloc_live();
+            bat_editor *editor = pen_editor();
+            place(editor);
+            uint64_t before = digest(editor);
+            if (n > 0) alloc_fail_at(n);
+            works[i](editor);
+            if (n > 0) clean = !alloc_fail_reached();
+            uint64_t now = digest(editor);
+            if (n == 0) {
+                after = now;
+                assert_true(after != before);
+            }
+            const char *wrong = bat_editor_check(editor);
+            if (wrong) fail_msg("work %zu, allocation %ld: %s", i, n, wrong);
+            if (now != before && now != after && works[i] != turn && works[i] != shift)
+                fail_msg("work %zu, allocation %ld: neither before nor after", i, n);
+            if (clean) assert_true(now == after);
+            bat_editor_frame(editor);
+            assert_null(bat_editor_check(editor));
+            bat_editor_free(editor);
+            assert_true(alloc_live() == held);
+        }
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(making_and_opening), cmocka_unit_test(failing_each)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(making_and_opening), cmocka_unit_test(failing_each),
+                                       cmocka_unit_test(failing_each_of_the_tangents)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
