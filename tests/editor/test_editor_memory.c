@@ -160,7 +160,7 @@ static void failing_each_of_the_tangents(void **state) {
             }
             const char *wrong = bat_editor_check(editor);
             if (wrong) fail_msg("work %zu, allocation %ld: %s", i, n, wrong);
-            if (now != before && now != after && works[i] != turn && works[i] != shift)
+            if (now != before && now != after)
                 fail_msg("work %zu, allocation %ld: neither before nor after", i, n);
             if (clean) assert_true(now == after);
             bat_editor_frame(editor);
