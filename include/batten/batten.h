@@ -6,6 +6,7 @@
 #include <batten/curve.h>
 #include <batten/refine.h>
 #include <batten/bezier.h>
+#include <batten/drag.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/fit.h>
