@@ -51,6 +51,15 @@ void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius
     bat_path_close(path);
 }
 
+void bat_overlay_square(bat_overlay *overlay, const double point[2], double radius) {
+    bat_path *path = &overlay->path;
+    bat_path_move(path, point[0] - radius, point[1] - radius);
+    bat_path_line(path, point[0] + radius, point[1] - radius);
+    bat_path_line(path, point[0] + radius, point[1] + radius);
+    bat_path_line(path, point[0] - radius, point[1] + radius);
+    bat_path_close(path);
+}
+
 void bat_overlay_arc(bat_overlay *overlay, const double centre[2], double radius, double a0, double a1,
                      bool on) {
     bat_path *path = &overlay->path;

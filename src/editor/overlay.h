@@ -25,6 +25,7 @@ void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *poin
 void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1);
 /* A small square on its corner around a point; radius in document units. */
 void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius);
+void bat_overlay_square(bat_overlay *overlay, const double point[2], double radius);
 /* A circle, and the arc of it from angle a0 to a1 (radians from x towards y), which begins a new subpath or, with
  * `on`, goes on with a line from where the path is. */
 void bat_overlay_circle(bat_overlay *overlay, const double centre[2], double radius);
