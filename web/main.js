@@ -10,7 +10,7 @@ import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
 import { Theme } from './theme.js';
 
-const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait'];
+const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move'];
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));

@@ -104,7 +104,11 @@ typedef enum bat_role {
     BAT_ROLE_WEDGE,      /* a zone filled behind the rest: directions that the formula reaches */
     BAT_ROLE_BEYOND,     /* a fainter zone: those outside, still honoured */
     BAT_ROLE_GUIDE,      /* what the pen has snapped to */
-    BAT_ROLE_VALUE       /* labels */
+    BAT_ROLE_VALUE,      /* labels */
+    BAT_ROLE_POLYGON,    /* a control polygon */
+    BAT_ROLE_COMB,       /* the curvature comb; filled: marks on inflections */
+    BAT_ROLE_REACH,      /* how far a brush reaches */
+    BAT_ROLE_ERASED      /* what is going to be rubbed out */
 } bat_role;
 
 enum {
@@ -141,7 +145,9 @@ typedef enum bat_cursor {
     BAT_CURSOR_PEN,
     BAT_CURSOR_GRAB,
     BAT_CURSOR_GRABBING,
-    BAT_CURSOR_WAIT
+    BAT_CURSOR_WAIT,
+    BAT_CURSOR_ARROW,
+    BAT_CURSOR_MOVE
 } bat_cursor;
 
 /* Requests to the host, cleared once the frame has been taken. */

@@ -186,6 +186,10 @@ static bat_status tool_sketch(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_SKETCH);
 }
+static bat_status tool_points(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_POINTS);
+}
 static bat_status tool_tangents(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_TANGENTS);
@@ -205,6 +209,10 @@ static bat_status tool_pan(bat_editor *editor, bool down) {
 TO_TOOL(point_next, POINT_NEXT)
 TO_TOOL(point_previous, POINT_PREVIOUS)
 TO_TOOL(point_add, POINT_ADD)
+TO_TOOL(knot_next, KNOT_NEXT)
+TO_TOOL(knot_previous, KNOT_PREVIOUS)
+TO_TOOL(corner_make, CORNER_MAKE)
+TO_TOOL(corner_smooth, CORNER_SMOOTH)
 TO_TOOL(point_delete, POINT_DELETE)
 TO_TOOL(point_default, POINT_DEFAULT)
 TO_TOOL(nudge_left, NUDGE_LEFT)

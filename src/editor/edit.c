@@ -1,6 +1,7 @@
 #include "editor/edit.h"
 #include "editor/editor.h"
 #include "editor/edit_codec.h"
+#include "editor/put.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -97,22 +98,6 @@ static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve
     return status;
 }
 
-/* Takes the curve over, whatever it returns. */
-static bat_status put_curve(bat_editor *editor, bat_id id, int index, bat_curve *curve) {
-    int at = bat_document_find(editor->document, id);
-    bat_object *after = NULL;
-    bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_curve(bat_document_at(editor->document, at), index, curve,
-                                                       &after);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
-    status = bat_transaction_replace(editor, at, after);
-    bat_object_release(after);
-    return status;
-}
-
 static bat_status remove_curve(bat_editor *editor, bat_id id, int index) {
     int at = bat_document_find(editor->document, id);
     if (at < 0) return BAT_ARGUMENT;
@@ -133,7 +118,7 @@ bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *
     else if (edit->kind == BAT_EDIT_NEW)
         status = insert_new(editor, edit, curve);
     else
-        status = put_curve(editor, edit->object, edit->curve, curve);
+        status = bat_put_curve(editor, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
         status = remove_curve(editor, edit->other, edit->other_curve);

@@ -7,6 +7,7 @@
 #include "editor/contacts.h"
 #include "editor/line.h"
 #include "editor/overlay.h"
+#include "editor/pointing.h"
 #include "editor/scene.h"
 #include "editor/selection.h"
 #include "editor/sketching.h"
@@ -37,6 +38,7 @@ struct bat_editor {
     bat_tool_id tool;
     bat_sketching sketching;
     bat_splining splining;
+    bat_pointing pointing;
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */

@@ -47,12 +47,27 @@ bool bat_knot_near(const bat_curve *curve, double u, double *knot) {
 
 static double distance(const double a[2], const double b[2]) { return bat_hypot(a[0] - b[0], a[1] - b[1]); }
 
-/* Mean of the p inner knots of a control point, reduced into the domain of a closed curve. */
-static double greville(const bat_curve *curve, int index) {
+double bat_handle_greville(const bat_curve *curve, int index) {
     int p = curve->degree, stored = curve->closed ? index + p : index;
     double sum = 0;
     for (int i = 1; i <= p; i++) sum += curve->knots[stored + i];
     return bat_curve_reduce(curve, sum / p);
+}
+
+void bat_knots_reached(const bat_curve *curve, double u, double range[2]) {
+    int p = curve->degree, span;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    u = bat_curve_reduce(curve, u);
+    span = bat_span(curve, u, p);
+    /* stored knots reach p beyond the domain, no further */
+    int first = span - p, last = span + p + 1, top = curve->spread + p;
+    range[0] = first < 0 ? domain[0] : curve->knots[first];
+    range[1] = last > top ? domain[1] : curve->knots[last];
+    if (!curve->closed) {
+        range[0] = fmax(range[0], domain[0]);
+        range[1] = fmin(range[1], domain[1]);
+    }
 }
 
 bool bat_handle_find(const bat_curve *curve, const double point[2], double reach, bat_handle *out) {
@@ -67,7 +82,7 @@ bool bat_handle_find(const bat_curve *curve, const double point[2], double reach
         out->kind = BAT_HANDLE_POINT;
         out->index = i;
     }
-    if (found) out->u = greville(curve, out->index);
+    if (found) out->u = bat_handle_greville(curve, out->index);
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL); after = u) {
         double at[2];
         bat_curve_eval(curve, u, 0, at);
@@ -96,7 +111,8 @@ void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double o
 static bool in_sight(const bat_view *view, const double point[2]) {
     double screen[2];
     bat_view_to_screen(view, point, screen);
-    return screen[0] > -20 && screen[1] > -20 && screen[0] < view->width + 20 && screen[1] < view->height + 20;
+    return screen[0] > -20 && screen[1] > -20 && screen[0] < view->width + 20 &&
+           screen[1] < view->height + 20;
 }
 
 void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_view *view) {

@@ -34,6 +34,10 @@ bool bat_knot_near(const bat_curve *curve, double u, double *knot);
 /* The control point or knot of the curve nearest to the point within `reach`; of equals the control point.
  * kind, index and u of *out are set. */
 bool bat_handle_find(const bat_curve *curve, const double point[2], double reach, bat_handle *out);
+/* The parameter that a control point belongs to: the mean of its p inner knots. */
+double bat_handle_greville(const bat_curve *curve, int index);
+/* The stretch that changes when the curve is pulled at u: the support of the basis functions there. */
+void bat_knots_reached(const bat_curve *curve, double u, double range[2]);
 void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double out[2]);
 
 /* Knots as diamonds, a ring for each further multiplicity; ends of open curves as bars across. */
