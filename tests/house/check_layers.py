@@ -19,7 +19,7 @@ MAY_USE = {
 
 # The layer of each public header. A new header needs a line here.
 LAYER_OF_HEADER = {
-    "base": "curve", "curve": "curve", "refine": "curve", "bezier": "curve", "measure": "curve",
+    "base": "curve", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve",
     "sketch": "shape", "tangents": "shape", "levels": "shape",
     "document": "document",
