@@ -352,7 +352,9 @@ export class Panel {
   show(frame) {
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
-    const shown = [frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
+    // Values that the canvas shows, for those who do not see it; not while they still run.
+    const values = frame.busy ? null : frame.labels.map((label) => label.text).join(', ');
+    const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
       frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint, frame.pending, frame.error].join('\n');
     if (shown === this.shown) {
       return;
@@ -363,6 +365,9 @@ export class Panel {
     part('unsaved').hidden = !frame.unsaved;
     document.title = `${frame.unsaved ? '• ' : ''}${name} – Batten`;
     part('hint').textContent = frame.hint;
+    if (values !== null) {
+      part('values').textContent = values;
+    }
     this.#able('undo', frame.canUndo);
     this.#able('redo', frame.canRedo);
     this.tables.tools.forEach((tool, index) => {

@@ -69,6 +69,7 @@
  * @property {number} knotsBefore
  * @property {number} knotsAfter
  * @property {boolean} pending a fit waits for a yes or a no
+ * @property {boolean} busy a stroke or a drag is under way
  * @property {number} error of the fit shown, document units; 0: there is none
  * @property {number} tolerance document units
  * @property {string} hint

@@ -2,6 +2,7 @@
 import json
 import math
 import random
+import re
 import unittest
 
 import numpy
@@ -99,6 +100,36 @@ class Tangents(ProgramTest):
     def test_its_output_is_a_curve(self):
         text = self.done("tangents", "-", stdin=json.dumps({"points": [[0, 0], [4, 1], [9, 0]], "closed": True}))
         self.assertEqual(len(self.json("eval", "-", "--samples", "5", stdin=text)["points"]), 5)
+
+    def test_a_session_of_the_tool_replayed(self):
+        """A journal by hand: three taps, the last with a dragged direction, then a point put on the curve."""
+        lines = [{"journal": "batten", "version": 1, "name": "by hand"}, {"resize": [800, 600, 1]},
+                 {"command": "tool-tangents"}]
+        time = 0
+        for x, y, dx, dy in ((100, 300, 0, 0), (300, 200, 0, 0), (500, 300, 30, 40)):
+            time += 1000
+            pen = {"device": "pen", "id": 1}
+            lines.append({"pointer": "down", **pen, "buttons": 1, "x": x, "y": y, "time": time})
+            lines.append({"pointer": "move", **pen, "buttons": 1, "x": x + dx, "y": y + dy, "time": time + 20})
+            lines.append({"pointer": "up", **pen, "x": x + dx, "y": y + dy, "time": time + 40})
+        lines += [{"command": "accept"}, {"command": "point-add"}]
+        journal = self.file("s.journal", "".join(json.dumps(line) + "\n" for line in lines))
+        self.json("replay", journal, "--check", "--output", self.folder / "out.batten")
+        objects = json.loads((self.folder / "out.batten").read_text())["objects"]
+        self.assertEqual([item["kind"] for item in objects], ["spline"])
+        spline = objects[0]["spline"]
+        self.assertEqual(len(spline["points"]), 4)
+        self.assertLess(angle(numpy.array(spline["tangents"][-1]), numpy.array([3.0, 4.0])), 1e-9)
+        self.assertEqual(objects[0], json.loads(self.done(
+            "convert", self.folder / "out.batten", "-", "--to", "batten"))["objects"][0])
+        # As SVG and back it is still a spline; the program draws what it gives.
+        self.done("convert", self.folder / "out.batten", self.folder / "out.svg")
+        back = json.loads(self.done("convert", self.folder / "out.svg", "-", "--to", "batten"))
+        self.assertEqual(back["objects"], objects)
+        drawn = numpy.array(self.spline(spline)["bezier"])
+        path = next(line for line in (self.folder / "out.svg").read_text().split("<") if line.startswith("path"))
+        numbers = [float(n) for n in re.findall(r"-?[0-9.]+(?:e-?[0-9]+)?", path.split(' d="')[1].split('"')[0])]
+        self.assertLess(numpy.abs(numpy.array(numbers[-6:]) - drawn[-1][1:].ravel()).max(), 1e-9)
 
     def test_refusals(self):
         cases = {

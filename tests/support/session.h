@@ -48,12 +48,14 @@ static inline void session_stroke(bat_editor *editor, session_bytes *bytes, doub
 }
 
 static inline void session_event(bat_editor *editor, session_bytes *bytes, double *time) {
-    static const char *const commands[] = {"undo",           "redo",        "accept",   "cancel",
-                                           "view-fit",       "zoom-in",     "zoom-out", "zoom-100",
-                                           "tool-pan",       "tool-sketch", "save",     "tolerance-up",
-                                           "tolerance-down", "hold-pan",    "pan-left", "nonsense"};
-    static const char *const keys[] = {"z",   "y", "Enter", "Escape", " ", "[", "]",
-                                       "Alt", "1", "f",     "n",      "h", "",  "+"};
+    static const char *const commands[] = {
+        "undo",           "redo",      "accept",       "cancel",        "view-fit",      "zoom-in",
+        "zoom-out",       "zoom-100",  "tool-pan",     "tool-sketch",   "save",          "tolerance-up",
+        "tolerance-down", "hold-pan",  "pan-left",     "nonsense",      "tool-tangents", "tool-tangents",
+        "point-next",     "point-add", "point-delete", "point-default", "nudge-up",      "free-curve"};
+    static const char *const keys[] = {"z",   "y",   "Enter",     "Escape",    " ", "[", "]",
+                                       "Alt", "1",   "f",         "n",         "h", "",  "+",
+                                       "t",   "Tab", "Backspace", "ArrowLeft", "d"};
     static const char *const properties[] = {"tolerance", "transition-width", "keep-corners",
                                              "palm-rejection"};
     uint8_t what = session_byte(bytes);
@@ -78,9 +80,9 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
         bat_editor_wheel(editor, x, y, session_byte(bytes) - 128.0, dy, what & 7u, *time);
     } else if (what < 220) {
         uint8_t more = session_byte(bytes);
-        bat_editor_key(editor, keys[more % 14], more < 200, what & 7u, *time);
+        bat_editor_key(editor, keys[more % 19], more < 200, what & 7u, *time);
     } else if (what < 240) {
-        bat_editor_command(editor, commands[session_byte(bytes) % 16]);
+        bat_editor_command(editor, commands[session_byte(bytes) % 24]);
     } else if (what < 245) {
         bat_editor_resize(editor, session_place(bytes), session_place(bytes), session_place(bytes) / 300);
     } else if (what < 250) {

@@ -242,6 +242,36 @@ static void session(parity_sink *sink) {
     bat_editor_free(editor);
 }
 
+/* Directions all round the clock, tension, loops, space; and a point put on the curve. */
+static void tangents(parity_sink *sink) {
+    enum { COUNT = 9 };
+    random_source r = {12};
+    for (int k = 0; k < 12; k++) {
+        double points[3 * COUNT], tangents[3 * COUNT], tension[2 * COUNT], deviation = 0;
+        for (int i = 0; i < 3 * COUNT; i++) points[i] = random_between(&r, -300, 300);
+        for (int i = 0; i < 3 * COUNT; i++) tangents[i] = i / 3 % 3 ? random_between(&r, -1, 1) : 0;
+        for (int i = 0; i < 2 * COUNT; i++) tension[i] = random_between(&r, 0.5, 2);
+        bat_spline spline = {2 + k % 2, k % 3 == 0, COUNT, points, tangents, k % 4 ? tension : NULL}, longer;
+        bat_tangents_options options = {(bat_tangents_mode)(k % 5 == 4), (bat_tangents_default)(k % 3)};
+        bat_joint joints[COUNT];
+        bat_curve *curve = NULL;
+        void *block = NULL;
+        int index = 0;
+        bat_status status = bat_tangents(&spline, &options, joints, NULL, NULL, &curve);
+        if (status == BAT_OK)
+            for (int i = 0; i < COUNT; i++) {
+                put(sink, isnan(joints[i].k) ? -1 : joints[i].k);
+                put(sink, isnan(joints[i].angle_in) ? -1 : joints[i].angle_in);
+                put_many(sink, 3, joints[i].left), put_many(sink, 3, joints[i].right);
+            }
+        put_curve(sink, status, curve);
+        status = bat_tangents_insert(&spline, &options, k % 7, 0.3, &longer, &block, &index, &deviation);
+        put(sink, status), put(sink, deviation);
+        if (status == BAT_OK) put_many(sink, (size_t)(2 * longer.count), longer.tension);
+        bat_free(block);
+    }
+}
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
@@ -251,5 +281,6 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"surgery", surgery},
                                           {"fit", fit},
                                           {"sketch", sketch},
+                                          {"tangents", tangents},
                                           {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);

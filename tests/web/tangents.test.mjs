@@ -168,6 +168,8 @@ test('the keyboard alone: choose, turn, read, convert', async () => {
   const { spline } = await newest(page);
   assert.equal(spline.tangents.filter(Boolean).length, 1);
   assert.match((await labels(page))[0], /^out \d+\.\d°$/);
+  await settle(page);
+  assert.match(await page.textContent('#values'), /^out \d+\.\d°, tension|^out \d+\.\d°$/);
   await page.keyboard.press('d');
   assert.equal((await newest(page)).spline.tangents, undefined);
   await page.evaluate(() => batten.engine.command('free-curve'));

@@ -74,6 +74,7 @@ const module_field *module_layout(void) {
         {"frame.knots_before", offsetof(bat_frame, knots_before)},
         {"frame.knots_after", offsetof(bat_frame, knots_after)},
         {"frame.pending", offsetof(bat_frame, pending)},
+        {"frame.busy", offsetof(bat_frame, busy)},
         {"frame.error", offsetof(bat_frame, error)},
         {"frame.tolerance", offsetof(bat_frame, tolerance)},
         {"frame.hint", offsetof(bat_frame, hint)},
