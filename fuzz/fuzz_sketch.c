@@ -76,7 +76,7 @@ static void check_kept(const bat_curve *old, const bat_curve *now, const bat_ske
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    enum { ROOM = 64 };
+    enum { ROOM = 511 };
     bytes in = {data, size};
     const bool wild = small(&in, 3) == 0;
     const int dimension = 2 + (small(&in, 3) == 0);
@@ -89,7 +89,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (wild) options.pixel = fabs(number(&in, true));
     bat_curve *a = read_curve(&in, dimension, wild), *b = read_curve(&in, dimension, wild);
     double points[ROOM * 3], x[3] = {0};
-    const size_t count = (size_t)small(&in, ROOM);
+    const size_t count = (size_t)(small(&in, 255) + 256 * small(&in, 1));
     const bool along = small(&in, 1) && a; /* near the curve, so that more than BAT_FAR happens */
     for (size_t i = 0; i < count; i++) {
         if (along) {
@@ -116,9 +116,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         if (out && !wild && options.pins == 3) check_kept(a, out, &report);
         bat_sketch_live *live;
         if (bat_sketch_begin(a, BAT_SKETCH_REDRAW, &options, dimension, &live) == BAT_OK) {
-            for (size_t i = 0; i < count; i += 21) {
+            for (size_t i = 0; i < count; i += 61) {
                 const bat_stroke part = {.dimension = dimension,
-                                         .count = i + 21 < count ? 21 : count - i,
+                                         .count = i + 61 < count ? 61 : count - i,
                                          .points = points + i * (size_t)dimension};
                 if (bat_sketch_add(live, &part) != BAT_OK) abort();
                 bat_curve *shown = NULL;
