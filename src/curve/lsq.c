@@ -165,14 +165,17 @@ void bat_lsq_assemble(const bat_curve *space, int dimension, size_t count, const
     }
 }
 
-void bat_lsq_penalty(const bat_curve *space, int order, double mu, const double *factor, double *a) {
+/* transforms: one a slot, or NULL. */
+static void add_penalty(const bat_curve *space, int order, double mu, const double *factor,
+                        const double *transforms, double *a) {
     const int p = space->degree, w = p + 1, rows = w - order;
     const double *t = space->knots + p;
     for (int s = 0; s < bat_lsq_slots(space); s++) {
         if (!(t[s + 1] > t[s])) continue;
         const double half = 0.5 * (t[s + 1] - t[s]);
-        double T[ORDERS * ORDERS], D[ORDERS * ORDERS], m[2 * BAT_DEGREE_MAX + 1];
-        bat_lsq_transform(space, s, T);
+        double own[ORDERS * ORDERS], D[ORDERS * ORDERS], m[2 * BAT_DEGREE_MAX + 1];
+        const double *T = transforms ? transforms + (size_t)s * (size_t)(w * w) : own;
+        if (!transforms) bat_lsq_transform(space, s, own);
         for (int k = 0; k < rows; k++) {
             double f = 1; /* (k + order)! / k! / half^order */
             for (int i = 1; i <= order; i++) f *= (k + i) / half;
@@ -180,26 +183,139 @@ void bat_lsq_penalty(const bat_curve *space, int order, double mu, const double 
         }
         for (int k = 0; k <= 2 * (rows - 1); k++)
             m[k] = k % 2 ? 0 : 2.0 / (k + 1) * half * mu * (factor ? factor[s] : 1);
-        add_gram(space, s, p, D, rows, m, a);
+        if (p == 3 && rows == 1)
+            add_gram(space, s, 3, D, 1, m, a);
+        else
+            add_gram(space, s, p, D, rows, m, a);
     }
 }
 
-void bat_lsq_local(const bat_curve *space, int dimension, const double *points, double *local) {
+void bat_lsq_penalty(const bat_curve *space, int order, double mu, const double *factor, double *a) {
+    add_penalty(space, order, mu, factor, NULL, a);
+}
+
+static inline void local_of(const bat_curve *space, int slot, const int p, const int dimension,
+                            const double *T, const double *points, double *local) {
+    const int w = p + 1;
+    const double *P[ORDERS];
+    for (int j = 0; j < w; j++) P[j] = points + (size_t)bat_lsq_unknown(space, slot + j) * (size_t)dimension;
+    for (int k = 0; k < w; k++)
+        for (int c = 0; c < dimension; c++) {
+            double sum = 0;
+            for (int j = 0; j < w; j++) sum += T[k * w + j] * P[j][c];
+            local[k * dimension + c] = sum;
+        }
+}
+
+static void find_local(const bat_curve *space, int dimension, const double *points, const double *transforms,
+                       double *local) {
     const int p = space->degree, w = p + 1;
     const double *t = space->knots + p;
     for (int s = 0; s < bat_lsq_slots(space); s++, local += w * dimension) {
         if (!(t[s + 1] > t[s])) continue;
-        double T[ORDERS * ORDERS];
-        const double *P[ORDERS];
-        bat_lsq_transform(space, s, T);
-        for (int j = 0; j < w; j++) P[j] = points + (size_t)bat_lsq_unknown(space, s + j) * (size_t)dimension;
-        for (int k = 0; k < w; k++)
-            for (int c = 0; c < dimension; c++) {
-                double sum = 0;
-                for (int j = 0; j < w; j++) sum += T[k * w + j] * P[j][c];
-                local[k * dimension + c] = sum;
-            }
+        double own[ORDERS * ORDERS];
+        const double *T = transforms ? transforms + (size_t)s * (size_t)(w * w) : own;
+        if (!transforms) bat_lsq_transform(space, s, own);
+        if (p == 3 && dimension == 2)
+            local_of(space, s, 3, 2, T, points, local);
+        else
+            local_of(space, s, p, dimension, T, points, local);
     }
+}
+
+void bat_lsq_local(const bat_curve *space, int dimension, const double *points, double *local) {
+    find_local(space, dimension, points, NULL, local);
+}
+
+/* ---- What one solve leaves to the next ---- */
+
+static size_t gram_size(int degree, int dimension) {
+    const size_t w = (size_t)degree + 1;
+    return w * (w + 1) / 2 + w * (size_t)dimension;
+}
+
+size_t bat_lsq_memo_size(int degree, int dimension, size_t slots) {
+    const size_t w = (size_t)degree + 1;
+    return slots * (1 + w * w + bat_lsq_moment_size(degree, dimension) + gram_size(degree, dimension)) +
+           2 * w;
+}
+
+void bat_lsq_memo_place(bat_lsq_memo *memo, int degree, int dimension, size_t slots, double *block) {
+    const size_t w = (size_t)degree + 1;
+    memo->slots = 0;
+    memo->knots = block;
+    memo->transforms = memo->knots + slots + 2 * w;
+    memo->moments = memo->transforms + slots * w * w;
+    memo->grams = memo->moments + slots * bat_lsq_moment_size(degree, dimension);
+}
+
+void bat_lsq_memo_fill(const bat_curve *space, int dimension, const size_t *first, const double *u,
+                       const double *x, const double *weight, const bat_lsq_memo *old, bool same_samples,
+                       bat_lsq_memo *now) {
+    const int p = space->degree, w = p + 1, slots = bat_lsq_slots(space);
+    const size_t moment_size = bat_lsq_moment_size(p, dimension), gram = gram_size(p, dimension);
+    const size_t corner = (size_t)(w * w);
+    const double *t = space->knots + p, *before = old->knots + p;
+    memcpy(now->knots, space->knots, (size_t)(slots + 2 * p + 1) * sizeof *t);
+    now->slots = slots;
+    int o = 0;
+    for (int s = 0; s < slots; s++) {
+        if (!(t[s + 1] > t[s])) continue;
+        while (o < old->slots && before[o + 1] <= t[s]) o++;
+        double *T = now->transforms + (size_t)s * corner, *m = now->moments + (size_t)s * moment_size;
+        double *g = now->grams + (size_t)s * gram;
+        bool same = o < old->slots && before[o] == t[s] && before[o + 1] == t[s + 1];
+        const bool counted = same && same_samples;
+        for (int j = 1 - p; same && j <= p; j++) same = before[o + j] == t[s + j];
+        if (same)
+            memcpy(T, old->transforms + (size_t)o * corner, corner * sizeof *T);
+        else
+            bat_lsq_transform(space, s, T);
+        if (counted)
+            memcpy(m, old->moments + (size_t)o * moment_size, moment_size * sizeof *m);
+        else
+            bat_lsq_moments(space, s, dimension, first[s + 1] - first[s], u + first[s],
+                            x + first[s] * (size_t)dimension, weight ? weight + first[s] : NULL, m);
+        if (same && counted) {
+            memcpy(g, old->grams + (size_t)o * gram, gram * sizeof *g);
+            continue;
+        }
+        /* As if the slot were a whole space of p + 1 unknowns. */
+        double a[ORDERS * ORDERS] = {0}, b[ORDERS * BAT_DIMENSION_MAX] = {0};
+        const bat_curve alone = {.degree = p, .count = w};
+        bat_lsq_add(&alone, 0, dimension, T, m, a, b);
+        for (int r = 0; r < w; r++)
+            for (int d = 0; d <= r; d++) *g++ = a[r * w + d];
+        memcpy(g, b, (size_t)(w * dimension) * sizeof *g);
+    }
+}
+
+void bat_lsq_memo_add(const bat_curve *space, int dimension, const bat_lsq_memo *memo, double *a, double *b) {
+    const int p = space->degree, w = p + 1, slots = bat_lsq_slots(space);
+    const size_t gram = gram_size(p, dimension);
+    const double *t = space->knots + p;
+    for (int s = 0; s < slots; s++) {
+        if (!(t[s + 1] > t[s])) continue;
+        const double *g = memo->grams + (size_t)s * gram;
+        for (int r = 0; r < w; r++) {
+            double *row = a + (size_t)bat_lsq_unknown(space, s + r) * (size_t)w;
+            for (int d = 0; d <= r; d++) row[d] += *g++;
+        }
+        for (int r = 0; r < w; r++) {
+            double *row = b + (size_t)bat_lsq_unknown(space, s + r) * (size_t)dimension;
+            for (int c = 0; c < dimension; c++) row[c] += *g++;
+        }
+    }
+}
+
+void bat_lsq_memo_penalty(const bat_curve *space, int order, double mu, const double *factor,
+                          const bat_lsq_memo *memo, double *a) {
+    add_penalty(space, order, mu, factor, memo->transforms, a);
+}
+
+void bat_lsq_memo_local(const bat_curve *space, int dimension, const bat_lsq_memo *memo, const double *points,
+                        double *local) {
+    find_local(space, dimension, points, memo->transforms, local);
 }
 
 /* Position, and first and second derivative by s. */
@@ -295,6 +411,40 @@ static inline void measure_slot(const int p, const int dimension, const double *
         distance[i] = d;
         expected[i] = d - g * g / (safe > 0 ? safe : 1);
         near[i] = u[i] - g / (safe > 0 ? safe : 1) * half;
+    }
+}
+
+static inline void plain_slot(const int p, const int dimension, const double *restrict local, double middle,
+                              double half, size_t count, const double *restrict u, const double *restrict x,
+                              double *restrict distance) {
+    const double inverse = 1 / half;
+    for (size_t i = 0; i < count; i++) {
+        const double s = (u[i] - middle) * inverse;
+        double d = 0;
+        for (int c = 0; c < dimension; c++) {
+            double f = local[p * dimension + c];
+            for (int k = p - 1; k >= 0; k--) f = f * s + local[k * dimension + c];
+            f -= x[i * (size_t)dimension + (size_t)c];
+            d += f * f;
+        }
+        distance[i] = d;
+    }
+}
+
+void bat_lsq_plain(const bat_curve *space, int dimension, const double *local, const size_t *first,
+                   const double *u, const double *x, double *distance) {
+    const int p = space->degree, slots = bat_lsq_slots(space);
+    const double *t = space->knots + p;
+    for (int s = 0; s < slots; s++) {
+        const size_t from = first[s], count = first[s + 1] - from;
+        if (count == 0) continue;
+        const double middle = middle_of(t + s), half = 0.5 * (t[s + 1] - t[s]);
+        const double *piece = local + (size_t)s * (size_t)((p + 1) * dimension);
+        if (p == 3 && dimension == 2)
+            plain_slot(3, 2, piece, middle, half, count, u + from, x + 2 * from, distance + from);
+        else
+            plain_slot(p, dimension, piece, middle, half, count, u + from, x + from * (size_t)dimension,
+                       distance + from);
     }
 }
 

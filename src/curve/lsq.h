@@ -68,6 +68,34 @@ void bat_lsq_penalty(const bat_curve *space, int order, double mu, const double 
 void bat_lsq_local(const bat_curve *space, int dimension, const double *points, double *local);
 
 /*
+ * A memo keeps what belongs to single slots from one solve to the next: where knots are as they were, nothing
+ * is computed again. Two are needed, the last solve's and this one's, which then change places.
+ *     fill(space, ..., &old, same_samples, &now); add(..., &now, a, b); penalty(...); ... local(...)
+ * does what assemble, penalty and local do. An empty memo (slots 0, as placed) remembers nothing.
+ */
+typedef struct bat_lsq_memo {
+    int slots;
+    double *knots, *transforms, *moments, *grams;
+} bat_lsq_memo;
+/* Doubles that a memo for so many slots needs. */
+size_t bat_lsq_memo_size(int degree, int dimension, size_t slots);
+/* block is borrowed. */
+void bat_lsq_memo_place(bat_lsq_memo *memo, int degree, int dimension, size_t slots, double *block);
+/* first: of bat_lsq_ranges. same_samples: u, x and weight are those of the old memo. */
+void bat_lsq_memo_fill(const bat_curve *space, int dimension, const size_t *first, const double *u,
+                       const double *x, const double *weight, const bat_lsq_memo *old, bool same_samples,
+                       bat_lsq_memo *now);
+void bat_lsq_memo_add(const bat_curve *space, int dimension, const bat_lsq_memo *memo, double *a, double *b);
+void bat_lsq_memo_penalty(const bat_curve *space, int order, double mu, const double *factor,
+                          const bat_lsq_memo *memo, double *a);
+void bat_lsq_memo_local(const bat_curve *space, int dimension, const bat_lsq_memo *memo, const double *points,
+                        double *local);
+
+/* Squared distances at the samples' own parameters; first: of bat_lsq_ranges. */
+void bat_lsq_plain(const bat_curve *space, int dimension, const double *local, const size_t *first,
+                   const double *u, const double *x, double *distance);
+
+/*
  * Distance of samples to the curve: `steps` Newton steps from u[i], never farther than where they start.
  * near: the parameters found, or NULL; distance: squared distances, or NULL. Returns the greatest squared
  * distance. u ascending (it costs only time when not). The truth is never greater than what this says.

@@ -133,9 +133,12 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     memset(k->b, 0, (size_t)n * (size_t)m * sizeof *k->b);
     bat_lsq_ranges(&k->space, q->count, q->w, k->first);
     factors(k);
-    bat_lsq_assemble(&k->space, m, q->count, q->w, q->x, q->weight, k->a, k->b);
+    const bat_lsq_memo last = k->memo[1];
+    k->memo[1] = k->memo[0], k->memo[0] = last;
+    bat_lsq_memo_fill(&k->space, m, k->first, q->w, q->x, q->weight, &k->memo[1], true, &k->memo[0]);
+    bat_lsq_memo_add(&k->space, m, &k->memo[0], k->a, k->b);
     const double omega = q->wavelength / (2 * BAT_PI), mu = omega * omega * omega;
-    bat_lsq_penalty(&k->space, 3, mu * mu, k->factor, k->a);
+    bat_lsq_memo_penalty(&k->space, 3, mu * mu, k->factor, &k->memo[0], k->a);
     if (k->ridge > 0)
         for (int i = 0; i < n; i++) {
             double *diagonal = k->a + (size_t)i * (size_t)(p + 1);
@@ -159,27 +162,30 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
         bat_banded_solve(k->a, n, p, k->b, m);
     }
     memcpy(k->points, k->b, (size_t)n * (size_t)m * sizeof *k->points);
-    bat_lsq_local(&k->space, m, k->points, k->local);
+    bat_lsq_memo_local(&k->space, m, &k->memo[0], k->points, k->local);
+    k->holds_best = false;
+    if (k->exact)
+        bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, 2, NULL, k->distance);
+    else
+        bat_lsq_plain(&k->space, m, k->local, k->first, q->w, q->x, k->distance);
     /* Most samples are near enough at their own parameter; only the others are projected. */
-    double worst = bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, k->exact ? 2 : 0, NULL,
-                                 k->distance);
-    for (size_t i = 0; !k->exact && worst < INFINITY && i < q->count;) {
+    bool fine = true;
+    for (size_t i = 0; i < q->count;) {
+        if (!bat_local_fails(k, i)) {
+            i++;
+            continue;
+        }
         const size_t from = i;
         while (i < q->count && bat_local_fails(k, i)) i++;
-        if (i > from)
+        if (!k->exact)
             bat_lsq_error(&k->space, m, k->local, i - from, q->w + from, q->x + from * (size_t)m, 2, NULL,
                           k->distance + from);
-        else
-            i++;
+        for (size_t j = from; j < i; j++) {
+            fine = fine && !bat_local_fails(k, j);
+            if (!(k->distance[j] < INFINITY)) *status = BAT_NUMBER;
+        }
     }
-    k->holds_best = false;
-    if (!(worst < INFINITY)) {
-        *status = BAT_NUMBER;
-        return false;
-    }
-    for (size_t i = 0; i < q->count; i++)
-        if (bat_local_fails(k, i)) return false;
-    return speed_kept(k);
+    return *status == BAT_OK && fine && speed_kept(k);
 }
 
 static void set_copy(bat_knot_set *to, const bat_knot_set *from) {
@@ -244,6 +250,7 @@ static bool split_failing(bat_local_machine *k) {
     const bat_knot_set *now = &k->best;
     next->count = 0;
     bool changed = false;
+    size_t window = 0; /* first sample that the softening of this slot reaches */
     for (int s = 0; s < slots; s++) {
         if (s >= 1) { /* knot at the start of slot s is interior knot s - 1 */
             next->w[next->count] = now->w[s - 1];
@@ -256,9 +263,9 @@ static bool split_failing(bat_local_machine *k) {
         if (!fails) continue;
         const double v = q->law[k->first[s] < q->count ? k->first[s] : q->count - 1];
         if (h * v < q->wavelength) {
-            for (size_t i = 0; i < q->count; i++)
-                if (q->w[i] > t[s] - q->wavelength && q->w[i] < t[s + 1] + q->wavelength &&
-                    k->soft[i] > 1e-9 && k->soft[i] <= 1) {
+            while (window < q->count && q->w[window] <= t[s] - q->wavelength) window++;
+            for (size_t i = window; i < q->count && q->w[i] < t[s + 1] + q->wavelength; i++)
+                if (k->soft[i] > 1e-9 && k->soft[i] <= 1) {
                     k->soft[i] *= -softer; /* negative: done in this round */
                     changed = true;
                 }
@@ -308,6 +315,7 @@ static void mark_wild(bat_local_machine *k) {
 
 static void machine_free(bat_local_machine *k) {
     free(k->space.knots);
+    free(k->remembered);
     free(k->a);
     free(k->b);
     free(k->local);
@@ -336,6 +344,10 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     const size_t n = (size_t)(k->room + 2 * p + 4), m = (size_t)q->dimension;
     k->space.degree = p, k->space.dimension = q->dimension, k->space.closed = q->closed;
     k->space.knots = calloc(n + (size_t)(2 * p), sizeof(double));
+    const size_t memo = bat_lsq_memo_size(p, q->dimension, n);
+    k->remembered = malloc(2 * memo * sizeof(double));
+    for (size_t i = 0; i < 2 && k->remembered; i++)
+        bat_lsq_memo_place(&k->memo[i], p, q->dimension, n, k->remembered + i * memo);
     k->a = malloc(n * (size_t)(p + 1) * sizeof(double));
     k->b = malloc(n * m * sizeof(double));
     k->points = malloc(n * m * sizeof(double));
@@ -349,8 +361,9 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     k->distance = malloc(q->count * sizeof(double));
     k->soft = malloc(q->count * sizeof(double));
     k->wild = calloc(q->count, 1);
-    bool fine = k->space.knots && k->a && k->b && k->points && k->local && k->factor && k->rank && k->slow &&
-                k->first && k->limit && k->distance && k->soft && k->wild && (!q->closed || k->border);
+    bool fine = k->space.knots && k->remembered && k->a && k->b && k->points && k->local && k->factor &&
+                k->rank && k->slow && k->first && k->limit && k->distance && k->soft && k->wild &&
+                (!q->closed || k->border);
     bat_knot_set *sets[3] = {&k->best, &k->trial, &k->spare};
     for (int i = 0; i < 3; i++) {
         sets[i]->w = malloc(n * sizeof(double));

@@ -62,6 +62,8 @@ typedef struct bat_local_machine {
     int room; /* interior knots that fit in the arrays */
     struct bat_curve space;
     double *a, *b, *local, *factor, *border, *rank;
+    bat_lsq_memo memo[2]; /* of the last solve, and of the one before */
+    double *remembered;   /* their block */
     size_t *first;
     double *limit;       /* squared allowed error a sample */
     double *distance;    /* squared error a sample, of the last solve */

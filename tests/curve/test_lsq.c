@@ -159,6 +159,59 @@ static void check_rank(const bat_curve *curve) {
     bat_curve_free(more);
 }
 
+/* One solve after the other with knots removed and new, same samples and others: the sums are those of a fresh
+ * assembly, and so are penalty and local polynomials; plain distances are those of no Newton step. */
+static void check_memo(const bat_curve *curve) {
+    const int p = curve->degree, m = curve->dimension;
+    double u[SAMPLES], x[SAMPLES * 3], w[SAMPLES], *block[2];
+    bat_lsq_memo memo[2];
+    const size_t size = bat_lsq_memo_size(p, m, 64);
+    for (int i = 0; i < 2; i++) {
+        assert_non_null(block[i] = malloc(size * sizeof(double)));
+        bat_lsq_memo_place(&memo[i], p, m, 64, block[i]);
+    }
+    bat_curve_spread(curve, SAMPLES, u);
+    for (int i = 0; i < SAMPLES; i++) {
+        w[i] = 0.1 + uniform();
+        for (int c = 0; c < m; c++) x[i * m + c] = 100 * uniform();
+    }
+    for (int round = 0; round < 6; round++) {
+        bat_curve *finer = NULL; /* another knot each time, so that old ones go */
+        const double at = curve->knots[p] +
+                          (0.1 + 0.15 * round) * (curve->knots[curve->spread] - curve->knots[p]);
+        assert_int_equal(bat_curve_insert_knot(curve, at, 1, &finer), BAT_OK);
+        const bat_curve *space = round == 3 ? curve : finer;
+        if (round == 4)
+            for (int i = 0; i < SAMPLES * m; i++) x[i] += 1;
+        double a[32 * 8] = {0}, b[32 * 3] = {0}, A[32 * 8] = {0}, B[32 * 3] = {0};
+        double local[64 * 24] = {0}, expected[64 * 24] = {0}, distance[SAMPLES], plain[SAMPLES];
+        size_t first[64];
+        bat_lsq_ranges(space, SAMPLES, u, first);
+        bat_lsq_memo_fill(space, m, first, u, x, w, &memo[(round + 1) % 2], round != 4, &memo[round % 2]);
+        bat_lsq_memo_add(space, m, &memo[round % 2], a, b);
+        bat_lsq_memo_penalty(space, 1, 0.5, NULL, &memo[round % 2], a);
+        bat_lsq_memo_local(space, m, &memo[round % 2], bat_curve_points(space), local);
+        bat_lsq_assemble(space, m, SAMPLES, u, x, w, A, B);
+        bat_lsq_penalty(space, 1, 0.5, NULL, A);
+        bat_lsq_local(space, m, bat_curve_points(space), expected);
+        for (int i = 0; i < space->count * (p + 1); i++)
+            assert_true(fabs(a[i] - A[i]) <= 1e-12 * (1 + fabs(A[i])));
+        for (int i = 0; i < space->count * m; i++) assert_true(fabs(b[i] - B[i]) <= 1e-12 * (1 + fabs(B[i])));
+        for (int i = 0; i < bat_lsq_slots(space) * (p + 1) * m; i++)
+            assert_true(fabs(local[i] - expected[i]) <= 1e-12 * (1 + fabs(expected[i])));
+        bat_lsq_plain(space, m, local, first, u, x, plain);
+        bat_lsq_error(space, m, local, SAMPLES, u, x, 0, NULL, distance);
+        for (int i = 0; i < SAMPLES; i++) assert_true(fabs(plain[i] - distance[i]) <= 1e-9 * (1 + plain[i]));
+        bat_curve_free(finer);
+    }
+    free(block[0]), free(block[1]);
+}
+
+static void remembers(void **state) {
+    (void)state;
+    each(check_memo);
+}
+
 static void assembles(void **state) {
     (void)state;
     each(check_assemble);
@@ -177,7 +230,8 @@ static void ranks(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(assembles), cmocka_unit_test(penalises),
-                                       cmocka_unit_test(projects), cmocka_unit_test(ranks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(assembles), cmocka_unit_test(remembers),
+                                       cmocka_unit_test(penalises), cmocka_unit_test(projects),
+                                       cmocka_unit_test(ranks)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
