@@ -72,6 +72,7 @@ typedef struct bat_local_machine {
     bat_knot_set best, trial, spare;
     double *points; /* of the last solve */
     int solves;
+    double work;     /* of all solves, units of some 20 ns: samples and eight times the knots */
     bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
     bool holds_best; /* the local polynomials are those of best */
     double *slow;    /* w where the last solve left the speed law */

@@ -9,6 +9,7 @@
 
 enum { KEEP = 0, GONE = 1, MERGED = 2 }; /* MERGED: this knot and the next become their middle */
 enum { REPAIRS = 8 };
+static const double work_most = 2e6; /* some 40 ms; ordinary strokes need a tenth of it */
 
 typedef struct reduction {
     bat_local_machine *machine;
@@ -16,6 +17,10 @@ typedef struct reduction {
     int *order;
     int budget;
 } reduction;
+
+static bool affordable(const reduction *r) {
+    return r->machine->solves < r->budget && r->machine->work < work_most;
+}
 
 static void assemble_trial(reduction *r) {
     const bat_knot_set *now = &r->machine->best;
@@ -61,7 +66,7 @@ static bool settle(reduction *r, bat_status *status) {
     bat_local_machine *k = r->machine;
     const bat_local_problem *q = k->problem;
     for (int repair = 0; repair < REPAIRS && anything(r); repair++) {
-        if (k->solves >= r->budget) return false;
+        if (!affordable(r)) return false;
         assemble_trial(r);
         const bool fine = k->trial.count >= bat_local_fewest(q) && bat_local_try(k, &k->trial, status);
         if (*status == BAT_SINGULAR) *status = BAT_OK;
@@ -189,17 +194,14 @@ bat_status bat_local_reduce(bat_local_machine *k) {
     bat_status status = r.fate && r.tried && r.order ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) {
         /* Batches need few solves; a scribble of thousands of knots must not take seconds. */
-        const size_t affordable = 400000 / k->problem->count;
-        int extra = k->best.count < 140 ? k->best.count : 140;
-        if (affordable < (size_t)extra) extra = (int)affordable;
-        r.budget = k->solves + 40 + extra;
+        r.budget = k->solves + 40 + (k->best.count < 140 ? k->best.count : 140);
         /* Cheap thirds; then each that failed in company once more, well apart; then pairs. */
-        while (remove_batch(&r, 1.0 / 3, 1, &status) && k->solves < r.budget) {
+        while (remove_batch(&r, 1.0 / 3, 1, &status) && affordable(&r)) {
         }
-        for (int round = 0; round < 4 && status == BAT_OK && k->solves < r.budget; round++) {
+        for (int round = 0; round < 4 && status == BAT_OK && affordable(&r); round++) {
             const int before = k->best.count;
             memset(r.tried, 0, n);
-            while (status == BAT_OK && remove_batch(&r, 1, 3, &status) && k->solves < r.budget) {
+            while (status == BAT_OK && remove_batch(&r, 1, 3, &status) && affordable(&r)) {
             }
             if (status == BAT_OK) merge_sweep(&r, &status);
             if (k->best.count == before) break;
