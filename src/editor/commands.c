@@ -235,6 +235,7 @@ static command_function *const functions[BAT_COMMAND_COUNT] = {
 bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down) {
     const bat_command_row *row = bat_command_at(id);
     if (row->when == BAT_WHEN_IDLE && (bat_editor_busy(editor) || editor->transaction.open)) return BAT_STATE;
+    editor->freed = false;
     return functions[id](editor, down);
 }
 

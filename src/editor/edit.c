@@ -32,16 +32,6 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
     return bat_curve_dimension(target) == 2 ? target : NULL;
 }
 
-static bool is_spline(const bat_document *document, bat_id id) {
-    const bat_object *object = bat_document_at(document, bat_document_find(document, id));
-    return object && bat_object_spline(object);
-}
-
-bool bat_edit_frees(const bat_document *document, const bat_edit *edit) {
-    return edit->kind != BAT_EDIT_NEW && (is_spline(document, edit->object) ||
-                                          (edit->kind == BAT_EDIT_JOIN && is_spline(document, edit->other)));
-}
-
 static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out,
                           bat_sketch_report *report) {
     const bat_document *document = editor->document;

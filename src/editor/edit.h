@@ -37,8 +37,6 @@ bat_string bat_edit_label(bat_edit_kind kind);
 
 /* The curve an edit works on, or NULL when the document has none such. */
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
-/* Does the edit change the curve of a spline, which is a free curve from then on? */
-bool bat_edit_frees(const bat_document *document, const bat_edit *edit);
 /*
  * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
  * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.

@@ -19,6 +19,8 @@ bool bat_editor_busy(const bat_editor *editor) {
 }
 
 void bat_editor_notice_value(bat_editor *editor, bat_string text, const char *value) {
+    if (editor->freed) text = BAT_STRING_NOTICE_FREED;
+    editor->freed = false;
     editor->notice = text;
     if (text == BAT_STRING_COUNT) return;
     const char *words = bat_editor_text(editor, text), *hole = value ? strchr(words, '%') : NULL;

@@ -52,6 +52,7 @@ struct bat_editor {
     uint32_t requests;
     bat_string notice; /* BAT_STRING_COUNT: none */
     char notice_text[BAT_NOTICE_ROOM];
+    bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
     uint32_t notice_version;
     bat_frame frame;
     char *tables; /* JSON, made when asked for */

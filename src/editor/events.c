@@ -121,6 +121,7 @@ static void one(bat_editor *editor, bat_pointer event) {
         return;
     }
     editor->time = event.time;
+    editor->freed = false;
     if (event.device == BAT_DEVICE_PEN) editor->pen_seen = true;
     set_modifiers(editor, event.modifiers);
     const bat_tool *tool = bat_editor_tool(editor);

@@ -227,8 +227,7 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     if (s->travelled > TAP && s->has_pending) drop_pending(s);
 }
 
-static bat_string outcome(const bat_edit *edit, bool strayed, bool closed, bool freed) {
-    if (freed) return BAT_STRING_NOTICE_FREED;
+static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
     if (strayed) return BAT_STRING_NOTICE_STRAYED;
     if (edit->kind == BAT_EDIT_JOIN) return BAT_STRING_NOTICE_JOINED;
     if (edit->kind == BAT_EDIT_NEW && closed) return BAT_STRING_NOTICE_CLOSED;
@@ -276,12 +275,12 @@ static bool accept(bat_editor *editor) {
     s->pending_curve = NULL;
     drop_pending(s);
     end_stroke(s);
-    bool closed = bat_curve_closed(curve), freed = bat_edit_frees(editor->document, &s->pending);
+    bool closed = bat_curve_closed(curve);
     bat_status status = bat_edit_commit(editor, &s->pending, curve);
     if (status != BAT_OK)
         bat_editor_notice_failure(editor, status);
     else
-        bat_editor_notice(editor, outcome(&s->pending, false, closed, freed));
+        bat_editor_notice(editor, outcome(&s->pending, false, closed));
     return true;
 }
 
@@ -308,10 +307,10 @@ static void up(bat_editor *editor, const bat_pointer *event) {
             keep_pending(s, curve, &report);
             bat_editor_notice(editor, BAT_STRING_NOTICE_PENDING);
         } else {
-            bool closed = bat_curve_closed(curve), freed = bat_edit_frees(editor->document, &s->edit);
+            bool closed = bat_curve_closed(curve);
             status = bat_edit_commit(editor, &s->edit, curve);
             if (status == BAT_OK)
-                bat_editor_notice(editor, outcome(&s->edit, strayed, closed, freed));
+                bat_editor_notice(editor, outcome(&s->edit, strayed, closed));
             else
                 bat_editor_notice_failure(editor, status);
         }

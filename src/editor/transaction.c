@@ -60,6 +60,16 @@ bat_status bat_transaction_remove(bat_editor *editor, int index) {
     return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
 }
 
+static bool frees_spline(const bat_transaction *transaction) {
+    for (int i = 0; i < transaction->count; i++) {
+        const bat_delta *delta = &transaction->deltas[i];
+        if (delta->before && delta->after && bat_object_spline(delta->before) &&
+            !bat_object_spline(delta->after))
+            return true;
+    }
+    return false;
+}
+
 bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line) {
     bat_transaction *transaction = &editor->transaction;
     if (!transaction->open) return BAT_STATE;
@@ -82,6 +92,11 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
     if (status != BAT_OK) {
         bat_transaction_cancel(editor);
         return status;
+    }
+    /* Whichever tool it was: told now, and again should the tool have something to say of its own. */
+    if (frees_spline(transaction)) {
+        bat_editor_notice(editor, BAT_STRING_NOTICE_FREED);
+        editor->freed = true;
     }
     bat_history_push(&editor->history, (int)label, transaction->count, transaction->deltas);
     *transaction = (bat_transaction){0};

@@ -450,6 +450,30 @@ static void it_becomes_free(void **state) {
     bat_editor_free(editor);
 }
 
+/* Whatever tool changes the curve: here the points tool, by the keyboard. */
+static void other_tools_say_so_too(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    uint64_t before = digest(editor);
+    bat_editor_command(editor, "tool-points");
+    double u[9], at[2];
+    bat_curve_spread(bat_object_curve(newest(editor), 0), 9, u);
+    bat_curve_eval(bat_object_curve(newest(editor), 0), u[4], 0, at);
+    tap(&p, at[0], at[1]);
+    drag(&p, at[0], at[1], at[0] + 30, at[1] + 40);
+    assert_true(digest(editor) != before);
+    assert_int_equal(bat_object_kind(newest(editor)), BAT_KIND_PATH);
+    assert_string_equal(show(editor)->notice, bat_string_english(BAT_STRING_NOTICE_FREED));
+    while (bat_object_kind(newest(editor)) == BAT_KIND_PATH) /* the same step took both */
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == before);
+    tap(&p, 950, 750);
+    assert_string_not_equal(show(editor)->notice, bat_string_english(BAT_STRING_NOTICE_FREED));
+    bat_editor_free(editor);
+}
+
 static void another_tap_chooses(void **state) {
     (void)state;
     bat_editor *editor;
@@ -529,6 +553,7 @@ int main(void) {
         cmocka_unit_test(insertion_keeps_the_curve),
         cmocka_unit_test(keys_do_it_all),
         cmocka_unit_test(it_becomes_free),
+        cmocka_unit_test(other_tools_say_so_too),
         cmocka_unit_test(another_tap_chooses),
         cmocka_unit_test(two_equal_points_are_no_curve),
         cmocka_unit_test(wild_sessions),
