@@ -1,4 +1,5 @@
-/* The tangents tool's state, and what its two files share. */
+/* The tangents tool's state, and what its files share: tool_tangents.c (events), splining.c (the picture), and those
+ * named below. */
 #ifndef BATTEN_SRC_SPLINING_H
 #define BATTEN_SRC_SPLINING_H
 
@@ -79,5 +80,28 @@ void bat_splining_direction(const bat_spline *spline, const bat_joint *joints, i
 bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step,
                         double out[2]);
 void bat_splining_overlay(bat_editor *editor, bat_overlay *overlay);
+/* splining_find.c: what lies under a view pixel; notes the point whose circle is near. */
+bat_spline_hit bat_splining_find(bat_editor *editor, const double pixel[2], bat_device device);
+
+/* splining_change.c. The object of the chosen spline; its values into the draft, and back as one step. */
+const bat_object *bat_splining_object(const bat_editor *editor);
+bat_status bat_splining_load(bat_editor *editor);
+bat_status bat_splining_commit(bat_editor *editor, bat_string step);
+/* Tells what was done, or why it was not. */
+void bat_splining_tell(bat_editor *editor, bat_status status, bat_string done);
+double bat_splining_tension(double value); /* within limits */
+/* The draft with a point on the curve; *index: which; *deviation may be NULL. */
+bat_status bat_splining_draft_insert(bat_editor *editor, int segment, double t, int *index,
+                                     double *deviation);
+/* Each makes one step and tells of it. */
+bat_status bat_splining_insert(bat_editor *editor, int segment, double t);
+bat_status bat_splining_remove_point(bat_editor *editor, int point);
+bat_status bat_splining_default(bat_editor *editor, int point);
+bat_status bat_splining_close(bat_editor *editor);
+bat_status bat_splining_give_free(bat_editor *editor);
+
+/* tool_tangents.c: no more points are placed; false: none were. splining_keys.c: commands of the tool. */
+bool bat_splining_stop(bat_editor *editor);
+bat_status bat_splining_command(bat_editor *editor, bat_command_id id);
 
 #endif

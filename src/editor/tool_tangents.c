@@ -8,249 +8,14 @@
  */
 #include "editor/editor.h"
 #include "curve/real.h"
-#include "editor/pick.h"
-#include <batten/bezier.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REACH = 8; /* px */
-static const double TOUCH = 1.8;               /* times as far for fingers */
-static const double TAP = 4;                   /* px that a tap may travel */
-static const double DOUBLE_TAP = 400;          /* ms */
-static const double SNAP = 3 * BAT_PI / 180;   /* radians from a chord or a neighbour's direction */
-static const double STEP = 15 * BAT_PI / 180;  /* with Shift */
-static const double NUDGE_TURN = BAT_PI / 180; /* radians a key press */
-static const double TENSION_MIN = 0.02, TENSION_MAX = 50;
-
-/* ---- what is where ---- */
-
-typedef struct place {
-    double point[2], pixel; /* document units; size of a view pixel in them */
-    double reach;           /* 1, or more for fingers */
-} place;
-
-static place place_at(const bat_editor *editor, const double pixel[2], bat_device device) {
-    place p = {.pixel = bat_view_pixel(&editor->view), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
-    bat_view_to_document(&editor->view, pixel, p.point);
-    return p;
-}
-
-/* View pixels from a document point that lies `length` along `direction` from `at`. */
-static double away(const place *p, const double at[2], const double direction[2], double length) {
-    double x = at[0] + direction[0] * length - p->point[0], y = at[1] + direction[1] * length - p->point[1];
-    return bat_hypot(x, y) / p->pixel;
-}
-
-static double from_point(const place *p, const bat_spline *s, int i) {
-    return away(p, s->points + 2 * i, (double[]){0, 0}, 0);
-}
-
-static int nearest_point(const place *p, const bat_spline *s, double within) {
-    int best = -1;
-    for (int i = 0; i < s->count; i++) {
-        double distance = from_point(p, s, i);
-        if (distance <= within) best = i, within = distance;
-    }
-    return best;
-}
-
-static bool on_ring(const place *p, const bat_spline *s, int i) {
-    return fabs(from_point(p, s, i) - BAT_PROMPT_RADIUS) <= RING_REACH * p->reach;
-}
-
-static bool on_handle(const place *p, const bat_spline *s, int i, const double handle[3], double sign) {
-    double length = bat_hypot(handle[0], handle[1]) / 3 / p->pixel;
-    if (length < POINT_REACH) return false;
-    return away(p, s->points + 2 * i, handle, sign / 3) <= HANDLE_REACH * p->reach;
-}
-
-/* Where on the spline's segments a parameter of its curve lies. */
-static bat_spline_hit on_curve(const bat_curve *curve, double u) {
-    const double *knots = bat_curve_knots(curve);
-    int count = bat_curve_knot_count(curve), segment = -1, last = 0;
-    for (int i = 0; i + 1 < count && knots[i] <= u; i++)
-        if (knots[i] < knots[i + 1]) segment++, last = i;
-    double t = segment < 0 ? 0 : (u - knots[last]) / (knots[last + 1] - knots[last]);
-    return (bat_spline_hit){.part = BAT_PART_CURVE, .segment = segment, .t = fmin(fmax(t, 0.001), 0.999)};
-}
-
-/* While points are placed nearly every place is one for the next. */
-static bat_spline_hit find_placing(const place *p, const bat_spline *s, const bat_joint *joints) {
-    int last = s->count - 1;
-    double direction[2];
-    if (from_point(p, s, 0) <= POINT_REACH * p->reach) return (bat_spline_hit){.part = BAT_PART_FIRST};
-    if (from_point(p, s, last) <= POINT_REACH * p->reach)
-        return (bat_spline_hit){.part = BAT_PART_POINT, .point = last};
-    bat_splining_direction(s, joints, last, direction);
-    if (away(p, s->points + 2 * last, direction, BAT_PROMPT_RADIUS * p->pixel) <= POINT_REACH * p->reach)
-        return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
-    return (bat_spline_hit){0};
-}
-
-static bat_spline_hit find(bat_editor *editor, const double pixel[2], bat_device device) {
-    bat_splining *s = &editor->splining;
-    place p = place_at(editor, pixel, device);
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
-    s->near = -1;
-    if (s->placing) return spline && joints ? find_placing(&p, spline, joints) : (bat_spline_hit){0};
-    if (spline && joints) {
-        int i = nearest_point(&p, spline, POINT_REACH * p.reach), chosen = s->point;
-        s->near = nearest_point(&p, spline, BAT_PROMPT_RADIUS + RING_REACH * p.reach);
-        if (i >= 0) return (bat_spline_hit){.part = BAT_PART_POINT, .point = i};
-        if (chosen >= 0) {
-            bat_spline_hit hit = {.point = chosen};
-            if (on_ring(&p, spline, chosen)) /* first: a handle's end may lie on it */
-                hit.part = BAT_PART_DIRECTION;
-            else if (on_handle(&p, spline, chosen, joints[chosen].right, 1))
-                hit.part = BAT_PART_RIGHT;
-            else if (on_handle(&p, spline, chosen, joints[chosen].left, -1))
-                hit.part = BAT_PART_LEFT;
-            if (hit.part) return hit;
-        }
-        if (s->near >= 0 && on_ring(&p, spline, s->near))
-            return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
-    }
-    bat_editor_sync(editor);
-    bat_pick pick = bat_pick_nearest(&editor->scene, p.point, CURVE_REACH * p.reach * p.pixel);
-    const bat_object *object = pick.object ? bat_document_at(editor->document, pick.index) : NULL;
-    const bat_spline *found = object ? bat_object_spline(object) : NULL;
-    if (!found || found->dimension != 2) return (bat_spline_hit){0};
-    if (pick.object == s->object) return on_curve(bat_object_curve(object, 0), pick.near.u);
-    return (bat_spline_hit){.part = BAT_PART_OTHER, .object = pick.object};
-}
-
-/* ---- changes ---- */
-
-static const bat_object *chosen_object(const bat_editor *editor) {
-    return bat_document_at(editor->document, bat_document_find(editor->document, editor->splining.object));
-}
-
-static void tell(bat_editor *editor, bat_status status, bat_string done) {
-    if (status == BAT_COUNT)
-        bat_editor_notice(editor, BAT_STRING_NOTICE_NO_SPLINE);
-    else if (status != BAT_OK)
-        bat_editor_notice_failure(editor, status);
-    else
-        bat_editor_notice(editor, done);
-}
-
-/* The object takes the place of the one there is, or, NULL, takes it away, as one step. */
-static bat_status put(bat_editor *editor, bat_string step, bat_id id, bat_object *object) {
-    int at = bat_document_find(editor->document, id);
-    bat_status status = bat_transaction_begin(editor);
-    if (status != BAT_OK) return status;
-    status = object ? bat_transaction_replace(editor, at, object) : bat_transaction_remove(editor, at);
-    if (status == BAT_OK) return bat_transaction_commit(editor, step, NULL);
-    bat_transaction_cancel(editor);
-    return status;
-}
-
-/* The draft becomes the chosen spline, in one step. */
-static bat_status commit_draft(bat_editor *editor, bat_string step) {
-    bat_splining *s = &editor->splining;
-    bat_spline spline = bat_draft_spline(&s->draft);
-    bat_object *after = NULL;
-    bat_status status = bat_object_with_spline(chosen_object(editor), &spline, &after);
-    if (status == BAT_OK) status = put(editor, step, s->object, after);
-    bat_object_release(after);
-    return status;
-}
-
-static bat_status load(bat_editor *editor) {
-    const bat_spline *spline = bat_splining_spline(editor);
-    return spline ? bat_draft_load(&editor->splining.draft, spline) : BAT_STATE;
-}
-
-static bat_status remove_object(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    bat_status status = put(editor, BAT_STRING_STEP_REMOVE, s->object, NULL);
-    if (status == BAT_OK) s->object = 0;
-    return status;
-}
-
-/* Takes a point out; a spline that is left with none but one point goes. */
-static bat_status remove_point(bat_editor *editor, int point) {
-    bat_splining *s = &editor->splining;
-    bat_status status = load(editor);
-    if (status != BAT_OK) return status;
-    bat_draft_remove(&s->draft, point);
-    status = s->draft.count < 2 ? BAT_COUNT : commit_draft(editor, BAT_STRING_STEP_DELETE_POINT);
-    if (status != BAT_COUNT) {
-        tell(editor, status, BAT_STRING_NOTICE_DELETED);
-        return status;
-    }
-    status = remove_object(editor);
-    tell(editor, status, BAT_STRING_NOTICE_SPLINE_DELETED);
-    return status;
-}
-
-static bat_status default_direction(bat_editor *editor, int point) {
-    bat_splining *s = &editor->splining;
-    bat_status status = load(editor);
-    if (status != BAT_OK) return status;
-    for (int k = 0; k < 2; k++) s->draft.tangents[2 * point + k] = 0, s->draft.tension[2 * point + k] = 1;
-    status = commit_draft(editor, BAT_STRING_STEP_DIRECTION);
-    tell(editor, status, BAT_STRING_NOTICE_DEFAULT);
-    return status;
-}
-
-/* The draft with a point on the curve; *index: which. */
-static bat_status insert_into_draft(bat_editor *editor, int segment, double t, int *index,
-                                    double *deviation) {
-    const bat_spline *spline = bat_splining_spline(editor);
-    if (!spline) return BAT_STATE;
-    bat_spline longer;
-    void *block = NULL;
-    bat_status status = bat_tangents_insert(spline, bat_object_spline_options(chosen_object(editor)), segment,
-                                            t, &longer, &block, index, deviation);
-    if (status != BAT_OK) return status;
-    status = bat_draft_load(&editor->splining.draft, &longer);
-    bat_free(block);
-    return status;
-}
-
-static bat_status insert_point(bat_editor *editor, int segment, double t) {
-    bat_splining *s = &editor->splining;
-    int index = 0;
-    double deviation = 0;
-    bat_status status = insert_into_draft(editor, segment, t, &index, &deviation);
-    if (status == BAT_OK) status = commit_draft(editor, BAT_STRING_STEP_INSERT_POINT);
-    if (status != BAT_OK) {
-        bat_editor_notice_failure(editor, status);
-        return status;
-    }
-    s->point = index;
-    s->on_direction = false;
-    char value[32];
-    snprintf(value, sizeof value, "%.3f", deviation * editor->view.zoom);
-    bat_editor_notice_value(editor, BAT_STRING_NOTICE_INSERTED, value);
-    return BAT_OK;
-}
-
-static bat_status close_curve(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    bat_status status = load(editor);
-    s->draft.closed = true;
-    if (status == BAT_OK) status = commit_draft(editor, BAT_STRING_STEP_CLOSE);
-    tell(editor, status, BAT_STRING_NOTICE_CLOSED);
-    if (status == BAT_OK) s->placing = false, s->point = 0;
-    return status;
-}
-
-static bat_status free_curve(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    if (!bat_splining_spline(editor)) return BAT_STATE;
-    bat_object *after = NULL;
-    bat_status status = bat_object_to_path(chosen_object(editor), &after);
-    if (status == BAT_OK) status = put(editor, BAT_STRING_STEP_FREE, s->object, after);
-    bat_object_release(after);
-    tell(editor, status, BAT_STRING_NOTICE_FREED);
-    if (status == BAT_OK) s->placing = false, s->object = 0, s->point = -1;
-    return status;
-}
+static const double TAP = 4;                  /* px that a tap may travel */
+static const double DOUBLE_TAP = 400;         /* ms */
+static const double SNAP = 3 * BAT_PI / 180;  /* radians from a chord or a neighbour's direction */
+static const double STEP = 15 * BAT_PI / 180; /* with Shift */
 
 /* ---- drags ---- */
 
@@ -299,8 +64,8 @@ static bool natural_handles(bat_editor *editor, int point, double out[2]) {
     if (!joints) return false;
     s->draft.tension[2 * point] = s->draft.tension[2 * point + 1] = 1;
     bat_spline spline = bat_draft_spline(&s->draft);
-    bat_status status = bat_tangents(&spline, bat_object_spline_options(chosen_object(editor)), joints, NULL,
-                                     NULL, NULL);
+    bat_status status = bat_tangents(&spline, bat_object_spline_options(bat_splining_object(editor)), joints,
+                                     NULL, NULL, NULL);
     if (status == BAT_OK) {
         out[0] = bat_hypot(joints[point].left[0], joints[point].left[1]) / 3;
         out[1] = bat_hypot(joints[point].right[0], joints[point].right[1]) / 3;
@@ -308,8 +73,6 @@ static bool natural_handles(bat_editor *editor, int point, double out[2]) {
     free(joints);
     return status == BAT_OK;
 }
-
-static double bounded_tension(double value) { return fmin(fmax(value, TENSION_MIN), TENSION_MAX); }
 
 /* A direction, and a length in document units, for the held point. */
 static void pull(bat_editor *editor, double direction[2], double length) {
@@ -326,11 +89,12 @@ static void pull(bat_editor *editor, double direction[2], double length) {
     if (part == BAT_PART_DIRECTION) {
         double further = fmax(length * editor->view.zoom / BAT_TENSION_RADIUS, 1);
         for (int k = 0; k < 2; k++)
-            tension[k] = further > 1 ? bounded_tension(s->base_tension[k] * further) : s->base_tension[k];
+            tension[k] = further > 1 ? bat_splining_tension(s->base_tension[k] * further)
+                                     : s->base_tension[k];
     } else if (natural_handles(editor, i, natural)) {
         int side = part == BAT_PART_RIGHT;
         bool linked = s->base_tension[0] == s->base_tension[1] && !(editor->modifiers & BAT_ALT);
-        double factor = natural[side] > 0 ? bounded_tension(length / natural[side]) : 1;
+        double factor = natural[side] > 0 ? bat_splining_tension(length / natural[side]) : 1;
         for (int k = 0; k < 2; k++) tension[k] = k == side || linked ? factor : s->base_tension[k];
     }
 }
@@ -396,9 +160,9 @@ static void begin_drag(bat_editor *editor) {
     if (press.part == BAT_PART_CURVE) {
         s->step = BAT_STRING_STEP_INSERT_POINT;
         press.part = BAT_PART_POINT;
-        status = insert_into_draft(editor, press.segment, press.t, &press.point, NULL);
+        status = bat_splining_draft_insert(editor, press.segment, press.t, &press.point, NULL);
     } else {
-        status = load(editor);
+        status = bat_splining_load(editor);
     }
     if (status == BAT_OK) status = bat_transaction_begin(editor);
     if (status == BAT_OK) {
@@ -416,7 +180,7 @@ static bat_status add_point(bat_editor *editor, const double point[2]) {
     bat_status status = BAT_OK;
     bat_id id = s->object;
     if (id) {
-        status = load(editor);
+        status = bat_splining_load(editor);
     } else {
         s->draft.count = 0;
         s->draft.closed = false;
@@ -428,7 +192,7 @@ static bat_status add_point(bat_editor *editor, const double point[2]) {
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_style style = bat_editor_new_style(editor);
     if (id) {
-        status = bat_object_with_spline(chosen_object(editor), &spline, &object);
+        status = bat_object_with_spline(bat_splining_object(editor), &spline, &object);
     } else {
         status = bat_object_create_spline(1, NULL, &style, &spline, NULL, &object); /* is it one at all? */
         bat_object_release(object);
@@ -471,16 +235,16 @@ static void tap(bat_editor *editor, const bat_pointer *event) {
     bool twice = taps_twice(s, event);
     let_go(s);
     switch (press.part) {
-    case BAT_PART_FIRST: close_curve(editor); break;
+    case BAT_PART_FIRST: bat_splining_close(editor); break;
     case BAT_PART_POINT:
     case BAT_PART_DIRECTION:
     case BAT_PART_LEFT:
     case BAT_PART_RIGHT:
         s->point = press.point;
         s->on_direction = press.part != BAT_PART_POINT;
-        if (twice) default_direction(editor, press.point);
+        if (twice) bat_splining_default(editor, press.point);
         break;
-    case BAT_PART_CURVE: insert_point(editor, press.segment, press.t); break;
+    case BAT_PART_CURVE: bat_splining_insert(editor, press.segment, press.t); break;
     case BAT_PART_OTHER:
         s->object = press.object;
         s->point = -1;
@@ -496,7 +260,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     double pixel[2] = {event->x, event->y}, point[2];
     s->device = event->device;
     s->hovering = false;
-    s->press = find(editor, pixel, event->device);
+    s->press = bat_splining_find(editor, pixel, event->device);
     s->near = -1;
     s->state = BAT_SPLINING_PRESSED;
     s->travelled = 0;
@@ -518,7 +282,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
         return;
     }
     bat_status status = add_point(editor, point);
-    if (status != BAT_OK) tell(editor, status, BAT_STRING_COUNT);
+    if (status != BAT_OK) bat_splining_tell(editor, status, BAT_STRING_COUNT);
 }
 
 static void move(bat_editor *editor, const bat_pointer *event) {
@@ -550,7 +314,7 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         bat_transaction_cancel(editor);
     else
         status = bat_transaction_commit(editor, s->step, NULL);
-    tell(editor, status, BAT_STRING_COUNT);
+    bat_splining_tell(editor, status, BAT_STRING_COUNT);
 }
 
 static bool drop_drag(bat_editor *editor) {
@@ -565,7 +329,7 @@ static bool drop_drag(bat_editor *editor) {
     return true;
 }
 
-static bool stop_placing(bat_editor *editor) {
+bool bat_splining_stop(bat_editor *editor) {
     bat_splining *s = &editor->splining;
     bat_splining_spline(editor);
     if (!s->placing) return false;
@@ -577,7 +341,7 @@ static bool stop_placing(bat_editor *editor) {
 
 static bool cancel(bat_editor *editor) {
     bat_splining *s = &editor->splining;
-    if (drop_drag(editor) || stop_placing(editor)) return true;
+    if (drop_drag(editor) || bat_splining_stop(editor)) return true;
     if (!bat_splining_spline(editor)) return false;
     s->object = 0;
     s->point = s->near = -1;
@@ -588,7 +352,7 @@ static bool cancel(bat_editor *editor) {
 static bool undo(bat_editor *editor) {
     bat_splining *s = &editor->splining;
     if (drop_drag(editor)) return true;
-    return s->placing && !bat_splining_spline(editor) && stop_placing(editor);
+    return s->placing && !bat_splining_spline(editor) && bat_splining_stop(editor);
 }
 
 static void hover(bat_editor *editor, const bat_pointer *event) {
@@ -623,114 +387,11 @@ static void update(bat_editor *editor) {
     }
     if (!s->hover_changed && s->over_revision == editor->revision && !memcmp(view, s->over_view, sizeof view))
         return;
-    s->over = s->hovering ? find(editor, s->hover, s->device) : (bat_spline_hit){0};
+    s->over = s->hovering ? bat_splining_find(editor, s->hover, s->device) : (bat_spline_hit){0};
     if (!s->hovering) s->near = -1;
     s->hover_changed = false;
     s->over_revision = editor->revision;
     memcpy(s->over_view, view, sizeof view);
-}
-
-/* ---- keys ---- */
-
-static bat_status nudge(bat_editor *editor, double x, double y) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
-    if (!spline || !joints || s->point < 0) return BAT_STATE;
-    bool far = editor->modifiers & BAT_SHIFT;
-    int i = s->point;
-    double direction[2];
-    bat_splining_direction(spline, joints, i, direction);
-    bat_status status = load(editor);
-    if (status != BAT_OK) return status;
-    if (s->on_direction) {
-        double turn = x * (far ? STEP : NUDGE_TURN), c = bat_cos(turn), v = bat_sin(turn);
-        double factor = y == 0 ? 1 : far ? 1.25 : 1.05;
-        s->draft.tangents[2 * i] = c * direction[0] - v * direction[1];
-        s->draft.tangents[2 * i + 1] = v * direction[0] + c * direction[1];
-        for (int k = 0; k < 2; k++)
-            if (y != 0)
-                s->draft.tension[2 * i + k] = bounded_tension(y < 0 ? s->draft.tension[2 * i + k] * factor
-                                                                    : s->draft.tension[2 * i + k] / factor);
-    } else {
-        double way = (far ? 10 : 1) * bat_view_pixel(&editor->view);
-        s->draft.points[2 * i] += x * way;
-        s->draft.points[2 * i + 1] += y * way;
-    }
-    status = commit_draft(editor, s->on_direction ? BAT_STRING_STEP_DIRECTION : BAT_STRING_STEP_MOVE_POINT);
-    tell(editor, status, BAT_STRING_COUNT);
-    return BAT_OK;
-}
-
-/* Points and their directions, one after the other; past the last the key is the host's. */
-static bat_status step_point(bat_editor *editor, int step) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    for (int i = 0; !spline && i < bat_document_count(editor->document); i++) {
-        s->object = bat_object_id(bat_document_at(editor->document, i));
-        s->point = -1;
-        spline = bat_splining_spline(editor);
-    }
-    if (!spline) return BAT_STATE;
-    int slot = s->point < 0 ? (step > 0 ? 0 : 2 * spline->count - 1) : 2 * s->point + s->on_direction + step;
-    if (slot < 0 || slot >= 2 * spline->count) return BAT_STATE;
-    s->point = slot / 2;
-    s->on_direction = slot % 2 != 0;
-    s->placing = false;
-    return BAT_OK;
-}
-
-static bat_status take_back(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    if (!s->placing) {
-        if (!spline || s->point < 0) return BAT_STATE;
-        int point = s->point;
-        bat_status status = remove_point(editor, point);
-        if (status == BAT_OK) s->point = s->object ? (point > 0 ? point - 1 : 0) : -1;
-        return status;
-    }
-    if (!spline) return stop_placing(editor) ? BAT_OK : BAT_STATE;
-    memcpy(s->first, spline->points, sizeof s->first);
-    memcpy(s->first_direction, spline->tangents, sizeof s->first_direction);
-    bat_status status = remove_point(editor, spline->count - 1);
-    if (status == BAT_OK) s->point = s->object ? s->draft.count - 1 : 0;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
-    return status;
-}
-
-/* In the middle of the segment that follows the point; of the last one, of the segment before it. */
-static bat_status add_behind(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
-    if (!spline || !joints || s->point < 0) return BAT_STATE;
-    int kept = 0, segment = -1;
-    for (int i = 0; i < spline->count; i++) {
-        if (!joints[i].dropped) kept++;
-        if (i <= s->point && !joints[i].dropped) segment++;
-    }
-    if (!spline->closed && segment > kept - 2) segment = kept - 2;
-    if (segment >= kept) segment = kept - 1;
-    return insert_point(editor, segment < 0 ? 0 : segment, 0.5);
-}
-
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    bat_splining *s = &editor->splining;
-    switch ((int)id) {
-    case BAT_COMMAND_POINT_NEXT: return step_point(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step_point(editor, -1);
-    case BAT_COMMAND_POINT_ADD: return add_behind(editor);
-    case BAT_COMMAND_POINT_DELETE: return take_back(editor);
-    case BAT_COMMAND_POINT_DEFAULT:
-        return bat_splining_spline(editor) && s->point >= 0 ? default_direction(editor, s->point) : BAT_STATE;
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(editor, -1, 0);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(editor, 1, 0);
-    case BAT_COMMAND_NUDGE_UP: return nudge(editor, 0, -1);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(editor, 0, 1);
-    case BAT_COMMAND_FREE_CURVE: return free_curve(editor);
-    default: return BAT_STATE;
-    }
 }
 
 /* ---- words ---- */
@@ -782,9 +443,9 @@ const bat_tool *bat_tool_tangents(void) {
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
-                                  .accept = stop_placing,
+                                  .accept = bat_splining_stop,
                                   .undo = undo,
-                                  .command = command,
+                                  .command = bat_splining_command,
                                   .modifiers = modifiers,
                                   .busy = busy,
                                   .update = update,
