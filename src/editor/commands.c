@@ -1,5 +1,6 @@
 /* The dispatcher: what each command of the table does. */
 #include "editor/editor.h"
+#include "editor/calm.h"
 #include <math.h>
 #include <string.h>
 
@@ -190,6 +191,14 @@ static bat_status tool_points(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_POINTS);
 }
+static bat_status tool_smooth(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_SMOOTH);
+}
+static bat_status tool_eraser(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_ERASER);
+}
 static bat_status tool_tangents(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_TANGENTS);
@@ -222,6 +231,23 @@ TO_TOOL(nudge_down, NUDGE_DOWN)
 TO_TOOL(free_curve, FREE_CURVE)
 #undef TO_TOOL
 
+static bat_status turn_over(bat_editor *editor, bat_property_id id) {
+    editor->values[id] = editor->values[id] == 0;
+    return BAT_OK;
+}
+static bat_status show_comb(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_SHOW_COMB);
+}
+static bat_status show_knots(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_SHOW_KNOTS);
+}
+static bat_status show_length(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_SHOW_LENGTH);
+}
+
 static bat_status hold_pan(bat_editor *editor, bool down) {
     editor->holding_pan = down;
     return BAT_OK;
@@ -242,7 +268,9 @@ bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down) {
 bat_status bat_editor_command(bat_editor *editor, const char *name) {
     bat_command_id id = bat_command_named(name);
     if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
-    return bat_command_run(editor, id, true);
+    bat_status status = bat_command_run(editor, id, true);
+    /* Named, it is done at once; its key shows the reach while it is held. */
+    return id == BAT_COMMAND_CALM && status == BAT_OK ? bat_command_run(editor, id, false) : status;
 }
 
 bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys) {

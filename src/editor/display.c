@@ -1,5 +1,6 @@
 /* The frame: what the host paints and says. */
 #include "editor/editor.h"
+#include "editor/calm.h"
 #include <string.h>
 
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
@@ -56,6 +57,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
 
     bat_overlay_begin(&editor->overlay, scene->origin);
     show_selection(editor);
+    bat_insight_show(editor, &editor->overlay);
+    bat_calm_show(editor, &editor->overlay);
     if (tool->overlay) tool->overlay(editor, &editor->overlay);
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 

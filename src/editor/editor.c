@@ -10,7 +10,7 @@ const bat_tool *bat_editor_tool(const bat_editor *editor) {
 #define TOOL(id, name, command, behaviour) behaviour,
 #include "editor/commands.def"
     };
-    return tools[editor->tool]();
+    return tools[editor->erasing ? BAT_TOOL_ERASER : editor->tool]();
 }
 
 bool bat_editor_busy(const bat_editor *editor) {
@@ -59,6 +59,7 @@ void bat_editor_interrupt(bat_editor *editor) {
     const bat_tool *tool = bat_editor_tool(editor);
     if (tool->cancel) tool->cancel(editor);
     if (tool->leave) tool->leave(editor);
+    editor->erasing = editor->calming = false;
     editor->contacts.count = 0;
     editor->holding_pan = false;
 }

@@ -4,7 +4,9 @@
 
 #include "document/history.h"
 #include "document/journal.h"
+#include "editor/brushing.h"
 #include "editor/contacts.h"
+#include "editor/insight.h"
 #include "editor/line.h"
 #include "editor/overlay.h"
 #include "editor/pointing.h"
@@ -39,6 +41,8 @@ struct bat_editor {
     bat_sketching sketching;
     bat_splining splining;
     bat_pointing pointing;
+    bat_brushing brushing;
+    bat_insight insight;
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */
@@ -46,6 +50,10 @@ struct bat_editor {
     uint32_t modifiers;
     double time;
     bool holding_pan, pen_seen;
+    bool pen_near; /* a pointer is over the drawing */
+    double pen[2]; /* where it was last, view pixels */
+    bool erasing;  /* the pen's other end is down */
+    bool calming;  /* the key that calms is held */
 
     bat_scene scene;
     bat_overlay overlay;

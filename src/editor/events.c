@@ -46,6 +46,15 @@ static void cancel_tool(bat_editor *editor) {
     if (tool->cancel) tool->cancel(editor);
 }
 
+/* What waits for a yes goes when the pen is turned round; what is chosen stays. */
+static void cancel_uncommitted(bat_editor *editor) {
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->undo)
+        tool->undo(editor);
+    else
+        cancel_tool(editor);
+}
+
 /* What a contact that comes down is to do; may end what the tool does. */
 static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
     bat_contacts *contacts = &editor->contacts;
@@ -69,8 +78,11 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         return event->device == BAT_DEVICE_TOUCH && navigating == 1 ? BAT_DUTY_NAVIGATE : BAT_DUTY_IGNORED;
     if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_ERASER);
-        return BAT_DUTY_IGNORED;
+        const bat_tool *tool = bat_editor_tool(editor);
+        cancel_uncommitted(editor);
+        if (tool->leave) tool->leave(editor);
+        editor->erasing = true;
+        return BAT_DUTY_TOOL;
     }
     if (editor->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || editor->tool == BAT_TOOL_PAN)
         return BAT_DUTY_NAVIGATE;
@@ -100,6 +112,14 @@ static void move(bat_editor *editor, const bat_pointer *event, int index) {
     contact->at[1] = event->y;
 }
 
+/* The pen's other end is lifted: the tool is the chosen one again. */
+static void turn_back(bat_editor *editor) {
+    if (!editor->erasing) return;
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->leave) tool->leave(editor);
+    editor->erasing = false;
+}
+
 static void end(bat_editor *editor, const bat_pointer *event, int index) {
     bat_duty duty = editor->contacts.list[index].duty;
     if (event->phase == BAT_POINTER_UP) move(editor, event, index);
@@ -110,6 +130,7 @@ static void end(bat_editor *editor, const bat_pointer *event, int index) {
         cancel_tool(editor);
     else if (tool->up)
         tool->up(editor, event);
+    turn_back(editor);
 }
 
 static void one(bat_editor *editor, bat_pointer event) {
@@ -124,6 +145,11 @@ static void one(bat_editor *editor, bat_pointer event) {
     editor->freed = false;
     if (event.device == BAT_DEVICE_PEN) editor->pen_seen = true;
     set_modifiers(editor, event.modifiers);
+    editor->pen_near = event.phase != BAT_POINTER_LEAVE;
+    if (editor->pen_near) {
+        editor->pen[0] = event.x;
+        editor->pen[1] = event.y;
+    }
     const bat_tool *tool = bat_editor_tool(editor);
     switch (event.phase) {
     case BAT_POINTER_DOWN:

@@ -301,18 +301,6 @@ static void tolerance_is_in_pixels(void **state) {
     bat_editor_free(editor);
 }
 
-static void eraser_end_says_it_does_nothing(void **state) {
-    (void)state;
-    bat_editor *editor = pen_editor();
-    uint64_t before = digest(editor);
-    pen p = pen_for(editor);
-    p.buttons = BAT_BUTTON_ERASER;
-    pen_line(&p, 350, 200, 650, 200, 40);
-    assert_string_equal(bat_editor_frame(editor)->notice, "The eraser end does nothing yet");
-    assert_true(digest(editor) == before);
-    bat_editor_free(editor);
-}
-
 static void commands_during_a_stroke(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
@@ -503,7 +491,6 @@ int main(void) {
         cmocka_unit_test(end_to_end_joins),
         cmocka_unit_test(second_contact_never_ends_a_stroke),
         cmocka_unit_test(tolerance_is_in_pixels),
-        cmocka_unit_test(eraser_end_says_it_does_nothing),
         cmocka_unit_test(commands_during_a_stroke),
         cmocka_unit_test(saved_is_a_state_not_a_moment),
         cmocka_unit_test(predicted_samples_are_not_part_of_it),
