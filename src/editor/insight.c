@@ -25,11 +25,6 @@ static bool in_sight(const bat_view *view, const double point[2]) {
            screen[1] < view->height + HIGHEST;
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The teeth in sight; *count of them. NULL: no memory, or none. */
 static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
     int segments = bat_curve_segment_count(curve);
@@ -61,12 +56,20 @@ static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
 /* Document units a unit of curvature: nine tenths of the teeth are no longer than TALL. In steps of the square root
  * of two, so that it does not breathe while the curve is dragged. 0: the curve is straight. */
 static double scale_of(const tooth *teeth, int count, double pixel) {
-    double *sizes = malloc((size_t)count * sizeof *sizes);
-    if (!sizes) return 0;
-    for (int i = 0; i < count; i++) sizes[i] = fabs(teeth[i].curvature);
-    qsort(sizes, (size_t)count, sizeof *sizes, compare);
-    double usual = fmax(sizes[count * 9 / 10], sizes[count - 1] / 8);
-    free(sizes);
+    double low = 0, high = 0;
+    for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
+    double least = high / 8;
+    for (int round = 0; round < 40;
+         round++) { /* to where one in ten is higher; no order is needed for that */
+        double middle = (low + high) / 2;
+        int above = 0;
+        for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle;
+        if (above > count / 10)
+            low = middle;
+        else
+            high = middle;
+    }
+    double usual = fmax(high, least);
     if (!(usual * pixel > 1e-7) || !isfinite(usual)) return 0; /* flatter than can be seen */
     double scale = TALL * pixel / usual;
     return bat_exp(floor(bat_log(scale) / 0.34657359) * 0.34657359);
