@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const double POINT_RADIUS = 4.5, CHOSEN_RADIUS = 5.5, HANDLE_RADIUS = 4, ARROW_HEAD = 12; /* px */
-static const double LINE = 18;                     /* px between values */
+static const double LINE = 18, HALF_WIDTH = 66;    /* px: between values; of most of them */
 static const double GHOSTS[] = {-20, -10, 10, 20}; /* degrees */
 enum { GHOST_POINTS_MAX = 2000, MARKS_MAX = 3000 };
 
@@ -203,20 +203,33 @@ static void ghosts(bat_overlay *list, bat_draft *draft, int point, const bat_tan
 
 typedef struct corner {
     const double *at;
-    double dy;
+    double dx, dy;
 } corner;
 
-/* Above or below the circle, where the curve does not go: away from the neighbours. */
+/* Beside the circle, on that of its four sides that chords and handles keep away from most. */
 static corner value_corner(const bat_spline *spline, const bat_joint *joints, int point) {
-    double chord[2], lean = 0;
+    static const double sides[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
+    double lines[4][2], best = INFINITY;
+    int count = 2, chosen = 0;
+    bat_splining_direction(spline, joints, point, lines[0]);
+    for (int k = 0; k < 2; k++) lines[1][k] = -lines[0][k];
     for (int step = -1; step <= 1; step += 2)
-        if (bat_splining_chord(spline, joints, point, step, chord)) lean += chord[1];
+        if (bat_splining_chord(spline, joints, point, step, lines[count])) count++;
+    for (int i = 0; i < 4; i++) {
+        double worst = -1;
+        for (int j = 0; j < count; j++)
+            worst = fmax(worst, sides[i][0] * lines[j][0] + sides[i][1] * lines[j][1]);
+        if (worst < best - 1e-9) best = worst, chosen = i;
+    }
     double clear = BAT_PROMPT_RADIUS + 16;
-    return (corner){spline->points + 2 * point, lean < 0 ? clear : -clear - 2 * LINE};
+    corner where = {spline->points + 2 * point, sides[chosen][0] * (clear + HALF_WIDTH), -LINE};
+    if (chosen == 0) where.dy = clear;
+    if (chosen == 1) where.dy = -clear - 2 * LINE;
+    return where;
 }
 
 static void say(bat_overlay *list, corner *where, const char *text) {
-    bat_overlay_label(list, BAT_ROLE_VALUE, where->at, 0, where->dy, text);
+    bat_overlay_label(list, BAT_ROLE_VALUE, where->at, where->dx, where->dy, text);
     where->dy += LINE;
 }
 
