@@ -17,16 +17,25 @@ after(async () => {
 });
 
 /** Drops a file on the drawing. */
+/** Drops a file, and waits until it was opened, or refused, or a question came up. */
 async function drop(page, name, text) {
-  await page.evaluate(([title, content]) => {
+  await page.evaluate(([title, content]) => new Promise((done) => {
+    const { files } = batten;
+    files.open = (...words) => {
+      delete files.open;
+      const opened = files.open(...words);
+      done();
+      return opened;
+    };
+    const question = document.getElementById('question');
+    new MutationObserver(() => question.open && done()).observe(question, { attributes: true });
     const transfer = new DataTransfer();
     transfer.items.add(new File([content], title));
     for (const type of ['dragover', 'drop']) {
       const event = new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer });
       document.getElementById('stage').dispatchEvent(event);
     }
-  }, [name, text]);
-  await page.waitForTimeout(100);
+  }), [name, text]);
   await settle(page);
 }
 
@@ -110,7 +119,7 @@ test('a heavy drawing: the layer moves with the view at once and is painted when
   const moved = await page.evaluate(() => ({
     ...batten.painter.counts, transform: document.getElementById('still').style.transform }));
   assert.ok(moved.moved > before.moved, 'the layer moved');
-  await page.waitForTimeout(300);
+  await page.waitForFunction(() => document.getElementById('still').style.transform === '');
   await settle(page);
   const rested = await page.evaluate(() => ({
     ...batten.painter.counts, transform: document.getElementById('still').style.transform }));

@@ -16,6 +16,21 @@ after(async () => {
   server.close();
 });
 
+/** Waits until `enough`(bytes kept, bytes of the journal) holds. */
+async function kept(page, enough) {
+  for (let tries = 0; tries < 200; tries++) {
+    const [length, now] = await page.evaluate(async () => {
+      const found = await batten.keeper.find('car.svg');
+      return [found?.journal.length, batten.engine.journal.length];
+    });
+    if (enough(length, now)) {
+      return;
+    }
+    await settle(page);
+  }
+  assert.fail('the journal is not kept as it should be');
+}
+
 const breaks = {
   'a failed check in the module': () => {
     const engine = batten.engine;
@@ -70,10 +85,15 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
       batten.engine.editor = 0xfffffff0;
     }, bad);
     await hand.hover(await place(page, 100, 100));
-    await page.waitForTimeout(500);
-    const starts = await page.evaluate(() => globalThis.starts);
-    await page.waitForTimeout(200);
-    assert.equal(await page.evaluate(() => globalThis.starts), starts, 'it does not try for ever');
+    await page.waitForFunction(() => /Not all steps/.test(document.getElementById('notice-text').textContent));
+    // It does not try for ever: twenty frames without a start, before its hundredth.
+    for (let still = 0, last = 0; still < 10;) {
+      await settle(page);
+      const starts = await page.evaluate(() => globalThis.starts);
+      still = starts === last ? still + 1 : 0;
+      last = starts;
+      assert.ok(starts < 100, `it tried ${starts} times`);
+    }
     assert.match(await page.textContent('#notice-text'), /Not all steps/);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#notice-action')]);
     assert.equal(fs.readFileSync(await download.path()).length, steps);
@@ -86,7 +106,7 @@ test('a page that was killed loses no step', async () => {
   const points = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
   await hand.stroke(await Promise.all(points.map(([x, y]) => place(page, x, y))));
   const before = await state(page);
-  await page.waitForTimeout(500);
+  await kept(page, (length, now) => length === now);
   // Killed: no chance to say goodbye.
   await page.evaluate(() => {
     batten.files.unsaved = false;
@@ -102,7 +122,7 @@ test('a page that was killed loses no step', async () => {
   assert.equal(after.unsaved, true);
   await page.keyboard.press('Control+S');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
-  await page.waitForTimeout(400);
+  await kept(page, (length) => length === undefined);
   await page.reload();
   await ready(page);
   assert.equal((await state(page)).notice, '', 'saved work is not offered again');
