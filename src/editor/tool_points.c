@@ -17,8 +17,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double HANDLE_REACH = 9, CURVE_REACH = 10, TOUCH = 2.2; /* px; as far for fingers */
-static const double TAP = 4, DOUBLE_TAP = 400;                       /* px, ms */
+static const double HANDLE_REACH = 9, CURVE_REACH = 10, HANDLE_LEAD = 5; /* px */
+static const double TOUCH = 2.2;                                         /* as far for fingers */
+static const double TAP = 4, DOUBLE_TAP = 400;                           /* px, ms */
 static const float STRETCH_WIDTH = 4, HIGHLIGHT_WIDTH = 3;
 
 static double reach(const bat_editor *editor, double pixels) {
@@ -76,6 +77,18 @@ static void choose_curve(bat_editor *editor, bat_id object, int curve) {
     if (object) bat_selection_add(&editor->selection, object); /* without memory: not selected */
 }
 
+/* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
+ * polygon is close to the curve, the curve could not be pulled otherwise. */
+static bool handle_at(const bat_editor *editor, const bat_curve *curve, const double point[2],
+                      const bat_pick *pick, bat_handle *out) {
+    double at[2];
+    if (!bat_handle_find(curve, point, reach(editor, HANDLE_REACH), out)) return false;
+    if (!pick->object) return true;
+    bat_handle_place(curve, out, at);
+    double distance = bat_hypot(at[0] - point[0], at[1] - point[1]);
+    return distance <= pick->near.distance + reach(editor, HANDLE_LEAD);
+}
+
 /* What a press here would take hold of: handles of the curve shown before curves. */
 static bat_handle find(bat_editor *editor, const double pixel[2]) {
     const bat_pointing *p = &editor->pointing;
@@ -83,17 +96,18 @@ static bat_handle find(bat_editor *editor, const double pixel[2]) {
     bat_handle handle = {0};
     bat_editor_sync(editor);
     bat_view_to_document(&editor->view, pixel, point);
+    bat_pick pick = bat_pick_nearest(&editor->scene, point, reach(editor, CURVE_REACH));
     const bat_curve *curve = chosen_curve(editor);
-    if (curve && bat_handle_find(curve, point, reach(editor, HANDLE_REACH), &handle)) {
+    if (curve && handle_at(editor, curve, point, &pick, &handle)) {
         handle.object = p->object;
         handle.curve = p->curve;
         return handle;
     }
-    bat_pick pick = bat_pick_nearest(&editor->scene, point, reach(editor, CURVE_REACH));
-    if (!pick.object) return handle;
+    if (!pick.object) return (bat_handle){0};
     curve = bat_edit_target(editor->document, pick.object, pick.curve);
-    if (!curve || !bat_handle_find(curve, point, reach(editor, HANDLE_REACH), &handle)) {
+    if (!curve || !handle_at(editor, curve, point, &pick, &handle)) {
         handle.kind = BAT_HANDLE_CURVE;
+        handle.index = 0;
         handle.u = pick.near.u;
     }
     handle.object = pick.object;
