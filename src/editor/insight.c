@@ -38,7 +38,7 @@ static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
     }
     for (int s = 0; s < segments && *count < TEETH_MAX; s++) {
         double length = bat_curve_length(curve, breaks[s], breaks[s + 1], 1e-2) * view->zoom;
-        int steps = (int)fmin(fmax(ceil(length / SPACING), 4), 400);
+        int steps = (int)fmin(fmax(ceil(length / SPACING), 12), 400);
         for (int i = 0; i <= steps && *count < TEETH_MAX; i++) {
             double u = breaks[s] + (breaks[s + 1] - breaks[s]) * i / steps, d[6];
             (i == steps ? bat_curve_eval_left : bat_curve_eval)(curve, u, 2, d);
