@@ -7,6 +7,9 @@
 #include <string.h>
 
 enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
+/* While the pen is down: samples that are smoothed again before those that are not settled, samples that the
+ * noise is judged by, and how finely the whole is resampled. */
+enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double dot_length = 8, hook_reach = 12, noise_cap = 1.5, noise_floor = 0.05;
 static const double corner_chord = 8, corner_turn = BAT_PI / 4;
 
@@ -150,11 +153,12 @@ void bat_clean_free(bat_clean *clean) {
 
 /* Resamples the smooth points evenly between the corners. */
 static bat_status resample(const double *z, const double *arc, size_t count, size_t m, size_t raw,
-                           const size_t *corners, size_t corner_count, double tolerance, bat_clean *out) {
+                           const size_t *corners, size_t corner_count, double tolerance, size_t most,
+                           bat_clean *out) {
     const double total = arc[count - 1];
     double step = total / (double)(raw > 1 ? raw - 1 : 1);
     step = fmax(fmin(step, fmax(2, 0.5 * tolerance)), fmin(0.5 * tolerance, 2));
-    step = fmax(step, total / SAMPLES_MAX);
+    step = fmax(step, total / (double)most);
     const size_t room = (size_t)ceil(total / step) + corner_count + 8;
     out->points = malloc(room * m * sizeof *out->points);
     out->arc = malloc(room * sizeof *out->arc);
@@ -192,6 +196,18 @@ static bat_status smooth_pieces(const double *y, size_t count, size_t m, double 
         if (k > 0) memcpy(z + from * m, y + from * m, m * sizeof *z);
     }
     return BAT_OK;
+}
+
+/* The filter over samples first.. of y; what is settled is taken from the memory but for a stretch that the
+ * rest hangs on, so that a preview costs what is new. */
+static bat_status smooth_rest(const bat_clean_memory *memory, const double *y, size_t first, size_t count,
+                              size_t m, double sigma, double *work, double *z, double *lambda) {
+    size_t done = 0;
+    if (memory && memory->count > first + LIVE_OVERLAP) done = memory->count - first - LIVE_OVERLAP;
+    if (done + 16 > count) done = count > 16 ? count - 16 : 0;
+    if (done > 0) memcpy(z, memory->points + first * m, done * m * sizeof *z);
+    return bat_whittaker_sigma(count - done, (int)m, y + (first + done) * m, sigma, work, z + done * m,
+                               lambda);
 }
 
 /* Puts settled samples back where they were shown, fades the difference out behind them, and settles more.
@@ -248,15 +264,17 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
     bat_status status = z && corners ? BAT_OK : BAT_MEMORY;
     size_t corner_count = 0, first = 0;
     double lambda = 0;
+    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
+    bat_clean_memory *memory = stroke->count <= SMOOTH_MAX ? o->memory : NULL;
     if (status == BAT_OK) {
-        out->sigma = fmin(bat_noise(count, stroke->dimension, y, work), noise_cap);
+        const size_t judged = memory && count > LIVE_NOISE ? LIVE_NOISE : count;
+        out->sigma = fmin(bat_noise(judged, stroke->dimension, y + (count - judged) * m, work), noise_cap);
         /* Twice: hooks are found in the smoothed stroke and must not bend what follows them. */
         for (int round = 0; round < 2 && status == BAT_OK; round++) {
             lambda = 0;
             memcpy(z, y + first * m, count * m * sizeof *z);
             if (out->sigma >= noise_floor && count >= 16)
-                status = bat_whittaker_sigma(count, stroke->dimension, y + first * m, out->sigma, work, z,
-                                             &lambda);
+                status = smooth_rest(memory, y, first, count, m, out->sigma, work, z, &lambda);
             measure(z, count, m, arc);
             if (round > 0 || arc[count - 1] < dot_length) break;
             const double head = hook(z, arc, count, m, false), tail = hook(z, arc, count, m, true);
@@ -268,9 +286,8 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
             first += drop, count -= drop;
         }
     }
-    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
-    if (status == BAT_OK && o->memory && stroke->count <= SMOOTH_MAX && count > 1) {
-        status = remember(o->memory, z, first, count, m);
+    if (status == BAT_OK && memory && count > 1) {
+        status = remember(memory, z, first, count, m);
         measure(z, count, m, arc);
     }
     if (status == BAT_OK) {
@@ -303,7 +320,8 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
         }
     }
     if (status == BAT_OK)
-        status = resample(z, arc, count, m, count, corners, corner_count, o->tolerance, out);
+        status = resample(z, arc, count, m, count, corners, corner_count, o->tolerance,
+                          o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
     free(y);
     free(z);
     free(corners);
