@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include <batten/nearest.h>
 
 #include "support/sketch_cases.h"
 
@@ -128,6 +129,56 @@ static void shown_ink_stays(void **state) {
     assert_true(worst <= 0.5);
 }
 
+/* A preview of a long stroke costs no more than that of a short one: its target stays small. It still shows the
+ * stroke, and what will be committed. */
+static void long_strokes(void **state) {
+    (void)state;
+    enum { LONG = 6000, STEP = 60 };
+    random_source r = {13};
+    double *points = malloc(2 * LONG * sizeof *points);
+    assert_non_null(points);
+    double angle = 0;
+    for (int i = 0; i < LONG; i++) { /* a spiral, 1.5 px a sample */
+        const double radius = 40 + 12 * angle;
+        points[2 * i] = radius * cos(angle) + 0.5 * random_between(&r, -1, 1);
+        points[2 * i + 1] = radius * sin(angle) + 0.5 * random_between(&r, -1, 1);
+        angle += 1.5 / radius;
+    }
+    bat_sketch_live *live;
+    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_NEW, NULL, 2, &live), BAT_OK);
+    double middle[2] = {0, 0}, moved = 0;
+    bat_sketch_preview_info info = {0};
+    for (int i = 0; i < LONG; i += STEP) {
+        const bat_stroke part = {.dimension = 2, .count = STEP, .points = points + 2 * i};
+        assert_int_equal(bat_sketch_add(live, &part), BAT_OK);
+        assert_int_equal(bat_sketch_preview(live, NULL, &info), BAT_OK);
+        assert_true(info.target_count <= 2000);
+        if (i == LONG / 2) memcpy(middle, info.target + 2 * (info.target_count / 2), sizeof middle);
+        if (i > LONG / 2) moved = fmax(moved, to_polyline(middle, info.target, info.target_count));
+    }
+    assert_true(moved <= 0.5);
+    double raw = 0, away = 0;
+    for (int i = 30; i < LONG - 30; i += 7)
+        raw = fmax(raw, to_polyline(points + 2 * i, info.target, info.target_count));
+    double *ink = malloc(2 * info.target_count * sizeof *ink);
+    const size_t count = info.target_count;
+    assert_non_null(ink);
+    memcpy(ink, info.target, 2 * count * sizeof *ink);
+    bat_curve *committed;
+    assert_int_equal(bat_sketch_commit(live, &committed, NULL), BAT_OK);
+    for (size_t i = 0; i < count; i++) {
+        bat_near near;
+        assert_int_equal(bat_curve_nearest(committed, ink + 2 * i, &near), BAT_OK);
+        away = fmax(away, near.distance);
+    }
+    print_message("long stroke: ink %.2f px from the samples, %.2f px from the committed curve\n", raw, away);
+    assert_true(raw <= 1.5);  /* three times the noise */
+    assert_true(away <= 1.5); /* the tolerance, and what smoothing differs by */
+    bat_curve_free(committed);
+    free(ink);
+    free(points);
+}
+
 static void calls_out_of_order(void **state) {
     (void)state;
     bat_sketch_live *live;
@@ -147,7 +198,7 @@ static void calls_out_of_order(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(commit_is_the_one_shot_call),
-                                       cmocka_unit_test(shown_ink_stays),
+                                       cmocka_unit_test(shown_ink_stays), cmocka_unit_test(long_strokes),
                                        cmocka_unit_test(calls_out_of_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
