@@ -41,6 +41,8 @@ typedef struct fitting {
     bat_curve space;
     double *knots, *a, *b, *border, *local, *rank, *points; /* points: of the accepted state */
     size_t *first;                                          /* samples of the trial's slots */
+    bat_lsq_memo memo[2];                                   /* of the last solve, and of the one before */
+    bool moved;                                             /* parameters are not those of the last solve */
     int *order, *failing, *samples, *place;
     enum plan *plan;
     double tolerance, worst; /* worst: greatest distance in the accepted state */
@@ -103,11 +105,15 @@ static bat_status solve(fitting *f) {
     set_space(f, &f->trial);
     bat_lsq_ranges(&f->space, f->count, f->u, f->first);
     const int n = f->space.count;
+    const bat_lsq_memo last = f->memo[1];
+    f->memo[1] = f->memo[0], f->memo[0] = last;
+    bat_lsq_memo_fill(&f->space, m, f->first, f->u, f->x, f->weight, &f->memo[1], !f->moved, &f->memo[0]);
+    f->moved = false;
     for (double ridge = 0; ridge <= 1e-4; ridge = ridge > 0 ? ridge * 1e3 : 1e-13) {
         memset(f->a, 0, (size_t)n * (size_t)(p + 1) * sizeof(double));
         memset(f->b, 0, (size_t)n * (size_t)m * sizeof(double));
-        bat_lsq_assemble(&f->space, m, f->count, f->u, f->x, f->weight, f->a, f->b);
-        if (f->mu > 0) bat_lsq_penalty(&f->space, order, f->mu, NULL, f->a);
+        bat_lsq_memo_add(&f->space, m, &f->memo[0], f->a, f->b);
+        if (f->mu > 0) bat_lsq_memo_penalty(&f->space, order, f->mu, NULL, &f->memo[0], f->a);
         if (ridge > 0) add_ridge(f, ridge);
         f->solves++;
         if (f->closed ? bat_cyclic_factor(f->a, n, p, f->border) == BAT_OK
@@ -116,7 +122,7 @@ static bat_status solve(fitting *f) {
                 bat_cyclic_solve(f->a, n, p, f->border, f->b, m);
             else
                 bat_banded_solve(f->a, n, p, f->b, m);
-            bat_lsq_local(&f->space, m, f->b, f->local);
+            bat_lsq_memo_local(&f->space, m, &f->memo[0], f->b, f->local);
             return BAT_OK;
         }
     }
@@ -181,6 +187,7 @@ static void accept(fitting *f, double worst) {
         f->spare[i] = v < low ? low : v > high ? high : v;
     }
     memcpy(f->u, f->spare, n * sizeof *f->u);
+    f->moved = true;
 }
 
 /* ---- Knots in ---- */
@@ -507,6 +514,11 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->local = part(base, &used, (unknowns + p) * (p + 1) * m, sizeof(double));
     f->rank = part(base, &used, unknowns + p + 1, sizeof(double));
     f->first = part(base, &used, unknowns + p + 1, sizeof(size_t));
+    for (int i = 0; i < 2; i++) {
+        double *block = part(base, &used, bat_lsq_memo_size(f->degree, f->dimension, unknowns),
+                             sizeof(double));
+        if (base) bat_lsq_memo_place(&f->memo[i], f->degree, f->dimension, unknowns, block);
+    }
     f->order = part(base, &used, wide, sizeof(int));
     f->failing = part(base, &used, room, sizeof(int));
     f->samples = part(base, &used, room, sizeof(int));

@@ -2,6 +2,7 @@
  * sum w s^k X, so that the work a sample is a handful of multiply-adds whatever the basis. The coordinate s
  * runs from -1 to 1, which keeps the moments well scaled up to degree 7. */
 #include "curve/lsq.h"
+#include "curve/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -69,8 +70,8 @@ void bat_lsq_ranges(const bat_curve *space, size_t count, const double *u, size_
     while (s > 0 && !(t[s + 1] > t[s])) first[s--] = count;
 }
 
-static inline void moments_of(const int p, const int dimension, double middle, double inverse, size_t count,
-                              const double *u, const double *x, const double *weight, double *out) {
+BAT_INLINE void moments_of(const int p, const int dimension, double middle, double inverse, size_t count,
+                           const double *u, const double *x, const double *weight, double *out) {
     double m[2 * BAT_DEGREE_MAX + 1] = {0}, v[ORDERS * BAT_DIMENSION_MAX] = {0};
     for (size_t i = 0; i < count; i++) {
         const double s = (u[i] - middle) * inverse;
@@ -390,9 +391,9 @@ double bat_lsq_error(const bat_curve *space, int dimension, const double *local,
 }
 
 /* One slot: straight-line code without branches, which compilers turn into vectors. */
-static inline void measure_slot(const int p, const int dimension, const double *restrict local, double middle,
-                                double half, size_t count, const double *restrict u, const double *restrict x,
-                                double *restrict near, double *restrict distance, double *restrict expected) {
+BAT_INLINE void measure_slot(const int p, const int dimension, const double *restrict local, double middle,
+                             double half, size_t count, const double *restrict u, const double *restrict x,
+                             double *restrict near, double *restrict distance, double *restrict expected) {
     const double inverse = 1 / half;
     for (size_t i = 0; i < count; i++) {
         const double s = (u[i] - middle) * inverse;
@@ -408,15 +409,16 @@ static inline void measure_slot(const int p, const int dimension, const double *
             d += r * r, g += r * f1, speed += f1 * f1, bend += 2 * r * f2;
         }
         const double h = speed + bend, safe = h > 0.25 * speed ? h : speed;
+        const double step = g / (safe > 0 ? safe : 1);
         distance[i] = d;
-        expected[i] = d - g * g / (safe > 0 ? safe : 1);
-        near[i] = u[i] - g / (safe > 0 ? safe : 1) * half;
+        expected[i] = d - g * step;
+        near[i] = u[i] - step * half;
     }
 }
 
-static inline void plain_slot(const int p, const int dimension, const double *restrict local, double middle,
-                              double half, size_t count, const double *restrict u, const double *restrict x,
-                              double *restrict distance) {
+BAT_INLINE void plain_slot(const int p, const int dimension, const double *restrict local, double middle,
+                           double half, size_t count, const double *restrict u, const double *restrict x,
+                           double *restrict distance) {
     const double inverse = 1 / half;
     for (size_t i = 0; i < count; i++) {
         const double s = (u[i] - middle) * inverse;
@@ -448,6 +450,13 @@ void bat_lsq_plain(const bat_curve *space, int dimension, const double *local, c
     }
 }
 
+/* The usual case, for every instruction set there is. */
+BAT_CLONES static void measure_planar_cubic(const double *local, double middle, double half, size_t count,
+                                            const double *u, const double *x, double *near, double *distance,
+                                            double *expected) {
+    measure_slot(3, 2, local, middle, half, count, u, x, near, distance, expected);
+}
+
 double bat_lsq_measure(const bat_curve *space, int dimension, const double *local, const size_t *first,
                        const double *u, const double *x, double limit, double *near, double *distance,
                        double *scratch) {
@@ -461,15 +470,24 @@ double bat_lsq_measure(const bat_curve *space, int dimension, const double *loca
         const double *piece = local + (size_t)s * (size_t)((p + 1) * dimension);
         const double *X = x + from * (size_t)dimension;
         if (p == 3 && dimension == 2)
-            measure_slot(3, 2, piece, middle, half, count, u + from, X, near + from, distance + from,
-                         scratch + from);
+            measure_planar_cubic(piece, middle, half, count, u + from, X, near + from, distance + from,
+                                 scratch + from);
         else
             measure_slot(p, dimension, piece, middle, half, count, u + from, X, near + from, distance + from,
                          scratch + from);
     }
-    for (size_t i = 0; i < first[slots]; i++) {
-        /* Only where the outcome is open: a sample that fails by far fails. */
+    const size_t all = first[slots];
+    bool hopeless = false;
+    for (size_t i = 0; i < all && !hopeless; i++)
+        hopeless = !(distance[i] <= limit || scratch[i] < 2.25 * limit);
+    for (size_t i = 0; i < all; i++) {
+        /* Only where the outcome is open: a sample that fails by far fails, and then one step's expectation
+         * tells enough of the others. */
         if (!(distance[i] <= limit) && scratch[i] < 2.25 * limit) {
+            if (hopeless) {
+                if (scratch[i] <= limit) distance[i] = fmax(scratch[i], 0);
+                continue;
+            }
             const double before = distance[i];
             double end = near[i], v = near[i] < t[0] ? t[0] : near[i] > t[slots] ? t[slots] : near[i], d;
             if (space->closed) v = bat_curve_reduce(space, near[i]);
