@@ -35,7 +35,9 @@ typedef struct bat_sketch_report {
     int knots_before; /* distinct knot values counted with multiplicity, as in the curve's knot vector */
     int knots_after;
     int solves;
-    double changed[2];     /* interval [t_k, t_l] of the old curve that was replaced */
+    /* Interval [t_k, t_l] of the old curve that was replaced. Join: where a is left and where b is reached, in
+     * the parameters they have once turned and b is brought to a's speed; 0 where an end follows the stroke. */
+    double changed[2];
     double changed_new[2]; /* the interval of the new curve that replaces it */
     double transition[2];  /* lengths of the two transitions on the curve side */
     bool reversed;         /* the stroke ran against the curve */
@@ -45,7 +47,12 @@ typedef struct bat_sketch_report {
 
 BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, width 3, corners not kept */
 
-/* Redraws curve with stroke. BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. */
+/*
+ * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
+ * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
+ * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.
+ * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides.
+ */
 BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke,
                               const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);
 /* A new curve from a stroke (math 5.8): closed when its ends meet (or force_closed), corners kept. */
@@ -62,8 +69,8 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
 
 /*
  * Live (math 5.9): the same hand while the pen is down.
- * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far; its cost is
- * amortised linear in the samples. commit gives exactly what the one-shot call gives for the whole stroke.
+ * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far; its cost
+ * is bounded, however long the stroke (about 0.4 ms, now and then 2), but for one pass over the samples. commit gives exactly what the one-shot call gives for the whole stroke.
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;

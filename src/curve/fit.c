@@ -24,6 +24,7 @@ typedef struct mesh {
     double *at;
     bool *corner; /* multiplicity degree instead of 1 */
     bool *kept;   /* known to be needed */
+    bool *firm;   /* was needed when knots last went, and nothing near has changed since */
 } mesh;
 
 /* What a round of removal does with a knot of the accepted mesh. */
@@ -58,6 +59,7 @@ static void copy_mesh(mesh *to, const mesh *from) {
     memcpy(to->at, from->at, (size_t)from->count * sizeof *to->at);
     memcpy(to->corner, from->corner, (size_t)from->count * sizeof *to->corner);
     memcpy(to->kept, from->kept, (size_t)from->count * sizeof *to->kept);
+    memcpy(to->firm, from->firm, (size_t)from->count * sizeof *to->firm);
 }
 
 /* The unrolled knots of a mesh, as struct bat_curve wants them. */
@@ -196,26 +198,27 @@ static void insert_at(mesh *m, int k, double value) { /* becomes the k-th */
     memmove(m->at + k + 1, m->at + k, (size_t)(m->count - k) * sizeof *m->at);
     memmove(m->corner + k + 1, m->corner + k, (size_t)(m->count - k) * sizeof *m->corner);
     memmove(m->kept + k + 1, m->kept + k, (size_t)(m->count - k) * sizeof *m->kept);
-    m->at[k] = value, m->corner[k] = false, m->kept[k] = false, m->count++;
+    memmove(m->firm + k + 1, m->firm + k, (size_t)(m->count - k) * sizeof *m->firm);
+    m->at[k] = value, m->corner[k] = m->kept[k] = m->firm[k] = false, m->count++;
 }
 
-/* Marks the spans of a mesh in which a sample fails: failing[k] for [at[k], at[k + 1]]; how many samples lie
- * there. */
-static void find_failing(fitting *f, const mesh *m) {
-    int *failing = f->failing, *samples = f->samples, k = 0;
+/* Counts the samples of each span of the trial, and those that fail. */
+static void find_failing(fitting *f) {
+    const mesh *m = &f->trial;
     const double limit = f->tolerance * f->tolerance;
-    for (int i = 0; i < m->count; i++) failing[i] = 0, samples[i] = 0;
-    for (size_t i = 0; i < f->count; i++) {
-        while (k + 2 < m->count && f->u[i] >= m->at[k + 1]) k++;
-        samples[k]++;
-        if (!(f->distance[i] <= limit)) failing[k]++;
+    for (int k = 0, slot = f->closed ? -1 : 0; k + 1 < m->count; k++) {
+        if (k > 0 || f->closed) slot += m->corner[k] ? f->degree : 1;
+        const size_t from = f->first[slot], to = f->first[slot + 1];
+        int failing = 0;
+        for (size_t i = from; i < to; i++) failing += !(f->distance[i] <= limit);
+        f->failing[k] = failing, f->samples[k] = (int)(to - from);
     }
 }
 
 /* Halves every failing span that has samples to tell more about; false when there is none. */
 static bool split_failing(fitting *f) {
     mesh *m = &f->trial;
-    find_failing(f, m);
+    find_failing(f);
     const double length = m->at[m->count - 1] - m->at[0];
     bool any = false;
     for (int k = m->count - 2; k >= 0; k--) {
@@ -272,6 +275,9 @@ static void carry_out(fitting *f) {
         f->place[k] = n - 1;
         if (f->plan[k] == DROP) continue;
         to->at[n] = from->at[k], to->corner[n] = from->corner[k], to->kept[n] = from->kept[k];
+        to->firm[n] = from->firm[k];
+        for (int d = -2; d <= 3 && to->firm[n]; d++)
+            if (k + d >= 0 && k + d < from->count && f->plan[k + d] == MERGE) to->firm[n] = false;
         if (f->plan[k] == MERGE) to->at[n] = 0.5 * (from->at[k] + from->at[k + 1]), k++, f->place[k] = n - 1;
         n++;
     }
@@ -312,7 +318,7 @@ static void carry_through(fitting *f) {
         }
         int back = 0;
         if (isfinite(worst) && round < 4) {
-            find_failing(f, &f->trial);
+            find_failing(f);
             for (int reach = round > 1 ? 2 : 1; back == 0 && reach < 8; reach *= 2)
                 back = take_back(f, reach);
         }
@@ -351,7 +357,7 @@ static bool make_plan(fitting *f, enum plan what, double part) {
     if (candidates == 0) return false;
     sort_by(f->order, candidates, f->distance);
     int most = (int)(part * candidates);
-    if (most < 1) most = 1;
+    if (most < 3) most = 3;
     if (most > m->count - least) most = m->count - least;
     const int reach = what == MERGE ? 2 : 1;
     bool any = false;
@@ -367,10 +373,13 @@ static bool make_plan(fitting *f, enum plan what, double part) {
 }
 
 static void thin(fitting *f) {
+    mesh *m = &f->accepted;
     while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
-    for (int k = 0; k < f->accepted.count; k++) f->accepted.kept[k] = false;
+    memcpy(m->firm, m->kept, (size_t)m->count * sizeof *m->firm);
+    for (int k = 0; k < m->count; k++) m->kept[k] = false;
     while (f->solves < f->budget && make_plan(f, MERGE, 0.7)) carry_through(f);
-    for (int k = 0; k < f->accepted.count; k++) f->accepted.kept[k] = false;
+    /* Once more where merging has changed something. */
+    memcpy(m->kept, m->firm, (size_t)m->count * sizeof *m->kept);
     while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
 }
 
@@ -455,10 +464,12 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
         for (int i = 0; i < spans; i++) {
             t->at[t->count] = from + (to - from) * i / spans;
             t->corner[t->count] = t->kept[t->count] = i == 0 && k > 0;
+            t->firm[t->count] = false;
             t->count++;
         }
     }
-    t->at[t->count] = end, t->corner[t->count] = false, t->kept[t->count] = true, t->count++;
+    t->at[t->count] = end, t->corner[t->count] = t->firm[t->count] = false, t->kept[t->count] = true;
+    t->count++;
     return BAT_OK;
 }
 
@@ -505,6 +516,7 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
         meshes[i]->at = part(base, &used, room, sizeof(double));
         meshes[i]->corner = part(base, &used, room, sizeof(bool));
         meshes[i]->kept = part(base, &used, room, sizeof(bool));
+        meshes[i]->firm = part(base, &used, room, sizeof(bool));
     }
     f->knots = part(base, &used, unknowns + 2 * p + 2, sizeof(double));
     f->a = part(base, &used, unknowns * (p + 1), sizeof(double));

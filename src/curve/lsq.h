@@ -106,8 +106,10 @@ double bat_lsq_error(const bat_curve *space, int dimension, const double *local,
 /*
  * The quick form for fits: u ascending, inside the domain, first from bat_lsq_ranges. A sample whose squared
  * distance at u[i] is within limit is measured there; one that fails by far, too; only those between are
- * projected. near: where one Newton step leads, not clamped to anything, or where the projection ended.
- * scratch: count doubles. Returns the greatest squared distance; the truth is never greater.
+ * projected, and not even those when another fails by far: then they are taken to be as near as a Newton step
+ * expects. near: where one Newton step leads, not clamped to anything, or where the projection ended.
+ * scratch: count doubles. Returns the greatest squared distance; when it is within limit the truth is never
+ * greater.
  */
 double bat_lsq_measure(const bat_curve *space, int dimension, const double *local, const size_t *first,
                        const double *u, const double *x, double limit, double *near, double *distance,
