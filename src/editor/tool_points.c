@@ -9,6 +9,7 @@
 #include "editor/editor.h"
 #include "curve/real.h"
 #include "editor/pick.h"
+#include "editor/pull.h"
 #include "editor/put.h"
 #include <batten/drag.h>
 #include <batten/measure.h>
@@ -124,8 +125,8 @@ static bat_status moved(const bat_editor *editor, const bat_curve *base, const b
     double u[2] = {grip->u, held->u}, deltas[4] = {delta[0], delta[1], 0, 0};
     bool holds = held->kind == BAT_HANDLE_KNOT && held->object == grip->object &&
                  held->curve == grip->curve && held->u != grip->u;
-    bat_status status = holds ? bat_curve_drag(base, 2, u, deltas, out) : BAT_SINGULAR;
-    return status == BAT_SINGULAR ? bat_curve_drag(base, 1, u, deltas, out) : status;
+    bat_status status = holds ? bat_pull(base, 2, u, deltas, out) : BAT_SINGULAR;
+    return status == BAT_SINGULAR ? bat_pull(base, 1, u, deltas, out) : status;
 }
 
 /* From the press to where the pen is, document units; Shift keeps to an axis. */

@@ -133,6 +133,46 @@ static void curve_is_pulled(void **state) {
     bat_editor_free(editor);
 }
 
+/* An outline of cubics whose joints turn by a tenth of a degree, as rounded files have them: pulled near a joint, the
+ * turn there stays what it was. */
+static void joints_that_look_smooth_stay_so(void **state) {
+    (void)state;
+    const double points[] = {200, 300, 240, 260, 300, 240, 400, 240.2, 500, 240, 560, 280, 600, 330};
+    const double knots[] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
+    bat_document *document = NULL;
+    bat_editor *editor = NULL;
+    bat_curve *curve = NULL;
+    bat_curve_create(3, 2, false, 7, knots, points, &curve);
+    bat_document_create(&document);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    pen_add(document, curve);
+    bat_editor_create(&editor);
+    bat_editor_resize(editor, 1000, 800, 1);
+    bat_editor_open(editor, document, "test");
+    bat_editor_command(editor, "zoom-100");
+    bat_editor_command(editor, "tool-points");
+    pen p = pen_for(editor);
+    uint64_t first = digest(editor);
+    double left[4], right[4], at[2], after[2];
+    bat_curve_eval_left(curve_at(editor, 0), 1, 1, left);
+    bat_curve_eval(curve_at(editor, 0), 1, 1, right);
+    double jump[2] = {right[2] - left[2], right[3] - left[3]};
+    bat_near near;
+    bat_curve_eval(curve_at(editor, 0), 1.15, 0, at);
+    double rounded[2] = {floor(at[0] * 100 + 0.5) / 100, floor(at[1] * 100 + 0.5) / 100};
+    bat_curve_nearest(curve_at(editor, 0), rounded, &near);
+    drag(&p, rounded[0], rounded[1], rounded[0] + 5, rounded[1] - 60);
+    assert_true(digest(editor) != first);
+    bat_curve_eval(curve_at(editor, 0), near.u, 0, after);
+    assert_true(fabs(after[0] - near.point[0] - 5) < 1e-9 && fabs(after[1] - near.point[1] + 60) < 1e-9);
+    bat_curve_eval_left(curve_at(editor, 0), 1, 1, left);
+    bat_curve_eval(curve_at(editor, 0), 1, 1, right);
+    for (int c = 0; c < 2; c++) assert_true(fabs(right[2 + c] - left[2 + c] - jump[c]) < 1e-9);
+    assert_int_equal(bat_curve_knot_count(curve_at(editor, 0)), 11);
+    round_trip(editor, first);
+    bat_editor_free(editor);
+}
+
 static void chosen_knot_stays_while_the_curve_is_pulled(void **state) {
     (void)state;
     bat_editor *editor = points_editor();
@@ -312,6 +352,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(control_point_moves_by_the_drag),
         cmocka_unit_test(curve_is_pulled),
+        cmocka_unit_test(joints_that_look_smooth_stay_so),
         cmocka_unit_test(chosen_knot_stays_while_the_curve_is_pulled),
         cmocka_unit_test(double_tap_inserts_a_knot_and_delete_takes_it_out),
         cmocka_unit_test(corners_come_and_go),
