@@ -54,6 +54,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_scene_rebase(scene, &editor->view);
     bat_editor_sync(editor);
     if (tool->update) tool->update(editor);
+    bat_editor_sync(editor); /* a drag shows in the frame that it was made for */
 
     bat_overlay_begin(&editor->overlay, scene->origin);
     show_selection(editor);

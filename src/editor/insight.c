@@ -13,9 +13,9 @@ static const double SPACING = 7, TALL = 46, HIGHEST = 110; /* px: between teeth,
 static const double REACH = 16, MARK = 4;                  /* px */
 enum { TEETH_MAX = 1500, INFLECTIONS_MAX = 200 };
 
-/* A tooth: where it stands, the unit normal, the curvature. */
+/* A tooth: where it stands, the unit normal, the curvature, the length of curve it stands for. */
 typedef struct tooth {
-    double at[2], normal[2], curvature;
+    double at[2], normal[2], curvature, share;
 } tooth;
 
 static bool in_sight(const bat_view *view, const double point[2]) {
@@ -46,25 +46,27 @@ static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
             if (!(speed > 0) || !in_sight(view, d)) continue;
             teeth[(*count)++] = (tooth){{d[0], d[1]},
                                         {d[3] / speed, -d[2] / speed},
-                                        (d[2] * d[5] - d[3] * d[4]) / (speed * speed * speed)};
+                                        (d[2] * d[5] - d[3] * d[4]) / (speed * speed * speed),
+                                        length / steps};
         }
     }
     free(breaks);
     return teeth;
 }
 
-/* Document units a unit of curvature: nine tenths of the teeth are no longer than TALL. In steps of the square root
+/* Document units a unit of curvature: along nine tenths of the curve no tooth is longer than TALL. In steps of the square root
  * of two, so that it does not breathe while the curve is dragged. 0: the curve is straight. */
 static double scale_of(const tooth *teeth, int count, double pixel) {
-    double low = 0, high = 0;
+    double low = 0, high = 0, whole = 0;
+    for (int i = 0; i < count; i++) whole += teeth[i].share;
     for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
     double least = high / 8;
     for (int round = 0; round < 40;
          round++) { /* to where one in ten is higher; no order is needed for that */
         double middle = (low + high) / 2;
-        int above = 0;
-        for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle;
-        if (above > count / 10)
+        double above = 0;
+        for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle ? teeth[i].share : 0;
+        if (above > whole / 10)
             low = middle;
         else
             high = middle;

@@ -317,8 +317,10 @@ static void escape_takes_a_drag_back(void **state) {
     uint64_t first = digest(editor);
     pen_event(&p, BAT_POINTER_DOWN, 500, 600);
     pen_event(&p, BAT_POINTER_MOVE, 520, 660);
-    bat_editor_frame(editor);
+    const bat_frame *frame = bat_editor_frame(editor);
     assert_true(digest(editor) != first); /* live */
+    double bottom = frame->still[2].bounds[3] + frame->origin[1];
+    assert_true(bottom > 630); /* the frame that the drag was made for paints it */
     bat_editor_key(editor, "Escape", true, 0, p.time);
     assert_true(digest(editor) == first);
     check(editor);

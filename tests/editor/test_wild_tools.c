@@ -1,0 +1,69 @@
+/* Wild sessions with the points tool, the smooth brush and the eraser: invariants after every event, undo to the
+ * first document, and a journal that replays to the same. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/session.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void wild_tools(void **state) {
+    (void)state;
+    static const char *const commands[] = {"tool-points",   "tool-smooth", "tool-eraser", "corner-make",
+                                           "corner-smooth", "knot-next",   "point-add",   "point-delete",
+                                           "point-next",    "nudge-left",  "calm",        "show-comb",
+                                           "show-knots",    "show-length", "tool-points", "undo"};
+    enum { SIZE = 1200 };
+    static uint8_t data[SIZE];
+    int steps = 0;
+    for (uint64_t seed = 1; seed <= 80; seed++) {
+        uint64_t mix = seed * 77777;
+        for (int i = 0; i < SIZE; i++) {
+            mix = mix * 6364136223846793005u + 1442695040888963407u;
+            data[i] = (uint8_t)(mix >> 56);
+        }
+        session_bytes bytes = {data, SIZE, 0};
+        bat_editor *editor = pen_editor();
+        uint64_t first = digest(editor);
+        double time = 0;
+        bat_editor_command(editor, commands[seed % 3]);
+        while (bytes.at < bytes.size) {
+            if (session_byte(&bytes) < 100) {
+                bat_editor_command(editor, commands[session_byte(&bytes) % 16]);
+                bat_editor_frame(editor);
+            }
+            session_event(editor, &bytes, &time);
+            const char *wrong = bat_editor_check(editor);
+            if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, bytes.at, wrong);
+        }
+        bat_editor_command(editor, "cancel");
+        bat_editor_command(editor, "cancel");
+        uint64_t last = digest(editor);
+        size_t size = 0;
+        const char *text = bat_editor_journal(editor, &size);
+        for (const char *at = text; (at = strstr(at, "\"do\":\"change\"")); at++) steps++;
+        bat_editor *again = NULL;
+        bat_problem problem = {"", ""};
+        assert_int_equal(bat_editor_create(&again), BAT_OK);
+        if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+            fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
+        assert_true(digest(again) == last);
+        bat_editor_free(again);
+        while (bat_editor_command(editor, "redo") == BAT_OK) {
+        }
+        uint64_t top = digest(editor);
+        while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
+        assert_true(digest(editor) == first);
+        while (bat_editor_command(editor, "redo") == BAT_OK) assert_null(bat_editor_check(editor));
+        assert_true(digest(editor) == top);
+        bat_editor_free(editor);
+    }
+    if (steps < 60) fail_msg("only %d steps: these sessions do nothing", steps);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wild_tools)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
