@@ -68,13 +68,26 @@ BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, cons
 /*
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
  * {"commands":[{"name","label","help","keys":[...],"hold"}], "properties":[{"name","label","help","type",
- *  "default","low","high","step","unit"}], "tools":[{"name","label","help","command","keys":[...]}],
+ *  "default","low","high","step","unit","choices":[words, of type choice only]}], "tools":[{"name","label","help","command","keys":[...]}],
  *  "strings":{key:text}}. Owned by the editor, valid until the next call of it; NULL when out of memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);
 /* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it
  * is now): that state is clean from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);
+
+/* ---- layers and objects by id, for panels ---- */
+
+/* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
+ * "loose": objects in no layer}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_layers(bat_editor *editor);
+/* The layer that new curves go into; 0: none. */
+BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
+/* Steps of the history, of any object. BAT_STATE: a drag is under way. */
+BAT_API bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name);
+BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked);
+/* Selects an object (0: none), alone or besides what is selected. */
+BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 
 /* ---- output ---- */
 
@@ -147,7 +160,11 @@ typedef enum bat_cursor {
     BAT_CURSOR_GRABBING,
     BAT_CURSOR_WAIT,
     BAT_CURSOR_ARROW,
-    BAT_CURSOR_MOVE
+    BAT_CURSOR_MOVE,
+    BAT_CURSOR_RESIZE_EW,
+    BAT_CURSOR_RESIZE_NS,
+    BAT_CURSOR_RESIZE_NWSE,
+    BAT_CURSOR_RESIZE_NESW
 } bat_cursor;
 
 /* Requests to the host, cleared once the frame has been taken. */
@@ -183,6 +200,10 @@ typedef struct bat_frame {
     const char *notice;      /* something just happened that the user should know; "" when it has passed */
     uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
     const char *name;        /* of the document */
+    uint32_t revision;  /* grows with every change of the document */
+    uint32_t selection; /* grows with every change of the selection */
+    uint32_t selected;  /* objects in it */
+    uint32_t layer;     /* the active one; 0: none */
 } bat_frame;
 
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */

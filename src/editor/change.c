@@ -29,9 +29,8 @@ void bat_change_write(const bat_delta *deltas, int count, bat_string label, bat_
 }
 
 static bat_string label_named(const char *key) {
-    int i = 0;
-    while (i < BAT_STRING_COUNT && strcmp(bat_string_key((bat_string)i), key)) i++;
-    return i < BAT_STRING_COUNT ? (bat_string)i : BAT_STRING_STEP_CHANGE;
+    bat_string label = bat_string_named(key, strlen(key));
+    return label == BAT_STRING_COUNT ? BAT_STRING_STEP_CHANGE : label;
 }
 
 static bat_status say(const bat_json *json, uint32_t node, bat_status status, bat_problem *problem) {

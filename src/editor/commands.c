@@ -1,4 +1,5 @@
 /* The dispatcher: what each command of the table does. */
+#include "editor/act.h"
 #include "editor/editor.h"
 #include "editor/calm.h"
 #include <math.h>
@@ -11,7 +12,7 @@ typedef bat_status command_function(bat_editor *editor, bool down);
 static void follow(bat_editor *editor, bool undone) {
     const bat_history *history = &editor->history;
     const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
-    bat_selection_prune(&editor->selection, editor->document);
+    bat_editor_follow(editor);
     if (editor->tool == BAT_TOOL_SKETCH) return;
     bool cleared = false;
     for (int i = 0; i < step->count; i++) {
@@ -22,6 +23,7 @@ static void follow(bat_editor *editor, bool undone) {
         cleared = true;
         bat_selection_add(&editor->selection, bat_object_id(to)); /* without memory: not selected */
     }
+    bat_selection_prune(&editor->selection, editor->document); /* what is hidden or locked */
 }
 
 /* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
@@ -81,8 +83,7 @@ static bat_status accept(bat_editor *editor, bool down) {
 }
 
 static bat_status cancel(bat_editor *editor, bool down) {
-    (void)down;
-    return drop(editor) ? BAT_OK : BAT_STATE;
+    return drop(editor) ? BAT_OK : bat_do_deselect(editor, down);
 }
 
 static bat_status ask(bat_editor *editor, uint32_t request) {
@@ -183,8 +184,13 @@ static bat_status choose(bat_editor *editor, bat_tool_id tool) {
     editor->tool = tool;
     return BAT_OK;
 }
+static bat_status tool_select(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_SELECT);
+}
 static bat_status tool_sketch(bat_editor *editor, bool down) {
     (void)down;
+    bat_selection_clear(&editor->selection); /* what is not shown is not selected */
     return choose(editor, BAT_TOOL_SKETCH);
 }
 static bat_status tool_points(bat_editor *editor, bool down) {

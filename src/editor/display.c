@@ -83,7 +83,11 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .hint = hint(editor),
                          .notice = editor->notice == BAT_STRING_COUNT ? "" : editor->notice_text,
                          .notice_version = editor->notice_version,
-                         .name = editor->name};
+                         .name = editor->name,
+                         .revision = (uint32_t)editor->revision,
+                         .selection = editor->selection.version,
+                         .selected = (uint32_t)editor->selection.count,
+                         .layer = (uint32_t)editor->layer};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     drawing(editor, frame);

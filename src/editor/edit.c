@@ -77,13 +77,18 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
 
 /* Takes the curve over, whatever it returns. */
 static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
-    bat_object *object = NULL;
+    const bat_document *document = editor->document;
+    bat_object *object = NULL, *placed = NULL;
     bat_status status = bat_object_create_path(edit->object, NULL, &edit->style, 1, &curve, &object);
     if (status != BAT_OK) {
         bat_curve_free(curve);
         return status;
     }
-    status = bat_transaction_insert(editor, bat_document_count(editor->document), object);
+    int layer = edit->parent ? bat_document_find(document, edit->parent) : -1;
+    int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
+    status = edit->parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, edit->parent, &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(editor, index, placed);
+    bat_object_release(placed);
     bat_object_release(object);
     return status;
 }

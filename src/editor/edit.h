@@ -27,6 +27,7 @@ typedef struct bat_edit {
     double view[3]; /* the stroke's samples are view pixels of this view */
     bat_sketch_options options;
     bat_style style; /* NEW */
+    bat_id parent;   /* NEW: the layer it goes into; 0: none */
     bool accepted;   /* the user said yes to a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;

@@ -45,6 +45,17 @@ static void stroke(bat_text *line, const bat_samples *samples) {
     bat_text_string(line, "}");
 }
 
+/* What is not as usual. */
+static void write_style(bat_text *line, const bat_style *style) {
+    bat_style usual = bat_style_defaults();
+    if (style->stroked != usual.stroked) number(line, "stroked", style->stroked);
+    if (style->filled != usual.filled) number(line, "filled", style->filled);
+    if (style->fill != usual.fill) number(line, "fill_colour", style->fill);
+    if (style->opacity != usual.opacity) number(line, "opacity", style->opacity);
+    if (style->cap != usual.cap) number(line, "cap", (double)style->cap);
+    if (style->join != usual.join) number(line, "join", (double)style->join);
+}
+
 void bat_edit_write(const bat_edit *edit, bat_text *line) {
     bat_text_string(line, "{\"do\":\"");
     bat_text_string(line, bat_edit_name(edit->kind));
@@ -58,6 +69,8 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->kind == BAT_EDIT_NEW) {
         number(line, "stroke_colour", edit->style.stroke);
         number(line, "stroke_width", edit->style.width);
+        write_style(line, &edit->style);
+        if (edit->parent) number(line, "parent", (double)edit->parent);
     }
     number(line, "tolerance", edit->options.tolerance);
     number(line, "pixel", edit->options.pixel);
@@ -113,6 +126,17 @@ static int read_whole(reader *r, const char *name, double low, double high) {
         r->status = bat_json_complain(r->json, bat_json_member(r->json, r->object, name), BAT_ARGUMENT, name,
                                       "a whole number", r->problem);
     return (int)value;
+}
+
+static void read_style(reader *r, bat_style *style) {
+    const double stroked = style->stroked, filled = style->filled, fill = style->fill,
+                 cap = (double)style->cap, join = (double)style->join;
+    style->stroked = read(r, "stroked", 0, 1, &stroked) != 0;
+    style->filled = read(r, "filled", 0, 1, &filled) != 0;
+    style->fill = (uint32_t)read(r, "fill_colour", 0, 4294967295.0, &fill);
+    style->opacity = read(r, "opacity", 0, 1, &style->opacity);
+    style->cap = (bat_cap)(int)read(r, "cap", 0, 2, &cap);
+    style->join = (bat_join)(int)read(r, "join", 0, 2, &join);
 }
 
 static bool read_switch(reader *r, const char *name) {
@@ -214,6 +238,8 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
         const double colour = out->style.stroke;
         out->style.stroke = (uint32_t)read(&r, "stroke_colour", 0, 4294967295.0, &colour);
         out->style.width = read(&r, "stroke_width", 0, 1e9, &out->style.width);
+        read_style(&r, &out->style);
+        out->parent = (bat_id)read(&r, "parent", 0, ids, &none);
     }
     bat_sketch_options *options = &out->options;
     *options = bat_sketch_defaults();

@@ -43,11 +43,9 @@ const char *bat_editor_text(const bat_editor *editor, bat_string text) {
     return bat_string_english(text);
 }
 
-bat_style bat_editor_new_style(const bat_editor *editor) {
-    bat_style style = bat_style_defaults();
-    style.width = editor->values[BAT_PROPERTY_STROKE_WIDTH];
-    style.stroke = (uint32_t)editor->values[BAT_PROPERTY_STROKE_COLOUR];
-    return style;
+void bat_editor_follow(bat_editor *editor) {
+    bat_selection_prune(&editor->selection, editor->document);
+    if (editor->layer && bat_document_find(editor->document, editor->layer) < 0) editor->layer = 0;
 }
 
 void bat_editor_sync(bat_editor *editor) {
@@ -115,6 +113,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_document_free(editor->document);
     free(editor->name);
     free(editor->tables);
+    free(editor->layers);
     free(editor);
 }
 
@@ -158,6 +157,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     strcpy(own_name, name);
     if (editor->document) bat_editor_interrupt(editor);
     bat_selection_clear(&editor->selection);
+    editor->layer = 0;
     bat_splining_free(&editor->splining);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);

@@ -11,6 +11,7 @@
 #include "editor/overlay.h"
 #include "editor/pointing.h"
 #include "editor/scene.h"
+#include "editor/selecting.h"
 #include "editor/selection.h"
 #include "editor/sketching.h"
 #include "editor/splining.h"
@@ -33,6 +34,7 @@ struct bat_editor {
     bool asked;
     bat_transaction transaction;
     bat_selection selection; /* what commands act on; never part of the document, history or journal */
+    bat_id layer;            /* the active one, where new curves go; 0: none */
     bat_journal journal;
 
     double values[BAT_PROPERTY_COUNT];
@@ -43,6 +45,7 @@ struct bat_editor {
     bat_pointing pointing;
     bat_brushing brushing;
     bat_insight insight;
+    bat_selecting selecting;
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */
@@ -63,7 +66,7 @@ struct bat_editor {
     bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
     uint32_t notice_version;
     bat_frame frame;
-    char *tables; /* JSON, made when asked for */
+    char *tables, *layers; /* JSON, made when asked for */
 };
 
 /* editor.c */
@@ -76,6 +79,8 @@ void bat_editor_notice_failure(bat_editor *editor, bat_status status); /* out of
 const char *bat_editor_text(const bat_editor *editor, bat_string text);
 /* The style that new curves get. */
 bat_style bat_editor_new_style(const bat_editor *editor);
+/* After a step: what is gone is no longer selected, nor the active layer. */
+void bat_editor_follow(bat_editor *editor);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);
 /* Ends every contact and whatever the tool has under way. */

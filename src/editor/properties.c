@@ -1,5 +1,6 @@
 /* Property values: numbers within the ranges of the table. */
 #include "editor/editor.h"
+#include "editor/styling.h"
 #include <math.h>
 
 bat_status bat_editor_set(bat_editor *editor, const char *property, double value) {
@@ -9,6 +10,14 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
     if (isnan(value)) return BAT_NUMBER;
     if (value < row->low || value > row->high) return BAT_ARGUMENT;
     if (row->type != BAT_PROPERTY_NUMBER && value != floor(value)) return BAT_ARGUMENT;
+    if (bat_styling_is(id)) {
+        /* Who chooses a colour wants to see it. */
+        bat_property_id shown = id == BAT_PROPERTY_STROKE_COLOUR ? BAT_PROPERTY_STROKED
+                                : id == BAT_PROPERTY_FILL_COLOUR ? BAT_PROPERTY_FILLED
+                                                                 : id;
+        bat_styling values[2] = {{id, value}, {shown, 1}};
+        return bat_styling_set(editor, shown == id ? 1 : 2, values);
+    }
     editor->values[id] = value;
     return BAT_OK;
 }
@@ -16,6 +25,7 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
 bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
     bat_property_id id = bat_property_named(property);
     if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
-    *value = editor->values[id];
+    const bat_style *style = bat_styling_is(id) ? bat_styling_selected(editor) : NULL;
+    *value = style ? bat_styling_value(style, id) : editor->values[id];
     return BAT_OK;
 }

@@ -1,4 +1,5 @@
 #include "editor/selection.h"
+#include "document/nesting.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +8,10 @@ void bat_selection_free(bat_selection *selection) {
     *selection = (bat_selection){0};
 }
 
-void bat_selection_clear(bat_selection *selection) { selection->count = 0; }
+void bat_selection_clear(bat_selection *selection) {
+    selection->version += selection->count > 0;
+    selection->count = 0;
+}
 
 /* Where the id is, or would be. */
 static int place(const bat_selection *selection, bat_id id) {
@@ -41,6 +45,7 @@ bat_status bat_selection_add(bat_selection *selection, bat_id id) {
             (size_t)(selection->count - at) * sizeof *selection->ids);
     selection->ids[at] = id;
     selection->count++;
+    selection->version++;
     return BAT_OK;
 }
 
@@ -48,6 +53,7 @@ void bat_selection_remove(bat_selection *selection, bat_id id) {
     int at = place(selection, id);
     if (at == selection->count || selection->ids[at] != id) return;
     selection->count--;
+    selection->version++;
     memmove(selection->ids + at, selection->ids + at + 1,
             (size_t)(selection->count - at) * sizeof *selection->ids);
 }
@@ -56,8 +62,13 @@ void bat_selection_prune(bat_selection *selection, const bat_document *document)
     if (selection->count == 0) return;
     /* Those found are marked by the top bit, which no id has: one walk over the document, no memory. */
     const bat_id mark = (bat_id)1 << 63;
+    bat_nesting nesting = {0};
     for (int i = 0; i < bat_document_count(document); i++) {
-        bat_id id = bat_object_id(bat_document_at(document, i));
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, object, &level);
+        if (level.hidden || level.locked) continue;
+        bat_id id = bat_object_id(object);
         int low = 0, high = selection->count;
         while (low < high) {
             int middle = low + (high - low) / 2;
@@ -71,6 +82,7 @@ void bat_selection_prune(bat_selection *selection, const bat_document *document)
     int kept = 0;
     for (int i = 0; i < selection->count; i++)
         if (selection->ids[i] & mark) selection->ids[kept++] = selection->ids[i] & ~mark;
+    selection->version += kept != selection->count;
     selection->count = kept;
 }
 
@@ -78,7 +90,12 @@ bool bat_selection_holds(const bat_selection *selection, const bat_document *doc
     for (int i = 1; i < selection->count; i++)
         if (selection->ids[i] <= selection->ids[i - 1]) return false;
     int found = 0;
-    for (int i = 0; i < bat_document_count(document) && selection->count; i++)
-        found += bat_selection_has(selection, bat_object_id(bat_document_at(document, i)));
+    bat_nesting nesting = {0};
+    for (int i = 0; i < bat_document_count(document) && selection->count; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, object, &level);
+        if (!level.hidden && !level.locked) found += bat_selection_has(selection, bat_object_id(object));
+    }
     return found == selection->count;
 }

@@ -45,6 +45,12 @@ const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }
 const char *bat_string_key(bat_string id) { return keys_of_texts[id]; }
 const char *bat_string_english(bat_string id) { return english_texts[id]; }
 
+bat_string bat_string_named(const char *key, size_t size) {
+    int i = 0;
+    while (i < BAT_STRING_COUNT && (strncmp(keys_of_texts[i], key, size) || keys_of_texts[i][size])) i++;
+    return (bat_string)i;
+}
+
 bat_command_id bat_command_named(const char *name) {
     int i = 0;
     while (i < BAT_COMMAND_COUNT && (!name || strcmp(commands[i].name, name))) i++;

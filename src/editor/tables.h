@@ -32,7 +32,8 @@ typedef enum bat_tool_id {
 typedef enum bat_property_type {
     BAT_PROPERTY_NUMBER,
     BAT_PROPERTY_SWITCH,
-    BAT_PROPERTY_COLOUR
+    BAT_PROPERTY_COLOUR,
+    BAT_PROPERTY_CHOICE
 } bat_property_type;
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE } bat_when;
 
@@ -60,6 +61,8 @@ typedef struct bat_tool_row {
 const bat_command_row *bat_command_at(bat_command_id id);
 const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
+/* The text of a key (size bytes); BAT_STRING_COUNT: none. */
+bat_string bat_string_named(const char *key, size_t size);
 /* The id of a name; the count when there is none. */
 bat_command_id bat_command_named(const char *name);
 bat_property_id bat_property_named(const char *name);

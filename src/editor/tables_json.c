@@ -1,6 +1,7 @@
 /* The tables as JSON, for the shells. */
 #include "editor/editor.h"
 #include <stdlib.h>
+#include <string.h>
 
 static void field(bat_text *line, const char *name, const char *value) {
     bat_text_string(line, ",\"");
@@ -38,8 +39,22 @@ static void number(bat_text *line, const char *name, double value) {
     bat_line_number(line, value);
 }
 
+/* keys: of the choices' words, separated by spaces. */
+static void choices(const bat_editor *editor, bat_text *line, const char *keys) {
+    bat_text_string(line, ",\"unit\":\"\",\"choices\":[");
+    for (const char *at = keys; *at;) {
+        size_t size = strcspn(at, " ");
+        bat_string word = bat_string_named(at, size);
+        if (at != keys) bat_text_string(line, ",");
+        bat_text_json_string(line, word == BAT_STRING_COUNT ? "" : bat_editor_text(editor, word));
+        at += size;
+        at += strspn(at, " ");
+    }
+    bat_text_string(line, "]");
+}
+
 const char *bat_editor_tables(bat_editor *editor) {
-    static const char *const types[] = {"number", "switch", "colour"};
+    static const char *const types[] = {"number", "switch", "colour", "choice"};
     bat_text line = {0};
     bat_text_string(&line, "{\"commands\":[");
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
@@ -59,7 +74,10 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "low", row->low);
         number(&line, "high", row->high);
         number(&line, "step", row->step);
-        field(&line, "unit", row->unit);
+        if (row->type == BAT_PROPERTY_CHOICE)
+            choices(editor, &line, row->unit);
+        else
+            field(&line, "unit", row->unit);
         bat_text_string(&line, "}");
     }
     bat_text_string(&line, "],\"tools\":[");

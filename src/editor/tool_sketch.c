@@ -7,6 +7,7 @@
  * met. PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from
  * anywhere.
  */
+#include "editor/arrange.h"
 #include "editor/editor.h"
 #include "curve/real.h"
 #include <math.h>
@@ -302,7 +303,10 @@ static void up(bat_editor *editor, const bat_pointer *event) {
     bool strayed = false;
     bat_status status = make(editor, &curve, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
-        if (s->edit.kind == BAT_EDIT_NEW) s->edit.object = bat_document_new_id(editor->document);
+        if (s->edit.kind == BAT_EDIT_NEW) {
+            s->edit.object = bat_document_new_id(editor->document);
+            bat_arrange_place(editor, &s->edit.parent);
+        }
         if (status == BAT_TOLERANCE) {
             keep_pending(s, curve, &report);
             bat_editor_notice(editor, BAT_STRING_NOTICE_PENDING);

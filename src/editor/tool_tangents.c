@@ -6,6 +6,7 @@
  * point is a drag of its direction at once. cancel: a drag goes back to IDLE and changes nothing; else placing ends;
  * else nothing is chosen.
  */
+#include "editor/arrange.h"
 #include "editor/editor.h"
 #include "curve/real.h"
 #include <math.h>
@@ -203,9 +204,8 @@ static bat_status add_point(bat_editor *editor, const double point[2]) {
     }
     if (status == BAT_OK) status = bat_transaction_begin(editor);
     if (status == BAT_OK) {
-        int count = bat_document_count(editor->document);
         status = s->object ? bat_transaction_replace(editor, bat_document_find(editor->document, id), object)
-                           : bat_transaction_insert(editor, count, object);
+                           : bat_arrange_insert(editor, object);
         if (status != BAT_OK) bat_transaction_cancel(editor);
     }
     bat_object_release(object);

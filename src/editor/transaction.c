@@ -28,6 +28,7 @@ static bat_status add(bat_editor *editor, int index, const bat_object *before, b
         return status;
     }
     transaction->deltas[transaction->count++] = delta;
+    if (!before || !after) transaction->moved = true;
     editor->revision++;
     return BAT_OK;
 }
@@ -36,23 +37,34 @@ bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *obj
     return object ? add(editor, index, NULL, object) : BAT_ARGUMENT;
 }
 
+/* A drag replaces the same objects again and again: one delta an object for all of it. NULL: none yet. Indices
+ * before an insertion or a removal mean something else. */
+static bat_delta *replaced(bat_transaction *transaction, int index) {
+    bat_delta *deltas = transaction->deltas;
+    /* A drag of many goes through them in the same order each time. */
+    int next = transaction->next;
+    if (!transaction->moved && next < transaction->count && deltas[next].index == index)
+        return &deltas[transaction->next++];
+    for (int i = transaction->count - 1; i >= 0 && deltas[i].before && deltas[i].after; i--)
+        if (deltas[i].index == index) {
+            transaction->next = i + 1;
+            return &deltas[i];
+        }
+    return NULL;
+}
+
 bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object) {
     bat_transaction *transaction = &editor->transaction;
     const bat_object *before = bat_document_at(editor->document, index);
     if (!before || !object) return BAT_ARGUMENT;
-    /* A drag replaces the same object again and again: one delta for all of it. */
-    for (int i = transaction->count - 1; i >= 0; i--) {
-        bat_delta *delta = &transaction->deltas[i];
-        if (!delta->before || !delta->after) break; /* indices before an insertion mean something else */
-        if (delta->index != index) continue;
-        bat_status status = bat_document_replace(editor->document, index, object);
-        if (status != BAT_OK) return status;
-        bat_object_release(delta->after);
-        delta->after = bat_object_retain(object);
-        editor->revision++;
-        return BAT_OK;
-    }
-    return add(editor, index, before, object);
+    bat_delta *delta = replaced(transaction, index);
+    if (!delta) return add(editor, index, before, object);
+    bat_status status = bat_document_replace(editor->document, index, object);
+    if (status != BAT_OK) return status;
+    bat_object_release(delta->after);
+    delta->after = bat_object_retain(object);
+    editor->revision++;
+    return BAT_OK;
 }
 
 bat_status bat_transaction_remove(bat_editor *editor, int index) {
@@ -100,7 +112,7 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
     }
     bat_history_push(&editor->history, (int)label, transaction->count, transaction->deltas);
     *transaction = (bat_transaction){0};
-    bat_selection_prune(&editor->selection, editor->document);
+    bat_editor_follow(editor);
     return BAT_OK;
 }
 
@@ -113,5 +125,5 @@ void bat_transaction_cancel(bat_editor *editor) {
     }
     bat_deltas_free(transaction->deltas, transaction->count);
     *transaction = (bat_transaction){0};
-    bat_selection_prune(&editor->selection, editor->document);
+    bat_editor_follow(editor);
 }

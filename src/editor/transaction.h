@@ -15,6 +15,8 @@ typedef struct bat_transaction {
     bool open;
     bat_delta *deltas;
     int count, room;
+    int next;   /* the delta that the next replacement of a run of them is likely to be */
+    bool moved; /* something was inserted or removed: indices mean different things along the list */
 } bat_transaction;
 
 /* BAT_STATE when one is open. */

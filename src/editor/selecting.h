@@ -1,0 +1,39 @@
+/* The Select tool's state. */
+#ifndef BATTEN_SRC_SELECTING_H
+#define BATTEN_SRC_SELECTING_H
+
+#include <batten/editor.h>
+
+typedef enum bat_selecting_state {
+    BAT_SELECTING_IDLE,
+    BAT_SELECTING_PRESSED, /* down on something, not moved yet */
+    BAT_SELECTING_MARQUEE,
+    BAT_SELECTING_MOVING,
+    BAT_SELECTING_SCALING,
+    BAT_SELECTING_ROTATING
+} bat_selecting_state;
+
+/* The eight handles lie around the box, from the top left on clockwise; then the one that rotates. */
+enum { BAT_HANDLE_ROTATE = 8, BAT_HANDLE_NONE = -1 };
+
+typedef struct bat_selecting {
+    bat_selecting_state state;
+    bat_device device;
+    double start[2], at[2]; /* view pixels: where the pointer came down, where it is */
+    bool hovering;
+    bat_id hovered; /* what a click would select; 0: nothing */
+    int handle;     /* under the pointer, or held */
+
+    bat_id pressed;    /* 0: on nothing */
+    bool was_selected; /* before the press: a click then selects it alone */
+    double box[4];     /* of the selection, when the drag began */
+    int *indices;      /* of the paths that the drag changes, and what they were */
+    bat_object **before;
+    int count;
+    bool due; /* the drag has moved on since the objects were last changed */
+
+    double point[2]; /* document units: the last place that was clicked; where to split */
+    bool has_point;
+} bat_selecting;
+
+#endif
