@@ -283,6 +283,27 @@ export class Engine {
     return this.#guard(() => this.#lend(property, (text) => this.wasm.editor_get(this.editor, text)), NaN);
   }
 
+  /** @returns {import('./layers.js').Layers} */
+  layers() {
+    return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_layers(this.editor))),
+      { layers: [], active: 0, loose: 0 });
+  }
+
+  /** @param {number} id 0: none @returns {boolean} */
+  activateLayer(id) {
+    return this.#guard(() => this.wasm.editor_activate_layer(this.editor, id) === OK, false);
+  }
+
+  /** @param {number} id @param {string} name @returns {boolean} */
+  rename(id, name) {
+    return this.#guard(() => this.#lend(name, (text) => this.wasm.editor_rename(this.editor, id, text)) === OK, false);
+  }
+
+  /** @param {number} id @param {boolean} hidden @param {boolean} locked @returns {boolean} */
+  setState(id, hidden, locked) {
+    return this.#guard(() => this.wasm.editor_set_state(this.editor, id, Number(hidden), Number(locked)) === OK, false);
+  }
+
   /** @returns {Tables} */
   tables() {
     return JSON.parse(this.#string(this.wasm.editor_tables(this.editor)));

@@ -62,6 +62,10 @@ export function readFrame(memory, place, at, knownVersion, known) {
     notice: text('frame.notice'),
     noticeVersion: word('frame.notice_version'),
     name: text('frame.name'),
+    revision: word('frame.revision'),
+    selection: word('frame.selection'),
+    selected: word('frame.selected'),
+    layer: word('frame.layer'),
   };
 }
 

@@ -10,7 +10,8 @@ import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
 import { Theme } from './theme.js';
 
-const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move'];
+const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
+  'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize'];
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));

@@ -1,6 +1,8 @@
 // The toolbar, the sheets and the readouts, made from the engine's tables. There is no list of commands here: a tool
 // always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
 
+import { LayersSheet } from './layers.js';
+
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').CommandRow} CommandRow */
@@ -68,6 +70,7 @@ export class Panel {
     this.shown = '';
     this.#fillBar();
     this.#fillSettings();
+    this.#fillLayers();
     this.#fillMenu();
     this.#fillReadouts();
     this.#fillPending();
@@ -94,6 +97,7 @@ export class Panel {
       groups.get(group).append(this.#button(row.name, row.label, row.help, row.keys));
     }
     const own = this.#group(bar, 'Window');
+    own.append(this.#sheetButton('style', 'Style'), this.#sheetButton('layers', 'Layers'));
     own.append(this.#sheetButton('settings', 'Settings'), this.#sheetButton('menu', 'All commands'));
     this.themeButton = this.#plainButton('theme', 'Light or dark', '');
     own.append(this.themeButton);
@@ -167,10 +171,37 @@ export class Panel {
   #fillSettings() {
     const sheet = part('settings');
     sheet.append(this.#heading('Settings'));
+    const style = part('style');
+    style.append(this.#heading('Style'));
     for (const row of this.tables.properties) {
-      sheet.append(this.#control(row, 'setting'));
+      (row.group === 'style' ? style : sheet).append(this.#control(row, 'setting'));
     }
-    sheet.addEventListener('toggle', () => this.refresh());
+    const presets = document.createElement('div');
+    presets.className = 'layer-commands';
+    presets.append(...this.#wordButtons((name) => name.startsWith('style-')));
+    style.append(presets);
+    for (const one of [sheet, style]) {
+      one.addEventListener('toggle', () => this.refresh());
+    }
+  }
+
+  #fillLayers() {
+    const sheet = part('layers');
+    sheet.append(this.#heading('Layers'));
+    this.layers = new LayersSheet(this.engine, this.wake, sheet,
+      this.#wordButtons((name) => name.startsWith('layer-')));
+  }
+
+  /** Commands as buttons with their words. @param {(name: string) => boolean} chosen */
+  #wordButtons(chosen) {
+    return this.tables.commands.filter((row) => chosen(row.name)).map((row) => {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = row.label;
+      button.title = row.help;
+      button.addEventListener('click', () => this.#run(row.name));
+      return button;
+    });
   }
 
   #fillMenu() {
@@ -217,6 +248,9 @@ export class Panel {
    * @param {string} kind
    */
   #control(row, kind) {
+    if (row.type === 'choice') {
+      return this.#choice(row, kind);
+    }
     const box = document.createElement('div');
     box.className = `control ${row.type}`;
     const input = document.createElement('input');
@@ -249,7 +283,7 @@ export class Panel {
       }
       this.wake();
     };
-    input.addEventListener(row.type === 'number' ? 'change' : 'input', write);
+    input.addEventListener(row.type === 'switch' ? 'input' : 'change', write);
     this.controls.push(() => {
       const value = this.engine.get(row.name);
       if (row.type === 'switch') {
@@ -264,6 +298,34 @@ export class Panel {
     unit.className = 'unit';
     unit.textContent = row.unit === 'unit' ? 'units' : row.unit;
     box.append(label, input, unit);
+    return box;
+  }
+
+  /**
+   * @param {PropertyRow} row
+   * @param {string} kind
+   */
+  #choice(row, kind) {
+    const box = document.createElement('div');
+    box.className = 'control choice';
+    const select = document.createElement('select');
+    select.id = `${kind}-${row.name}`;
+    select.dataset.property = row.name;
+    for (const [index, words] of (row.choices ?? []).entries()) {
+      select.add(new Option(words, String(index)));
+    }
+    const label = document.createElement('label');
+    label.htmlFor = select.id;
+    label.textContent = row.label;
+    label.title = row.help;
+    select.addEventListener('change', () => {
+      this.engine.set(row.name, Number(select.value));
+      this.wake();
+    });
+    this.controls.push(() => {
+      select.value = String(this.engine.get(row.name));
+    });
+    box.append(label, select);
     return box;
   }
 
@@ -350,12 +412,14 @@ export class Panel {
 
   /** @param {Frame} frame */
   show(frame) {
+    this.layers?.show(frame);
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     // Values that the canvas shows, for those who do not see it; not while they still run.
     const values = frame.busy ? null : frame.labels.map((label) => label.text).join(', ');
     const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
-      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint, frame.pending, frame.error].join('\n');
+      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint, frame.pending, frame.error,
+      frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
     if (shown === this.shown) {
       return;
     }

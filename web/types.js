@@ -61,6 +61,10 @@
  * @property {Item[]} live
  * @property {Label[]} labels
  * @property {number} cursor
+ * @property {number} revision grows with every change of the document
+ * @property {number} selection grows with every change of the selection
+ * @property {number} selected
+ * @property {number} layer the active one; 0: none
  * @property {number} requests
  * @property {boolean} unsaved
  * @property {boolean} canUndo
@@ -87,7 +91,9 @@
  *
  * @typedef {object} PropertyRow
  * @property {string} name
- * @property {'number' | 'switch' | 'colour'} type
+ * @property {'number' | 'switch' | 'colour' | 'choice'} type
+ * @property {string} group
+ * @property {string[]} [choices]
  * @property {string} label
  * @property {string} help
  * @property {number} default

@@ -14,7 +14,7 @@ typedef enum bat_selecting_state {
 } bat_selecting_state;
 
 /* The eight handles lie around the box, from the top left on clockwise; then the one that rotates. */
-enum { BAT_HANDLE_ROTATE = 8, BAT_HANDLE_NONE = -1 };
+enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_NONE = -1 };
 
 typedef struct bat_selecting {
     bat_selecting_state state;

@@ -1,5 +1,6 @@
 /* The tables as JSON, for the shells. */
 #include "editor/editor.h"
+#include "editor/styling.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,6 +75,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "low", row->low);
         number(&line, "high", row->high);
         number(&line, "step", row->step);
+        field(&line, "group", bat_styling_is((bat_property_id)i) ? "style" : "");
         if (row->type == BAT_PROPERTY_CHOICE)
             choices(editor, &line, row->unit);
         else

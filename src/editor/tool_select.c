@@ -31,25 +31,25 @@ static void handle_share(int handle, double share[2]) {
 /* Of the box (document units), in view pixels. False: too crowded, or no such side. */
 static bool handle_place(const bat_view *view, const double box[4], int handle, double out[2]) {
     double share[2] = {0.5, 0}, low[2], high[2];
-    if (handle < BAT_HANDLE_ROTATE) handle_share(handle, share);
+    if (handle < BAT_GRIP_ROTATE) handle_share(handle, share);
     bat_view_to_screen(view, (double[]){box[0], box[1]}, low);
     bat_view_to_screen(view, (double[]){box[2], box[3]}, high);
     double width = fabs(high[0] - low[0]), height = fabs(high[1] - low[1]);
     bool corner = share[0] != 0.5 && share[1] != 0.5;
-    if (handle < BAT_HANDLE_ROTATE && !corner && (share[0] == 0.5 ? width : height) < CROWDED) return false;
-    if (handle < BAT_HANDLE_ROTATE && width == 0 && share[0] == 1 && share[1] != 0.5) return false;
-    if (handle < BAT_HANDLE_ROTATE && height == 0 && share[1] == 1 && share[0] != 0.5) return false;
+    if (handle < BAT_GRIP_ROTATE && !corner && (share[0] == 0.5 ? width : height) < CROWDED) return false;
+    if (handle < BAT_GRIP_ROTATE && width == 0 && share[0] == 1 && share[1] != 0.5) return false;
+    if (handle < BAT_GRIP_ROTATE && height == 0 && share[1] == 1 && share[0] != 0.5) return false;
     bat_view_to_screen(
         view, (double[]){box[0] + share[0] * (box[2] - box[0]), box[1] + share[1] * (box[3] - box[1])}, out);
-    if (handle == BAT_HANDLE_ROTATE) out[1] -= ROTATE_AWAY;
+    if (handle == BAT_GRIP_ROTATE) out[1] -= ROTATE_AWAY;
     return true;
 }
 
 static int handle_at(const bat_editor *editor, const double pixel[2], bat_device device) {
     double box[4], place[2], best = reach(device);
-    int found = BAT_HANDLE_NONE;
+    int found = BAT_GRIP_NONE;
     if (!bat_arrange_selection_box(editor, box)) return found;
-    for (int i = 0; i <= BAT_HANDLE_ROTATE; i++) {
+    for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
         if (!handle_place(&editor->view, box, i, place)) continue;
         double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
         if (away <= best) {
@@ -80,7 +80,7 @@ static void forget_drag(bat_selecting *s) {
     s->count = 0;
     s->due = false;
     s->state = BAT_SELECTING_IDLE;
-    s->handle = BAT_HANDLE_NONE;
+    s->handle = BAT_GRIP_NONE;
 }
 
 static void give_up(bat_editor *editor, bat_status status) {
@@ -191,7 +191,7 @@ static void hover(bat_editor *editor, const bat_pointer *event) {
     s->device = event->device;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
     s->handle = handle_at(editor, s->at, event->device);
-    s->hovered = s->handle == BAT_HANDLE_NONE
+    s->hovered = s->handle == BAT_GRIP_NONE
                      ? object_at(editor, s->at, event->device, event->modifiers & BAT_CTRL)
                      : 0;
 }
@@ -199,7 +199,7 @@ static void hover(bat_editor *editor, const bat_pointer *event) {
 static void leave(bat_editor *editor) {
     editor->selecting.hovering = false;
     editor->selecting.hovered = 0;
-    editor->selecting.handle = BAT_HANDLE_NONE;
+    editor->selecting.handle = BAT_GRIP_NONE;
 }
 
 static void press(bat_editor *editor, const bat_pointer *event) {
@@ -231,12 +231,12 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     s->has_point = true;
     bat_editor_notice(editor, BAT_STRING_COUNT);
     s->handle = handle_at(editor, s->start, event->device);
-    if (s->handle == BAT_HANDLE_NONE) {
+    if (s->handle == BAT_GRIP_NONE) {
         press(editor, event);
         return;
     }
     s->hovered = 0;
-    s->state = s->handle == BAT_HANDLE_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
+    s->state = s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
     bat_status status = take_hold(editor);
     if (status != BAT_OK) give_up(editor, status);
 }
@@ -393,8 +393,8 @@ static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1);
     bat_overlay_polyline(overlay, 2, line);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
-    for (int i = 0; i <= BAT_HANDLE_ROTATE; i++)
-        if (handle_place(view, box, i, place)) show_handle(overlay, view, place, i == BAT_HANDLE_ROTATE);
+    for (int i = 0; i <= BAT_GRIP_ROTATE; i++)
+        if (handle_place(view, box, i, place)) show_handle(overlay, view, place, i == BAT_GRIP_ROTATE);
 }
 
 static void overlay(bat_editor *editor, bat_overlay *list) {
@@ -427,8 +427,8 @@ static bat_string hint(const bat_editor *editor) {
     case BAT_SELECTING_ROTATING: return BAT_STRING_HINT_ROTATING;
     default: break;
     }
-    if (s->handle == BAT_HANDLE_ROTATE) return BAT_STRING_HINT_ROTATE;
-    if (s->handle != BAT_HANDLE_NONE) return BAT_STRING_HINT_SCALE;
+    if (s->handle == BAT_GRIP_ROTATE) return BAT_STRING_HINT_ROTATE;
+    if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
     if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
     if (s->hovered) return BAT_STRING_HINT_SELECT;
     return BAT_STRING_HINT_SELECT_NOTHING;
@@ -442,7 +442,7 @@ static bat_cursor cursor(const bat_editor *editor) {
     const bat_selecting *s = &editor->selecting;
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
-    if (s->handle != BAT_HANDLE_NONE) return handles[s->handle];
+    if (s->handle != BAT_GRIP_NONE) return handles[s->handle];
     if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_CURSOR_MOVE;
     return BAT_CURSOR_ARROW;
 }

@@ -17,6 +17,11 @@ MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char 
 MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
 MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
 MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
+MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
+MODULE_EXPORT(editor_activate_layer) int editor_activate_layer(bat_editor *editor, uint32_t id);
+MODULE_EXPORT(editor_rename) int editor_rename(bat_editor *editor, uint32_t id, const char *name);
+MODULE_EXPORT(editor_set_state)
+int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked);
 MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
@@ -71,6 +76,26 @@ double editor_get(const bat_editor *editor, const char *property) {
     MODULE_CHECK(editor);
     double value;
     return bat_editor_get(editor, property, &value) == BAT_OK ? value : (double)NAN;
+}
+
+const char *editor_layers(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_layers(editor);
+}
+
+int editor_activate_layer(bat_editor *editor, uint32_t id) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_activate_layer(editor, id);
+}
+
+int editor_rename(bat_editor *editor, uint32_t id, const char *name) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_rename(editor, id, name);
+}
+
+int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_set_state(editor, id, hidden != 0, locked != 0);
 }
 
 const char *editor_tables(bat_editor *editor) {
