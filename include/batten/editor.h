@@ -200,10 +200,10 @@ typedef struct bat_frame {
     const char *notice;      /* something just happened that the user should know; "" when it has passed */
     uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
     const char *name;        /* of the document */
-    uint32_t revision;  /* grows with every change of the document */
-    uint32_t selection; /* grows with every change of the selection */
-    uint32_t selected;  /* objects in it */
-    uint32_t layer;     /* the active one; 0: none */
+    uint32_t revision;       /* grows with every change of the document */
+    uint32_t selection;      /* grows with every change of the selection */
+    uint32_t selected;       /* objects in it */
+    uint32_t layer;          /* the active one; 0: none */
 } bat_frame;
 
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */

@@ -39,6 +39,9 @@ ACT(distribute_down, bat_arrange_distribute(editor, 1))
 
 bat_status bat_do_delete(bat_editor *editor, bool down) {
     (void)down;
+    /* In a tool that deletes points, an object must not go because a point could not. */
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->command && editor->tool != BAT_TOOL_SELECT) return BAT_STATE;
     if (!editor->selection.count) return BAT_STATE; /* the key may mean something else */
     return told(editor, bat_arrange_delete(editor));
 }

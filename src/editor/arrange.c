@@ -445,7 +445,7 @@ bat_status bat_arrange_distribute(bat_editor *editor, int axis) {
     if (status == BAT_OK && n < 3) status = BAT_STATE;
     if (status == BAT_OK) status = bat_transaction_begin(editor);
     if (status == BAT_OK) {
-        qsort(middles, (size_t)n, sizeof *middles, compare_middles);
+        qsort(middles, (size_t)n, sizeof *middles, compare_middles); /* no ties */
         double first = middles[0].at, step = (middles[n - 1].at - first) / (n - 1);
         for (int i = 1; i < n - 1 && status == BAT_OK; i++) {
             double matrix[6], by = first + i * step - middles[i].at;
