@@ -30,7 +30,7 @@ export class LayersSheet {
     this.sheet = sheet;
     this.shown = '';
     this.list = document.createElement('ul');
-    this.list.className = 'layers';
+    this.list.className = 'layer-list';
     const row = document.createElement('div');
     row.className = 'layer-commands';
     row.append(...commands);
@@ -71,7 +71,7 @@ export class LayersSheet {
   /** @param {Layer} layer @param {boolean} active */
   #row(layer, active) {
     const row = document.createElement('li');
-    row.className = 'layer';
+    row.className = 'layer-row';
     row.style.paddingInlineStart = `${layer.depth * 16}px`;
     const choose = document.createElement('input');
     choose.type = 'radio';

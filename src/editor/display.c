@@ -39,10 +39,12 @@ static void show_selection(bat_editor *editor) {
     const bat_selection *selection = &editor->selection;
     if (!selection->count) return;
     bat_overlay_item(&editor->overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
-    int shown = 0;
+    int shown = 0, end = 0; /* of the selected group that the walk is in */
     for (int i = 0; i < scene->count && shown < BAT_OUTLINES_MAX; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
-        if (!bat_selection_has(selection, bat_object_id(entry->object))) continue;
+        if (i >= end && bat_selection_has(selection, bat_object_id(entry->object)))
+            end = bat_document_end(editor->document, i);
+        if (i >= end || !entry->path || entry->hidden) continue;
         shown++;
         bat_path_copy(&editor->overlay.path, entry->path, entry->item.path_count);
     }

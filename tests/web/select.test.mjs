@@ -46,7 +46,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await page.click('[data-name="layers"]');
     await page.click('#layers .layer-commands button >> nth=0');
     await settle(page);
-    assert.equal(await page.locator('#layers .layer').count(), 2);
+    assert.equal(await page.locator('#layers .layer-row').count(), 2);
     await shot('layers');
     assert.equal((await state(page)).check, '');
     assert.deepEqual(faults, []);
