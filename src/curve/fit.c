@@ -486,7 +486,8 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     const bat_status status = bat_curve_create(f->degree, m, f->closed, n, knots, f->points, out);
     if (status != BAT_OK) return status;
     if (report) {
-        report->max_error = worst < f->worst ? worst : f->worst;
+        /* Where a round failed by far it did not measure every sample (bat_lsq_measure). */
+        report->max_error = f->fits && f->worst < worst ? f->worst : worst;
         report->knots = f->closed ? n : n - f->degree - 1;
         report->solves = f->solves;
     }
