@@ -14,7 +14,9 @@ const EVEN_ODD = 4;
 const SCREEN_WIDTH = 8;
 const DASHED = 16;
 const ROLE_OBJECT = 0;
+const ROLE_STRETCH = 2;
 const ROLE_PAGE = 8;
+const FADE = 0.75; // how much of the paper covers a line that is about to change
 const LABEL_FONT = '500 13px system-ui, sans-serif';
 
 /** @type {CanvasLineCap[]} */
@@ -242,9 +244,36 @@ export class Painter {
     const scale = frame.zoom * this.ratio;
     context.setTransform(scale, 0, 0, scale, (frame.originX - frame.x) * scale, (frame.originY - frame.y) * scale);
     for (const item of frame.live) {
-      this.#draw(context, item, shapeOf(item.path), frame.zoom);
+      const shape = shapeOf(item.path);
+      if (item.role === ROLE_STRETCH) {
+        this.#fade(context, item, shape, frame.zoom);
+      } else {
+        this.#draw(context, item, shape, frame.zoom);
+      }
     }
     this.#write(context, frame);
+  }
+
+  /**
+   * A line that is about to change goes pale, and a thin one stays for comparison.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Path2D} shape
+   * @param {number} zoom
+   */
+  #fade(context, item, shape, zoom) {
+    const paged = this.list[0]?.item.role === ROLE_PAGE;
+    context.setLineDash([]);
+    context.lineJoin = 'round';
+    context.lineCap = 'butt';
+    context.lineWidth = item.width / zoom;
+    context.strokeStyle = paged ? this.theme.paper : this.theme.ground;
+    context.globalAlpha = FADE;
+    context.stroke(shape);
+    context.lineWidth = 1 / zoom;
+    context.strokeStyle = this.theme.roles[ROLE_STRETCH].stroke;
+    context.globalAlpha = 1;
+    context.stroke(shape);
   }
 
   /**

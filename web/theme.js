@@ -45,6 +45,9 @@ export class Theme {
   constructor() {
     /** @type {{ stroke: string, fill: string }[]} */
     this.roles = [];
+    /** What a drawing lies on: without a page, and with one. */
+    this.ground = '';
+    this.paper = '';
     this.dark = false;
     /** @type {Map<number, string>} */
     this.colours = new Map();
@@ -83,10 +86,12 @@ export class Theme {
     probe.style.forcedColorAdjust = 'none';
     root.append(probe);
     const token = (/** @type {string} */ name) => {
-      probe.style.color = `var(--role-${name}, transparent)`;
+      probe.style.color = `var(--${name}, transparent)`;
       return getComputedStyle(probe).color;
     };
-    this.roles = ROLES.map((role) => ({ stroke: token(role), fill: token(`${role}-fill`) }));
+    this.roles = ROLES.map((role) => ({ stroke: token(`role-${role}`), fill: token(`role-${role}-fill`) }));
+    this.ground = token('ground');
+    this.paper = token('role-page-fill');
     probe.remove();
     this.colours.clear();
     this.onchange();

@@ -412,9 +412,18 @@ static void show_fit(bat_overlay *overlay, bat_role role, const bat_curve *curve
     mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * pixel);
 }
 
-static void show_stretch(bat_overlay *overlay, const bat_curve *target, const bat_sketch_report *report) {
+/* The stretch fades the old line, so it has to be as wide. */
+static float stretch_width(const bat_editor *editor, bat_id id) {
+    const bat_object *object = bat_document_at(editor->document, bat_document_find(editor->document, id));
+    double width = object ? bat_object_style(object)->width * editor->view.zoom : 0;
+    return fmaxf(STRETCH_WIDTH, (float)fmin(width + 2, BAT_PIXELS_MAX));
+}
+
+static void show_stretch(const bat_editor *editor, bat_overlay *overlay, const bat_edit *edit,
+                         const bat_sketch_report *report) {
+    const bat_curve *target = bat_edit_target(editor->document, edit->object, edit->curve);
     if (!target || !(report->changed[0] < report->changed[1])) return;
-    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, STRETCH_WIDTH);
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(editor, edit->object));
     bat_overlay_stretch(overlay, target, report->changed[0], report->changed[1]);
 }
 
@@ -434,7 +443,7 @@ static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
         target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
     if (target && !preview->curve) highlight(editor, overlay, s->edit.object, s->edit.curve);
     if (s->join.object) highlight(editor, overlay, s->join.object, s->join.curve);
-    if (preview->curve) show_stretch(overlay, target, &preview->report);
+    if (preview->curve && target) show_stretch(editor, overlay, &s->edit, &preview->report);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {
@@ -460,9 +469,7 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     if (s->has_pending) {
         const bat_edit *edit = &s->pending;
         bool whole = edit->kind == BAT_EDIT_NEW || edit->kind == BAT_EDIT_JOIN;
-        if (!whole)
-            show_stretch(list, bat_edit_target(editor->document, edit->object, edit->curve),
-                         &s->pending_report);
+        if (!whole) show_stretch(editor, list, edit, &s->pending_report);
         show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole,
                  bat_view_pixel(&editor->view));
     }
