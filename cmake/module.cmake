@@ -2,11 +2,6 @@
 # build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
 find_program(WASM_OPT wasm-opt)
 
-# Where the time of a stroke goes: these are compiled for speed, the rest for size.
-file(GLOB HOT CONFIGURE_DEPENDS src/curve/b[au]*.c src/curve/eval.c src/curve/lsq.c src/curve/nearest.c
-  src/shape/local*.c src/shape/whittaker.c src/shape/track.c)
-set_source_files_properties(${HOT} PROPERTIES COMPILE_OPTIONS -O3)
-
 function(add_module target name)
   add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/wasi.c ${ARGN})
   target_include_directories(${target} PRIVATE include src tests)
@@ -17,7 +12,7 @@ function(add_module target name)
     -Wl,-z,stack-size=1048576)
   if(WASM_OPT)
     add_custom_command(TARGET ${target} POST_BUILD VERBATIM
-      COMMAND ${WASM_OPT} -O3 -g --enable-simd --enable-bulk-memory
+      COMMAND ${WASM_OPT} -Oz -g --enable-simd --enable-bulk-memory
               $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>)
   endif()
 endfunction()

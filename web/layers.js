@@ -55,7 +55,7 @@ export class LayersSheet {
       return; // a name is being written
     }
     const { layers, active, loose } = this.engine.layers();
-    const rows = layers.toReversed().map((layer) => this.#row(layer, layer.id === active));
+    const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
     const none = { id: 0, name: 'No layer', hidden: false, locked: false, depth: 0, members: loose };
     rows.unshift(this.#row(none, active === 0));
     this.list.replaceChildren(...rows);

@@ -221,7 +221,7 @@ bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
     }
     bat_listing_range(&listing, document, at, bat_document_count(document));
     status = apply(editor, &listing, BAT_STRING_STEP_DUPLICATE);
-    if (status == BAT_OK) {
+    if (status == BAT_OK && copies) {
         bat_selection_clear(&editor->selection);
         for (int i = 0; i < count; i++) bat_selection_add(&editor->selection, copies[i]);
     }

@@ -82,7 +82,7 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view 
     double pixel = bat_view_pixel(view);
     tooth *teeth = grow(curve, view, &count);
     double scale = teeth && count ? scale_of(teeth, count, pixel) : 0;
-    if (scale > 0) {
+    if (teeth && scale > 0) {
         for (int i = 0; i < count; i++) {
             double length = teeth[i].curvature * scale, most = HIGHEST * pixel;
             length = fmin(fmax(length, -most), most);
