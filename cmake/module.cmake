@@ -2,6 +2,10 @@
 # build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
 find_program(WASM_OPT wasm-opt)
 
+# Where the time of a stroke goes: compiled for speed, the rest for size.
+set_source_files_properties(src/curve/lsq.c src/shape/whittaker.c src/shape/stroke.c
+  PROPERTIES COMPILE_OPTIONS -O2)
+
 function(add_module target name)
   add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/wasi.c ${ARGN})
   target_include_directories(${target} PRIVATE include src tests)
@@ -12,7 +16,7 @@ function(add_module target name)
     -Wl,-z,stack-size=1048576)
   if(WASM_OPT)
     add_custom_command(TARGET ${target} POST_BUILD VERBATIM
-      COMMAND ${WASM_OPT} -Oz -g --enable-simd --enable-bulk-memory
+      COMMAND ${WASM_OPT} -Oz --strip-debug --enable-simd --enable-bulk-memory
               $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>)
   endif()
 endfunction()

@@ -10,8 +10,8 @@ set(BATTEN_WASM ON CACHE INTERNAL "Building the WASM module")
 
 # Native headers stay out: clang's own (stddef.h and friends) and wasi-libc's only.
 add_compile_options(-nostdlibinc -isystem /usr/include/wasm32-wasi -msimd128 -mbulk-memory)
-# Optimise when compiling only. With -O at link clang runs wasm-opt by itself, without -g, and the names that
-# a panic is read by are lost. For size, all of it: the first load has a bar
-# (tests/web/size.test.mjs), and a frame of a stroke is inside its own (tests/web/measure.mjs).
+# Optimise when compiling only: with -O at link clang runs wasm-opt by itself. For size, because the first load
+# has a bar (tests/web/size.test.mjs); module.cmake names the files that a frame of a stroke spends its time in
+# (tests/web/measure.mjs).
 set(CMAKE_C_FLAGS_RELEASE "-DNDEBUG")
 add_compile_options($<$<CONFIG:Release>:-Oz>)
