@@ -69,7 +69,11 @@ class Usage(ProgramTest):
     def test_long_work_shows_on_a_terminal_and_only_there(self):
         name = self.file("c.json", CURVE)
         for terminal in (True, False):
-            keep, give = os.openpty() if terminal else os.pipe()
+            try:
+                keep, give = os.openpty() if terminal else os.pipe()
+            except OSError:  # a bare chroot without /dev/pts: there is no terminal to show it on
+                self.assertFalse(os.path.exists("/dev/pts/ptmx"))
+                continue
             with subprocess.Popen([PROGRAM, "eval", "-", "--samples", "3"], stdin=subprocess.PIPE,
                                   stdout=subprocess.PIPE, stderr=give) as process:
                 time.sleep(1.3)  # it waits for its input
