@@ -354,15 +354,20 @@ bat_status bat_plan_ring(bat_plan *plan) {
     t->count = 0;
     t->rate = plan->speed;
     /* Ends that overlap are cut back to where the end passes the start. */
-    double from = 0, to = L, nearest = INFINITY, tail[BAT_DIMENSION_MAX], head[BAT_DIMENSION_MAX];
+    double from = 0, to = L, nearest = INFINITY, tail[BAT_DIMENSION_MAX];
     bat_clean_at(stroke, L, tail);
     for (size_t i = 0; i < stroke->count && stroke->arc[i] <= 0.2 * L; i++) {
         double d = 0;
         for (size_t c = 0; c < m; c++) d = bat_hypot(d, stroke->points[i * m + c] - tail[c]);
         if (d < nearest) nearest = d, from = stroke->arc[i];
     }
-    bat_clean_at(stroke, from, head);
-    const double give = fmin(fmax(8, nearest), 0.05 * L);
+    /* Ends that all but meet give way to the bridge; ends far apart stay where the pen put them. */
+    const bool meets = nearest <= fmax(15, 0.04 * L);
+    if (!meets) {
+        from = nearest = 0;
+        for (size_t c = 0; c < m; c++) nearest = bat_hypot(nearest, stroke->points[c] - tail[c]);
+    }
+    const double give = meets ? fmin(fmax(8, nearest), 0.05 * L) : 0;
     from += give, to -= give;
     bat_frame a, b;
     stroke_frame(stroke, to, &a);

@@ -123,6 +123,15 @@ class Nearest(ProgramTest):
 
 
 class Fit(ProgramTest):
+    def test_closed_by_force(self):
+        """Ends far apart stay where the pen put them: every sample is within the tolerance."""
+        arc = [[200 * math.cos(a / 50), 200 * math.sin(a / 50)] for a in range(30, 280)]
+        for stroke in (wave(0, 500), [[x, 0] for x in range(0, 501, 4)], arc):
+            result = self.json("fit", self.file("s.json", {"points": stroke}), "--closed")
+            self.assertTrue(result["closed"])
+            self.assertLess(distance(stroke, result), 1)
+            self.assertLess(result["report"]["max_error"], 1)
+
     def test_within_tolerance(self):
         points = wave(0, 200)
         for tolerance in (2, 0.2, 0.05):
