@@ -1,4 +1,5 @@
-# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE: may be empty.
+# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE: may be empty;
+# MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and spaces, else as they are.
 set(type_html "text/html; charset=utf-8")
 set(type_js "text/javascript; charset=utf-8")
 set(type_css "text/css; charset=utf-8")
@@ -8,12 +9,18 @@ set(type_webmanifest "application/manifest+json")
 set(type_wasm "application/wasm")
 
 string(REPLACE "|" ";" files "${FILES}")
-list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/")
+list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/types\\.js$")
 set(text "#include \"web_files.h\"\n\n")
 set(table "")
 set(number 0)
 foreach(file ${files} ${MODULE})
-  file(READ ${file} hex HEX)
+  set(content ${file})
+  if(MINIFY AND file MATCHES "\\.(js|css)$")
+    set(content ${OUT}.minified)
+    execute_process(COMMAND ${MINIFY} ${file} --minify --charset=utf8 --legal-comments=none --log-level=error
+      --outfile=${content} COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  file(READ ${content} hex HEX)
   string(REGEX REPLACE "(................................................................)" "\\1\n" hex "${hex}")
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
   string(APPEND text "static const unsigned char data_${number}[] = {\n${hex}0};\n\n")

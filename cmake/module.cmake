@@ -16,7 +16,7 @@ function(add_module target name)
     -Wl,-z,stack-size=1048576)
   if(WASM_OPT)
     add_custom_command(TARGET ${target} POST_BUILD VERBATIM
-      COMMAND ${WASM_OPT} -Oz --strip-debug --enable-simd --enable-bulk-memory
+      COMMAND ${WASM_OPT} -Oz --converge --low-memory-unused --strip-producers --strip-debug --enable-simd --enable-bulk-memory
               $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>)
   endif()
 endfunction()

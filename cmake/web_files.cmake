@@ -19,9 +19,13 @@ endif()
 file(GLOB_RECURSE WEB_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/*.html ${PROJECT_SOURCE_DIR}/web/*.js
   ${PROJECT_SOURCE_DIR}/web/*.css ${PROJECT_SOURCE_DIR}/web/*.svg ${PROJECT_SOURCE_DIR}/web/*.png
   ${PROJECT_SOURCE_DIR}/web/*.webmanifest)
+find_program(BATTEN_ESBUILD esbuild) # Debian's; without it the files are embedded as they are
+if(NOT BATTEN_ESBUILD)
+  set(BATTEN_ESBUILD "")
+endif()
 set(BATTEN_WEB_FILES ${CMAKE_CURRENT_BINARY_DIR}/web_files.c)
 list(JOIN WEB_INPUTS "|" WEB_LIST)
 add_custom_command(OUTPUT ${BATTEN_WEB_FILES} VERBATIM COMMENT "The shell's files as C"
   DEPENDS ${WEB_INPUTS} ${BATTEN_MODULE} ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
-  COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" -DMODULE=${BATTEN_MODULE} -DROOT=${PROJECT_SOURCE_DIR}/web
+  COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" "-DMINIFY=${BATTEN_ESBUILD}" -DMODULE=${BATTEN_MODULE} -DROOT=${PROJECT_SOURCE_DIR}/web
           -DOUT=${BATTEN_WEB_FILES} -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake)

@@ -41,6 +41,7 @@ need_to_build() {
     need wasi-libc /usr/include/wasm32-wasi/wasi/api.h
     need libclang-rt-14-dev-wasm32 '/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a'
     need binaryen wasm-opt
+    need esbuild esbuild
 }
 
 need_to_test() {

@@ -1,22 +1,34 @@
-// The first load, all of it, gzip: 200 kB at most. types.js holds types alone and is not loaded.
+// The first load: all that the program serves until the page is ready and nobody has touched it, gzip: 200 kB at most.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import path from 'node:path';
-import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { MODULE } from './server.mjs';
+import { launch, ready } from './page.mjs';
+import { EXAMPLE, edit } from './server.mjs';
 
-const HERE = path.dirname(fileURLToPath(import.meta.url));
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
 
-const WEB = path.resolve(HERE, '../../web');
-
-test('the first load is small', () => {
-  const files = fs.readdirSync(WEB, { recursive: true })
-    .filter((file) => /\.(html|js|css|svg)$/.test(file) && file !== 'types.js').map((file) => path.join(WEB, file));
-  assert.ok(files.length > 10);
-  const sizes = [...files, MODULE].map((file) => zlib.gzipSync(fs.readFileSync(file), { level: 9 }).length);
-  const total = sizes.reduce((a, b) => a + b);
-  console.log(`first load: ${total} bytes gzip, of which ${sizes[sizes.length - 1]} for the module`);
+test('the first load is small', async () => {
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  const page = await browser.newPage();
+  const answers = [];
+  page.on('response', (response) => {
+    if (response.ok() && response.url().startsWith('http') && new URL(response.url()).pathname !== '/document') {
+      answers.push(response);
+    }
+  });
+  await page.goto(program.address);
+  await ready(page);
+  await page.waitForLoadState('networkidle');
+  const sizes = await Promise.all(answers.map(async (response) =>
+    [new URL(response.url()).pathname, zlib.gzipSync(await response.body(), { level: 9 }).length]));
+  const total = sizes.reduce((sum, [, size]) => sum + size, 0);
+  sizes.sort((a, b) => b[1] - a[1]);
+  console.log(`first load: ${total} bytes gzip: ${sizes.map(([path, size]) => `${path} ${size}`).join(', ')}`);
+  assert.ok(sizes.length > 5 && sizes.some(([path]) => path === '/batten.wasm'));
   assert.ok(total < 200000);
+  await page.close();
+  await program.close();
 });
