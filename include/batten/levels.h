@@ -62,6 +62,7 @@ BAT_API const double *bat_shape_details(const bat_shape *shape, int level);
 BAT_API const double *bat_shape_nodes(const bat_shape *shape, int level);
 BAT_API const int *bat_shape_source(const bat_shape *shape, int level);
 BAT_API double bat_shape_gain(const bat_shape *shape, int level);
+BAT_API bool bat_shape_muted(const bat_shape *shape, int level);
 BAT_API const bat_shape_options *bat_shape_options_of(const bat_shape *shape);
 
 /*
@@ -80,6 +81,8 @@ BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, i
                                        const double *deltas);
 /* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6. */
 BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
+/* A muted level shows nothing and cannot be edited; its gain is kept for when it sounds again. */
+BAT_API bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted);
 /* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level. */
 BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
                                     const double *targets);
@@ -90,14 +93,22 @@ BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const ba
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
  */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
+/* Another frame rule, an affine image (matrix NULL: none), or both at once: the details are expressed anew, so
+ * that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR: it flattens. */
+BAT_API bat_status bat_shape_reframe(bat_shape *shape, bat_frame_rule rule, const double *matrix);
 /* Ends an edit: the persistent pair is taken anew when the start tangent has turned far from it (math 2.2).
  */
 BAT_API bat_status bat_shape_commit(bat_shape *shape);
 
 /* Takes a curve apart into `levels` levels, exactly: every other interior knot is left out a level
- * (math 3.7). BAT_COUNT: too few knots for so many levels. */
+ * (math 3.7); second and third copies of a knot go before any knot goes altogether, so that the coarse curves
+ * are smooth. BAT_COUNT: too few knots for so many levels. */
 BAT_API bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_shape_options *options,
                                        bat_shape **out);
+/* The same down to a base of `coarsest` control points (open: at least degree + 1, closed: 3), the numbers of
+ * points between in geometric progression. */
+BAT_API bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, int coarsest,
+                                          const bat_shape_options *options, bat_shape **out);
 
 #ifdef __cplusplus
 }

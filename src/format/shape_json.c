@@ -1,6 +1,7 @@
 /*
  * SHAPE and EDITS as JSON:
- *   SHAPE {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1, "source":[...]}, ...],
+ *   SHAPE {"base":CURVE, "levels":[{"knots":[...], "details":[[a,b,c],...], "gain":1, "muted":false,
+ *          "source":[...]}, ...],
  *          "frame":"rmf", "nodes":"greville", "propagation":"local", "first":{"t":[...],"s":[...]}}
  *   EDITS [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
  */
@@ -122,7 +123,7 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
     uint32_t knot_list = bat_json_member(json, object, "knots"),
              detail_list = bat_json_member(json, object, "details"),
              source_list = bat_json_member(json, object, "source"),
-             gain = bat_json_member(json, object, "gain");
+             gain = bat_json_member(json, object, "gain"), muted = bat_json_member(json, object, "muted");
     bat_status status = BAT_OK;
     if (knot_list) status = bat_numbers_from_json(json, knot_list, "knots", &knots, &knot_count, problem);
     if (status == BAT_OK && knot_count > BAT_POINTS_MAX)
@@ -152,6 +153,12 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
         if (!is(json, gain, BAT_JSON_NUMBER) ||
             bat_shape_set_gain(shape, level, json->nodes[gain].value.number) != BAT_OK)
             status = bat_json_complain(json, gain, BAT_NUMBER, "gain", "a number within 1e6", problem);
+    }
+    if (status == BAT_OK && muted) {
+        if (!is(json, muted, BAT_JSON_TRUE) && !is(json, muted, BAT_JSON_FALSE))
+            status = bat_json_complain(json, muted, BAT_SYNTAX, "muted", "true or false", problem);
+        else if (is(json, muted, BAT_JSON_TRUE))
+            status = bat_shape_set_muted(shape, level, true);
     }
     free(knots);
     free(details);
@@ -245,6 +252,7 @@ static void put_level(bat_text *text, const bat_shape *shape, int level) {
         bat_text_string(text, ",\"gain\":");
         bat_text_number(text, bat_shape_gain(shape, level));
     }
+    if (bat_shape_muted(shape, level)) bat_text_string(text, ",\"muted\":true");
     bat_text_string(text, "}");
 }
 

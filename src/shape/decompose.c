@@ -9,22 +9,51 @@
 
 static const double SLOW = 0.5; /* a coarse curve slower than this carries no frame */
 
-/* Every other interior knot left out (closed: the seam stays). Returns a curve with unset points. */
-static bat_status thinned(const bat_curve *fine, bat_curve **out) {
+/* How many of the knots are the rank-th further copy of the one before; `before` is that before the first. With
+ * stays: marks `kept` of them, at equal distances. */
+static int copies(const double *knots, int count, double before, int rank, int total, int kept, bool *stays) {
+    int copy = 0, seen = 0, chosen = 0;
+    for (int i = 0; i < count; i++) {
+        copy = knots[i] == (i ? knots[i - 1] : before) ? copy + 1 : 0;
+        if (copy != rank) continue;
+        if (stays && chosen < kept && seen == (int)((chosen + 0.5) * total / kept)) {
+            stays[i] = true;
+            chosen++;
+        }
+        seen++;
+    }
+    return seen;
+}
+
+/* Interior knots left out until `count` control points are left (closed: the seam stays). Returns a curve with
+ * unset points. */
+static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     int p = fine->degree, n = fine->count;
-    int interior = fine->closed ? n - 1 : n - p - 1, kept = interior / 2;
-    int count = fine->closed ? kept + 1 : kept + p + 1;
-    if (interior < 1 || (fine->closed && count < 3)) return BAT_COUNT;
+    int interior = fine->closed ? n - 1 : n - p - 1, kept = fine->closed ? count - 1 : count - p - 1;
+    if (count >= n || kept < 0 || (fine->closed && count < 3)) return BAT_COUNT;
+    bool *stays = calloc((size_t)interior, sizeof *stays);
+    if (!stays) return BAT_MEMORY;
     bat_curve *coarse;
     bat_status status = bat_curve_allocate(p, fine->dimension, fine->closed, count, &coarse);
-    if (status != BAT_OK) return status;
+    if (status != BAT_OK) {
+        free(stays);
+        return status;
+    }
     const double *from = bat_curve_knots(fine);
     double *to = bat_curve_own_knots(coarse);
     int lead = fine->closed ? 1 : p + 1;
+    for (int rank = 0, left = kept; left > 0; rank++) { /* further copies come after all the first ones */
+        int total = copies(from + lead, interior, from[lead - 1], rank, 0, 0, NULL);
+        int taken = total < left ? total : left;
+        copies(from + lead, interior, from[lead - 1], rank, total, taken, stays);
+        left -= taken;
+    }
     memcpy(to, from, (size_t)lead * sizeof(double));
-    for (int i = 0; i < kept; i++) to[lead + i] = from[lead + 2 * i + 1];
+    for (int i = 0, k = lead; i < interior; i++)
+        if (stays[i]) to[k++] = from[lead + i];
     memcpy(to + lead + kept, from + lead + interior, (size_t)lead * sizeof(double));
     memset(bat_curve_own_points(coarse), 0, (size_t)(count * fine->dimension) * sizeof(double));
+    free(stays);
     return bat_curve_finish(coarse, out);
 }
 
@@ -71,9 +100,9 @@ static bool clamped(const bat_curve *curve) {
 
 /* Coarse points by least squares over the fine points, weighted by the width of their supports; clamped ends
  * are kept. */
-static bat_status coarsen(const bat_curve *fine, bat_curve **out) {
+static bat_status coarsen(const bat_curve *fine, int count, bat_curve **out) {
     bat_curve *coarse;
-    bat_status status = thinned(fine, &coarse);
+    bat_status status = thinned(fine, count, &coarse);
     if (status != BAT_OK) return status;
     int p = fine->degree, n = coarse->count, size = fine->dimension;
     double *a = calloc((size_t)n * (size_t)(p + 1), sizeof(double));
@@ -145,14 +174,19 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
     return bat_shape_rebuild(shape, level, BAT_EVERYWHERE);
 }
 
-bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_shape_options *options,
-                               bat_shape **out) {
-    if (!curve || !out) return BAT_ARGUMENT;
-    if (levels < 0 || levels > BAT_LEVELS_MAX) return BAT_COUNT;
+/* Control points of the level below one of n: every other interior knot is left out. */
+static int halved(const bat_curve *curve, int n) {
+    int fixed = curve->closed ? 1 : curve->degree + 1;
+    return n > fixed ? (n - fixed) / 2 + fixed : n;
+}
+
+static bat_status decompose(const bat_curve *curve, int levels, const int *counts,
+                            const bat_shape_options *options, bat_shape **out) {
     bat_curve *chain[BAT_LEVELS_MAX + 1] = {NULL};
     bat_shape *shape = NULL;
     bat_status status = bat_curve_copy(curve, &chain[levels]);
-    for (int j = levels; j > 0 && status == BAT_OK; j--) status = coarsen(chain[j], &chain[j - 1]);
+    for (int j = levels; j > 0 && status == BAT_OK; j--)
+        status = coarsen(chain[j], counts[j - 1], &chain[j - 1]);
     if (status == BAT_OK) status = bat_shape_create(chain[0], options, &shape);
     for (int j = 1; j <= levels && status == BAT_OK; j++) {
         status = bat_shape_add_level(shape, bat_curve_knot_count(chain[j]), bat_curve_knots(chain[j]), NULL,
@@ -166,4 +200,28 @@ bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_sha
     }
     *out = shape;
     return BAT_OK;
+}
+
+bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_shape_options *options,
+                               bat_shape **out) {
+    int counts[BAT_LEVELS_MAX + 1];
+    if (!curve || !out) return BAT_ARGUMENT;
+    if (levels < 0 || levels > BAT_LEVELS_MAX) return BAT_COUNT;
+    counts[levels] = curve->count;
+    for (int j = levels; j > 0; j--) counts[j - 1] = halved(curve, counts[j]);
+    return decompose(curve, levels, counts, options, out);
+}
+
+bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, int coarsest,
+                                  const bat_shape_options *options, bat_shape **out) {
+    int counts[BAT_LEVELS_MAX + 1];
+    if (!curve || !out) return BAT_ARGUMENT;
+    int n = curve->count;
+    if (levels < 1 || levels > BAT_LEVELS_MAX || coarsest < 1 || coarsest > n - levels) return BAT_COUNT;
+    counts[levels] = n;
+    for (int j = levels - 1; j >= 0; j--) {
+        double count = coarsest * bat_exp(bat_log((double)n / coarsest) * j / levels);
+        counts[j] = (int)fmin(fmax(floor(count + 0.5), coarsest + j), counts[j + 1] - 1);
+    }
+    return decompose(curve, levels, counts, options, out);
 }

@@ -33,12 +33,13 @@ static bat_status move_base(bat_shape *shape, int first, int count, const double
 
 static bat_status move_details(bat_level *level, int first, int count, const double *deltas) {
     int size = level->curve->dimension;
-    if (level->gain == 0) return BAT_STATE; /* a muted level shows no change */
+    double gain = bat_level_gain(level);
+    if (gain == 0) return BAT_STATE; /* a muted level shows no change */
     for (int i = 0; i < count; i++) {
         int k = (first + i) % level->count;
         double local[3];
         bat_triad_to_local(&level->frames[k], vec_load(deltas + i * size, size), local);
-        for (int d = 0; d < 3; d++) level->details[3 * k + d] += local[d] / level->gain;
+        for (int d = 0; d < 3; d++) level->details[3 * k + d] += local[d] / gain;
     }
     return BAT_OK;
 }
@@ -118,19 +119,29 @@ bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const do
     return BAT_OK;
 }
 
-bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain) {
-    if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
-    if (!(fabs(gain) <= 1e6)) return BAT_NUMBER;
+static bat_status set_level(bat_shape *shape, int level, double gain, bool muted) {
     bat_shape *edited;
     bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
     edited->levels[level - 1].gain = gain;
+    edited->levels[level - 1].muted = muted;
     status = bat_shape_rebuild(edited, level, BAT_EVERYWHERE);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else
         bat_shape_free(edited);
     return status;
+}
+
+bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain) {
+    if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
+    if (!(fabs(gain) <= 1e6)) return BAT_NUMBER;
+    return set_level(shape, level, gain, shape->levels[level - 1].muted);
+}
+
+bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted) {
+    if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
+    return set_level(shape, level, shape->levels[level - 1].gain, muted);
 }
 
 /* ---- sketch at a level (math 3.6) ---- */
@@ -231,13 +242,13 @@ bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const dou
 
 /* ---- whole-curve transforms ---- */
 
-static double determinant(const double *m, int size) {
+double bat_affine_determinant(const double *m, int size) {
     if (size == 2) return m[0] * m[4] - m[1] * m[3];
     return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
            m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
-static vec apply_linear(const double *m, int size, vec v) {
+vec bat_affine_turn(const double *m, int size, vec v) {
     if (size == 2) return (vec){m[0] * v.x + m[1] * v.y, m[3] * v.x + m[4] * v.y, v.z};
     return (vec){m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
                  m[8] * v.x + m[9] * v.y + m[10] * v.z};
@@ -246,14 +257,14 @@ static vec apply_linear(const double *m, int size, vec v) {
 static void turn_reference(bat_shape_options *o, const double *m, int size) {
     double *vectors[3] = {o->first, o->reference_t, o->reference_s};
     for (int i = 0; i < 3; i++)
-        vec_store(vec_unit(apply_linear(m, size, vec_load(vectors[i], 3))), vectors[i]);
+        vec_store(vec_unit(bat_affine_turn(m, size, vec_load(vectors[i], 3))), vectors[i]);
 }
 
 bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
     if (!shape || !matrix) return BAT_ARGUMENT;
     int size = shape->base->dimension;
     if (!finite_all(matrix, (size_t)(size * (size + 1)))) return BAT_NUMBER;
-    double det = determinant(matrix, size);
+    double det = bat_affine_determinant(matrix, size);
     if (!(fabs(det) > 0)) return BAT_SINGULAR;
     double factor = size == 2 ? sqrt(fabs(det)) : bat_exp(bat_log(fabs(det)) / 3);
     bat_shape *edited;
@@ -270,7 +281,7 @@ bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
             for (int i = 0; i < edited->levels[l].count; i++) {
                 double *d = edited->levels[l].details + 3 * i;
                 if (rule == BAT_FRAMES_FIXED) { /* the world's axes do not turn: the detail does */
-                    vec_store(apply_linear(matrix, size, vec_load(d, 3)), d);
+                    vec_store(bat_affine_turn(matrix, size, vec_load(d, 3)), d);
                     continue;
                 }
                 for (int k = 0; k < 3; k++) d[k] *= factor;

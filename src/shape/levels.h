@@ -12,6 +12,7 @@ typedef struct bat_triad {
 
 typedef struct bat_level {
     double gain;
+    bool muted;
     int count;
     double *details;   /* count * 3, in the frames below */
     double *nodes;     /* count, parameters in the domain */
@@ -50,6 +51,15 @@ void bat_shape_adopt(bat_shape *shape, bat_shape *edited);
 
 /* Frames at the nodes of a level, as things stand. */
 bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out);
+
+/* C^j of the curve below and the frames the level has: refine(C^{j-1}) + sum g F d N. */
+bat_status bat_level_build(bat_level *level, const bat_curve *below);
+/* What the details are multiplied with. */
+static inline double bat_level_gain(const bat_level *level) { return level->muted ? 0 : level->gain; }
+
+/* The linear part of an affine matrix of dimension rows. */
+vec bat_affine_turn(const double *matrix, int dimension, vec v);
+double bat_affine_determinant(const double *matrix, int dimension);
 
 /* Node parameters of a curve's basis functions (math 3.2): count doubles. */
 bat_status bat_nodes(const bat_curve *curve, bat_node_rule rule, double *out);

@@ -42,6 +42,7 @@ static bat_status level_copy(const bat_level *from, bat_level *to) {
     if (status != BAT_OK) return status;
     size_t n = (size_t)from->count;
     to->gain = from->gain;
+    to->muted = from->muted;
     memcpy(to->details, from->details, 3 * n * sizeof(double));
     memcpy(to->nodes, from->nodes, n * sizeof(double));
     memcpy(to->source, from->source, n * sizeof(int));
@@ -134,6 +135,7 @@ const double *bat_shape_details(const bat_shape *shape, int level) {
 const double *bat_shape_nodes(const bat_shape *shape, int level) { return shape->levels[level - 1].nodes; }
 const int *bat_shape_source(const bat_shape *shape, int level) { return shape->levels[level - 1].source; }
 double bat_shape_gain(const bat_shape *shape, int level) { return shape->levels[level - 1].gain; }
+bool bat_shape_muted(const bat_shape *shape, int level) { return shape->levels[level - 1].muted; }
 const bat_shape_options *bat_shape_options_of(const bat_shape *shape) { return &shape->options; }
 
 bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out) {
@@ -249,8 +251,7 @@ static void keep_outside(bat_level *level, const bat_curve *below, bat_stretch t
     }
 }
 
-/* C^j = refine(C^{j-1}) + sum g F d N. */
-static bat_status build(bat_level *level, const bat_curve *below) {
+bat_status bat_level_build(bat_level *level, const bat_curve *below) {
     bat_curve *curve;
     bat_status status = bat_curve_refine(below, bat_curve_knot_count(level->curve),
                                          bat_curve_knots(level->curve), &curve);
@@ -260,7 +261,7 @@ static bat_status build(bat_level *level, const bat_curve *below) {
     for (int i = 0; i < level->count; i++) {
         const double *d = level->details + 3 * i;
         if (d[0] == 0 && d[1] == 0 && d[2] == 0) continue;
-        vec v = vec_scale(bat_triad_to_world(&level->frames[i], d), level->gain);
+        vec v = vec_scale(bat_triad_to_world(&level->frames[i], d), bat_level_gain(level));
         points[i * size] += v.x, points[i * size + 1] += v.y;
         if (size == 3) points[i * size + 2] += v.z;
     }
@@ -284,7 +285,7 @@ bat_status bat_shape_rebuild(bat_shape *shape, int level, bat_stretch touched) {
         if (status == BAT_OK) {
             if (chained && l > level) keep_outside(at, below, touched, fresh);
             memcpy(at->frames, fresh, (size_t)at->count * sizeof(bat_triad));
-            status = build(at, below);
+            status = bat_level_build(at, below);
         }
         free(fresh);
         if (status != BAT_OK) return status;
