@@ -38,6 +38,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     x: double('frame.view', 0),
     y: double('frame.view', 1),
     zoom: double('frame.view', 2),
+    angle: double('frame.view', 3),
     originX: double('frame.origin', 0),
     originY: double('frame.origin', 1),
     stillVersion,

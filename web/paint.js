@@ -5,7 +5,7 @@
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
-/** @typedef {{ x: number, y: number, zoom: number, originX: number, originY: number }} View */
+/** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
 /** @typedef {{ item: Item, shape: Path2D, weight: number }} Painted */
 
 const STROKED = 1;
@@ -56,6 +56,26 @@ function shapeOf(path) {
     }
   }
   return shape;
+}
+
+/**
+ * From coordinates relative to the origin to pixels, of which `ratio` are a view pixel.
+ * @param {View} view @param {number} ratio
+ */
+function matrixOf(view, ratio) {
+  return new DOMMatrix().scale(view.zoom * ratio).rotate(view.angle)
+    .translate(view.originX - view.x, view.originY - view.y);
+}
+
+/**
+ * The upright box around the box as the matrix lays it.
+ * @param {DOMMatrix} matrix @param {number[]} box x0 y0 x1 y1
+ */
+function around(matrix, [x0, y0, x1, y1]) {
+  const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map(([x, y]) => matrix.transformPoint({ x, y }));
+  const xs = corners.map((corner) => corner.x);
+  const ys = corners.map((corner) => corner.y);
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
 export class Painter {
@@ -139,7 +159,7 @@ export class Painter {
     const dirty = frame.dirty[0] <= frame.dirty[2] && frame.dirty[1] <= frame.dirty[3];
     const was = this.painted;
     const moved = !was || was.x !== frame.x || was.y !== frame.y || was.zoom !== frame.zoom ||
-      was.originX !== frame.originX || was.originY !== frame.originY;
+      was.angle !== frame.angle || was.originX !== frame.originX || was.originY !== frame.originY;
     if (!moved && !this.stale) {
       if (dirty) {
         this.#repaint(frame, frame.dirty);
@@ -155,7 +175,7 @@ export class Painter {
 
   /** How much there is to paint: numbers in the paths in sight. @param {View} view */
   #weight(view) {
-    const [x0, y0, x1, y1] = this.#sight(view);
+    const [x0, y0, x1, y1] = around(matrixOf(view, 1).inverse(), [0, 0, this.width, this.height]);
     let weight = 0;
     for (const { item, weight: numbers } of this.list) {
       if (item.x1 >= x0 && item.x0 <= x1 && item.y1 >= y0 && item.y0 <= y1) {
@@ -165,19 +185,10 @@ export class Painter {
     return weight;
   }
 
-  /** The window, relative to the origin. @param {View} view @returns {[number, number, number, number]} */
-  #sight(view) {
-    const x = view.x - view.originX;
-    const y = view.y - view.originY;
-    return [x, y, x + this.width / view.zoom, y + this.height / view.zoom];
-  }
-
   /** Shows the layer as painted, where the view now has it. @param {View} was @param {View} now */
   #moveLayer(was, now) {
-    const scale = now.zoom / was.zoom;
-    const x = (was.x - now.x) * now.zoom;
-    const y = (was.y - now.y) * now.zoom;
-    this.still.style.transform = `translate(${x}px, ${y}px) scale(${scale})`;
+    const { originX, originY } = now;
+    this.still.style.transform = String(matrixOf(now, 1).multiply(matrixOf({ ...was, originX, originY }, 1).inverse()));
     this.counts.moved++;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
@@ -194,22 +205,22 @@ export class Painter {
   #repaint(frame, box) {
     const context = this.stillContext;
     const { width, height } = this.still;
-    const scale = frame.zoom * this.ratio;
-    const left = (frame.originX - frame.x) * scale;
-    const top = (frame.originY - frame.y) * scale;
+    const matrix = matrixOf(frame, this.ratio);
     let [x0, y0, x1, y1] = [0, 0, width, height];
     if (box) {
       // Whole device pixels with one to spare, so that no half-covered seam stays behind.
-      x0 = Math.max(0, Math.floor(left + box[0] * scale) - 2);
-      y0 = Math.max(0, Math.floor(top + box[1] * scale) - 2);
-      x1 = Math.min(width, Math.ceil(left + box[2] * scale) + 2);
-      y1 = Math.min(height, Math.ceil(top + box[3] * scale) + 2);
+      const [left, top, right, bottom] = around(matrix, box);
+      x0 = Math.max(0, Math.floor(left) - 2);
+      y0 = Math.max(0, Math.floor(top) - 2);
+      x1 = Math.min(width, Math.ceil(right) + 2);
+      y1 = Math.min(height, Math.ceil(bottom) + 2);
       this.counts.part++;
     } else {
       clearTimeout(this.timer);
       this.still.style.transform = '';
       this.stale = false;
-      this.painted = { x: frame.x, y: frame.y, zoom: frame.zoom, originX: frame.originX, originY: frame.originY };
+      const { x, y, zoom, angle, originX, originY } = frame;
+      this.painted = { x, y, zoom, angle, originX, originY };
       this.counts.full++;
     }
     if (x0 >= x1 || y0 >= y1) {
@@ -221,12 +232,10 @@ export class Painter {
     context.rect(x0, y0, x1 - x0, y1 - y0);
     context.clip();
     context.clearRect(x0, y0, x1 - x0, y1 - y0);
-    context.setTransform(scale, 0, 0, scale, left, top);
-    const margin = 2 / frame.zoom;
-    const low = [(x0 - left) / scale - margin, (y0 - top) / scale - margin];
-    const high = [(x1 - left) / scale + margin, (y1 - top) / scale + margin];
+    context.setTransform(matrix);
+    const [left, top, right, bottom] = around(matrix.inverse(), [x0 - 2, y0 - 2, x1 + 2, y1 + 2]);
     for (const { item, shape } of this.list) {
-      if (item.x1 >= low[0] && item.x0 <= high[0] && item.y1 >= low[1] && item.y0 <= high[1]) {
+      if (item.x1 >= left && item.x0 <= right && item.y1 >= top && item.y0 <= bottom) {
         this.#draw(context, item, shape, frame.zoom);
       }
     }
@@ -241,8 +250,7 @@ export class Painter {
       context.clearRect(0, 0, this.overlay.width, this.overlay.height);
     }
     this.overlayEmpty = frame.live.length === 0 && frame.labels.length === 0;
-    const scale = frame.zoom * this.ratio;
-    context.setTransform(scale, 0, 0, scale, (frame.originX - frame.x) * scale, (frame.originY - frame.y) * scale);
+    context.setTransform(matrixOf(frame, this.ratio));
     for (const item of frame.live) {
       const shape = shapeOf(item.path);
       if (item.role === ROLE_STRETCH) {
@@ -290,10 +298,12 @@ export class Painter {
     context.lineJoin = 'round';
     context.lineWidth = 4;
     context.setLineDash([]);
+    const matrix = matrixOf(frame, 1);
     for (const label of frame.labels) {
       const look = this.theme.roles[label.role] ?? this.theme.roles[1];
-      const x = (frame.originX + label.x - frame.x) * frame.zoom + label.dx;
-      const y = (frame.originY + label.y - frame.y) * frame.zoom + label.dy;
+      const at = matrix.transformPoint(label);
+      const x = at.x + label.dx;
+      const y = at.y + label.dy;
       context.strokeStyle = look.fill;
       context.strokeText(label.text, x, y);
       context.fillStyle = look.stroke;

@@ -418,7 +418,7 @@ export class Panel {
     // Values that the canvas shows, for those who do not see it; not while they still run.
     const values = frame.busy ? null : frame.labels.map((label) => label.text).join(', ');
     const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
-      frame.knotsAfter, frame.tolerance, frame.zoom, frame.hint, frame.pending, frame.error,
+      frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
       frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
     if (shown === this.shown) {
       return;
@@ -445,7 +445,8 @@ export class Panel {
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     knots.textContent = `${before}${frame.knotsAfter}`;
     /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${short(frame.tolerance)} units`;
-    /** @type {HTMLElement} */ (this.zoom).textContent = `${short(frame.zoom * 100)} %`;
+    /** @type {HTMLElement} */ (this.zoom).textContent = `${short(frame.zoom * 100)} %${
+      frame.angle === 0 ? '' : `, ${frame.angle.toFixed(0)}°`}`;
     this.refresh();
   }
 

@@ -49,9 +49,10 @@
 
 /**
  * @typedef {object} Frame
- * @property {number} x screen = (document - (x, y)) * zoom
+ * @property {number} x screen = (document - (x, y)) * zoom, turned by the angle
  * @property {number} y
  * @property {number} zoom
+ * @property {number} angle degrees, clockwise
  * @property {number} originX
  * @property {number} originY
  * @property {number} stillVersion

@@ -177,7 +177,8 @@ enum {
 };
 
 typedef struct bat_frame {
-    double view[4];   /* screen = (document - (view[0], view[1])) * view[2]; view[3]: rotation, 0 for now */
+    double view[4];   /* screen = R (document - (view[0], view[1])) * view[2]; R turns by view[3] degrees,
+                       * clockwise as it is seen, (-180, 180] */
     double origin[2]; /* added to every path coordinate */
     uint32_t still_version; /* grows with every change of the static list */
     uint32_t still_count;

@@ -134,6 +134,23 @@ static bat_status zoom_100(bat_editor *editor, bool down) {
     return zoom(editor, 1 / editor->view.zoom);
 }
 
+static bat_status rotate(bat_editor *editor, double degrees) {
+    bat_view_rotate(&editor->view, (double[]){editor->view.width / 2, editor->view.height / 2}, degrees);
+    return BAT_OK;
+}
+static bat_status rotate_left(bat_editor *editor, bool down) {
+    (void)down;
+    return rotate(editor, -15);
+}
+static bat_status rotate_right(bat_editor *editor, bool down) {
+    (void)down;
+    return rotate(editor, 15);
+}
+static bat_status view_upright(bat_editor *editor, bool down) {
+    (void)down;
+    return editor->view.angle == 0 ? BAT_STATE : rotate(editor, -editor->view.angle);
+}
+
 /* A tenth of the window. */
 static bat_status pan(bat_editor *editor, double x, double y) {
     double to[2] = {-x * editor->view.width / 10, -y * editor->view.height / 10};

@@ -22,6 +22,20 @@ void bat_contacts_remove(bat_contacts *contacts, int index) {
             (size_t)(contacts->count - index) * sizeof *contacts->list);
 }
 
+static const double DETENT = 6; /* degrees */
+
+void bat_contacts_pinch(bat_editor *editor) {
+    double angle = editor->view.angle;
+    editor->contacts.turn = angle == 0 ? 0 : angle + copysign(DETENT, angle);
+}
+
+static void turn(bat_editor *editor, const double about[2], double radians) {
+    double *fingers = &editor->contacts.turn;
+    *fingers = remainder(*fingers + radians * (180 / BAT_PI), 360 + 2 * DETENT);
+    double angle = fabs(*fingers) <= DETENT ? 0 : *fingers - copysign(DETENT, *fingers);
+    bat_view_rotate(&editor->view, about, angle - editor->view.angle);
+}
+
 void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
     bat_contact *moved = &editor->contacts.list[index];
     const bat_contact *other = NULL;
@@ -29,8 +43,7 @@ void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
         if (i != index && editor->contacts.list[i].duty == BAT_DUTY_NAVIGATE)
             other = &editor->contacts.list[i];
     if (other) {
-        /* Both fingers keep their document points as well as pan and zoom can: about the middle between them.
-         */
+        /* About the middle between them; past the detent both fingers keep their document points. */
         double before[2], after[2];
         for (int k = 0; k < 2; k++) {
             before[k] = (moved->at[k] + other->at[k]) / 2;
@@ -38,7 +51,12 @@ void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
         }
         double apart = bat_hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
         double now = bat_hypot(to[0] - other->at[0], to[1] - other->at[1]);
-        if (apart >= 1 && now >= 1) bat_view_zoom(&editor->view, before, now / apart);
+        if (apart >= 1 && now >= 1) {
+            bat_view_zoom(&editor->view, before, now / apart);
+            double x0 = moved->at[0] - other->at[0], y0 = moved->at[1] - other->at[1];
+            double x1 = to[0] - other->at[0], y1 = to[1] - other->at[1];
+            turn(editor, before, bat_atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1));
+        }
         bat_view_pan(&editor->view, before, after);
     } else {
         bat_view_pan(&editor->view, moved->at, to);

@@ -66,7 +66,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 
     bat_frame *frame = &editor->frame;
-    *frame = (bat_frame){.view = {editor->view.x, editor->view.y, editor->view.zoom, 0},
+    *frame = (bat_frame){.view = {editor->view.x, editor->view.y, editor->view.zoom, editor->view.angle},
                          .origin = {scene->origin[0], scene->origin[1]},
                          .still_version = scene->still_version,
                          .still_count = (uint32_t)scene->item_count,

@@ -24,7 +24,7 @@ typedef struct bat_edit {
     int curve;
     bat_id other; /* JOIN: the object joined to it */
     int other_curve;
-    double view[3]; /* the stroke's samples are view pixels of this view */
+    bat_view view; /* the stroke's samples are view pixels of this view */
     bat_sketch_options options;
     bat_style style; /* NEW */
     bat_id parent;   /* NEW: the layer it goes into; 0: none */

@@ -80,7 +80,9 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     number(line, "smooth_limit", edit->options.smooth_limit);
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     bat_text_string(line, ",\"view\":");
-    bat_line_numbers(line, edit->view, 3, 1);
+    const bat_view *view = &edit->view;
+    bat_line_numbers(line, (double[]){view->x, view->y, view->zoom, view->angle}, view->angle == 0 ? 3 : 4,
+                     1);
     stroke(line, &edit->samples);
 }
 
@@ -196,7 +198,7 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
         if (slant && !item_pair(json, slant, 90, lean))
             return bat_json_complain(json, slant, BAT_SYNTAX, "tilt", "[x, y] in degrees", problem);
         last = when;
-        bat_status status = bat_samples_add(&edit->samples, edit->view, pixel, press, when, lean);
+        bat_status status = bat_samples_add(&edit->samples, &edit->view, pixel, press, when, lean);
         if (status != BAT_OK) return status;
         at = json->nodes[at].next;
         p = following(json, p, bat_json_count(json, pressure));
@@ -206,15 +208,26 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
     return BAT_OK;
 }
 
-static bat_status read_view(const bat_json *json, double view[3], bat_problem *problem) {
+static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
+    static const double low[4] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180},
+                        high[4] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180};
     uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
-    bool good = bat_json_count(json, list) == 3;
-    for (int k = 0; k < 3 && good; k++, node = json->nodes[node].next) {
-        view[k] = item_number(json, node);
-        good = k < 2 ? fabs(view[k]) <= BAT_VIEW_REACH : view[k] >= BAT_ZOOM_MIN && view[k] <= BAT_ZOOM_MAX;
+    uint32_t count = bat_json_count(json, list);
+    double numbers[4] = {0};
+    bool good = count == 3 || count == 4;
+    for (uint32_t k = 0; k < count && good; k++, node = json->nodes[node].next) {
+        numbers[k] = item_number(json, node);
+        good = numbers[k] >= low[k] && numbers[k] <= high[k];
     }
-    return good ? BAT_OK
-                : bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view", "[x, y, zoom]", problem);
+    if (!good)
+        return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view",
+                                 "[x, y, zoom] or [x, y, zoom, angle]", problem);
+    *view = bat_view_defaults();
+    view->x = numbers[0];
+    view->y = numbers[1];
+    view->zoom = numbers[2];
+    bat_view_turn(view, numbers[3]);
+    return BAT_OK;
 }
 
 bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *problem) {
@@ -250,7 +263,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
     out->accepted = read_switch(&r, "accepted");
-    if (r.status == BAT_OK) r.status = read_view(json, out->view, problem);
+    if (r.status == BAT_OK) r.status = read_view(json, &out->view, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);
     return r.status;
 }

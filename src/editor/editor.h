@@ -16,6 +16,7 @@
 #include "editor/sketching.h"
 #include "editor/splining.h"
 #include "editor/tables.h"
+#include "editor/taps.h"
 #include "editor/tool.h"
 #include "editor/transaction.h"
 #include "editor/view.h"
@@ -50,13 +51,15 @@ struct bat_editor {
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */
     bat_contacts contacts;
+    bat_taps taps;
     uint32_t modifiers;
     double time;
     bool holding_pan, pen_seen;
-    bool pen_near; /* a pointer is over the drawing */
-    double pen[2]; /* where it was last, view pixels */
-    bool erasing;  /* the pen's other end is down */
-    bool calming;  /* the key that calms is held */
+    double pen_time; /* of the last event of a pen */
+    bool pen_near;   /* a pointer is over the drawing */
+    double pen[2];   /* where it was last, view pixels */
+    bool erasing;    /* the pen's other end is down */
+    bool calming;    /* the key that calms is held */
 
     bat_scene scene;
     bat_overlay overlay;

@@ -72,10 +72,15 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         cancel_tool(editor);
         bat_editor_notice(editor, BAT_STRING_COUNT); /* a pinch is no news */
         first->duty = BAT_DUTY_NAVIGATE;
+        bat_contacts_pinch(editor);
         return BAT_DUTY_NAVIGATE;
     }
-    if (navigating > 0)
-        return event->device == BAT_DEVICE_TOUCH && navigating == 1 ? BAT_DUTY_NAVIGATE : BAT_DUTY_IGNORED;
+    if (editor->transaction.open) return BAT_DUTY_IGNORED;
+    if (navigating > 0) {
+        if (event->device != BAT_DEVICE_TOUCH || navigating > 1) return BAT_DUTY_IGNORED;
+        bat_contacts_pinch(editor);
+        return BAT_DUTY_NAVIGATE;
+    }
     if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
         const bat_tool *tool = bat_editor_tool(editor);
@@ -91,7 +96,8 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
 
 static void down(bat_editor *editor, const bat_pointer *event) {
     bat_contacts *contacts = &editor->contacts;
-    if (contacts->count == BAT_CONTACTS_MAX || editor->transaction.open) return;
+    if (contacts->count == BAT_CONTACTS_MAX) return;
+    bat_taps_down(editor, event);
     bat_duty duty = assign(editor, event);
     contacts->list[contacts->count++] = (bat_contact){
         event->contact, event->device, duty, {event->x, event->y}, {event->x, event->y}, event->time};
@@ -108,6 +114,7 @@ static void move(bat_editor *editor, const bat_pointer *event, int index) {
         bat_contacts_navigate(editor, index, (double[]){event->x, event->y});
     }
     if (event->predicted) return;
+    bat_taps_move(editor, event, contact->start);
     contact->at[0] = event->x;
     contact->at[1] = event->y;
 }
@@ -124,13 +131,15 @@ static void end(bat_editor *editor, const bat_pointer *event, int index) {
     bat_duty duty = editor->contacts.list[index].duty;
     if (event->phase == BAT_POINTER_UP) move(editor, event, index);
     bat_contacts_remove(&editor->contacts, index);
-    if (duty != BAT_DUTY_TOOL) return;
     const bat_tool *tool = bat_editor_tool(editor);
-    if (event->phase == BAT_POINTER_CANCEL)
-        cancel_tool(editor);
-    else if (tool->up)
-        tool->up(editor, event);
-    turn_back(editor);
+    if (duty == BAT_DUTY_TOOL) {
+        if (event->phase == BAT_POINTER_CANCEL)
+            cancel_tool(editor);
+        else if (tool->up)
+            tool->up(editor, event);
+        turn_back(editor);
+    }
+    bat_taps_end(editor, event);
 }
 
 static void one(bat_editor *editor, bat_pointer event) {
@@ -143,7 +152,10 @@ static void one(bat_editor *editor, bat_pointer event) {
     }
     editor->time = event.time;
     editor->freed = false;
-    if (event.device == BAT_DEVICE_PEN) editor->pen_seen = true;
+    if (event.device == BAT_DEVICE_PEN) {
+        editor->pen_seen = true;
+        editor->pen_time = event.time;
+    }
     set_modifiers(editor, event.modifiers);
     editor->pen_near = event.phase != BAT_POINTER_LEAVE;
     if (editor->pen_near) {

@@ -6,6 +6,9 @@ static const char *check_view(const bat_view *view) {
     if (!(view->zoom >= BAT_ZOOM_MIN && view->zoom <= BAT_ZOOM_MAX)) return "the zoom is out of its limits";
     if (!(fabs(view->x) <= BAT_VIEW_REACH && fabs(view->y) <= BAT_VIEW_REACH))
         return "the view is out of reach";
+    if (!(view->angle > -180 && view->angle <= 180) ||
+        !(fabs(view->cosine * view->cosine + view->sine * view->sine - 1) < 1e-12))
+        return "the view's angle is out of range";
     if (!(view->width >= 0 && view->width <= BAT_PIXELS_MAX && view->height >= 0 &&
           view->height <= BAT_PIXELS_MAX))
         return "the window's size is out of range";

@@ -20,8 +20,8 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
 /* The index of what a click at the point means, -1: nothing: the line within reach (or under whose width the
  * point lies) that is nearest, unless a fill in front of it covers the point. */
 int bat_pick_object(bat_scene *scene, const double point[2], double within);
-/* Whether the entry's outline, or its fill, has a part in the box (low x, low y, high x, high y); flattened.
- * Never when it is hidden or locked. */
-bool bat_pick_touches(const bat_scene *scene, int entry, const double box[4]);
+/* Whether the entry's outline, or its fill, has a part in the box of the view (pixels: low x, low y, high x,
+ * high y); flattened. Never when it is hidden or locked. */
+bool bat_pick_touches(const bat_scene *scene, int entry, const bat_view *view, const double box[4]);
 
 #endif

@@ -98,9 +98,18 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
     return found;
 }
 
-static bool crosses(void *user, const double a[2], const double b[2]) {
-    const double *box = user;
-    double t0 = 0, t1 = 1;
+typedef struct area {
+    const bat_view *view;
+    const double *origin; /* of the lines */
+    const double *box;    /* view pixels */
+} area;
+
+static bool crosses(void *user, const double from[2], const double to[2]) {
+    const area *in_view = user;
+    const double *box = in_view->box, *origin = in_view->origin;
+    double t0 = 0, t1 = 1, a[2], b[2];
+    bat_view_to_screen(in_view->view, (double[]){from[0] + origin[0], from[1] + origin[1]}, a);
+    bat_view_to_screen(in_view->view, (double[]){to[0] + origin[0], to[1] + origin[1]}, b);
     for (int k = 0; k < 2; k++) { /* Liang and Barsky 1984 */
         double d = b[k] - a[k];
         if (d == 0) {
@@ -114,13 +123,26 @@ static bool crosses(void *user, const double a[2], const double b[2]) {
     return t0 <= t1;
 }
 
-bool bat_pick_touches(const bat_scene *scene, int index, const double box[4]) {
+/* The box, upright in the document, around the view's. */
+static void around(const bat_view *view, const double box[4], double out[4]) {
+    for (int i = 0; i < 4; i++) {
+        double corner[2];
+        bat_view_to_document(view, (double[]){box[i & 2], box[1 + 2 * (i & 1)]}, corner);
+        for (int k = 0; k < 2; k++) {
+            out[k] = i ? fmin(out[k], corner[k]) : corner[k];
+            out[k + 2] = i ? fmax(out[k + 2], corner[k]) : corner[k];
+        }
+    }
+}
+
+bool bat_pick_touches(const bat_scene *scene, int index, const bat_view *view, const double box[4]) {
     const bat_scene_entry *entry = &scene->entries[index];
-    if (entry->hidden || entry->locked || !entry->path || apart(entry->box, box, 0)) return false;
-    if (entry->box[0] >= box[0] && entry->box[1] >= box[1] && entry->box[2] <= box[2] &&
-        entry->box[3] <= box[3])
-        return true;
-    double local[4];
-    for (int k = 0; k < 4; k++) local[k] = box[k] - scene->origin[k & 1];
-    return each_line(entry, false, crosses, local) || fills(scene, entry, box);
+    double reach[4], corner[2];
+    if (entry->hidden || entry->locked || !entry->path) return false;
+    around(view, box, reach);
+    if (apart(entry->box, reach, 0)) return false;
+    area in_view = {view, scene->origin, box};
+    if (each_line(entry, false, crosses, &in_view)) return true;
+    bat_view_to_document(view, box, corner);
+    return fills(scene, entry, corner);
 }

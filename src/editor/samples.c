@@ -40,16 +40,16 @@ static bat_status grow(bat_samples *samples) {
 
 double bat_samples_round(double value, double parts) { return round(value * parts) / parts; }
 
-bat_status bat_samples_add(bat_samples *samples, const double view[3], const double pixel[2], double pressure,
+bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
                            double time, const double tilt[2]) {
     if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
     size_t i = samples->count++;
     for (int k = 0; k < 2; k++) {
         samples->pixels[2 * i + (size_t)k] = pixel[k];
-        samples->points[2 * i + (size_t)k] = view[k] + pixel[k] / view[2];
         samples->tilt[2 * i + (size_t)k] = tilt[k];
     }
+    bat_view_to_document(view, pixel, samples->points + 2 * i);
     samples->pressure[i] = pressure;
     samples->time[i] = time;
     return BAT_OK;

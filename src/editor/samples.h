@@ -2,6 +2,7 @@
 #ifndef BATTEN_SRC_SAMPLES_H
 #define BATTEN_SRC_SAMPLES_H
 
+#include "editor/view.h"
 #include <batten/editor.h>
 #include <batten/sketch.h>
 
@@ -20,8 +21,8 @@ typedef struct bat_samples {
 /* Empties it and keeps the memory. */
 void bat_samples_clear(bat_samples *samples);
 void bat_samples_free(bat_samples *samples);
-/* view: x, y, zoom of the stroke. BAT_COUNT when full, BAT_MEMORY; nothing added then. */
-bat_status bat_samples_add(bat_samples *samples, const double view[3], const double pixel[2], double pressure,
+/* view: of the stroke. BAT_COUNT when full, BAT_MEMORY; nothing added then. */
+bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
                            double time, const double tilt[2]);
 /* The samples from `first` on, as the sketch hand takes them; borrowed. */
 bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first);

@@ -27,7 +27,7 @@ typedef struct bat_sketching {
     double hover[2];        /* view pixels */
     bat_pick pick;          /* IDLE: what would be redrawn */
     uint64_t pick_revision; /* of the document it was picked from */
-    double pick_view[3];
+    bat_view pick_view;
 
     /* DRAWING */
     bat_edit edit;         /* of the stroke under the pen */

@@ -58,7 +58,7 @@ typedef struct bat_splining {
     bat_spline_hit over;
     int near; /* the point whose circle is shown because the pen is near; -1: none */
     uint64_t over_revision;
-    double over_view[3];
+    bat_view over_view;
 
     bat_joint *joints; /* of the chosen spline as it was at joints_revision */
     bat_id joints_object;

@@ -30,18 +30,19 @@ static void handle_share(int handle, double share[2]) {
 
 /* Of the box (document units), in view pixels. False: too crowded, or no such side. */
 static bool handle_place(const bat_view *view, const double box[4], int handle, double out[2]) {
-    double share[2] = {0.5, 0}, low[2], high[2];
+    double share[2] = {0.5, 0};
     if (handle < BAT_GRIP_ROTATE) handle_share(handle, share);
-    bat_view_to_screen(view, (double[]){box[0], box[1]}, low);
-    bat_view_to_screen(view, (double[]){box[2], box[3]}, high);
-    double width = fabs(high[0] - low[0]), height = fabs(high[1] - low[1]);
+    double width = (box[2] - box[0]) * view->zoom, height = (box[3] - box[1]) * view->zoom;
     bool corner = share[0] != 0.5 && share[1] != 0.5;
     if (handle < BAT_GRIP_ROTATE && !corner && (share[0] == 0.5 ? width : height) < CROWDED) return false;
     if (handle < BAT_GRIP_ROTATE && width == 0 && share[0] == 1 && share[1] != 0.5) return false;
     if (handle < BAT_GRIP_ROTATE && height == 0 && share[1] == 1 && share[0] != 0.5) return false;
     bat_view_to_screen(
         view, (double[]){box[0] + share[0] * (box[2] - box[0]), box[1] + share[1] * (box[3] - box[1])}, out);
-    if (handle == BAT_GRIP_ROTATE) out[1] -= ROTATE_AWAY;
+    if (handle == BAT_GRIP_ROTATE) {
+        out[0] += ROTATE_AWAY * view->sine;
+        out[1] -= ROTATE_AWAY * view->cosine;
+    }
     return true;
 }
 
@@ -269,12 +270,9 @@ static void click(bat_editor *editor) {
     bat_selection_add(selection, s->pressed); /* there is room: it was in it */
 }
 
-/* The marquee, document units, low before high. */
+/* The marquee, view pixels, low before high. */
 static void marquee(const bat_editor *editor, double box[4]) {
-    const bat_selecting *s = &editor->selecting;
-    double a[2], b[2];
-    bat_view_to_document(&editor->view, s->start, a);
-    bat_view_to_document(&editor->view, s->at, b);
+    const double *a = editor->selecting.start, *b = editor->selecting.at;
     memcpy(box, (double[]){fmin(a[0], b[0]), fmin(a[1], b[1]), fmax(a[0], b[0]), fmax(a[1], b[1])},
            4 * sizeof *box);
 }
@@ -284,7 +282,7 @@ static void select_box(bat_editor *editor) {
     marquee(editor, box);
     bat_editor_sync(editor);
     for (int i = 0; i < editor->scene.count; i++) {
-        if (!bat_pick_touches(&editor->scene, i, box)) continue;
+        if (!bat_pick_touches(&editor->scene, i, &editor->view, box)) continue;
         int whole = bat_arrange_whole(editor->document, i);
         bat_status status = bat_selection_add(&editor->selection,
                                               bat_object_id(bat_document_at(editor->document, whole)));
@@ -373,23 +371,25 @@ static void show_handle(bat_overlay *overlay, const bat_view *view, const double
     bat_path_close(&overlay->path);
 }
 
-static void show_box(bat_overlay *overlay, const double box[4]) {
-    bat_overlay_polyline(
-        overlay, 5,
-        (double[]){box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]});
+/* The box: of the document, or with a view, of its pixels. */
+static void show_box(bat_overlay *overlay, const bat_view *view, const double box[4]) {
+    double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
+    for (int i = 0; i < 5 && view; i++)
+        bat_view_to_document(view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
+    bat_overlay_polyline(overlay, 5, corners);
     bat_path_close(&overlay->path);
 }
 
 static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
     const bat_view *view = &editor->view;
-    double box[4], place[2], top[2], line[4];
+    double box[4], place[2], line[4];
     if (!bat_arrange_selection_box(editor, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
-    show_box(overlay, box);
+    show_box(overlay, NULL, box);
     if (dragging(&editor->selecting)) return;
-    bat_view_to_screen(view, (double[]){box[0] / 2 + box[2] / 2, box[1]}, top);
-    bat_view_to_document(view, top, line);
-    bat_view_to_document(view, (double[]){top[0], top[1] - ROTATE_AWAY}, line + 2);
+    line[0] = line[2] = box[0] / 2 + box[2] / 2;
+    line[1] = box[1];
+    line[3] = box[1] - ROTATE_AWAY * bat_view_pixel(view);
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1);
     bat_overlay_polyline(overlay, 2, line);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
@@ -414,7 +414,7 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
         double box[4];
         marquee(editor, box);
         bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-        show_box(list, box);
+        show_box(list, &editor->view, box);
     }
 }
 
@@ -435,14 +435,14 @@ static bat_string hint(const bat_editor *editor) {
 }
 
 static bat_cursor cursor(const bat_editor *editor) {
-    static const bat_cursor handles[] = {
-        BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS,   BAT_CURSOR_RESIZE_NESW,
-        BAT_CURSOR_RESIZE_EW,   BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS,
-        BAT_CURSOR_RESIZE_NESW, BAT_CURSOR_RESIZE_EW,   BAT_CURSOR_GRAB};
+    static const bat_cursor handles[] = {BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS, BAT_CURSOR_RESIZE_NESW,
+                                         BAT_CURSOR_RESIZE_EW};
     const bat_selecting *s = &editor->selecting;
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
-    if (s->handle != BAT_GRIP_NONE) return handles[s->handle];
+    if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
+    if (s->handle != BAT_GRIP_NONE) /* the handles lie as the view is turned */
+        return handles[(s->handle + 8 + (int)round(editor->view.angle / 45)) % 4];
     if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_CURSOR_MOVE;
     return BAT_CURSOR_ARROW;
 }

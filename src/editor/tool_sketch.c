@@ -144,7 +144,7 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
         return BAT_OK;
     double time = bat_samples_round(fmax(event->time - samples->start, 0), 100);
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
-    bat_status status = bat_samples_add(samples, s->edit.view, pixel, event->pressure, time, tilt);
+    bat_status status = bat_samples_add(samples, &s->edit.view, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
     s->travelled = fmax(s->travelled,
                         bat_hypot(pixel[0] - samples->pixels[0], pixel[1] - samples->pixels[1]));
@@ -166,7 +166,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     s->edit = (bat_edit){.kind = pick.object ? BAT_EDIT_REDRAW : BAT_EDIT_NEW,
                          .object = pick.object,
                          .curve = pick.curve,
-                         .view = {editor->view.x, editor->view.y, editor->view.zoom},
+                         .view = editor->view,
                          .options = options(editor),
                          .style = bat_editor_new_style(editor),
                          .samples = samples};
@@ -370,12 +370,13 @@ static void update(bat_editor *editor) {
         look_ahead(editor, &(bat_pointer){.x = last[0], .y = last[1]});
         return;
     }
-    const double view[3] = {editor->view.x, editor->view.y, editor->view.zoom};
-    if (s->pick_revision == editor->revision && !memcmp(view, s->pick_view, sizeof view) && !s->hover_changed)
+    const bat_view *view = &editor->view;
+    if (s->pick_revision == editor->revision && !memcmp(view, &s->pick_view, sizeof *view) &&
+        !s->hover_changed)
         return;
     s->pick = s->hovering ? pick_at(editor, s->hover, s->device) : (bat_pick){0};
     s->pick_revision = editor->revision;
-    memcpy(s->pick_view, view, sizeof view);
+    s->pick_view = *view;
     s->hover_changed = false;
 }
 

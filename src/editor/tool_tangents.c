@@ -377,7 +377,7 @@ static bool busy(const bat_editor *editor) { return editor->splining.state != BA
 
 static void update(bat_editor *editor) {
     bat_splining *s = &editor->splining;
-    const double view[3] = {editor->view.x, editor->view.y, editor->view.zoom};
+    const bat_view *view = &editor->view;
     if (s->state != BAT_SPLINING_IDLE) {
         if (s->state == BAT_SPLINING_DRAGGING && s->due) {
             apply(editor);
@@ -385,13 +385,14 @@ static void update(bat_editor *editor) {
         }
         return;
     }
-    if (!s->hover_changed && s->over_revision == editor->revision && !memcmp(view, s->over_view, sizeof view))
+    if (!s->hover_changed && s->over_revision == editor->revision &&
+        !memcmp(view, &s->over_view, sizeof *view))
         return;
     s->over = s->hovering ? bat_splining_find(editor, s->hover, s->device) : (bat_spline_hit){0};
     if (!s->hovering) s->near = -1;
     s->hover_changed = false;
     s->over_revision = editor->revision;
-    memcpy(s->over_view, view, sizeof view);
+    s->over_view = *view;
 }
 
 /* ---- words ---- */

@@ -1,4 +1,5 @@
 #include "editor/view.h"
+#include "curve/real.h"
 #include <math.h>
 
 static double clamp(double value, double low, double high) { return fmin(fmax(value, low), high); }
@@ -8,33 +9,57 @@ static void keep_in_reach(bat_view *view) {
     view->y = clamp(view->y, -BAT_VIEW_REACH, BAT_VIEW_REACH);
 }
 
-bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .ratio = 1}; }
+bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1}; }
+
+void bat_view_turn(bat_view *view, double degrees) {
+    if (!isfinite(degrees)) return;
+    double angle = round(remainder(degrees, 360) * 100) / 100;
+    view->angle = angle <= -180 ? 180 : angle + 0; /* no -0 */
+    /* Upright is exact. */
+    view->cosine = angle == 0 ? 1 : bat_cos(view->angle * (BAT_PI / 180));
+    view->sine = angle == 0 ? 0 : bat_sin(view->angle * (BAT_PI / 180));
+}
 
 double bat_view_pixel(const bat_view *view) { return 1 / view->zoom; }
 
 void bat_view_to_document(const bat_view *view, const double screen[2], double document[2]) {
-    document[0] = view->x + screen[0] / view->zoom;
-    document[1] = view->y + screen[1] / view->zoom;
+    document[0] = view->x + (view->cosine * screen[0] + view->sine * screen[1]) / view->zoom;
+    document[1] = view->y + (view->cosine * screen[1] - view->sine * screen[0]) / view->zoom;
 }
 
 void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]) {
-    screen[0] = (document[0] - view->x) * view->zoom;
-    screen[1] = (document[1] - view->y) * view->zoom;
+    double x = document[0] - view->x, y = document[1] - view->y;
+    screen[0] = (view->cosine * x - view->sine * y) * view->zoom;
+    screen[1] = (view->sine * x + view->cosine * y) * view->zoom;
+}
+
+void bat_view_hold(bat_view *view, const double document[2], const double screen[2]) {
+    double under[2];
+    bat_view_to_document(view, screen, under);
+    view->x += document[0] - under[0];
+    view->y += document[1] - under[1];
+    keep_in_reach(view);
 }
 
 void bat_view_pan(bat_view *view, const double from[2], const double to[2]) {
-    view->x += (from[0] - to[0]) / view->zoom;
-    view->y += (from[1] - to[1]) / view->zoom;
-    keep_in_reach(view);
+    double document[2];
+    bat_view_to_document(view, from, document);
+    bat_view_hold(view, document, to);
 }
 
 void bat_view_zoom(bat_view *view, const double about[2], double factor) {
     if (!(factor > 0)) return;
-    double zoom = clamp(view->zoom * factor, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
-    view->x += about[0] / view->zoom - about[0] / zoom;
-    view->y += about[1] / view->zoom - about[1] / zoom;
-    view->zoom = zoom;
-    keep_in_reach(view);
+    double document[2];
+    bat_view_to_document(view, about, document);
+    view->zoom = clamp(view->zoom * factor, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
+    bat_view_hold(view, document, about);
+}
+
+void bat_view_rotate(bat_view *view, const double about[2], double degrees) {
+    double document[2];
+    bat_view_to_document(view, about, document);
+    bat_view_turn(view, view->angle + degrees);
+    bat_view_hold(view, document, about);
 }
 
 bool bat_view_fit(bat_view *view, const double box[4], double margin) {
@@ -44,12 +69,13 @@ bool bat_view_fit(bat_view *view, const double box[4], double margin) {
     /* Tiny windows give up their margin before the drawing. */
     double room_x = fmax(view->width - 2 * margin, view->width / 2);
     double room_y = fmax(view->height - 2 * margin, view->height / 2);
-    double zoom = view->zoom;
+    double middle[2] = {box[0] + width / 2, box[1] + height / 2};
+    double c = fabs(view->cosine), s = fabs(view->sine), zoom = view->zoom;
+    double across = c * width + s * height, down = s * width + c * height; /* of the box as it lies turned */
     if (width > 0 || height > 0)
-        zoom = fmin(width > 0 ? room_x / width : INFINITY, height > 0 ? room_y / height : INFINITY);
+        zoom = fmin(across > 0 ? room_x / across : INFINITY, down > 0 ? room_y / down : INFINITY);
     view->zoom = clamp(zoom, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
-    view->x = box[0] + width / 2 - view->width / 2 / view->zoom;
-    view->y = box[1] + height / 2 - view->height / 2 / view->zoom;
-    keep_in_reach(view);
+    view->x = view->y = 0;
+    bat_view_hold(view, middle, (double[]){view->width / 2, view->height / 2});
     return true;
 }

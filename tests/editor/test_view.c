@@ -53,7 +53,10 @@ static void zoom_has_limits(void **state) {
 
 static void there_and_back(void **state) {
     (void)state;
-    bat_view view = {.x = -31.5, .y = 8, .zoom = 2.5, .width = 10, .height = 10};
+    bat_view view = bat_view_defaults();
+    view.x = -31.5;
+    view.y = 8;
+    view.zoom = 2.5;
     double screen[2] = {123, -45}, document[2], back[2];
     bat_view_to_document(&view, screen, document);
     assert_true(document[0] == -31.5 + 123 / 2.5 && document[1] == 8 - 18);

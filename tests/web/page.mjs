@@ -58,6 +58,7 @@ export function state(page) {
     notice: document.getElementById('notice-text').textContent,
     unsaved: !document.getElementById('unsaved').hidden,
     zoom: batten.painter.painted.zoom,
+    angle: batten.painter.painted.angle,
     counts: { ...batten.painter.counts },
   }));
 }
@@ -65,9 +66,11 @@ export function state(page) {
 /** The window position of a point of the document. */
 export function place(page, x, y) {
   return page.evaluate(([px, py]) => {
-    const { x: left, y: top, zoom } = batten.painter.painted;
+    const { x: left, y: top, zoom, angle } = batten.painter.painted;
     const box = document.getElementById('stage').getBoundingClientRect();
-    return [box.left + (px - left) * zoom, box.top + (py - top) * zoom];
+    const cosine = Math.cos((angle * Math.PI) / 180) * zoom;
+    const sine = Math.sin((angle * Math.PI) / 180) * zoom;
+    return [box.left + (px - left) * cosine - (py - top) * sine, box.top + (px - left) * sine + (py - top) * cosine];
   }, [x, y]);
 }
 
@@ -125,17 +128,30 @@ export class Hand {
     return dense;
   }
 
-  /** Fingers: an array of frames, each an array of positions; the last lifts. */
-  async fingers(frames) {
+  /** Fingers: an array of frames 8 ms apart, each an array of positions; the last lifts, unless `lift` is false. */
+  async fingers(frames, { lift = true } = {}) {
     let before = 0;
     for (const frame of frames) {
       const touchPoints = frame.map(([x, y], id) => ({ x, y, id, force: 0.5, radiusX: 6, radiusY: 6 }));
-      await this.client.send('Input.dispatchTouchEvent', {
-        type: before < frame.length ? 'touchStart' : 'touchMove', touchPoints });
+      await this.#touch(before < frame.length ? 'touchStart' : 'touchMove', touchPoints);
       before = frame.length;
     }
-    await this.client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    if (lift) {
+      await this.#touch('touchEnd', []);
+    }
     await settle(this.page);
+  }
+
+  #touch(type, touchPoints) {
+    this.time += 0.008;
+    return this.client.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp: this.time });
+  }
+
+  /** Fingers side by side that come down together and go up again, long after what was before. */
+  async tap(fingers, [x, y] = [400, 400]) {
+    this.time += 2;
+    const at = Array.from({ length: fingers }, (_, i) => [x + 70 * i, y + 9 * i]);
+    await this.fingers([at.slice(0, 1), at, at.map(([a, b]) => [a + 1, b + 2])]);
   }
 }
 

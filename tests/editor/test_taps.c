@@ -1,0 +1,177 @@
+/* Taps of two and three fingers: what is one, and all that is none. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/pen.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void touch(bat_editor *editor, bat_device device, bat_pointer_phase phase, uint32_t contact, double x,
+                  double y, double time) {
+    bat_pointer event = {.phase = phase,
+                         .device = device,
+                         .contact = contact,
+                         .buttons = phase == BAT_POINTER_DOWN || phase == BAT_POINTER_MOVE ? 1u : 0u,
+                         .x = x,
+                         .y = y,
+                         .pressure = 0.5,
+                         .time = time};
+    bat_editor_pointer(editor, &event, 1);
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("%s", wrong);
+}
+
+/* So many fingers down from `time` on, 15 ms apart, each moved by `travel`, up after `hold` ms. */
+static void tap(bat_editor *editor, int fingers, double time, double hold, double travel) {
+    for (int i = 0; i < fingers; i++)
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, (uint32_t)i + 10, 300 + 90 * i, 400, time + 15 * i);
+    bat_editor_frame(editor);
+    for (int i = 0; i < fingers; i++)
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, (uint32_t)i + 10, 300 + 90 * i, 400 + travel,
+              time + 15 * fingers + i);
+    for (int i = 0; i < fingers; i++)
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, (uint32_t)i + 10, 300 + 90 * i, 400 + travel,
+              time + hold + i - fingers);
+}
+
+/* An editor with one stroke that can be undone; *drawn and *plain: digests with and without it. */
+static bat_editor *with_a_stroke(uint64_t *drawn, uint64_t *plain) {
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    *plain = digest(editor);
+    pen_line(&p, 350, 200, 650, 200, 30);
+    *drawn = digest(editor);
+    assert_true(*drawn != *plain);
+    return editor;
+}
+
+static void two_undo_and_three_redo(void **state) {
+    (void)state;
+    static const char *const tools[] = {"tool-sketch", "tool-select", "tool-points", "tool-pan",
+                                        "tool-tangents"};
+    for (int i = 0; i < 5; i++) {
+        for (int palm = 0; palm < 2; palm++) {
+            uint64_t drawn, plain;
+            bat_editor *editor = with_a_stroke(&drawn, &plain);
+            bat_editor_set(editor, "palm-rejection", palm);
+            bat_editor_command(editor, tools[i]);
+            double view[4];
+            memcpy(view, bat_editor_frame(editor)->view, sizeof view);
+            tap(editor, 2, 5000, 120, 3);
+            assert_true(digest(editor) == plain);
+            tap(editor, 3, 6000, 180, 3);
+            assert_true(digest(editor) == drawn);
+            tap(editor, 3, 7000, 180, 3); /* nothing to do again */
+            assert_true(digest(editor) == drawn);
+            assert_memory_equal(view, bat_editor_frame(editor)->view, sizeof view); /* not a pixel */
+            assert_false(bat_editor_frame(editor)->busy);
+            bat_editor_free(editor);
+        }
+    }
+}
+
+static void what_is_no_tap(void **state) {
+    (void)state;
+    static const struct {
+        int fingers;
+        double hold, travel;
+    } none[] = {{1, 100, 2}, {4, 120, 2}, {2, 300, 2}, {2, 120, 14}, {3, 200, 14}};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        uint64_t drawn, plain;
+        bat_editor *editor = with_a_stroke(&drawn, &plain);
+        tap(editor, none[i].fingers, 5000, none[i].hold, none[i].travel);
+        assert_true(digest(editor) == drawn);
+        bat_editor_free(editor);
+    }
+}
+
+/* A cancelled contact is the system's gesture. */
+static void a_cancelled_tap_is_none(void **state) {
+    (void)state;
+    uint64_t drawn, plain;
+    bat_editor *editor = with_a_stroke(&drawn, &plain);
+    touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 1, 300, 400, 5000);
+    touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 400, 400, 5010);
+    touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 300, 400, 5050);
+    touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_CANCEL, 2, 400, 400, 5060);
+    assert_true(digest(editor) == drawn);
+    bat_editor_free(editor);
+}
+
+/* Fingers beside a pen that draws, or that is about, are a hand at rest: nothing is undone, the stroke goes on. */
+static void a_hand_beside_the_pen_is_none(void **state) {
+    (void)state;
+    uint64_t drawn, plain;
+    bat_editor *editor = with_a_stroke(&drawn, &plain);
+    bat_editor_set(editor, "palm-rejection", 0);
+    pen p = pen_for(editor);
+    p.time = 5000;
+    pen_begin(&p, pen_arch, (double[]){350, 600, 650, 600, 30}, 30);
+    tap(editor, 2, p.time, 100, 0);
+    assert_true(digest(editor) == drawn && bat_editor_frame(editor)->busy);
+    for (int i = 0; i < 5; i++) pen_event(&p, BAT_POINTER_MOVE, 650 + i, 600);
+    pen_event(&p, BAT_POINTER_UP, 655, 600);
+    uint64_t both = digest(editor);
+    assert_true(both != drawn);
+    tap(editor, 2, p.time + 300, 100, 0);
+    assert_true(digest(editor) == both);
+    tap(editor, 2, p.time + 1300, 100, 0);
+    assert_true(digest(editor) == drawn);
+    bat_editor_free(editor);
+}
+
+/* A finger that draws is joined late by others: the stroke goes on and is the only step. */
+static void a_stroke_is_never_ended_by_a_tap(void **state) {
+    (void)state;
+    uint64_t drawn, plain;
+    bat_editor *editor = with_a_stroke(&drawn, &plain);
+    bat_editor_set(editor, "palm-rejection", 0);
+    pen p = pen_for(editor);
+    p.device = BAT_DEVICE_TOUCH;
+    p.time = 5000;
+    pen_begin(&p, pen_arch, (double[]){350, 600, 650, 600, 30}, 90);
+    tap(editor, 2, p.time, 100, 0);
+    tap(editor, 3, p.time + 150, 100, 0);
+    assert_true(digest(editor) == drawn && bat_editor_frame(editor)->busy);
+    pen_event(&p, BAT_POINTER_UP, 650, 600);
+    assert_true(digest(editor) != drawn && digest(editor) != plain);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == drawn);
+    bat_editor_free(editor);
+}
+
+/* What waits for a yes is taken back first; what was drawn before stays. */
+static void a_pending_fit_goes_first(void **state) {
+    (void)state;
+    uint64_t drawn, plain;
+    bat_editor *editor = with_a_stroke(&drawn, &plain);
+    bat_editor_set(editor, "palm-rejection", 0);
+    bat_editor_set(editor, "tolerance", 0.1);
+    pen p = pen_for(editor);
+    p.time = 5000;
+    uint32_t noise = 1;
+    for (int i = 0; i <= 150; i++) { /* trembling that no curve follows within a tenth of a pixel */
+        noise = noise * 1664525 + 1013904223;
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 100 + 3 * i + (noise >> 24) / 20.0,
+                  400 + (noise >> 16 & 255) / 20.0);
+    }
+    pen_event(&p, BAT_POINTER_UP, 550, 400);
+    assert_true(bat_editor_frame(editor)->pending);
+    tap(editor, 2, p.time + 2000, 120, 0);
+    assert_false(bat_editor_frame(editor)->pending);
+    assert_true(digest(editor) == drawn);
+    tap(editor, 2, p.time + 4000, 120, 0);
+    assert_true(digest(editor) == plain);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_undo_and_three_redo),          cmocka_unit_test(what_is_no_tap),
+        cmocka_unit_test(a_cancelled_tap_is_none),          cmocka_unit_test(a_hand_beside_the_pen_is_none),
+        cmocka_unit_test(a_stroke_is_never_ended_by_a_tap), cmocka_unit_test(a_pending_fit_goes_first),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

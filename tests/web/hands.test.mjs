@@ -1,0 +1,128 @@
+// Hands: fingers that draw, pinch, turn, undo and redo; a pen that puts them in their place; the left hand.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { bezier, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const TABLET = { viewport: { width: 1024, height: 768 }, hasTouch: true };
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `hands-${name}.png`) });
+
+/** Two fingers about (x, y), turned from one angle to another (degrees) and spread from one distance to another. */
+function pinch([x, y], angles, distances, count = 16) {
+  return Array.from({ length: count + 1 }, (_, i) => {
+    const [angle, half] = [angles, distances].map(([from, to]) => from + ((to - from) * i) / count);
+    const dx = (Math.cos((angle * Math.PI) / 180) * half) / 2;
+    const dy = (Math.sin((angle * Math.PI) / 180) * half) / 2;
+    return [[x - dx, y - dy], [x + dx, y + dy]];
+  });
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a session with fingers alone, ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { ...TABLET, colorScheme });
+    const stroke = async () =>
+      (await Promise.all(bezier([440, 137], [490, 103], [560, 92], [690, 114]).map(([x, y]) => place(page, x, y))))
+        .map((point) => [point]);
+    const plain = (await state(page)).digest;
+    await hand.fingers(await stroke());
+    const drawn = (await state(page)).digest;
+    assert.notEqual(drawn, plain, 'one finger draws');
+
+    await hand.tap(2);
+    assert.equal((await state(page)).digest, plain, 'two undo');
+    await hand.tap(3);
+    assert.equal((await state(page)).digest, drawn, 'three redo');
+
+    const middle = [500, 380];
+    const before = await state(page);
+    hand.time += 1;
+    const slight = pinch(middle, [0, 5], [160, 300]);
+    await hand.fingers([slight[0].slice(0, 1), ...slight]);
+    let now = await state(page);
+    assert.ok(now.zoom > before.zoom * 1.6 && now.angle === 0, `a pinch that hardly turns stays upright: ${now.angle}`);
+    const turned = pinch(middle, [0, 36], [300, 160]);
+    await hand.fingers([turned[0].slice(0, 1), ...turned]);
+    now = await state(page);
+    assert.ok(Math.abs(now.angle - 30) < 1, `it turns: ${now.angle}`);
+    assert.equal(now.digest, drawn);
+    assert.match(await page.textContent('#readouts'), /, 30°/);
+    await page.keyboard.press('f');
+    await settle(page);
+    await shot(page, `turned-${colorScheme}`);
+
+    const turnedStroke = await stroke();
+    await hand.tap(2);
+    await hand.fingers(turnedStroke);
+    now = await state(page);
+    assert.ok(![plain, drawn].includes(now.digest), 'and draws on the page as it lies');
+    assert.equal(now.check, '');
+
+    const back = pinch(middle, [30, -2], [200, 200]);
+    await hand.fingers([back[0].slice(0, 1), ...back]);
+    assert.equal((await state(page)).angle, 0, 'upright again');
+
+    // What is painted in parts in a turned view is what is painted whole.
+    await page.keyboard.press('6');
+    await settle(page);
+    await hand.tap(2);
+    const different = await page.evaluate(async () => {
+      const canvas = document.getElementById('still');
+      const read = () => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      const parts = read();
+      batten.painter.retheme();
+      batten.wake();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      const whole = read();
+      return whole.reduce((count, value, i) => count + (Math.abs(value - parts[i]) > 90 ? 1 : 0), 0);
+    });
+    assert.equal(different, 0);
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
+test('after the pen fingers only navigate, until the switch says otherwise', async () => {
+  const { page, hand, context } = await open(browser, server.address, TABLET);
+  const line = (y) => Array.from({ length: 20 }, (_, i) => [[300 + 12 * i, y]]);
+  await hand.hover([500, 300]);
+  hand.time += 1;
+  const plain = await state(page);
+  await hand.fingers(line(500));
+  assert.equal((await state(page)).digest, plain.digest);
+  await page.click('[data-name=settings]');
+  const box = page.locator('#settings [data-property=palm-rejection]');
+  assert.equal(await box.isVisible() && await box.isChecked(), true);
+  await box.uncheck();
+  await page.keyboard.press('Escape');
+  await settle(page);
+  hand.time += 1;
+  await hand.fingers(line(500));
+  assert.notEqual((await state(page)).digest, plain.digest);
+  await context.close();
+});
+
+test('fingers beside a pen that draws neither undo nor end the stroke', async () => {
+  const { page, hand, context } = await open(browser, server.address, TABLET);
+  const stroke = await Promise.all(bezier([440, 137], [490, 103], [560, 92], [690, 114]).map(([x, y]) => place(page, x, y)));
+  const plain = (await state(page)).digest;
+  await hand.stroke(stroke, { lift: false });
+  await hand.fingers([[[300, 500]], [[300, 500], [380, 500]]]);
+  assert.equal((await state(page)).digest, plain);
+  await hand.stroke(stroke.slice(-2), {});
+  assert.notEqual((await state(page)).digest, plain);
+  await context.close();
+});
