@@ -4,10 +4,10 @@ find_program(WASM_OPT wasm-opt)
 
 # Where the time of a stroke goes: compiled for speed, the rest for size.
 set_source_files_properties(src/curve/lsq.c src/shape/whittaker.c src/shape/stroke.c
-  PROPERTIES COMPILE_OPTIONS -O2)
+  PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
 
 function(add_module target name)
-  add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/wasi.c ${ARGN})
+  add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/print.c ${ARGN})
   target_include_directories(${target} PRIVATE include src tests)
   target_link_libraries(${target} PRIVATE batten_options)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})

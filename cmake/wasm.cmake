@@ -1,5 +1,5 @@
 # Toolchain: C to WebAssembly with Debian's clang, lld and wasi-libc. No system underneath: the module imports
-# nothing from WASI (web/module/wasi.c stands in for the little that libc asks for).
+# nothing from WASI (of stdio only snprintf is used, and web/module/print.c stands in for it).
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_C_COMPILER clang)

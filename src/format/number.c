@@ -1,5 +1,7 @@
 #include "format/number.h"
 
+#include "format/digits.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +13,7 @@ enum { DIGITS = 800, EXPONENT_LIMIT = 100000 };
 
 /* A decimal: digits (no leading zero) * 10^exponent. */
 typedef struct decimal {
-    char digits[DIGITS + 16];
+    char digits[DIGITS + 1];
     int kept;
     long exponent;
     uint64_t mantissa; /* of the first 19 digits */
@@ -43,9 +45,7 @@ static double decimal_value(decimal *d) {
         return d->exponent < 0 ? (double)d->mantissa / tens[-d->exponent]
                                : (double)d->mantissa * tens[d->exponent];
     if (d->dropped) d->digits[d->kept++] = '1', d->exponent--;
-    /* No decimal point: strtod would want the locale's. */
-    snprintf(d->digits + d->kept, sizeof d->digits - (size_t)d->kept, "e%ld", d->exponent);
-    return strtod(d->digits, NULL);
+    return bat_digits_value(d->digits, d->kept, d->exponent);
 }
 
 const char *bat_number_scan(const char *text, const char *end, double *value) {
@@ -109,13 +109,9 @@ int bat_number_print(double value, char out[BAT_NUMBER_ROOM]) {
     /* 15 digits always survive the way to a double and back, so trailing zeros aside nothing shorter than a
      * 15-digit text that reads back exists; not so among subnormal numbers. */
     for (int precision = size < DBL_MIN ? 1 : 15;; precision++) {
-        char text[48], digits[20];
-        snprintf(text, sizeof text, "%.*e", precision - 1, size);
-        int n = 0;
-        const char *at = text;
-        for (; *at != 'e'; at++)
-            if (is_digit(*at) && n < 17) digits[n++] = *at;
-        int power = (int)strtol(at + 1, NULL, 10);
+        char digits[17];
+        int n = precision, power;
+        bat_digits_leading(size, n, digits, &power);
         while (n > 1 && digits[n - 1] == '0') n--;
         int length = lay_out(negative, digits, n, power, out);
         double back;

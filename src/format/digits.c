@@ -1,0 +1,200 @@
+#include "format/digits.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+/* A natural number, least word first. The greatest compared is 816 digits at 10^0 against a double's 2^-1075 moved
+ * to the other side, or 2^54 against the 10^1141 of as many digits behind the point: under 3850 bits. */
+enum { WORDS = 128 };
+typedef struct natural {
+    uint32_t words[WORDS];
+    int used;
+} natural;
+
+static void scale(natural *n, uint32_t factor, uint32_t add) {
+    uint64_t carry = add;
+    for (int i = 0; i < n->used; i++) {
+        carry += (uint64_t)n->words[i] * factor;
+        n->words[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    if (carry && n->used < WORDS) n->words[n->used++] = (uint32_t)carry;
+}
+
+static void scale_by_power(natural *n, uint32_t base, uint32_t chunk, int chunk_power, long power) {
+    for (; power >= chunk_power; power -= chunk_power) scale(n, chunk, 0);
+    for (; power > 0; power--) scale(n, base, 0);
+}
+
+static void times_ten_to(natural *n, long power) { scale_by_power(n, 10, 1000000000, 9, power); }
+static void times_two_to(natural *n, long power) { scale_by_power(n, 2, 1u << 31, 31, power); }
+
+static int compare(const natural *a, const natural *b) {
+    if (a->used != b->used) return a->used < b->used ? -1 : 1;
+    for (int i = a->used - 1; i >= 0; i--)
+        if (a->words[i] != b->words[i]) return a->words[i] < b->words[i] ? -1 : 1;
+    return 0;
+}
+
+static natural natural_of(uint64_t value) {
+    natural n;
+    n.words[0] = (uint32_t)value, n.words[1] = (uint32_t)(value >> 32);
+    n.used = n.words[1] ? 2 : n.words[0] ? 1 : 0;
+    return n;
+}
+
+/* value = mantissa * 2^exponent. */
+static uint64_t take_apart(double value, int *exponent) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    int biased = (int)(bits >> 52 & 0x7ff);
+    uint64_t fraction = bits & (((uint64_t)1 << 52) - 1);
+    *exponent = (biased ? biased : 1) - 1075;
+    return biased ? fraction | (uint64_t)1 << 52 : fraction;
+}
+
+/* Does digits * 10^exponent round to something greater than x? */
+static bool above(const natural *decimal, long exponent, double x) {
+    int e;
+    uint64_t mantissa = take_apart(x, &e);
+    natural left = *decimal, right = natural_of(2 * mantissa + 1);
+    e--;
+    if (exponent > 0) times_ten_to(&left, exponent);
+    if (exponent < 0) times_ten_to(&right, -exponent);
+    if (e > 0) times_two_to(&right, e);
+    if (e < 0) times_two_to(&left, -e);
+    int order = compare(&left, &right);
+    return order > 0 || (order == 0 && (mantissa & 1));
+}
+
+/* The next double up (step 1) or down (step -1) of one that is not negative; of 0 only up. */
+static double neighbour(double x, int step) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits = step > 0 ? bits + 1 : bits - 1;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+double bat_digits_value(const char *digits, int n, long exponent) {
+    if (n + exponent > 310) return INFINITY;
+    if (n + exponent < -325) return 0;
+    natural decimal = natural_of(0);
+    for (int i = 0; i < n; i++) {
+        if (decimal.used == 0) decimal.words[0] = 0, decimal.used = 1;
+        scale(&decimal, 10, (uint32_t)(digits[i] - '0'));
+    }
+    /* A guess, off by a few units in the last place; then the exact comparison decides. */
+    uint64_t start = 0;
+    int kept = n < 19 ? n : 19;
+    for (int i = 0; i < kept; i++) start = start * 10 + (uint64_t)(digits[i] - '0');
+    double x = (double)start;
+    long power = exponent + n - kept;
+    for (; power >= 22; power -= 22) x *= 1e22;
+    for (; power > 0; power--) x *= 10;
+    for (; power <= -22; power += 22) x /= 1e22;
+    for (; power < 0; power++) x /= 10;
+    if (x > DBL_MAX) x = DBL_MAX;
+    while (x > 0 && !above(&decimal, exponent, neighbour(x, -1))) x = neighbour(x, -1);
+    while (x <= DBL_MAX && above(&decimal, exponent, x)) x = neighbour(x, 1);
+    return x;
+}
+
+/* The digits of a double as they are, all of them: cells of nine, most significant first. */
+enum { BILLION = 1000000000, CELLS = 168, POINT = 40 };
+typedef struct expansion {
+    uint32_t cells[CELLS]; /* value = sum of cells[i] * 10^(9 * (POINT - i)) */
+    int first, last;
+} expansion;
+
+static void expand(double value, expansion *x) {
+    int exponent;
+    uint64_t mantissa = take_apart(value, &exponent);
+    x->first = x->last = POINT;
+    for (x->first = POINT + 1; mantissa; mantissa /= BILLION)
+        x->cells[--x->first] = (uint32_t)(mantissa % BILLION);
+    for (int left = exponent; left > 0; left -= 29) {
+        int shift = left < 29 ? left : 29;
+        uint64_t carry = 0;
+        for (int i = x->last; i >= x->first; i--) {
+            carry += (uint64_t)x->cells[i] << shift;
+            x->cells[i] = (uint32_t)(carry % BILLION);
+            carry /= BILLION;
+        }
+        if (carry) x->cells[--x->first] = (uint32_t)carry;
+    }
+    for (int right = -exponent; right > 0; right -= 9) { /* 10^9 is divisible by 2^9: each pass is exact */
+        int shift = right < 9 ? right : 9;
+        uint32_t carry = 0;
+        for (int i = x->first; i <= x->last; i++) {
+            uint32_t low = x->cells[i] & ((1u << shift) - 1);
+            x->cells[i] = (x->cells[i] >> shift) + carry;
+            carry = ((uint32_t)BILLION >> shift) * low;
+        }
+        if (carry && x->last + 1 < CELLS) x->cells[++x->last] = carry;
+        while (x->first < x->last && x->cells[x->first] == 0) x->first++;
+    }
+}
+
+static const uint32_t tens[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
+/* Digit number i, from the first that is not zero; zero past the end. */
+static int digit_at(const expansion *x, int lead, int i) {
+    int place = i + 9 - lead, cell = x->first + place / 9;
+    return cell > x->last ? 0 : (int)(x->cells[cell] / tens[8 - place % 9] % 10);
+}
+
+/* Rounds to `count` digits; 0 leaves room for one digit that a carry may make. Returns how many there are. */
+static int round_to(const expansion *x, int lead, int count, char *digits, int *power) {
+    for (int i = 0; i < count; i++) digits[i] = (char)('0' + digit_at(x, lead, i));
+    int next = digit_at(x, lead, count);
+    bool more = false;
+    for (int i = count + 1; !more && i < lead + 9 * (x->last - x->first); i++)
+        more = digit_at(x, lead, i) != 0;
+    if (next < 5 || (next == 5 && !more && (count == 0 || (digits[count - 1] & 1) == 0))) return count;
+    int at = count - 1;
+    for (; at >= 0 && digits[at] == '9'; at--) digits[at] = '0';
+    if (at >= 0) {
+        digits[at]++;
+        return count;
+    }
+    digits[0] = '1', ++*power;
+    if (count > 0) digits[count] = '0';
+    return count + 1;
+}
+
+static int leading(const expansion *x, int *power) {
+    int lead = 1;
+    while (lead < 9 && x->cells[x->first] >= tens[lead]) lead++;
+    *power = 9 * (POINT - x->first) + lead - 1;
+    return lead;
+}
+
+void bat_digits_leading(double value, int count, char *digits, int *power) {
+    expansion x;
+    expand(value, &x);
+    char all[20];
+    count = count < 1 ? 1 : count > 17 ? 17 : count;
+    int lead = leading(&x, power);
+    round_to(&x, lead, count, all, power);
+    memcpy(digits, all, (size_t)count);
+}
+
+int bat_digits_places(double value, int places, char *digits, int *power) {
+    expansion x;
+    expand(value, &x);
+    int lead = leading(&x, power), count = *power + 1 + places;
+    if (count < 0) return 0;
+    if (count > 17) {
+        bat_digits_leading(value, 17, digits, power);
+        return 17;
+    }
+    char all[20];
+    count = round_to(&x, lead, count, all, power);
+    if (count > 17) count = 17;
+    memcpy(digits, all, (size_t)count);
+    return count;
+}

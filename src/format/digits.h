@@ -1,0 +1,16 @@
+/* Between a double and its decimal digits, exactly rounded both ways; no locale, no printf, no strtod. */
+#ifndef BATTEN_SRC_DIGITS_H
+#define BATTEN_SRC_DIGITS_H
+
+/* The `count` leading digits ('0' to '9', not terminated) of value > 0, finite: d.ddd * 10^power, rounded half to even. A count
+ * of more than 17 gives 17. places: as `count`, but so many digits behind the point; returns how many digits that
+ * makes (at most 17, and 0 when the value rounds to zero). */
+void bat_digits_leading(double value, int count, char *digits, int *power);
+int bat_digits_places(double value, int places, char *digits, int *power);
+
+/* The double nearest to digits[0..n) * 10^exponent, ties to even; n is at most BAT_DIGITS_MOST, digits[0] != '0'. */
+double bat_digits_value(const char *digits, int n, long exponent);
+
+enum { BAT_DIGITS_MOST = 816 };
+
+#endif
