@@ -5,7 +5,7 @@
 #ifndef BATTEN_DOCUMENT_H
 #define BATTEN_DOCUMENT_H
 
-#include <batten/curve.h>
+#include <batten/levels.h>
 #include <batten/tangents.h>
 
 #ifdef __cplusplus
@@ -31,13 +31,14 @@ typedef struct bat_style {
 BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
 
 /* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
- * of the tangents hand, whose points and directions stay editable and give its one curve; or a container
- * without curves: a group, or a layer, which is a group of the topmost level. */
+ * of the tangents hand, whose points and directions stay editable and give its one curve; or a shape, some of
+ * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a group, or a layer, which is a group of the topmost level. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
     BAT_KIND_GROUP = 3,
-    BAT_KIND_LAYER = 4
+    BAT_KIND_LAYER = 4,
+    BAT_KIND_SHAPE = 5
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -63,11 +64,17 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy that differs in one curve (taken over on success), or in style. A spline becomes a path by it. */
+/* A copy that differs in one curve (taken over on success), or in style. A spline becomes a path by it,
+ * and the curve has no levels any more. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
-/* A copy with another spline, or, as a path, with the curves as they are. BAT_ARGUMENT: the object is no spline. */
+/* A copy in which one curve is the finest of a shape (taken over on success), and is edited by its levels from then
+ * on. A spline becomes a shape by it. */
+BAT_API bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape,
+                                         bat_object **out);
+/* A copy with another spline, or, as a path, with the curves as they are. BAT_ARGUMENT: the object is no spline
+ * (to_path: nor a shape). */
 BAT_API bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline,
                                           bat_object **out);
 BAT_API bat_status bat_object_to_path(const bat_object *object, bat_object **out);
@@ -83,6 +90,8 @@ BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
 /* The spline and how it is drawn; NULL when the object is none. Its tangents and tension are never NULL. */
 BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
+/* The levels of a curve; NULL: it has none. */
+BAT_API const bat_shape *bat_object_shape(const bat_object *object, int index);
 BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */
@@ -115,7 +124,7 @@ BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
-/* The invariants: ids unique, below the next id; curves valid; splines give their curves; styles in range; groups
+/* The invariants: ids unique, below the next id; curves valid; splines and levels give their curves; styles in range; groups
  * hold together, layers are in nothing but layers. NULL when all hold, else which
  * one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);

@@ -214,7 +214,8 @@ const char *bat_document_check_nesting(const bat_document *document) {
 static const char *check_object(const bat_object *object) {
     bat_kind kind = bat_object_kind(object);
     if (bat_object_is_group(object)) return bat_object_curve_count(object) ? "a group has curves" : NULL;
-    if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE) return "an object is of no known kind";
+    if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE && kind != BAT_KIND_SHAPE)
+        return "an object is of no known kind";
     if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";
     int count = bat_object_curve_count(object);
     if (count < 1) return "a path has no curve";
@@ -224,7 +225,7 @@ static const char *check_object(const bat_object *object) {
         if (bat_curve_dimension(curve) != bat_curve_dimension(bat_object_curve(object, 0)))
             return "the curves of a path differ in dimension";
     }
-    return bat_object_check_spline(object);
+    return bat_object_check_makings(object);
 }
 
 const char *bat_document_check(const bat_document *document) {

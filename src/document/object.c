@@ -1,8 +1,9 @@
-/* An object: curves of one dimension with one style, perhaps made of a spline. Copies share what they do not
+/* An object: curves of one dimension with one style, perhaps made of a spline or of levels. Copies share what they do not
  * change. */
 #include "document/object.h"
 
 #include "document/digest.h"
+#include "document/shape.h"
 #include "document/spline.h"
 #include "document/utf8.h"
 
@@ -15,7 +16,8 @@
 /* A curve with its box, counted: an object that differs in one curve of many costs one curve. */
 typedef struct part {
     int users;
-    bat_curve *curve;
+    const bat_curve *curve; /* owned, or the finest of the shape, which is */
+    bat_shape *shape;
     double box[4];
 } part;
 
@@ -56,7 +58,7 @@ static part *part_create(void) {
     return made;
 }
 
-static void part_fill(part *made, bat_curve *curve) {
+static void part_fill(part *made, const bat_curve *curve) {
     double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
     bat_curve_bounds(curve, low, high);
     made->curve = curve;
@@ -65,7 +67,10 @@ static void part_fill(part *made, bat_curve *curve) {
 
 static void part_release(part *made) {
     if (!made || --made->users > 0) return;
-    bat_curve_free(made->curve);
+    if (made->shape)
+        bat_shape_free(made->shape);
+    else
+        bat_curve_free((bat_curve *)made->curve);
     free(made);
 }
 
@@ -190,13 +195,18 @@ static bat_object *share_as(const bat_object *object, const char *name) {
 
 static bat_object *share(const bat_object *object) { return share_as(object, object->name); }
 
-static void forget_spline(bat_object *object) {
+/* What curves are made of says what the object is. */
+static void settle_kind(bat_object *object) {
     bat_kept_spline_release(object->spline);
     object->spline = NULL;
     object->kind = BAT_KIND_PATH;
+    for (int i = 0; i < object->count; i++)
+        if (object->parts[i]->shape) object->kind = BAT_KIND_SHAPE;
 }
 
-bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
+/* The curve, or the finest of the shape, in place of one of the object's. */
+static bat_status with_part(const bat_object *object, int index, const bat_curve *curve, bat_shape *shape,
+                            bat_object **out) {
     if (!object || !curve || !out || index < 0 || index >= object->count) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != bat_curve_dimension(object->parts[0]->curve)) return BAT_DIMENSION;
     part *made = part_create();
@@ -207,11 +217,21 @@ bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve 
     }
     part_release(copy->parts[index]);
     part_fill(made, curve);
+    made->shape = shape;
     copy->parts[index] = made;
-    forget_spline(copy); /* nobody's points give this curve */
+    settle_kind(copy); /* nobody's points give this curve */
     measure(copy);
     *out = copy;
     return BAT_OK;
+}
+
+bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
+    return with_part(object, index, curve, NULL, out);
+}
+
+bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape, bat_object **out) {
+    return shape ? with_part(object, index, bat_shape_curve(shape, bat_shape_levels(shape)), shape, out)
+                 : BAT_ARGUMENT;
 }
 
 bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out) {
@@ -268,10 +288,27 @@ bat_status bat_object_with_spline(const bat_object *object, const bat_spline *sp
 }
 
 bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
-    if (!object || !object->spline || !out) return BAT_ARGUMENT;
+    if (!object || !out || (object->kind != BAT_KIND_SPLINE && object->kind != BAT_KIND_SHAPE))
+        return BAT_ARGUMENT;
     bat_object *copy = share(object);
-    if (!copy) return BAT_MEMORY;
-    forget_spline(copy);
+    bat_status status = copy ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < object->count && status == BAT_OK; i++) {
+        bat_curve *curve = NULL;
+        bat_object *next = NULL;
+        if (!copy->parts[i]->shape) continue;
+        status = bat_curve_copy(copy->parts[i]->curve, &curve);
+        if (status == BAT_OK) status = bat_object_with_curve(copy, i, curve, &next);
+        if (status != BAT_OK)
+            bat_curve_free(curve);
+        else
+            bat_object_release(copy);
+        if (status == BAT_OK) copy = next;
+    }
+    if (status != BAT_OK) {
+        bat_object_release(copy);
+        return status;
+    }
+    settle_kind(copy);
     *out = copy;
     return BAT_OK;
 }
@@ -313,7 +350,19 @@ const bat_tangents_options *bat_object_spline_options(const bat_object *object) 
     return object->spline ? &object->spline->options : NULL;
 }
 
-const char *bat_object_check_spline(const bat_object *object) {
+const bat_shape *bat_object_shape(const bat_object *object, int index) {
+    return index >= 0 && index < object->count ? object->parts[index]->shape : NULL;
+}
+
+const char *bat_object_check_makings(const bat_object *object) {
+    int shapes = 0;
+    for (int i = 0; i < object->count; i++) {
+        const bat_shape *shape = object->parts[i]->shape;
+        const char *wrong = shape ? bat_kept_shape_check(shape) : NULL;
+        if (wrong) return wrong;
+        shapes += shape != NULL;
+    }
+    if ((object->kind == BAT_KIND_SHAPE) != (shapes > 0)) return "a shape has no levels";
     if ((object->kind == BAT_KIND_SPLINE) != (object->spline != NULL)) return "a spline has no points";
     if (!object->spline) return NULL;
     if (object->count != 1) return "a spline has more than one curve";
@@ -338,7 +387,10 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     digest = bat_digest_number(digest, (uint64_t)style->join);
     digest = bat_digest_double(digest, style->miter_limit);
     digest = bat_digest_number(digest, (uint64_t)object->count);
-    for (int i = 0; i < object->count; i++) digest = bat_digest_curve(digest, object->parts[i]->curve);
+    for (int i = 0; i < object->count; i++) {
+        const part *at = object->parts[i];
+        digest = at->shape ? bat_kept_shape_digest(digest, at->shape) : bat_digest_curve(digest, at->curve);
+    }
     /* Objects of the plain kind have the digests they always had. */
     if (object->parent) digest = bat_digest_number(digest, object->parent << 2 | 1);
     if (object->hidden) digest = bat_digest_number(digest, 2);

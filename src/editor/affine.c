@@ -21,18 +21,21 @@ void bat_affine_rotation(double radians, const double about[2], double out[6]) {
            6 * sizeof *out);
 }
 
-static bat_status image(const bat_curve *curve, const double *m, bat_curve **out) {
-    double plane[6] = {m[0], m[2], m[4], m[1], m[3], m[5]};
-    double space[12] = {m[0], m[2], 0, m[4], m[1], m[3], 0, m[5], 0, 0, 1, 0};
-    return bat_curve_transform(curve, bat_curve_dimension(curve) == 3 ? space : plane, out);
+/* The rows of the matrix for a curve of that dimension. */
+static void rows(const double *m, int dimension, double out[12]) {
+    const double plane[12] = {m[0], m[2], m[4], m[1], m[3], m[5]};
+    const double space[12] = {m[0], m[2], 0, m[4], m[1], m[3], 0, m[5], 0, 0, 1, 0};
+    memcpy(out, dimension == 3 ? space : plane, sizeof space);
 }
 
 static bat_status image_path(const bat_object *object, const double *m, bat_object **out) {
     int count = bat_object_curve_count(object), made = 0;
     bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
     bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    double matrix[12];
+    rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
     while (made < count && status == BAT_OK) {
-        status = image(bat_object_curve(object, made), m, &curves[made]);
+        status = bat_curve_transform(bat_object_curve(object, made), matrix, &curves[made]);
         if (status == BAT_OK) made++;
     }
     if (status == BAT_OK) status = bat_object_with_curves(object, count, curves, out);
@@ -40,6 +43,33 @@ static bat_status image_path(const bat_object *object, const double *m, bat_obje
         while (made > 0) bat_curve_free(curves[--made]);
     free(curves);
     return status;
+}
+
+/* Levels go along with their curves; those that a matrix flattens stay plain curves. *path is replaced. */
+static bat_status image_shapes(const bat_object *object, const double *m, bat_object **path) {
+    double matrix[12], area = fabs(m[0] * m[3] - m[1] * m[2]), square = 0;
+    for (int i = 0; i < 4; i++) square += m[i] * m[i];
+    bool similar = fabs(square - 2 * area) <= 1e-12 * square; /* details need not be measured anew */
+    rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
+    if (bat_curve_dimension(bat_object_curve(object, 0)) != 2) similar = false;
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_shape *shape = NULL;
+        bat_object *next = NULL;
+        if (!bat_object_shape(object, i)) continue;
+        bat_status status = bat_shape_copy(bat_object_shape(object, i), &shape);
+        if (status == BAT_OK)
+            status = similar ? bat_shape_transform(shape, matrix)
+                             : bat_shape_reframe(shape, bat_shape_options_of(shape)->frame, matrix);
+        if (status == BAT_OK) status = bat_object_with_shape(*path, i, shape, &next);
+        if (status == BAT_OK) {
+            bat_object_release(*path);
+            *path = next;
+            continue;
+        }
+        bat_shape_free(shape);
+        if (status == BAT_MEMORY) return status;
+    }
+    return BAT_OK;
 }
 
 /* Same knots and points, but for rounding. */
@@ -94,6 +124,8 @@ bat_status bat_affine_object(const bat_object *object, const double matrix[6], b
             made = other;
         }
     }
+    if (status == BAT_OK && bat_object_kind(object) == BAT_KIND_SHAPE)
+        status = image_shapes(object, matrix, &made);
     double area = fabs(matrix[0] * matrix[3] - matrix[1] * matrix[2]);
     if (status == BAT_OK && strokes && area > 0 && fabs(area - 1) > 1e-12) {
         bat_style style = *bat_object_style(made);

@@ -72,11 +72,12 @@ bat_status bat_transaction_remove(bat_editor *editor, int index) {
     return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
 }
 
-static bool frees_spline(const bat_transaction *transaction) {
+/* Whether curves that were made of something are plain now. */
+static bool frees(const bat_transaction *transaction) {
     for (int i = 0; i < transaction->count; i++) {
-        const bat_delta *delta = &transaction->deltas[i];
-        if (delta->before && delta->after && bat_object_spline(delta->before) &&
-            !bat_object_spline(delta->after))
+        const bat_object *before = transaction->deltas[i].before, *after = transaction->deltas[i].after;
+        if (before && after && bat_object_kind(after) == BAT_KIND_PATH &&
+            bat_object_kind(before) != BAT_KIND_PATH)
             return true;
     }
     return false;
@@ -106,7 +107,7 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
         return status;
     }
     /* Whichever tool it was: told now, and again should the tool have something to say of its own. */
-    if (frees_spline(transaction)) {
+    if (frees(transaction)) {
         bat_editor_notice(editor, BAT_STRING_NOTICE_FREED);
         editor->freed = true;
     }

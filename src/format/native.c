@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "format/curve_json.h"
 #include "format/json.h"
+#include "format/shape_json.h"
 #include "format/spline_json.h"
 
 #include <batten/bezier.h>
@@ -99,35 +100,84 @@ static bat_status read_style(const reader *r, uint32_t node, bat_style *style) {
     return status;
 }
 
-static bat_status read_curves(const reader *r, uint32_t list, bat_curve **curves, int *count) {
+/* One of an object's curves, with levels or without. */
+typedef struct making {
+    bat_curve *curve;
+    bat_shape *shape; /* owned beside its finest curve; NULL: none */
+} making;
+
+static bat_status read_making(const reader *r, uint32_t node, making *out) {
+    if (!bat_json_member(r->json, node, "base"))
+        return bat_curve_from_json(r->json, node, &out->curve, r->problem);
+    bat_status status = bat_shape_from_json(r->json, node, &out->shape, r->problem);
+    if (status != BAT_OK) return status;
+    status = bat_curve_copy(bat_shape_curve(out->shape, bat_shape_levels(out->shape)), &out->curve);
+    return status == BAT_OK ? status
+                            : bat_json_say(r->json, node, status, bat_status_message(status), r->problem);
+}
+
+static bat_status read_makings(const reader *r, uint32_t list, making *makings, int *count) {
     for (uint32_t at = bat_json_first(r->json, list); at; at = r->json->nodes[at].next) {
-        bat_status status = bat_curve_from_json(r->json, at, &curves[*count], r->problem);
+        bat_status status = read_making(r, at, &makings[(*count)++]);
         if (status != BAT_OK) return status;
-        ++*count;
-        if (bat_curve_dimension(curves[*count - 1]) != bat_curve_dimension(curves[0]))
+        if (bat_curve_dimension(makings[*count - 1].curve) != bat_curve_dimension(makings[0].curve))
             return bat_json_say(r->json, at, BAT_DIMENSION, "curves: expected one dimension, found two",
                                 r->problem);
     }
     return BAT_OK;
 }
 
+/* The path of the curves, then each shape in its place; what is used up is taken out of `makings`. */
+static bat_status make_path(bat_id id, const char *name, const bat_style *style, int count, making *makings,
+                            bat_object **out) {
+    bat_curve **curves = malloc((size_t)count * sizeof *curves);
+    bat_object *object = NULL;
+    if (!curves) return BAT_MEMORY;
+    for (int i = 0; i < count; i++) curves[i] = makings[i].curve;
+    bat_status status = bat_object_create_path(id, name, style, count, curves, &object);
+    free(curves);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < count; i++) makings[i].curve = NULL;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        bat_object *next = NULL;
+        if (!makings[i].shape) continue;
+        status = bat_object_with_shape(object, i, makings[i].shape, &next);
+        if (status != BAT_OK) break;
+        makings[i].shape = NULL;
+        bat_object_release(object);
+        object = next;
+    }
+    if (status != BAT_OK)
+        bat_object_release(object);
+    else
+        *out = object;
+    return status;
+}
+
 static bat_status read_path(const reader *r, uint32_t node, bat_id id, const char *name,
-                            const bat_style *style, bat_object **out) {
+                            const bat_style *style, bool shape, bat_object **out) {
     const bat_json *json = r->json;
     uint32_t list = bat_json_member(json, node, "curves");
     uint32_t room = bat_json_count(json, list);
     if (room == 0) return complain(r, list ? list : node, "curves", "a list of at least one curve");
-    bat_curve **curves = malloc(room * sizeof *curves);
-    if (!curves) return bat_json_say(json, node, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
+    making *makings = calloc(room, sizeof *makings);
+    if (!makings) return bat_json_say(json, node, BAT_MEMORY, bat_status_message(BAT_MEMORY), r->problem);
     int count = 0;
-    bat_status status = read_curves(r, list, curves, &count);
-    if (status == BAT_OK) {
-        status = bat_object_create_path(id, name, style, count, curves, out);
+    bool any = false;
+    bat_status status = read_makings(r, list, makings, &count);
+    for (int i = 0; i < count; i++) any = any || makings[i].shape;
+    if (status == BAT_OK && any != shape)
+        status = complain(r, list, "curves",
+                          shape ? "one with a base and levels" : "no base and levels, which are of a shape");
+    else if (status == BAT_OK) {
+        status = make_path(id, name, style, count, makings, out);
         if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
     }
-    if (status != BAT_OK)
-        while (count > 0) bat_curve_free(curves[--count]);
-    free(curves);
+    for (int i = 0; i < count; i++) {
+        bat_curve_free(makings[i].curve);
+        bat_shape_free(makings[i].shape);
+    }
+    free(makings);
     return status;
 }
 
@@ -193,9 +243,10 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     const char *word = bat_json_text(json, kind);
     if (!word) return complain(r, kind ? kind : node, "kind", "a text");
     bool group = strcmp(word, "group") == 0 || strcmp(word, "layer") == 0;
-    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !group)
+    bool shape = strcmp(word, "shape") == 0;
+    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !shape && !group)
         return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind",
-                                 "\"path\", \"spline\", \"group\" or \"layer\"", r->problem);
+                                 "\"path\", \"spline\", \"shape\", \"group\" or \"layer\"", r->problem);
     double id = 0;
     bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
                                     "a whole number from 1 to 2147483647", &id);
@@ -215,7 +266,7 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     } else if (strcmp(word, "spline") == 0) {
         status = read_spline_object(r, node, (bat_id)id, name, &style, &object);
     } else {
-        status = read_path(r, node, (bat_id)id, name, &style, &object);
+        status = read_path(r, node, (bat_id)id, name, &style, shape, &object);
     }
     return status == BAT_OK ? place_object(r, node, object, out) : status;
 }
@@ -339,7 +390,8 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     static const char *const kinds[] = {[BAT_KIND_PATH] = "path",
                                         [BAT_KIND_SPLINE] = "spline",
                                         [BAT_KIND_GROUP] = "group",
-                                        [BAT_KIND_LAYER] = "layer"};
+                                        [BAT_KIND_LAYER] = "layer",
+                                        [BAT_KIND_SHAPE] = "shape"};
     bat_text_string(text, ",\"kind\":\"");
     bat_text_string(text, kinds[bat_object_kind(object)]);
     bat_text_string(text, "\",\"name\":");
@@ -365,7 +417,11 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, ",\n  \"curves\":[");
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         bat_text_string(text, i > 0 ? ",\n   " : "\n   ");
-        bat_curve_to_json(bat_object_curve(object, i), 4, text);
+        const bat_shape *shape = bat_object_shape(object, i);
+        if (shape) /* its curve follows from it */
+            bat_shape_to_json(shape, text);
+        else
+            bat_curve_to_json(bat_object_curve(object, i), 4, text);
     }
     bat_text_string(text, "]}");
 }

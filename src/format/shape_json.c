@@ -166,11 +166,11 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
     return status;
 }
 
-/* What `levels` prints has the shape under "shape": it reads as one, too. */
-static bat_status shape_from_json(const bat_json *json, bat_shape **out, bat_problem *problem) {
-    if (!is(json, 1, BAT_JSON_OBJECT))
-        return bat_json_complain(json, 1, BAT_SYNTAX, "shape", "an object", problem);
-    uint32_t inner = bat_json_member(json, 1, "shape"), top = inner ? inner : 1;
+bat_status bat_shape_from_json(const bat_json *json, uint32_t node, bat_shape **out, bat_problem *problem) {
+    if (!is(json, node, BAT_JSON_OBJECT))
+        return bat_json_complain(json, node, BAT_SYNTAX, "shape", "an object", problem);
+    uint32_t inner = bat_json_member(json, node, "shape"),
+             top = inner ? inner : node; /* as `levels` prints */
     uint32_t base_node = bat_json_member(json, top, "base"), levels = bat_json_member(json, top, "levels");
     bat_curve *base = NULL;
     bat_shape *shape = NULL;
@@ -201,7 +201,7 @@ bat_status bat_shape_read(const char *text, size_t size, bat_shape **out, bat_pr
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    status = shape_from_json(&json, out, problem);
+    status = bat_shape_from_json(&json, 1, out, problem);
     bat_json_free(&json);
     return status;
 }

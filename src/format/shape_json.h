@@ -2,10 +2,13 @@
 #ifndef BATTEN_SRC_SHAPE_JSON_H
 #define BATTEN_SRC_SHAPE_JSON_H
 
+#include "format/json.h"
 #include "format/text.h"
 
 #include <batten/levels.h>
 
+/* A SHAPE, or what holds one under "shape". */
+bat_status bat_shape_from_json(const bat_json *json, uint32_t node, bat_shape **out, bat_problem *problem);
 void bat_shape_to_json(const bat_shape *shape, bat_text *text);
 
 #endif

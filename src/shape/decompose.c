@@ -167,10 +167,12 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
     bat_status status = bat_shape_frames_of(shape, level, at->frames);
     if (status != BAT_OK) return status;
     const double *bare = bat_curve_points(at->curve), *full = bat_curve_points(wanted);
-    for (int i = 0; i < at->count; i++)
+    for (int i = 0; i < at->count; i++) {
         bat_triad_to_local(&at->frames[i],
                            vec_sub(vec_load(full + i * size, size), vec_load(bare + i * size, size)),
                            at->details + 3 * i);
+        if (bat_shape_flat(shape)) at->details[3 * i + 2] = 0; /* not -0 */
+    }
     return bat_shape_rebuild(shape, level, BAT_EVERYWHERE);
 }
 

@@ -54,6 +54,11 @@ bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out);
 
 /* C^j of the curve below and the frames the level has: refine(C^{j-1}) + sum g F d N. */
 bat_status bat_level_build(bat_level *level, const bat_curve *below);
+/* Whether r is across the plane, so that details have nothing there. Frenet frames of straight stretches have no
+ * normal, and take any. */
+static inline bool bat_shape_flat(const bat_shape *shape) {
+    return bat_curve_dimension(shape->base) == 2 && shape->options.frame != BAT_FRAMES_FRENET;
+}
 /* What the details are multiplied with. */
 static inline double bat_level_gain(const bat_level *level) { return level->muted ? 0 : level->gain; }
 

@@ -29,6 +29,7 @@ static bat_status reframe_level(bat_shape *shape, int l, const double *matrix) {
     for (int i = 0; i < level->count; i++) {
         double *d = level->details + 3 * i;
         bat_triad_to_local(&level->frames[i], vec_load(d, 3), d);
+        if (bat_shape_flat(shape)) d[2] = 0; /* not -0 */
     }
     return bat_level_build(level, bat_shape_curve(shape, l - 1));
 }

@@ -334,8 +334,7 @@ bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const double *k
         for (int d = 0; details && d < 3; d++) {
             double value = details[3 * i + d];
             if (!(fabs(value) <= BAT_COORDINATE_MAX)) status = BAT_NUMBER;
-            /* A planar shape has nothing across its plane. */
-            level->details[3 * i + d] = d == 2 && curve->dimension == 2 ? 0 : value;
+            level->details[3 * i + d] = d == 2 && bat_shape_flat(shape) ? 0 : value;
         }
     }
     if (status == BAT_OK) status = bat_nodes(curve, shape->options.nodes, level->nodes);

@@ -28,12 +28,12 @@ for text in written:
 
 text = (root / "docs/format.md").read_text()
 examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", text, re.S)]
-parts = ["#/$defs/curve", "#/$defs/stroke", "#/$defs/spline", None]
+parts = ["#/$defs/curve", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None]
 assert len(examples) == len(parts)
 for example, part in zip(examples, parts):
     (document if part is None else jsonschema.Draft202012Validator({"$ref": part, "$defs": schema["$defs"]})).validate(example)
 
-example = examples[3]
+example = examples[4]
 for path, value in [(("batten",), 2), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
                     (("objects", 0, "id"), 0), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
                     (("objects", 0, "style", "stroke"), "red"), (("objects", 0, "style", "opacity"), 2),

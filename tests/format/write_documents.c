@@ -31,6 +31,15 @@ static void write_one(random_source *r, int objects) {
     bat_object *made;
     if (bat_object_create_spline(bat_document_new_id(document), "s", &plain, &spline, NULL, &made)) abort();
     if (bat_document_put(document, 0, made)) abort();
+    bat_shape *shape;
+    bat_object *shaped;
+    if (bat_shape_decompose(bat_object_curve(made, 0), 1, NULL, &shape)) abort();
+    if (objects % 2 && bat_shape_set_muted(shape, 1, true)) abort();
+    if (bat_object_with_id(made, bat_document_new_id(document), &shaped)) abort();
+    bat_object_release(made);
+    if (bat_object_with_shape(shaped, 0, shape, &made)) abort();
+    bat_object_release(shaped);
+    if (bat_document_put(document, 0, made)) abort();
     bat_object_release(made);
     char *text;
     size_t size;
