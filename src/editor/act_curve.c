@@ -278,7 +278,12 @@ static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
 
 bat_status bat_do_curve_split(bat_editor *editor, bool down) {
     (void)down;
-    const bat_selecting *s = &editor->selecting;
+    bat_selecting *s = &editor->selecting;
+    const bat_curve *ranged = bat_range_curve(editor);
+    if (ranged) {
+        bat_curve_eval(ranged, editor->range.u[editor->range.end], 0, s->point);
+        s->has_point = true;
+    }
     bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(&editor->view) : -1};
     int *roots = NULL, count = 0, index = -1, which = 0;
     bat_status status = bat_arrange_roots(editor, &roots, &count);

@@ -46,9 +46,16 @@ bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double 
     return status;
 }
 
-/* What the command would calm: the stretch that is measured, else that around the pen. */
+/* What the command would calm: the range, or the stretch that is measured, else that around the pen. */
 static const bat_curve *find(bat_editor *editor, bat_id *object, int *curve, double range[2]) {
     const bat_pointing *pointing = &editor->pointing;
+    if (editor->range.on) {
+        *object = editor->range.object;
+        *curve = editor->range.curve;
+        range[0] = editor->range.u[0];
+        range[1] = editor->range.u[1];
+        return bat_range_curve(editor);
+    }
     if (editor->tool == BAT_TOOL_POINTS && pointing->measured) {
         *object = pointing->object;
         *curve = pointing->curve;

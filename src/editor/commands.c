@@ -194,8 +194,10 @@ static bat_status tolerance_up(bat_editor *editor, bool down) {
     return step_tolerance(editor, 1);
 }
 
+/* A range stays, for the other tool to do something with it. */
 static bat_status choose(bat_editor *editor, bat_tool_id tool) {
-    drop(editor);
+    bat_waypoints_end(editor);
+    if (!editor->range.on) drop(editor);
     const bat_tool *before = bat_editor_tool(editor);
     if (before->leave) before->leave(editor);
     editor->tool = tool;
@@ -252,6 +254,10 @@ TO_TOOL(nudge_right, NUDGE_RIGHT)
 TO_TOOL(nudge_up, NUDGE_UP)
 TO_TOOL(nudge_down, NUDGE_DOWN)
 TO_TOOL(free_curve, FREE_CURVE)
+TO_TOOL(rotate_left, ROTATE_LEFT)
+TO_TOOL(rotate_right, ROTATE_RIGHT)
+TO_TOOL(scale_up, SCALE_UP)
+TO_TOOL(scale_down, SCALE_DOWN)
 #undef TO_TOOL
 
 static bat_status turn_over(bat_editor *editor, bat_property_id id) {

@@ -10,6 +10,8 @@ const bat_tool *bat_editor_tool(const bat_editor *editor) {
 #define TOOL(id, name, command, behaviour) behaviour,
 #include "editor/commands.def"
     };
+    if (editor->waypoints.on) return bat_tool_waypoints();
+    if (editor->range.on) return bat_tool_range();
     return tools[editor->erasing ? BAT_TOOL_ERASER : editor->tool]();
 }
 
@@ -54,6 +56,7 @@ void bat_editor_sync(bat_editor *editor) {
 }
 
 void bat_editor_interrupt(bat_editor *editor) {
+    bat_range_end(editor);
     const bat_tool *tool = bat_editor_tool(editor);
     if (tool->cancel) tool->cancel(editor);
     if (tool->leave) tool->leave(editor);

@@ -10,6 +10,7 @@
 #include "editor/line.h"
 #include "editor/overlay.h"
 #include "editor/pointing.h"
+#include "editor/range.h"
 #include "editor/scene.h"
 #include "editor/selecting.h"
 #include "editor/selection.h"
@@ -20,6 +21,7 @@
 #include "editor/tool.h"
 #include "editor/transaction.h"
 #include "editor/view.h"
+#include "editor/waypoints.h"
 #include <batten/editor.h>
 
 enum { BAT_KEYS_ROOM = 64, BAT_FIT_MARGIN = 32, BAT_NOTICE_ROOM = 160 };
@@ -47,6 +49,8 @@ struct bat_editor {
     bat_brushing brushing;
     bat_insight insight;
     bat_selecting selecting;
+    bat_range range; /* these two lie over the chosen tool while they are on */
+    bat_waypoints waypoints;
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */

@@ -83,6 +83,7 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
     }
     if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
+        bat_range_end(editor);
         const bat_tool *tool = bat_editor_tool(editor);
         cancel_uncommitted(editor);
         if (tool->leave) tool->leave(editor);
@@ -99,6 +100,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     if (contacts->count == BAT_CONTACTS_MAX) return;
     bat_taps_down(editor, event);
     bat_duty duty = assign(editor, event);
+    if (duty == BAT_DUTY_TOOL) bat_range_end(editor); /* a hand takes over from the keys */
     contacts->list[contacts->count++] = (bat_contact){
         event->contact, event->device, duty, {event->x, event->y}, {event->x, event->y}, event->time};
     const bat_tool *tool = bat_editor_tool(editor);

@@ -50,4 +50,11 @@ typedef struct bat_sketching {
     bat_sketch_report pending_report;
 } bat_sketching;
 
+/* A stroke without a pen. trace: the pen comes down at the first point (document units) and goes through the others;
+ * object 0: the first point's place decides what it means. lift: the pen is lifted where it is. drop: the stroke is
+ * forgotten. */
+void bat_sketching_trace(bat_editor *editor, const double *points, size_t count, bat_id object, int curve);
+void bat_sketching_lift(bat_editor *editor);
+void bat_sketching_drop(bat_editor *editor);
+
 #endif

@@ -98,6 +98,8 @@ bat_status bat_splining_insert(bat_editor *editor, int segment, double t);
 bat_status bat_splining_remove_point(bat_editor *editor, int point);
 bat_status bat_splining_default(bat_editor *editor, int point);
 bat_status bat_splining_close(bat_editor *editor);
+/* A new object, which is chosen then; tells nothing. */
+bat_status bat_splining_make(bat_editor *editor, const bat_spline *spline);
 bat_status bat_splining_give_free(bat_editor *editor);
 
 /* tool_tangents.c: no more points are placed; false: none were. splining_keys.c: commands of the tool. */

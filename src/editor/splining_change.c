@@ -1,4 +1,5 @@
 /* The tangents tool: its changes of the document, one step each. */
+#include "editor/arrange.h"
 #include "editor/editor.h"
 #include <batten/bezier.h>
 #include <math.h>
@@ -39,6 +40,32 @@ bat_status bat_splining_commit(bat_editor *editor, bat_string step) {
     if (status == BAT_OK) status = put(editor, step, s->object, after);
     bat_object_release(after);
     return status;
+}
+
+bat_status bat_splining_make(bat_editor *editor, const bat_spline *spline) {
+    bat_style style = bat_editor_new_style(editor);
+    bat_object *object = NULL;
+    /* Is it one at all? Ids are not given back. */
+    bat_status status = bat_object_create_spline(1, NULL, &style, spline, NULL, &object);
+    bat_object_release(object);
+    if (status != BAT_OK) return status;
+    object = NULL;
+    bat_id id = bat_document_new_id(editor->document);
+    status = bat_object_create_spline(id, NULL, &style, spline, NULL, &object);
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        status = bat_arrange_insert(editor, object);
+        if (status == BAT_OK)
+            status = bat_transaction_commit(editor, BAT_STRING_STEP_SPLINE, NULL);
+        else
+            bat_transaction_cancel(editor);
+    }
+    bat_object_release(object);
+    if (status != BAT_OK) return status;
+    editor->splining.object = id;
+    editor->splining.point = 0;
+    editor->splining.placing = editor->splining.on_direction = false;
+    return BAT_OK;
 }
 
 bat_status bat_splining_load(bat_editor *editor) {

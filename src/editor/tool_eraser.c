@@ -182,6 +182,22 @@ static bat_status cut_all(bat_editor *editor) {
     return status;
 }
 
+bat_status bat_erase_stretch(bat_editor *editor, bat_id object, int curve, const double u[2]) {
+    bat_brushing *b = &editor->brushing;
+    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+    double domain[2];
+    if (!target) return BAT_ARGUMENT;
+    bat_curve_domain(target, domain);
+    bat_brushing_end(b);
+    bat_rubbed *rubbed = rubbed_of(b, object, curve);
+    bat_status status = rubbed ? bat_spans_add(&rubbed->spans, u[0], fmin(u[1], domain[1])) : BAT_MEMORY;
+    if (status == BAT_OK && u[1] > domain[1]) /* over the seam */
+        status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (u[1] - domain[1]));
+    if (status == BAT_OK) status = cut_all(editor);
+    bat_brushing_end(b);
+    return status;
+}
+
 /* ---- the tool ---- */
 
 static void note(bat_editor *editor, const bat_pointer *event) {

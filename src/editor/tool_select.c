@@ -329,9 +329,52 @@ static void modifiers(bat_editor *editor) {
     s->due = s->due || dragging(s);
 }
 
-/* One document unit, with Shift ten. */
+/* The next of what a click could select, back to front; past the last one the keyboard goes on. */
+static bat_status step_object(bat_editor *editor, int direction) {
+    bat_selection *selection = &editor->selection;
+    const bat_document *document = editor->document;
+    bat_editor_sync(editor);
+    int count = editor->scene.count, i = direction > 0 ? 0 : count - 1;
+    if (selection->count) {
+        i = bat_document_find(document, selection->ids[direction > 0 ? selection->count - 1 : 0]);
+        i = direction > 0 ? bat_document_end(document, i) : i - 1;
+    }
+    for (; i >= 0 && i < count; i += direction) {
+        const bat_scene_entry *entry = &editor->scene.entries[i];
+        if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
+        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(document, i)));
+        bat_selection_clear(selection);
+        return bat_selection_add(selection, id);
+    }
+    return BAT_STATE;
+}
+
+/* By a degree or a hundredth about the middle, with Shift by more. */
+static bat_status turn_or_scale(bat_editor *editor, bat_command_id id, double matrix[6]) {
+    bool far = editor->modifiers & BAT_SHIFT,
+         turns = id == BAT_COMMAND_ROTATE_LEFT || id == BAT_COMMAND_ROTATE_RIGHT;
+    double box[4], factor = far ? 1.1 : 1.01;
+    if (!bat_arrange_selection_box(editor, box)) return BAT_STATE;
+    double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
+    if (id == BAT_COMMAND_SCALE_DOWN) factor = 1 / factor;
+    if (turns)
+        bat_affine_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * PI / 180, about,
+                            matrix);
+    else
+        bat_affine_scaling(factor, factor, about, matrix);
+    return bat_arrange_transform(editor, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
+}
+
+/* Nudges: one document unit, with Shift ten. */
 static bat_status command(bat_editor *editor, bat_command_id id) {
     double step = editor->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
+    if (id == BAT_COMMAND_POINT_NEXT) return step_object(editor, 1);
+    if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(editor, -1);
+    if (id >= BAT_COMMAND_ROTATE_LEFT && id <= BAT_COMMAND_SCALE_DOWN) {
+        bat_status status = turn_or_scale(editor, id, matrix);
+        if (status != BAT_OK && status != BAT_STATE) bat_editor_notice_failure(editor, status);
+        return status;
+    }
     double dx = id == BAT_COMMAND_NUDGE_LEFT ? -step : id == BAT_COMMAND_NUDGE_RIGHT ? step : 0;
     double dy = id == BAT_COMMAND_NUDGE_UP ? -step : id == BAT_COMMAND_NUDGE_DOWN ? step : 0;
     if (dx == 0 && dy == 0) return BAT_STATE;

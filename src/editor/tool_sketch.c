@@ -157,12 +157,12 @@ static void give_up(bat_editor *editor, bat_status status) {
     bat_editor_notice_failure(editor, status);
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
+/* pick: the curve that is meant. */
+static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
     bat_sketching *s = &editor->sketching;
     double pixel[2] = {event->x, event->y};
     bat_samples samples = s->edit.samples;
     samples.count = 0;
-    bat_pick pick = pick_at(editor, pixel, event->device);
     s->edit = (bat_edit){.kind = pick.object ? BAT_EDIT_REDRAW : BAT_EDIT_NEW,
                          .object = pick.object,
                          .curve = pick.curve,
@@ -189,6 +189,10 @@ static void down(bat_editor *editor, const bat_pointer *event) {
         give_up(editor, status);
     else if (event->modifiers & BAT_ALT)
         start_smoothing(s);
+}
+
+static void down(bat_editor *editor, const bat_pointer *event) {
+    begin(editor, event, pick_at(editor, (double[]){event->x, event->y}, event->device));
 }
 
 /* What the place of the pen would mean if it were lifted here. */
@@ -324,6 +328,37 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         bat_editor_notice_failure(editor, status);
     }
     end_stroke(s);
+}
+
+/* ---- a stroke without a pen ---- */
+
+void bat_sketching_drop(bat_editor *editor) {
+    bat_sketching *s = &editor->sketching;
+    if (s->state == BAT_SKETCHING_DRAWING) end_stroke(s);
+}
+
+void bat_sketching_trace(bat_editor *editor, const double *points, size_t count, bat_id object, int curve) {
+    for (size_t i = 0; i < count; i++) {
+        double at[2];
+        bat_view_to_screen(&editor->view, points + 2 * i, at);
+        bat_pointer event = {.x = bat_samples_round(at[0], 100),
+                             .y = bat_samples_round(at[1], 100),
+                             .pressure = 0.5,
+                             .time = editor->time + 4 * (double)i};
+        if (i)
+            move(editor, &event);
+        else if (object)
+            begin(editor, &event, (bat_pick){.object = object, .curve = curve});
+        else
+            down(editor, &event);
+    }
+}
+
+void bat_sketching_lift(bat_editor *editor) {
+    const bat_samples *samples = &editor->sketching.edit.samples;
+    if (editor->sketching.state != BAT_SKETCHING_DRAWING) return;
+    const double *last = samples->pixels + 2 * (samples->count - 1);
+    up(editor, &(bat_pointer){.x = last[0], .y = last[1]});
 }
 
 static bool cancel(bat_editor *editor) {

@@ -47,6 +47,16 @@ void bat_view_pan(bat_view *view, const double from[2], const double to[2]) {
     bat_view_hold(view, document, to);
 }
 
+void bat_view_show(bat_view *view, const double point[2], double margin) {
+    double at[2], size[2] = {view->width, view->height}, to[2];
+    bat_view_to_screen(view, point, at);
+    for (int k = 0; k < 2; k++) {
+        double border = fmin(margin, size[k] / 2);
+        to[k] = clamp(at[k], border, size[k] - border);
+    }
+    if (to[0] != at[0] || to[1] != at[1]) bat_view_pan(view, at, to);
+}
+
 void bat_view_zoom(bat_view *view, const double about[2], double factor) {
     if (!(factor > 0)) return;
     double document[2];

@@ -27,6 +27,8 @@ void bat_view_to_screen(const bat_view *view, const double document[2], double s
 void bat_view_hold(bat_view *view, const double document[2], const double screen[2]);
 /* The document point under `from` comes under `to` (view pixels). */
 void bat_view_pan(bat_view *view, const double from[2], const double to[2]);
+/* Pans by the least that brings the document point inside, `margin` pixels from the window's border. */
+void bat_view_show(bat_view *view, const double point[2], double margin);
 /* Multiplies the zoom, within its limits, so that the document point under `about` stays there. */
 void bat_view_zoom(bat_view *view, const double about[2], double factor);
 /* Turns by so many degrees about the document point under `about`. */
