@@ -4,6 +4,7 @@
 
 #include "editor/edit.h"
 #include "editor/pick.h"
+#include "editor/steady.h"
 
 typedef enum bat_sketching_state {
     BAT_SKETCHING_IDLE,    /* hovering or away */
@@ -24,13 +25,14 @@ typedef struct bat_sketching {
     bat_sketching_state state;
     bool hovering, hover_changed; /* the pen is above; the pick below is out of date */
     bat_device device;
-    double hover[2];        /* view pixels */
+    double hover[2];        /* view pixels; while drawing, where the pen is */
     bat_pick pick;          /* IDLE: what would be redrawn */
     uint64_t pick_revision; /* of the document it was picked from */
     bat_view pick_view;
 
     /* DRAWING */
     bat_edit edit;         /* of the stroke under the pen */
+    bat_steady steady;     /* between the pen and the samples */
     bool starts_at_end;    /* of an open curve: may join */
     bool smoothing;        /* Alt was held at some moment of the stroke */
     double travelled;      /* pixels, the greatest distance from the first sample */

@@ -137,7 +137,9 @@ static bool smooths_nothing(const bat_sketching *s) { return s->smoothing && s->
 
 static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     bat_samples *samples = &s->edit.samples;
-    double pixel[2] = {event->x, event->y}, tilt[2] = {event->tilt_x, event->tilt_y};
+    double tilt[2] = {event->tilt_x, event->tilt_y}, pixel[2];
+    for (int k = 0; k < 2; k++) /* rounded as the journal keeps it; the pen's own places are already */
+        pixel[k] = s->steady.reach > 0 ? bat_samples_round(s->steady.end[k], 100) : s->steady.end[k];
     if (samples->count == 0)
         samples->start = event->time;
     else if (!memcmp(samples->pixels + 2 * (samples->count - 1), pixel, sizeof pixel))
@@ -147,7 +149,7 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     bat_status status = bat_samples_add(samples, &s->edit.view, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
     s->travelled = fmax(s->travelled,
-                        bat_hypot(pixel[0] - samples->pixels[0], pixel[1] - samples->pixels[1]));
+                        bat_hypot(event->x - samples->pixels[0], event->y - samples->pixels[1]));
     s->preview_due = true;
     return status;
 }
@@ -171,7 +173,9 @@ static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
                          .style = bat_editor_new_style(editor),
                          .samples = samples};
     s->state = BAT_SKETCHING_DRAWING;
+    s->steady = bat_steady_begin(editor->values[BAT_PROPERTY_STABILISER], pixel);
     s->device = event->device;
+    memcpy(s->hover, pixel, sizeof s->hover);
     s->pick = pick;
     s->travelled = 0;
     s->smoothing = false;
@@ -223,7 +227,10 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     s->predicted_count = 0;
     s->hover[0] = event->x; /* where the highlight will be looked for when the stroke has ended */
     s->hover[1] = event->y;
+    bat_steady_move(&s->steady, s->hover);
     bat_status status = add_sample(s, event);
+    while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
+        status = add_sample(s, event);
     if (status != BAT_OK) {
         give_up(editor, status);
         return;
@@ -399,10 +406,8 @@ static bool busy(const bat_editor *editor) { return editor->sketching.state == B
 static void update(bat_editor *editor) {
     bat_sketching *s = &editor->sketching;
     if (s->state == BAT_SKETCHING_DRAWING) {
-        const bat_samples *samples = &s->edit.samples;
         if (s->preview_due && !smooths_nothing(s)) refresh_preview(editor);
-        const double *last = samples->pixels + 2 * (samples->count - 1);
-        look_ahead(editor, &(bat_pointer){.x = last[0], .y = last[1]});
+        look_ahead(editor, &(bat_pointer){.x = s->hover[0], .y = s->hover[1]});
         return;
     }
     const bat_view *view = &editor->view;
@@ -491,10 +496,14 @@ static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
     if (preview->curve)
         show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, s->edit.kind == BAT_EDIT_NEW,
                  bat_view_pixel(&editor->view));
-    if (s->predicted_count && samples->count) {
+    if ((s->predicted_count || s->steady.reach > 0) &&
+        samples->count) { /* from the ink by the pen to what is to come */
+        double pen[2];
         bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
         const double *last = samples->points + 2 * (samples->count - 1);
         bat_path_move(&overlay->path, last[0], last[1]);
+        bat_view_to_document(&editor->view, s->hover, pen);
+        bat_path_line(&overlay->path, pen[0], pen[1]);
         for (size_t i = 0; i < s->predicted_count; i++)
             bat_path_line(&overlay->path, s->predicted[2 * i], s->predicted[2 * i + 1]);
     }
