@@ -138,11 +138,11 @@ static bat_status rotate(bat_editor *editor, double degrees) {
     bat_view_rotate(&editor->view, (double[]){editor->view.width / 2, editor->view.height / 2}, degrees);
     return BAT_OK;
 }
-static bat_status rotate_left(bat_editor *editor, bool down) {
+static bat_status view_left(bat_editor *editor, bool down) {
     (void)down;
     return rotate(editor, -15);
 }
-static bat_status rotate_right(bat_editor *editor, bool down) {
+static bat_status view_right(bat_editor *editor, bool down) {
     (void)down;
     return rotate(editor, 15);
 }

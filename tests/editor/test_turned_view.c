@@ -145,7 +145,7 @@ static void upright_is_a_detent(void **state) {
     assert_int_equal(bat_editor_command(editor, "view-upright"), BAT_OK);
     assert_true(angle_of(editor) == 0);
     assert_int_equal(bat_editor_command(editor, "view-upright"), BAT_STATE);
-    assert_int_equal(bat_editor_command(editor, "rotate-left"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "view-left"), BAT_OK);
     assert_true(angle_of(editor) == -15);
     assert_true(bat_editor_key(editor, "6", true, 0, 0) && bat_editor_key(editor, "6", true, 0, 0));
     assert_true(angle_of(editor) == 15);
