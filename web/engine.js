@@ -309,6 +309,21 @@ export class Engine {
     return JSON.parse(this.#string(this.wasm.editor_tables(this.editor)));
   }
 
+  // ---- pictures ----
+
+  /** Places a picture to trace; a notice tells when it is refused. @param {Uint8Array} bytes @param {string} name */
+  addPicture(bytes, name) {
+    this.#guard(() => this.#lend(bytes, (data, size) => this.#lend(name, (title) =>
+      this.wasm.editor_add_picture(this.editor, data, size, title))), undefined);
+  }
+
+  /** The file of a picture that an item shows. @param {number} picture @returns {Uint8Array<ArrayBuffer>} */
+  picture(picture) {
+    const at = this.wasm.editor_picture(this.editor, picture, this.scratch);
+    const size = at ? this.#view().getUint32(this.scratch, true) : 0;
+    return new Uint8Array(this.wasm.memory.buffer).slice(at, at + size);
+  }
+
   // ---- files ----
 
   /**

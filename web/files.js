@@ -108,6 +108,10 @@ export class Files {
 
   /** @param {File | undefined} file */
   async #openFile(file) {
+    if (file && /^image\/(?!svg)/.test(file.type)) {
+      await this.addPicture(file);
+      return;
+    }
     if (!file || (this.unsaved && !(await this.#mayReplace()))) {
       return;
     }
@@ -115,6 +119,13 @@ export class Files {
     if (this.open(bytes, file.name)) {
       this.bound = false;
     }
+  }
+
+  /** A picture to trace, behind the drawing. @param {File} file */
+  async addPicture(file) {
+    const { bytesOf } = await import('./pictures.js');
+    this.engine.addPicture(await bytesOf(file), file.name);
+    this.wake();
   }
 
   /** @returns {Promise<boolean>} the unsaved drawing may go */

@@ -101,6 +101,7 @@ function readItems(view, place, first, count) {
       x1: single('item.bounds', 2),
       y1: single('item.bounds', 3),
       path: new Float32Array(view.buffer, word('item.path'), word('item.path_count')),
+      picture: word('item.picture'),
     });
   }
   return items;

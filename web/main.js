@@ -41,6 +41,12 @@ class Shell {
 
   #connect() {
     this.painter.onidle = this.wake;
+    this.painter.onpicture = async (picture) => {
+      const { decode } = await import('./pictures.js');
+      this.painter.pictures.set(picture, await decode(this.engine.picture(picture)));
+      this.painter.retheme();
+      this.wake();
+    };
     this.theme.onchange = () => {
       this.painter.retheme();
       this.wake();

@@ -6,7 +6,7 @@
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
-/** @typedef {{ item: Item, shape: Path2D, weight: number }} Painted */
+/** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
 
 const STROKED = 1;
 const FILLED = 2;
@@ -16,6 +16,7 @@ const DASHED = 16;
 const ROLE_OBJECT = 0;
 const ROLE_STRETCH = 2;
 const ROLE_PAGE = 8;
+const ROLE_IMAGE = 26;
 const FADE = 0.75; // how much of the paper covers a line that is about to change
 const LABEL_FONT = '500 13px system-ui, sans-serif';
 
@@ -99,6 +100,10 @@ export class Painter {
     this.list = [];
     /** The view that the still canvas shows; null: nothing yet. @type {View | null} */
     this.painted = null;
+    /** Pictures by their numbers; null: being decoded, or cannot be. @type {Map<number, ImageBitmap | null>} */
+    this.pictures = new Map();
+    /** A picture is wanted that is not there yet. @type {(picture: number) => void} */
+    this.onpicture = () => {};
     this.overlayEmpty = true;
     this.stale = true;
     this.timer = 0;
@@ -149,7 +154,8 @@ export class Painter {
       if (item.id !== 0) {
         kept.set(item.id, { version: item.version, shape });
       }
-      return { item, shape, weight: item.path.length };
+      const corners = item.role === ROLE_IMAGE ? item.path.slice() : item.path;
+      return { item, shape, weight: item.path.length, corners };
     });
     this.cache = kept;
   }
@@ -234,11 +240,40 @@ export class Painter {
     context.clearRect(x0, y0, x1 - x0, y1 - y0);
     context.setTransform(matrix);
     const [left, top, right, bottom] = around(matrix.inverse(), [x0 - 2, y0 - 2, x1 + 2, y1 + 2]);
-    for (const { item, shape } of this.list) {
-      if (item.x1 >= left && item.x0 <= right && item.y1 >= top && item.y0 <= bottom) {
+    for (const { item, shape, corners } of this.list) {
+      if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
+        continue;
+      }
+      if (item.role === ROLE_IMAGE) {
+        this.#drawPicture(context, item, corners);
+      } else {
         this.#draw(context, item, shape, frame.zoom);
       }
     }
+    context.restore();
+  }
+
+  /**
+   * A picture between its corners.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Float32Array} path round the corners: command, x, y each
+   */
+  #drawPicture(context, item, path) {
+    const bitmap = this.pictures.get(item.picture);
+    if (bitmap === undefined) {
+      this.pictures.set(item.picture, null);
+      this.onpicture(item.picture);
+    }
+    if (!bitmap) {
+      return;
+    }
+    const [, x, y, , xRight, yRight, , , , , xDown, yDown] = path;
+    const { width, height } = bitmap;
+    context.save();
+    context.globalAlpha = item.opacity;
+    context.transform((xRight - x) / width, (yRight - y) / width, (xDown - x) / height, (yDown - y) / height, x, y);
+    context.drawImage(bitmap, 0, 0);
     context.restore();
   }
 

@@ -35,6 +35,7 @@
  * @property {number} x1
  * @property {number} y1
  * @property {Float32Array} path a view into the module's memory
+ * @property {number} picture of an image: the same number, the same picture
  */
 
 /**

@@ -32,15 +32,33 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
 
 /* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
  * of the tangents hand, whose points and directions stay editable and give its one curve; or a shape, some of
- * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a group, or a layer, which is a group of the topmost level. */
+ * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a
+ * group, or a layer, which is a group of the topmost level; or an image, a placed picture, without curves too. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
     BAT_KIND_GROUP = 3,
     BAT_KIND_LAYER = 4,
-    BAT_KIND_SHAPE = 5
+    BAT_KIND_SHAPE = 5,
+    BAT_KIND_IMAGE = 6
 } bat_kind;
 typedef struct bat_object bat_object;
+
+/* A picture to trace: the bytes of a PNG, JPEG or WebP file, of which only the head is read. Immutable, counted. */
+typedef struct bat_picture bat_picture;
+enum { BAT_PICTURE_SIDE = 65535 };           /* pixels of a side, at most */
+#define BAT_PICTURE_SIZE ((size_t)16 << 20)  /* bytes of one, at most */
+#define BAT_PICTURES_SIZE ((size_t)32 << 20) /* bytes of all in a file or a session, at most */
+/* Copies the bytes. BAT_UNSUPPORTED: none of the three kinds, a broken head, or a side too long; BAT_COUNT: too many
+ * bytes. O(size). */
+BAT_API bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out);
+BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users; not atomic */
+BAT_API void bat_picture_release(bat_picture *picture);              /* NULL is fine */
+BAT_API const void *bat_picture_bytes(const bat_picture *picture, size_t *size);
+BAT_API const char *
+bat_picture_type(const bat_picture *picture);                    /* "image/png", "image/jpeg", "image/webp" */
+BAT_API uint64_t bat_picture_digest(const bat_picture *picture); /* of its bytes */
+BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
 /* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
  * BAT_ARGUMENT: id 0 or above 2^53 - 1, a style out of range, a name that is not UTF-8. */
@@ -53,6 +71,11 @@ BAT_API bat_status bat_object_create_spline(bat_id id, const char *name, const b
                                             bat_object **out);
 /* An empty container; what is in it names it as its parent. layer: a layer, else a group. */
 BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_object **out);
+/* A picture placed by {a, b, c, d, e, f}: its pixel (x, y) lies at (a x + c y + e, b x + d y + f). Retains it. Of a
+ * style only the opacity means something. BAT_NUMBER: the matrix is not finite or flattens; BAT_ARGUMENT: opacity. */
+BAT_API bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
+                                           const double matrix[6], double opacity, bat_object **out);
+BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out);
 /* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
  * is kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
@@ -92,6 +115,11 @@ BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
 /* The levels of a curve; NULL: it has none. */
 BAT_API const bat_shape *bat_object_shape(const bat_object *object, int index);
+/* NULL when the object is no image. */
+BAT_API const bat_picture *bat_object_picture(const bat_object *object);
+BAT_API const double *bat_object_matrix(const bat_object *object);
+/* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */
+BAT_API void bat_object_corners(const bat_object *object, double corners[8]);
 BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */

@@ -89,6 +89,15 @@ BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidd
 /* Selects an object (0: none), alone or besides what is selected. */
 BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 
+/* ---- pictures and the clipboard ---- */
+
+/* Places the bytes of a PNG, JPEG or WebP file behind the drawing, in the middle of the view and within it, half
+ * transparent and selected: a step of the history. name: may be NULL. When it is refused, a notice says why. */
+BAT_API bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes, size_t size,
+                                          const char *name);
+/* The picture that an item of role IMAGE shows; NULL: there is none of that number. */
+BAT_API const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture);
+
 /* ---- output ---- */
 
 /* Path data: floats, relative to the frame's origin. Command, then its coordinates. */
@@ -121,7 +130,8 @@ typedef enum bat_role {
     BAT_ROLE_POLYGON,    /* a control polygon */
     BAT_ROLE_COMB,       /* the curvature comb; filled: marks on inflections */
     BAT_ROLE_REACH,      /* how far a brush reaches */
-    BAT_ROLE_ERASED      /* what is going to be rubbed out */
+    BAT_ROLE_ERASED,     /* what is going to be rubbed out */
+    BAT_ROLE_IMAGE       /* a picture: the path goes round its corners, from its top left on clockwise */
 } bat_role;
 
 enum {
@@ -143,6 +153,7 @@ typedef struct bat_item {
     uint32_t path_count; /* floats */
     float bounds[4];     /* x0 y0 x1 y1 with stroke width, relative to the origin */
     const float *path;
+    uint32_t picture; /* role IMAGE: the same number, the same picture (bat_editor_picture) */
 } bat_item;
 
 /* A short text of live values. `at` is relative to the frame's origin; the text's middle lies `offset` view pixels

@@ -38,3 +38,20 @@ uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve) {
     for (size_t i = 0; i < numbers; i++) digest = bat_digest_double(digest, points[i]);
     return digest;
 }
+
+void bat_digest_print(uint64_t digest, char text[17]) {
+    for (int i = 0; i < 16; i++) text[i] = "0123456789abcdef"[digest >> (60 - 4 * i) & 15];
+    text[16] = '\0';
+}
+
+bool bat_digest_scan(const char *text, uint64_t *digest) {
+    *digest = 0;
+    if (strlen(text) != 16) return false;
+    for (int i = 0; i < 16; i++) {
+        char c = text[i];
+        int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+        if (digit < 0) return false;
+        *digest = *digest << 4 | (uint64_t)digit;
+    }
+    return true;
+}

@@ -15,4 +15,8 @@ uint64_t bat_digest_text(uint64_t digest, const char *text);
 /* Representation of a curve: degree, dimension, closed, count, knots, points. */
 uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve);
 
+/* As files write it: 16 hexadecimal digits. The scan is false when the text is none. */
+void bat_digest_print(uint64_t digest, char text[17]);
+bool bat_digest_scan(const char *text, uint64_t *digest);
+
 #endif

@@ -214,6 +214,10 @@ const char *bat_document_check_nesting(const bat_document *document) {
 static const char *check_object(const bat_object *object) {
     bat_kind kind = bat_object_kind(object);
     if (bat_object_is_group(object)) return bat_object_curve_count(object) ? "a group has curves" : NULL;
+    if (kind == BAT_KIND_IMAGE) {
+        if (bat_object_curve_count(object) || !bat_object_picture(object)) return "an image has no picture";
+        return bat_style_valid(bat_object_style(object)) ? NULL : "a style is out of range";
+    }
     if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE && kind != BAT_KIND_SHAPE)
         return "an object is of no known kind";
     if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";

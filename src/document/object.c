@@ -3,6 +3,7 @@
 #include "document/object.h"
 
 #include "document/digest.h"
+#include "document/picture.h"
 #include "document/shape.h"
 #include "document/spline.h"
 #include "document/utf8.h"
@@ -32,7 +33,9 @@ struct bat_object {
     int count;
     part **parts;
     bat_kept_spline *spline; /* SPLINE: what the one curve is made of; else NULL */
-    const char *name;        /* behind the parts, in the same block */
+    bat_picture *picture;    /* IMAGE: what is placed by the matrix; else NULL */
+    double matrix[6];
+    const char *name; /* behind the parts, in the same block */
 };
 
 bat_style bat_style_defaults(void) {
@@ -86,6 +89,17 @@ static bat_object *allocate(int count, const char *name) {
     return object;
 }
 
+void bat_object_corners(const bat_object *object, double corners[8]) {
+    const double *m = object->matrix;
+    double sides[2] = {0, 0};
+    if (object->picture) bat_picture_sides(object->picture, sides);
+    for (int i = 0; i < 4; i++) {
+        double x = i == 1 || i == 2 ? sides[0] : 0, y = i >= 2 ? sides[1] : 0;
+        corners[2 * i] = m[0] * x + m[2] * y + m[4];
+        corners[2 * i + 1] = m[1] * x + m[3] * y + m[5];
+    }
+}
+
 static void measure(bat_object *object) {
     object->box[0] = object->box[1] = INFINITY;
     object->box[2] = object->box[3] = -INFINITY;
@@ -95,6 +109,13 @@ static void measure(bat_object *object) {
             object->box[k] = fmin(object->box[k], box[k]);
             object->box[k + 2] = fmax(object->box[k + 2], box[k + 2]);
         }
+    }
+    if (!object->picture) return;
+    double corners[8];
+    bat_object_corners(object, corners);
+    for (int i = 0; i < 8; i++) {
+        object->box[i & 1] = fmin(object->box[i & 1], corners[i]);
+        object->box[2 + (i & 1)] = fmax(object->box[2 + (i & 1)], corners[i]);
     }
 }
 
@@ -160,6 +181,34 @@ bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_
     return BAT_OK;
 }
 
+/* Takes the matrix, -0 as 0 so that equal images have equal bits; false: it is out of range. */
+static bool set_matrix(bat_object *object, const double matrix[6]) {
+    for (int i = 0; i < 6; i++) object->matrix[i] = matrix[i] + 0.0;
+    measure(object);
+    bool good = matrix[0] * matrix[3] != matrix[1] * matrix[2];
+    for (int i = 0; i < 4; i++) good = good && fabs(object->box[i]) <= BAT_COORDINATE_MAX;
+    return good;
+}
+
+bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
+                                   const double matrix[6], double opacity, bat_object **out) {
+    if (!picture || !matrix || !(opacity >= 0 && opacity <= 1)) return BAT_ARGUMENT;
+    bat_object *object;
+    bat_status status = out ? bat_object_create_group(id, name, false, &object) : BAT_ARGUMENT;
+    if (status != BAT_OK) return status;
+    object->kind = BAT_KIND_IMAGE;
+    object->style.stroked = false;
+    object->style.filled = true; /* it covers what lies behind it */
+    object->style.opacity = opacity;
+    object->picture = bat_picture_retain(picture);
+    if (!set_matrix(object, matrix)) {
+        bat_object_release(object);
+        return BAT_NUMBER;
+    }
+    *out = object;
+    return BAT_OK;
+}
+
 /* What lies beside curves and style. */
 static void keep_place(bat_object *object, const bat_object *from) {
     object->parent = from->parent;
@@ -169,7 +218,7 @@ static void keep_place(bat_object *object, const bat_object *from) {
 
 bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                   bat_object **out) {
-    if (!object || bat_object_is_group(object)) return BAT_ARGUMENT;
+    if (!object || bat_object_is_group(object) || object->picture) return BAT_ARGUMENT;
     bat_status status = bat_object_create_path(object->id, object->name, &object->style, count, curves, out);
     if (status == BAT_OK) keep_place(*out, object);
     return status;
@@ -190,6 +239,8 @@ static bat_object *share_as(const bat_object *object, const char *name) {
     }
     copy->spline = object->spline;
     if (copy->spline) copy->spline->users++;
+    copy->picture = bat_picture_retain(object->picture);
+    memcpy(copy->matrix, object->matrix, sizeof copy->matrix);
     return copy;
 }
 
@@ -238,7 +289,22 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     if (!object || !style || !out || !bat_style_valid(style)) return BAT_ARGUMENT;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
-    copy->style = *style;
+    if (object->picture)
+        copy->style.opacity = style->opacity;
+    else
+        copy->style = *style;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out) {
+    if (!object || !object->picture || !matrix || !out) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    if (!set_matrix(copy, matrix)) {
+        bat_object_release(copy);
+        return BAT_NUMBER;
+    }
     *out = copy;
     return BAT_OK;
 }
@@ -323,6 +389,7 @@ void bat_object_release(bat_object *object) {
     if (!object || --object->users > 0) return;
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
     bat_kept_spline_release(object->spline);
+    bat_picture_release(object->picture);
     free(object);
 }
 
@@ -345,6 +412,9 @@ const bat_curve *bat_object_curve(const bat_object *object, int index) {
 const bat_spline *bat_object_spline(const bat_object *object) {
     return object->spline ? &object->spline->spline : NULL;
 }
+
+const bat_picture *bat_object_picture(const bat_object *object) { return object->picture; }
+const double *bat_object_matrix(const bat_object *object) { return object->picture ? object->matrix : NULL; }
 
 const bat_tangents_options *bat_object_spline_options(const bat_object *object) {
     return object->spline ? &object->spline->options : NULL;
@@ -396,5 +466,9 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     if (object->hidden) digest = bat_digest_number(digest, 2);
     if (object->locked) digest = bat_digest_number(digest, 3);
     if (object->spline) digest = bat_kept_spline_digest(digest, object->spline);
+    if (object->picture) {
+        digest = bat_digest_number(digest, bat_picture_digest(object->picture));
+        for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, object->matrix[i]);
+    }
     return digest;
 }

@@ -1,5 +1,6 @@
 #include "editor/affine.h"
 #include "curve/real.h"
+#include "format/svg.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +116,11 @@ static bat_status image_spline(const bat_object *object, const double *m, const 
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out) {
     if (bat_object_is_group(object)) return BAT_ARGUMENT;
+    if (bat_object_picture(object)) {
+        double placed[6];
+        bat_svg_compose(matrix, bat_object_matrix(object), placed);
+        return bat_object_with_matrix(object, placed, out);
+    }
     bat_object *made = NULL, *other = NULL;
     bat_status status = image_path(object, matrix, &made);
     if (status == BAT_OK && bat_object_spline(object)) {

@@ -57,7 +57,7 @@ static bat_status perform(bat_editor *editor, const bat_json *json, uint32_t nod
         status = bat_transaction_remove(editor, (int)at);
     } else {
         bat_object *object = NULL;
-        status = bat_object_from_json(json, insert ? insert : replace, &object, problem);
+        status = bat_object_from_json(json, insert ? insert : replace, &editor->pictures, &object, problem);
         if (status != BAT_OK) return status;
         status = insert ? bat_transaction_insert(editor, (int)at, object)
                         : bat_transaction_replace(editor, (int)at, object);

@@ -5,6 +5,7 @@
  * {"do":"change","label":"step.move","changes":[{"at":3,"replace":OBJECT},{"at":4,"insert":OBJECT},
  *  {"at":0,"remove":7}],"digest":...}
  *
+ * An image names its picture, whose bytes an earlier line holds: {"picture":digest,"data":base 64}.
  * The changes happen one after the other; `at` is an index of the list as it is by then; a removal names the
  * object's id.
  */

@@ -1,5 +1,6 @@
 /* The editor as a whole: made, opened, saved, ended. */
 #include "editor/editor.h"
+#include "format/native.h"
 #include <batten/bezier.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -113,6 +114,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_selection_free(&editor->selection);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
+    bat_pictures_free(&editor->pictures);
     bat_document_free(editor->document);
     free(editor->name);
     free(editor->tables);
@@ -151,10 +153,16 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     if (!name) name = "";
     char *own_name = malloc(strlen(name) + 1);
     bat_journal journal = {0};
+    bat_pictures pictures = {0};
     bat_status status = own_name ? begin_journal(document, name, &journal) : BAT_MEMORY;
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
+        if (picture) status = bat_pictures_add(&pictures, picture);
+    }
     if (status != BAT_OK) {
         free(own_name);
         bat_journal_free(&journal);
+        bat_pictures_free(&pictures);
         return status;
     }
     strcpy(own_name, name);
@@ -169,6 +177,8 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     editor->document = document;
     editor->name = own_name;
     editor->journal = journal;
+    bat_pictures_free(&editor->pictures);
+    editor->pictures = pictures;
     editor->revision++;
     editor->saved_state = editor->history.state;
     editor->asked = false;
@@ -181,6 +191,18 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     editor->view.ratio = ratio;
     editor->fit_wanted = !bat_editor_fit(editor);
     return BAT_OK;
+}
+
+bat_status bat_editor_keep_picture(bat_editor *editor, const bat_picture *picture) {
+    int before = editor->pictures.count;
+    bat_status status = bat_pictures_add(&editor->pictures, picture);
+    if (status != BAT_OK || editor->pictures.count == before) return status;
+    bat_text line = {0};
+    bat_picture_to_json(picture, &line);
+    status = bat_journal_append(&editor->journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
+    if (status != BAT_OK) bat_pictures_drop(&editor->pictures);
+    return status;
 }
 
 void bat_editor_saved(bat_editor *editor) {

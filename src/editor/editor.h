@@ -4,6 +4,7 @@
 
 #include "document/history.h"
 #include "document/journal.h"
+#include "document/picture.h"
 #include "editor/brushing.h"
 #include "editor/contacts.h"
 #include "editor/insight.h"
@@ -39,6 +40,7 @@ struct bat_editor {
     bat_selection selection; /* what commands act on; never part of the document, history or journal */
     bat_id layer;            /* the active one, where new curves go; 0: none */
     bat_journal journal;
+    bat_pictures pictures; /* whose bytes the journal holds */
 
     double values[BAT_PROPERTY_COUNT];
     char keys[BAT_COMMAND_COUNT][BAT_KEYS_ROOM]; /* shortcuts as they are now */
@@ -88,6 +90,8 @@ const char *bat_editor_text(const bat_editor *editor, bat_string text);
 bat_style bat_editor_new_style(const bat_editor *editor);
 /* After a step: what is gone is no longer selected, nor the active layer. */
 void bat_editor_follow(bat_editor *editor);
+/* Sees to it that the journal holds the picture's bytes, as a line of their own. What bat_pictures_add says. */
+bat_status bat_editor_keep_picture(bat_editor *editor, const bat_picture *picture);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);
 /* Ends every contact and whatever the tool has under way. */

@@ -1,4 +1,5 @@
 #include "editor/line.h"
+#include "document/digest.h"
 #include <math.h>
 
 void bat_line_number(bat_text *line, double number) {
@@ -32,8 +33,7 @@ void bat_line_numbers(bat_text *line, const double *numbers, size_t count, size_
 }
 
 void bat_line_digest(bat_text *line, uint64_t digest) {
-    char text[20] = "\"";
-    for (int i = 0; i < 16; i++) text[1 + i] = "0123456789abcdef"[digest >> (60 - 4 * i) & 15];
-    text[17] = '"';
-    bat_text_add(line, text, 18);
+    char text[17];
+    bat_digest_print(digest, text);
+    bat_text_json_string(line, text);
 }

@@ -5,6 +5,7 @@
 #include "editor/change.h"
 #include "editor/edit_codec.h"
 #include "editor/editor.h"
+#include "format/native.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>
@@ -166,6 +167,14 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
         status = bat_editor_command(editor, text);
         /* A command that finds nothing to do is part of a session like any other event. */
         return status == BAT_UNSUPPORTED ? say(problem, status, "no such command") : BAT_OK;
+    }
+    if (bat_json_member(json, 1, "picture")) {
+        bat_pictures one = {0};
+        status = bat_picture_from_json(json, 1, &one, problem);
+        if (status == BAT_OK && (status = bat_editor_keep_picture(editor, one.list[0])) != BAT_OK)
+            say(problem, status, bat_status_message(status));
+        bat_pictures_free(&one);
+        return status;
     }
     if (bat_json_member(json, 1, "frame")) {
         bat_editor_frame(editor);

@@ -38,6 +38,14 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     bat_path path = {.origin = {scene->origin[0], scene->origin[1]}};
     for (int i = 0; i < bat_object_curve_count(entry->object); i++)
         bat_path_curve(&path, bat_object_curve(entry->object, i));
+    const bat_picture *picture = bat_object_picture(entry->object);
+    if (picture) {
+        double corners[8];
+        bat_object_corners(entry->object, corners);
+        bat_path_move(&path, corners[0], corners[1]);
+        for (int i = 2; i < 8; i += 2) bat_path_line(&path, corners[i], corners[i + 1]);
+        bat_path_close(&path);
+    }
     if (path.failed) {
         free(path.data);
         return false;
@@ -59,6 +67,10 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
                        .miter_limit = bat_path_float(style->miter_limit),
                        .path_count = (uint32_t)path.count,
                        .path = path.data};
+    if (picture) {
+        item->role = BAT_ROLE_IMAGE;
+        item->picture = (uint32_t)bat_picture_digest(picture);
+    }
     if (style->stroked) item->flags |= BAT_ITEM_STROKED;
     if (style->filled) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;

@@ -100,6 +100,11 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
     bat_line_digest(line, bat_document_digest(editor->document));
     bat_text_string(line, "}");
     bat_status status = bat_history_reserve(&editor->history);
+    for (int i = 0; i < transaction->count && status == BAT_OK; i++) {
+        const bat_object *after = transaction->deltas[i].after;
+        const bat_picture *picture = after ? bat_object_picture(after) : NULL;
+        if (picture) status = bat_editor_keep_picture(editor, picture);
+    }
     if (status == BAT_OK) status = bat_journal_append(&editor->journal, line->data, line->size, line->failed);
     bat_text_free(&own);
     if (status != BAT_OK) {

@@ -28,7 +28,7 @@ bat_status bat_transaction_remove(bat_editor *editor, int index);
 /* Ends it. label: what undo would take back, one of the texts. line: the journal's line for it, without the
  * digest and the closing brace, which are added here; NULL: the line is made of the changes themselves
  * (change.h), so that a tool needs no codec of its own. On failure everything is taken back: BAT_MEMORY,
- * or BAT_ARGUMENT when a group would fall apart. A transaction without changes makes no step. */
+ * BAT_ARGUMENT when a group would fall apart, BAT_COUNT when pictures would be too many. A transaction without changes makes no step. */
 bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line);
 void bat_transaction_cancel(bat_editor *editor);
 

@@ -1,7 +1,9 @@
 /* The native document: {"batten":1, "page":[...], "next":4, "objects":[...]} (docs/format.md). */
 #include "format/native.h"
 
+#include "document/digest.h"
 #include "document/document.h"
+#include "format/base64.h"
 #include "format/curve_json.h"
 #include "format/json.h"
 #include "format/shape_json.h"
@@ -18,6 +20,7 @@ static const char *const joins[] = {"miter", "round", "bevel"};
 
 typedef struct reader {
     const bat_json *json;
+    const bat_pictures *pictures; /* what images may name */
     bat_problem *problem;
 } reader;
 
@@ -199,6 +202,31 @@ static bat_status read_spline_object(const reader *r, uint32_t node, bat_id id, 
                         r->problem);
 }
 
+static bat_status read_image(const reader *r, uint32_t node, bat_id id, const char *name, bat_object **out) {
+    uint32_t named = bat_json_member(r->json, node, "picture"),
+             list = bat_json_member(r->json, node, "matrix");
+    const char *word = bat_json_text(r->json, named);
+    uint64_t digest;
+    const bat_picture *picture = word && bat_digest_scan(word, &digest)
+                                     ? bat_pictures_find(r->pictures, digest)
+                                     : NULL;
+    if (!picture) return complain(r, named ? named : node, "picture", "the digest of one of the pictures");
+    double opacity = 1, *matrix;
+    size_t count;
+    bat_status status = read_number(r, node, "opacity", 0, 1, "a number from 0 to 1", &opacity);
+    if (status != BAT_OK) return status;
+    if (!list) return complain(r, node, "matrix", "six numbers");
+    status = bat_numbers_from_json(r->json, list, "matrix", &matrix, &count, r->problem);
+    if (status != BAT_OK) return status;
+    status = count == 6 ? bat_object_create_image(id, name, picture, matrix, opacity, out) : BAT_COUNT;
+    free(matrix);
+    if (status == BAT_MEMORY)
+        return bat_json_say(r->json, list, status, bat_status_message(status), r->problem);
+    return status == BAT_OK ? status
+                            : bat_json_complain(r->json, list, status, "matrix",
+                                                "six numbers that do not flatten", r->problem);
+}
+
 /* Group, visibility and lock; takes `object` over. */
 static bat_status place_object(const reader *r, uint32_t node, bat_object *object, bat_object **out) {
     double parent = 0;
@@ -243,10 +271,11 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     const char *word = bat_json_text(json, kind);
     if (!word) return complain(r, kind ? kind : node, "kind", "a text");
     bool group = strcmp(word, "group") == 0 || strcmp(word, "layer") == 0;
-    bool shape = strcmp(word, "shape") == 0;
-    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !shape && !group)
+    bool shape = strcmp(word, "shape") == 0, image = strcmp(word, "image") == 0;
+    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !shape && !image && !group)
         return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind",
-                                 "\"path\", \"spline\", \"shape\", \"group\" or \"layer\"", r->problem);
+                                 "\"path\", \"spline\", \"shape\", \"image\", \"group\" or \"layer\"",
+                                 r->problem);
     double id = 0;
     bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
                                     "a whole number from 1 to 2147483647", &id);
@@ -263,6 +292,8 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     if (group) {
         status = bat_object_create_group((bat_id)id, name, word[0] == 'l', &object);
         if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
+    } else if (image) {
+        status = read_image(r, node, (bat_id)id, name, &object);
     } else if (strcmp(word, "spline") == 0) {
         status = read_spline_object(r, node, (bat_id)id, name, &style, &object);
     } else {
@@ -271,8 +302,33 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     return status == BAT_OK ? place_object(r, node, object, out) : status;
 }
 
-bat_status bat_object_from_json(const bat_json *json, uint32_t node, bat_object **out, bat_problem *problem) {
-    return read_object(&(reader){json, problem}, node, out);
+bat_status bat_object_from_json(const bat_json *json, uint32_t node, const bat_pictures *pictures,
+                                bat_object **out, bat_problem *problem) {
+    return read_object(&(reader){json, pictures, problem}, node, out);
+}
+
+bat_status bat_picture_from_json(const bat_json *json, uint32_t node, bat_pictures *pictures,
+                                 bat_problem *problem) {
+    uint32_t named = bat_json_member(json, node, "picture"), data = bat_json_member(json, node, "data");
+    const char *word = bat_json_text(json, named), *text = bat_json_text(json, data);
+    uint64_t digest;
+    bat_picture *picture = NULL;
+    if (!word || !bat_digest_scan(word, &digest))
+        return bat_json_complain(json, named ? named : node, BAT_SYNTAX, "picture", "16 hexadecimal digits",
+                                 problem);
+    if (!text) return bat_json_complain(json, data ? data : node, BAT_SYNTAX, "data", "a text", problem);
+    bat_status status = bat_base64_picture(text, strlen(text), &picture);
+    if (status == BAT_OK && bat_picture_digest(picture) != digest) status = BAT_ARGUMENT;
+    if (status == BAT_OK) status = bat_pictures_add(pictures, picture);
+    bat_picture_release(picture);
+    if (status == BAT_OK) return status;
+    return bat_json_say(json, data, status,
+                        status == BAT_SYNTAX        ? "data: expected base 64, padded, found something else"
+                        : status == BAT_UNSUPPORTED ? "data: expected a PNG, JPEG or WebP file, found none"
+                        : status == BAT_COUNT       ? "data: expected 16 MB at most, 32 MB in all, found more"
+                        : status == BAT_ARGUMENT ? "picture: expected the digest of the data, found another"
+                                                 : bat_status_message(status),
+                        problem);
 }
 
 static bat_status read_objects(const reader *r, uint32_t list, bat_document *document) {
@@ -316,6 +372,16 @@ static bat_status read_page(const reader *r, uint32_t list, bat_document *docume
                              "x, y, width and height, none of them negative width or height", r->problem);
 }
 
+/* The document's own pictures, besides those known. */
+static bat_status read_pictures(const reader *r, uint32_t list, bat_pictures *pictures) {
+    bat_status status = BAT_OK;
+    if (list && bat_json_type_of(r->json, list) != BAT_JSON_LIST)
+        return complain(r, list, "pictures", "a list");
+    for (uint32_t at = bat_json_first(r->json, list); at && status == BAT_OK; at = r->json->nodes[at].next)
+        status = bat_picture_from_json(r->json, at, pictures, r->problem);
+    return status;
+}
+
 static bat_status read_document(const reader *r, bat_document *document) {
     uint32_t version = bat_json_member(r->json, 1, "batten");
     if (bat_json_type_of(r->json, version) != BAT_JSON_NUMBER)
@@ -333,17 +399,24 @@ static bat_status read_document(const reader *r, bat_document *document) {
 }
 
 bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem) {
+    bat_pictures none = {0};
+    bat_status status = bat_document_read_with(text, size, &none, out, problem);
+    bat_pictures_free(&none);
+    return status;
+}
+
+bat_status bat_document_read_with(const char *text, size_t size, bat_pictures *pictures, bat_document **out,
+                                  bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    reader r = {&json, problem};
+    reader r = {&json, pictures, problem};
     bat_document *document = NULL;
-    status = bat_document_create(&document);
-    if (status != BAT_OK)
+    status = read_pictures(&r, bat_json_member(&json, 1, "pictures"), pictures);
+    if (status == BAT_OK && (status = bat_document_create(&document)) != BAT_OK)
         bat_problem_set(problem, status, "", bat_status_message(status));
-    else
-        status = read_document(&r, document);
+    if (status == BAT_OK) status = read_document(&r, document);
     bat_json_free(&json);
     if (status != BAT_OK)
         bat_document_free(document);
@@ -383,15 +456,29 @@ static void write_style(bat_text *text, const bat_style *style) {
     bat_text_string(text, "}");
 }
 
+static void write_name(bat_text *text, const char *member, const bat_picture *picture) {
+    char name[17];
+    bat_digest_print(bat_picture_digest(picture), name);
+    bat_text_string(text, member);
+    bat_text_json_string(text, name);
+}
+
+void bat_picture_to_json(const bat_picture *picture, bat_text *text) {
+    size_t size;
+    const void *bytes = bat_picture_bytes(picture, &size);
+    write_name(text, "{\"picture\":", picture);
+    bat_text_string(text, ",\"data\":\"");
+    bat_base64_write(text, bytes, size);
+    bat_text_string(text, "\"}");
+}
+
 void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "{\"id\":");
     bat_text_integer(text, bat_object_id(object));
     const bat_spline *spline = bat_object_spline(object);
-    static const char *const kinds[] = {[BAT_KIND_PATH] = "path",
-                                        [BAT_KIND_SPLINE] = "spline",
-                                        [BAT_KIND_GROUP] = "group",
-                                        [BAT_KIND_LAYER] = "layer",
-                                        [BAT_KIND_SHAPE] = "shape"};
+    static const char *const kinds[] = {
+        [BAT_KIND_PATH] = "path",   [BAT_KIND_SPLINE] = "spline", [BAT_KIND_GROUP] = "group",
+        [BAT_KIND_LAYER] = "layer", [BAT_KIND_SHAPE] = "shape",   [BAT_KIND_IMAGE] = "image"};
     bat_text_string(text, ",\"kind\":\"");
     bat_text_string(text, kinds[bat_object_kind(object)]);
     bat_text_string(text, "\",\"name\":");
@@ -403,6 +490,19 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     if (bat_object_hidden(object)) bat_text_string(text, ",\"hidden\":true");
     if (bat_object_locked(object)) bat_text_string(text, ",\"locked\":true");
     if (bat_object_is_group(object)) {
+        bat_text_string(text, "}");
+        return;
+    }
+    const bat_picture *picture = bat_object_picture(object);
+    if (picture) {
+        write_name(text, ",\"picture\":", picture);
+        bat_text_string(text, ",\"matrix\":[");
+        for (int i = 0; i < 6; i++) {
+            if (i > 0) bat_text_string(text, ",");
+            bat_text_number(text, bat_object_matrix(object)[i]);
+        }
+        bat_text_string(text, "],\"opacity\":");
+        bat_text_number(text, bat_object_style(object)->opacity);
         bat_text_string(text, "}");
         return;
     }
@@ -426,7 +526,23 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "]}");
 }
 
-void bat_document_to_json(const bat_document *document, bat_text *text) {
+/* Each once; nothing when there are none. */
+static void write_pictures(const bat_document *document, bat_text *text) {
+    bat_pictures written = {0};
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
+        int before = written.count;
+        if (!picture) continue;
+        if (bat_pictures_add(&written, picture) != BAT_OK) text->failed = true;
+        if (written.count == before) continue;
+        bat_text_string(text, before ? ",\n " : ",\n\"pictures\":[");
+        bat_picture_to_json(picture, text);
+    }
+    if (written.count) bat_text_string(text, "]");
+    bat_pictures_free(&written);
+}
+
+void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text) {
     double page[4];
     bat_document_page(document, page);
     bat_text_string(text, "{\"batten\":1,\n\"page\":[");
@@ -436,6 +552,7 @@ void bat_document_to_json(const bat_document *document, bat_text *text) {
     }
     bat_text_string(text, "],\n\"next\":");
     bat_text_integer(text, bat_document_next(document));
+    if (pictures) write_pictures(document, text);
     bat_text_string(text, ",\n\"objects\":[");
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_text_string(text, i > 0 ? ",\n " : "\n ");
@@ -447,6 +564,6 @@ void bat_document_to_json(const bat_document *document, bat_text *text) {
 bat_status bat_document_write(const bat_document *document, char **text, size_t *size) {
     if (!document || !text || !size) return BAT_ARGUMENT;
     bat_text buffer = {0};
-    bat_document_to_json(document, &buffer);
+    bat_document_to_json(document, true, &buffer);
     return bat_text_finish(&buffer, text, size);
 }

@@ -29,6 +29,13 @@ uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_s
     return digest;
 }
 
+uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
+                              double opacity) {
+    digest = bat_digest_number(digest, bat_picture_digest(picture));
+    for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, matrix[i]);
+    return bat_digest_double(digest, opacity);
+}
+
 void bat_svg_page(const bat_document *document, double page[4]) {
     bat_document_page(document, page);
     if (page[2] > 0 && page[3] > 0) return;

@@ -3,7 +3,9 @@
 #include "document/document.h"
 #include "document/nesting.h"
 #include "document/utf8.h"
+#include "format/base64.h"
 #include "format/json.h"
+#include "format/native.h"
 #include "format/svg.h"
 #include "format/svg_digest.h"
 #include "format/svg_style.h"
@@ -100,6 +102,7 @@ typedef struct walk {
     bat_document *document;
     bat_svg_report *report;
     bat_outline outline;
+    bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
     int depth;
@@ -421,6 +424,49 @@ static void draw_switch(walk *w, uint32_t element, const scope *s) {
     }
 }
 
+/* The picture of a data URI; NULL when it is none, or must be left out. */
+static bat_picture *find_picture(walk *w, uint32_t element) {
+    const char *href = attribute(w, element, "href");
+    if (!href) href = attribute(w, element, "xlink:href");
+    const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
+    bat_picture *picture = NULL;
+    if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
+    bat_status status = bat_base64_picture(data + 1, strlen(data + 1), &picture);
+    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
+    if (status == BAT_MEMORY) w->status = status;
+    if (status == BAT_OK) return picture;
+    bat_picture_release(picture);
+    return NULL;
+}
+
+static void draw_image(walk *w, uint32_t element, const scope *s) {
+    bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
+    bat_object *object = NULL;
+    if (!picture) {
+        w->report->skipped_images++;
+        return;
+    }
+    double box[4] = {0}, m[6], matrix[6];
+    bat_picture_sides(picture, box + 2);
+    double width = length_of(w, element, "width", s->width, -1);
+    double height = length_of(w, element, "height", s->height, -1);
+    if (width < 0) width = height < 0 ? box[2] : height * box[2] / box[3];
+    if (height < 0) height = width * box[3] / box[2];
+    bat_svg_fit(box, length_of(w, element, "x", s->width, 0), length_of(w, element, "y", s->height, 0), width,
+                height, attribute(w, element, "preserveAspectRatio"), m);
+    bat_svg_compose(s->matrix, m, matrix);
+    bat_status status = bat_object_create_image(bat_document_new_id(w->document), find_name(w, element),
+                                                picture, matrix, s->opacity, &object);
+    if (status == BAT_OK) {
+        if (!w->unseen)
+            w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
+        put_object(w, element, s->style.shown, object);
+    } else
+        w->report->skipped_images++;
+    if (status == BAT_MEMORY) w->status = status;
+    bat_picture_release(picture);
+}
+
 static void draw(walk *w, uint32_t element, const scope *outer) {
     bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
     if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_SYMBOL || kind >= BAT_SVG_NEVER) return;
@@ -432,7 +478,7 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     find_style(w, element, outer, &s.style);
     bool shown = s.style.shown;
     /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
-    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP) {
+    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
         w->report->skipped_hidden++;
         return;
     }
@@ -462,7 +508,7 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     case BAT_SVG_USE: draw_use(w, element, &s); break;
     case BAT_SVG_SHAPE: draw_shape(w, element, &s); break;
     case BAT_SVG_TEXT: w->report->skipped_text++; break;
-    case BAT_SVG_IMAGE: w->report->skipped_images++; break;
+    case BAT_SVG_IMAGE: draw_image(w, element, &s); break;
     default: w->report->skipped_other++; break;
     }
     w->unseen -= !shown;
@@ -503,18 +549,17 @@ static void draw_root(walk *w) {
 /* ---- the native document ---- */
 
 /* Takes the native document's place when the drawing still shows what was written with it. */
-static void use_native(bat_svg_reader *reader, uint64_t digest, bat_document **document,
-                       bat_svg_report *report) {
+static void use_native(bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,
+                       bat_document **document, bat_svg_report *report) {
     if (!reader->native_element) return;
     const char *noted = bat_svg_tree_attribute(&reader->tree, reader->native_element, "digest");
-    char own[24];
-    snprintf(own, sizeof own, "%08lx%08lx", (unsigned long)(digest >> 32),
-             (unsigned long)(digest & 0xffffffffu));
+    char own[17];
+    bat_digest_print(digest, own);
     bat_document *native = NULL;
     report->edited = true;
     if (!noted || strcmp(noted, own) != 0) return;
-    bat_status status = bat_document_read(reader->native.data ? reader->native.data : "", reader->native.size,
-                                          &native, NULL);
+    bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
+                                               reader->native.size, pictures, &native, NULL);
     if (status != BAT_OK) return;
     /* The page may have been changed alone. */
     double page[4], written[4];
@@ -526,7 +571,7 @@ static void use_native(bat_svg_reader *reader, uint64_t digest, bat_document **d
     report->paths = report->curves = 0;
     for (int i = 0; i < bat_document_count(native); i++) {
         const bat_object *object = bat_document_at(native, i);
-        report->paths += !bat_object_is_group(object);
+        report->paths += bat_object_curve_count(object) > 0;
         report->curves += bat_object_curve_count(object);
     }
     bat_document_free(*document);
@@ -556,8 +601,9 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     report->skipped_other += (int)(sheet.left_out > 1000000 ? 1000000 : sheet.left_out);
     draw_root(w);
     status = w->status;
-    if (status == BAT_OK) use_native(reader, w->digest, &document, report);
+    if (status == BAT_OK) use_native(reader, w->digest, &w->pictures, &document, report);
     bat_outline_free(&w->outline);
+    bat_pictures_free(&w->pictures);
     free(w);
     bat_svg_sheet_free(&sheet);
     if (status != BAT_OK)

@@ -1,6 +1,7 @@
 /* SVG out: every curve as exact cubic Béziers, and the native document as text in the metadata. */
 #include "document/digest.h"
 #include "document/nesting.h"
+#include "format/base64.h"
 #include "format/native.h"
 #include "format/svg.h"
 #include "format/svg_digest.h"
@@ -173,6 +174,33 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     return BAT_OK;
 }
 
+static void write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
+    const bat_picture *picture = bat_object_picture(object);
+    const double *m = bat_object_matrix(object);
+    double sides[2], opacity = bat_object_style(object)->opacity;
+    size_t size;
+    const void *bytes = bat_picture_bytes(picture, &size);
+    bat_picture_sides(picture, sides);
+    bat_text_string(text, "<image");
+    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    write_state(text, object);
+    write_number(text, " width=\"", sides[0]);
+    write_number(text, " height=\"", sides[1]);
+    bat_text_string(text, " preserveAspectRatio=\"none\" transform=\"matrix(");
+    for (int i = 0; i < 6; i += 2) {
+        if (i > 0) bat_text_string(text, " ");
+        write_pair(text, m + i);
+    }
+    bat_text_string(text, ")\"");
+    if (opacity != 1) write_number(text, " opacity=\"", opacity);
+    bat_text_string(text, " href=\"data:");
+    bat_text_string(text, bat_picture_type(picture));
+    bat_text_string(text, ";base64,");
+    bat_base64_write(text, bytes, size);
+    bat_text_string(text, "\"/>\n");
+    if (!hidden) *digest = bat_svg_digest_image(*digest, picture, m, opacity);
+}
+
 static bat_status write_objects(const bat_document *document, bat_text *text, uint64_t *digest) {
     int count = bat_document_count(document);
     bool *unique = malloc((size_t)count + 1);
@@ -189,6 +217,8 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
         for (int k = nesting.depth - group; k < before; k++) bat_text_string(text, "</g>\n");
         if (group)
             open_group(text, object, unique[i]);
+        else if (bat_object_picture(object))
+            write_image(text, object, unique[i], level.hidden, digest);
         else
             status = write_object(text, object, unique[i], level.hidden, &outline, digest);
     }
@@ -199,11 +229,10 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
 }
 
 static void write_native(const bat_document *document, uint64_t digest, bat_text *text) {
-    char noted[24];
+    char noted[17];
     bat_text json = {0};
-    bat_document_to_json(document, &json);
-    snprintf(noted, sizeof noted, "%08lx%08lx", (unsigned long)(digest >> 32),
-             (unsigned long)(digest & 0xffffffffu));
+    bat_document_to_json(document, false, &json); /* the drawing holds the pictures */
+    bat_digest_print(digest, noted);
     bat_text_string(text,
                     "<metadata><batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"");
     bat_text_string(text, noted);

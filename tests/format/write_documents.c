@@ -1,6 +1,7 @@
 /* Prints random documents for test_schema.py, each ended by a zero byte. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include "support/pictures.h"
 #include "support/random_curve.h"
 
 #include <stdio.h>
@@ -41,6 +42,14 @@ static void write_one(random_source *r, int objects) {
     bat_object_release(shaped);
     if (bat_document_put(document, 0, made)) abort();
     bat_object_release(made);
+    bat_picture *picture = make_picture(20, 10, (unsigned)objects);
+    const double matrix[6] = {random_unit(r) + 1,      0, 0, random_unit(r) + 1, random_between(r, -9, 9),
+                              random_between(r, -9, 9)};
+    if (bat_object_create_image(bat_document_new_id(document), "p", picture, matrix, random_unit(r), &made))
+        abort();
+    if (bat_document_put(document, 0, made)) abort();
+    bat_object_release(made);
+    bat_picture_release(picture);
     char *text;
     size_t size;
     if (bat_document_write(document, &text, &size)) abort();

@@ -31,6 +31,10 @@ MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
 MODULE_EXPORT(editor_open_native)
 int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
                        bat_problem *problem);
+MODULE_EXPORT(editor_add_picture)
+int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
+MODULE_EXPORT(editor_picture)
+const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size);
 MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, module_bytes *out);
 MODULE_EXPORT(editor_digest) uint64_t editor_digest(const bat_editor *editor);
 MODULE_EXPORT(status_message) const char *status_message(int status);
@@ -141,6 +145,18 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
         bat_document_free(document);
     }
     return (int)status;
+}
+
+int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_add_picture(editor, bytes, size, name);
+}
+
+/* Its bytes, in place; NULL when there is none. */
+const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size) {
+    MODULE_CHECK(editor && size);
+    const bat_picture *found = bat_editor_picture(editor, picture);
+    return found ? bat_picture_bytes(found, size) : NULL;
 }
 
 /* The document as a file: native JSON, or SVG with the native document inside. */

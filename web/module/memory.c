@@ -50,6 +50,7 @@ const module_field *module_layout(void) {
         {"item.path_count", offsetof(bat_item, path_count)},
         {"item.bounds", offsetof(bat_item, bounds)},
         {"item.path", offsetof(bat_item, path)},
+        {"item.picture", offsetof(bat_item, picture)},
         {"frame.view", offsetof(bat_frame, view)},
         {"frame.origin", offsetof(bat_frame, origin)},
         {"frame.still_version", offsetof(bat_frame, still_version)},

@@ -1,0 +1,87 @@
+#include "document/picture.h"
+
+#include "document/digest.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct bat_picture {
+    int users;
+    uint32_t width, height;
+    const char *type;
+    uint64_t digest;
+    size_t size;
+    unsigned char bytes[];
+};
+
+bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out) {
+    uint32_t width, height;
+    if (!bytes || !out) return BAT_ARGUMENT;
+    if (size > BAT_PICTURE_SIZE) return BAT_COUNT;
+    const char *type = bat_picture_head(bytes, size, &width, &height);
+    if (!type) return BAT_UNSUPPORTED;
+    bat_picture *picture = malloc(sizeof *picture + size);
+    if (!picture) return BAT_MEMORY;
+    *picture = (bat_picture){.users = 1, .width = width, .height = height, .type = type, .size = size};
+    picture->digest = bat_digest_bytes(bat_digest_begin(), bytes, size);
+    memcpy(picture->bytes, bytes, size);
+    *out = picture;
+    return BAT_OK;
+}
+
+bat_picture *bat_picture_retain(const bat_picture *picture) {
+    bat_picture *user = (bat_picture *)picture; /* the count is no part of the value */
+    if (user) user->users++;
+    return user;
+}
+
+void bat_picture_release(bat_picture *picture) {
+    if (picture && --picture->users == 0) free(picture);
+}
+
+const void *bat_picture_bytes(const bat_picture *picture, size_t *size) {
+    if (size) *size = picture->size;
+    return picture->bytes;
+}
+const char *bat_picture_type(const bat_picture *picture) { return picture->type; }
+uint64_t bat_picture_digest(const bat_picture *picture) { return picture->digest; }
+void bat_picture_sides(const bat_picture *picture, double sides[2]) {
+    sides[0] = picture->width, sides[1] = picture->height;
+}
+
+void bat_pictures_free(bat_pictures *pictures) {
+    for (int i = 0; i < pictures->count; i++) bat_picture_release(pictures->list[i]);
+    free(pictures->list);
+    *pictures = (bat_pictures){0};
+}
+
+const bat_picture *bat_pictures_find(const bat_pictures *pictures, uint64_t digest) {
+    for (int i = 0; i < pictures->count; i++)
+        if (pictures->list[i]->digest == digest) return pictures->list[i];
+    return NULL;
+}
+
+bat_status bat_pictures_add(bat_pictures *pictures, const bat_picture *picture) {
+    const bat_picture *known = bat_pictures_find(pictures, picture->digest);
+    if (known) {
+        bool same = known->size == picture->size && !memcmp(known->bytes, picture->bytes, known->size);
+        return same ? BAT_OK : BAT_ARGUMENT;
+    }
+    if (picture->size > BAT_PICTURES_SIZE - pictures->size) return BAT_COUNT;
+    if (pictures->count == pictures->room) {
+        int room = 2 * pictures->room + 4;
+        bat_picture **list = realloc(pictures->list, (size_t)room * sizeof *list);
+        if (!list) return BAT_MEMORY;
+        pictures->list = list;
+        pictures->room = room;
+    }
+    pictures->list[pictures->count++] = bat_picture_retain(picture);
+    pictures->size += picture->size;
+    return BAT_OK;
+}
+
+void bat_pictures_drop(bat_pictures *pictures) {
+    bat_picture *last = pictures->list[--pictures->count];
+    pictures->size -= last->size;
+    bat_picture_release(last);
+}

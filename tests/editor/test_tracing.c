@@ -1,0 +1,189 @@
+/* Pictures to trace in the editor: placed, moved, locked, undone; the journal holds their bytes once. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "support/alloc_fail.h"
+#include "support/pen.h"
+#include "support/pictures.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static const bat_object *last(const bat_editor *editor) {
+    return bat_document_at(bat_editor_document(editor), 0);
+}
+
+static bat_status add(bat_editor *editor, uint32_t width, uint32_t height) {
+    unsigned char bytes[HEAD_ROOM];
+    size_t size = head_png(bytes, width, height);
+    return bat_editor_add_picture(editor, bytes, size, "car.png");
+}
+
+static int times(const char *text, const char *what) {
+    int count = 0;
+    for (const char *at = text; (at = strstr(at, what)); at++) count++;
+    return count;
+}
+
+static void drag(pen *p, double x0, double y0, double x1, double y1) {
+    pen_event(p, BAT_POINTER_HOVER, x0, y0);
+    pen_event(p, BAT_POINTER_DOWN, x0, y0);
+    pen_event(p, BAT_POINTER_MOVE, x0 + 10, y0);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_MOVE, x1, y1);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_UP, x1, y1);
+}
+
+/* In the middle of an 800 x 600 view, four fifths of it at most; small ones pixel by pixel. */
+static void placed_in_the_middle(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    bat_view view = editor->view;
+    double box[4], screen[4];
+    assert_int_equal(add(editor, 4000, 1000), BAT_OK);
+    bat_object_bounds(last(editor), box);
+    bat_view_to_screen(&view, box, screen);
+    bat_view_to_screen(&view, box + 2, screen + 2);
+    assert_true(fabs(screen[0] + screen[2] - view.width) < 1e-9 &&
+                fabs(screen[1] + screen[3] - view.height) < 1e-9);
+    assert_true(fabs(screen[2] - screen[0] - 0.8 * view.width) < 1e-9);
+    assert_true(fabs((screen[2] - screen[0]) - 4 * (screen[3] - screen[1])) < 1e-9);
+    assert_int_equal(editor->selection.count, 1);
+    assert_int_equal(editor->tool, BAT_TOOL_SELECT);
+    assert_int_equal(add(editor, 20, 10), BAT_OK);
+    bat_object_bounds(last(editor), box);
+    assert_true(fabs((box[2] - box[0]) * view.zoom - 20) < 1e-9);
+    const bat_frame *frame = bat_editor_frame(editor);
+    uint32_t first = frame->still_count > 2 ? frame->still[0].role == BAT_ROLE_PAGE : 0;
+    assert_int_equal(frame->still[first].role, BAT_ROLE_IMAGE);
+    assert_int_equal(frame->still[first].path_count, 13);
+    assert_non_null(bat_editor_picture(editor, frame->still[first].picture));
+    assert_null(bat_editor_picture(editor, frame->still[first].picture ^ 1));
+    assert_null(bat_editor_check(editor));
+    bat_editor_free(editor);
+}
+
+static void replays(const bat_editor *editor) {
+    bat_editor *again = NULL;
+    size_t size;
+    bat_problem problem = {"", ""};
+    const char *journal = bat_editor_journal(editor, &size);
+    assert_int_equal(bat_editor_create(&again), BAT_OK);
+    if (bat_editor_replay(again, journal, size, true, &problem) != BAT_OK)
+        fail_msg("%s %s", problem.place, problem.message);
+    assert_true(digest(editor) == digest(again));
+    /* The journal of the replay is as good as the first. */
+    size_t size_again;
+    const char *journal_again = bat_editor_journal(again, &size_again);
+    assert_int_equal(times(journal, "\"data\""), times(journal_again, "\"data\""));
+    bat_editor_free(again);
+}
+
+static void moved_undone_and_replayed(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    uint64_t fresh = digest(editor);
+    double before[4], after[4];
+    bat_editor_resize(editor, 800, 600, 1);
+    assert_int_equal(add(editor, 200, 100), BAT_OK);
+    uint64_t placed = digest(editor);
+    bat_object_bounds(last(editor), before);
+    drag(&p, 400, 300, 430, 340);
+    bat_object_bounds(last(editor), after);
+    double pixel = bat_view_pixel(&editor->view);
+    assert_true(fabs(after[0] - before[0] - 30 * pixel) < 1e-9 &&
+                fabs(after[1] - before[1] - 40 * pixel) < 1e-9);
+    uint64_t moved = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "duplicate"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == moved);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == placed);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == fresh);
+    assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
+    assert_true(digest(editor) == placed);
+    /* The same file again: its bytes are there already. */
+    assert_int_equal(add(editor, 200, 100), BAT_OK);
+    size_t size;
+    assert_int_equal(times(bat_editor_journal(editor, &size), "\"data\""), 1);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+/* A locked picture is never hit; a free one is, where nothing lies before it. */
+static void locked_out_of_the_way(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    bat_editor_resize(editor, 800, 600, 1);
+    assert_int_equal(add(editor, 200, 100), BAT_OK);
+    bat_id id = bat_object_id(last(editor));
+    bat_editor_command(editor, "deselect");
+    pen_event(&p, BAT_POINTER_DOWN, 400, 300);
+    pen_event(&p, BAT_POINTER_UP, 400, 300);
+    assert_true(bat_selection_has(&editor->selection, id));
+    assert_int_equal(bat_editor_set_state(editor, id, false, true), BAT_OK);
+    assert_int_equal(editor->selection.count, 0);
+    pen_event(&p, BAT_POINTER_DOWN, 400, 300);
+    pen_event(&p, BAT_POINTER_UP, 400, 300);
+    assert_int_equal(editor->selection.count, 0);
+    bat_editor_command(editor, "select-all");
+    assert_false(bat_selection_has(&editor->selection, id));
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void refused_in_one_line(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    uint64_t fresh = digest(editor);
+    assert_int_equal(bat_editor_add_picture(editor, "GIF89a", 6, "x.gif"), BAT_UNSUPPORTED);
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "PNG"));
+    unsigned char *large = calloc(1, BAT_PICTURE_SIZE + 1);
+    head_png(large, 5, 5);
+    assert_int_equal(bat_editor_add_picture(editor, large, BAT_PICTURE_SIZE + 1, NULL), BAT_COUNT);
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "16 MB"));
+    assert_int_equal(bat_editor_add_picture(editor, NULL, 5, NULL), BAT_ARGUMENT);
+    assert_true(digest(editor) == fresh);
+    free(large);
+    bat_editor_free(editor);
+}
+
+static void failing_allocations(void **unused) {
+    (void)unused;
+    for (int n = 1;; n++) {
+        long live = alloc_live();
+        bat_editor *editor = pen_editor();
+        uint64_t fresh = digest(editor);
+        alloc_fail_at(n);
+        bat_status status = add(editor, 200, 100);
+        bool reached = alloc_fail_reached();
+        if (reached && status != BAT_OK) {
+            assert_int_equal(status, BAT_MEMORY);
+            assert_true(digest(editor) == fresh);
+        }
+        assert_null(bat_editor_check(editor));
+        replays(editor);
+        bat_editor_free(editor);
+        assert_int_equal(alloc_live(), live);
+        if (!reached) {
+            assert_int_equal(status, BAT_OK);
+            return;
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(placed_in_the_middle),  cmocka_unit_test(moved_undone_and_replayed),
+        cmocka_unit_test(locked_out_of_the_way), cmocka_unit_test(refused_in_one_line),
+        cmocka_unit_test(failing_allocations),
+    };
+    return cmocka_run_group_tests_name("tracing", tests, NULL, NULL);
+}
