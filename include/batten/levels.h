@@ -110,6 +110,11 @@ BAT_API bat_status bat_shape_decompose(const bat_curve *curve, int levels, const
 BAT_API bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, int coarsest,
                                           const bat_shape_options *options, bat_shape **out);
 
+/* The levels of `from`, with their gains, over another base: domains are mapped onto each other, details stay as
+ * long and as they stand to the curve. The same degree and closedness: the details are the same splines, refined;
+ * else they are taken at the nodes. BAT_DIMENSION. */
+BAT_API bat_status bat_shape_copy_levels(const bat_shape *from, const bat_curve *onto, bat_shape **out);
+
 #ifdef __cplusplus
 }
 #endif
