@@ -352,12 +352,15 @@ void bat_sketching_trace(bat_editor *editor, const double *points, size_t count,
                              .y = bat_samples_round(at[1], 100),
                              .pressure = 0.5,
                              .time = editor->time + 4 * (double)i};
-        if (i)
+        if (i) {
             move(editor, &event);
-        else if (object)
+            continue;
+        }
+        if (object)
             begin(editor, &event, (bat_pick){.object = object, .curve = curve});
         else
             down(editor, &event);
+        editor->sketching.steady = bat_steady_begin(0, (double[]){event.x, event.y}); /* no hand trembles */
     }
 }
 

@@ -246,13 +246,12 @@ static bool cancel(bat_editor *editor) {
 
 static void update(bat_editor *editor) {
     bat_waypoints *w = &editor->waypoints;
-    const double view[3] = {editor->view.x, editor->view.y, editor->view.zoom};
     if (w->object && !bat_edit_target(editor->document, w->object, w->curve)) {
         bat_range_end(editor);
         return;
     }
-    if (memcmp(view, w->view, sizeof view)) w->due = true;
-    memcpy(w->view, view, sizeof view);
+    if (memcmp(&editor->view, &w->view, sizeof w->view)) w->due = true;
+    w->view = editor->view;
     if (w->due) trace(editor); /* one place alone has no stroke */
     if (editor->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->update(editor);
 }

@@ -7,6 +7,7 @@
 #define BATTEN_SRC_WAYPOINTS_H
 
 #include "editor/tool.h"
+#include "editor/view.h"
 
 enum { BAT_WAYPOINTS_MAX = 128 };
 
@@ -17,7 +18,7 @@ typedef struct bat_waypoints {
     double points[2 * BAT_WAYPOINTS_MAX]; /* document units */
     double leads[4]; /* redrawn: the curve's directions where the stroke begins and ends */
     int count, chosen;
-    double view[3];
+    bat_view view; /* that the preview was made in */
 } bat_waypoints;
 
 /* The first point, where the pen is or in the middle of the view. BAT_STATE: this tool draws nothing. */

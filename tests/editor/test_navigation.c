@@ -185,7 +185,9 @@ static void keys_come_from_the_table(void **state) {
     pen_line(&p, 350, 200, 650, 200, 30);
     assert_false(bat_editor_key(editor, "j", true, 0, 0));
     assert_false(bat_editor_key(editor, "z", true, 0, 0));
+    bat_editor_command(editor, "tool-pan");
     assert_false(bat_editor_key(editor, "Enter", true, 0, 0)); /* nothing to say yes to: the host's */
+    bat_editor_command(editor, "tool-sketch");
     assert_true(bat_editor_key(editor, "z", true, BAT_META, 0));
     assert_true(bat_editor_frame(editor)->can_redo);
     assert_true(bat_editor_key(editor, "Z", true, BAT_CTRL | BAT_SHIFT, 0));
