@@ -50,9 +50,11 @@ export class Engine {
     this.module = module;
     /** Called after a trap. whole: every step came back. @type {(whole: boolean, error: unknown) => void} */
     this.onrecovery = () => {};
-    /** The journal up to the last call that returned, outside of the module's memory. */
+    /** The journal up to the last call that returned, outside of the module's memory. @type {Uint8Array} */
     this.journal = new Uint8Array(0);
-    /** The journal as it was when the module last trapped: what a report of the fault needs. */
+    /** Counts the journals there have been: each begins anew. */
+    this.session = 0;
+    /** The journal as it was when the module last trapped: what a report needs. @type {Uint8Array} */
     this.broken = new Uint8Array(0);
     /** Traps since the last frame that was made. */
     this.traps = 0;
@@ -180,7 +182,7 @@ export class Engine {
         const status = this.#lend(part, (text, size) =>
           this.wasm.editor_replay(this.editor, text, size, 0, this.scratch));
         if (status === OK) {
-          this.journal = part;
+          this.#begun(part);
           this.onrecovery(lost === 0, error);
           return;
         }
@@ -190,7 +192,7 @@ export class Engine {
       part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
     }
     this.#start();
-    this.journal = new Uint8Array(0);
+    this.#begun(new Uint8Array(0));
     this.onrecovery(whole.length === 0, error);
   }
 
@@ -417,7 +419,7 @@ export class Engine {
   /** @param {number} status */
   #opened(status) {
     if (status === OK) {
-      this.journal = new Uint8Array(0); // another one: to be copied afresh
+      this.#begun(new Uint8Array(0)); // to be copied afresh
       return;
     }
     if (status < 0) {
@@ -479,7 +481,7 @@ export class Engine {
     const broken = -1;
     const status = this.#guard(() => this.#lend(journal, (text, size) =>
       this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), broken);
-    this.journal = new Uint8Array(0); // another one: to be copied afresh
+    this.#begun(new Uint8Array(0)); // to be copied afresh
     return status === OK;
   }
 
@@ -499,6 +501,12 @@ export class Engine {
       this.traps = 0;
       return frame;
     }, null);
+  }
+
+  /** Another journal. @param {Uint8Array} journal as far as it is known */
+  #begun(journal) {
+    this.journal = journal;
+    this.session++;
   }
 
   /** Copies what the journal has gained. */

@@ -3,6 +3,7 @@
 import { Changed } from './server.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
+/** @typedef {import('./keep.js').Kept} Kept */
 /** @typedef {import('./notice.js').Notice} Notice */
 /** @typedef {import('./server.js').Server} Server */
 
@@ -57,6 +58,12 @@ export class Files {
     this.notice = notice;
     this.wake = wake;
     this.name = 'drawing.svg';
+    /** What was opened, as it came. @type {Uint8Array} */
+    this.opened = new Uint8Array(0);
+    /** Asked before a drawing is opened: what was kept of it. @type {(name: string) => Promise<Kept | null>} */
+    this.find = async () => null;
+    /** Told as soon as it is open. @type {(kept: Kept | null) => void} */
+    this.onopen = () => {};
     /** The document is the server's file, so that it is saved there. */
     this.bound = false;
     this.unsaved = false;
@@ -106,6 +113,18 @@ export class Files {
     }
   }
 
+  /** The drawing as it was opened, or an empty one. */
+  async reopen() {
+    if (this.bound) {
+      await this.openServed();
+    } else if (this.opened.length > 0) {
+      this.open(this.opened, this.name);
+    } else {
+      this.engine.replay(new TextEncoder().encode('{"journal":"batten","version":1}'));
+      this.wake();
+    }
+  }
+
   /** @param {File | undefined} file */
   async #openFile(file) {
     if (file && /^image\/(?!svg)/.test(file.type)) {
@@ -116,8 +135,10 @@ export class Files {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
+    const kept = await this.find(file.name);
     if (this.open(bytes, file.name)) {
       this.bound = false;
+      this.onopen(kept);
     }
   }
 
@@ -157,6 +178,7 @@ export class Files {
         }
       }
       this.name = name;
+      this.opened = bytes;
       return true;
     } catch (error) {
       this.#complain(new Error(`${name} was not opened. ${error instanceof Error ? error.message : ''}`));

@@ -10,6 +10,8 @@ import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
 import { Theme } from './theme.js';
 
+/** @typedef {import('./keep.js').Kept} Kept */
+
 const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
   'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize'];
 
@@ -57,12 +59,16 @@ class Shell {
       let text = 'Something broke inside. The drawing was brought back from its journal.';
       if (!whole) {
         text = 'Something broke inside. Not all steps could be brought back.';
-        this.keeper.noted = null; // what is kept stays kept, though the drawing shown is not unsaved
+        this.keeper.session = -1; // what is kept stays kept, though the drawing shown is not unsaved
       }
       const run = () => this.files.downloadJournal(this.engine.broken);
       this.notice.say(text, { label: 'Download the journal', run });
       this.wake();
     };
+    this.keeper.onfault = () => this.notice.say(this.text('not-kept'), {
+      label: this.text('save-now'), run: () => void this.files.save() });
+    this.files.find = (name) => this.keeper.find(name);
+    this.files.onopen = (kept) => this.resume(kept);
     new ResizeObserver(() => this.#resize()).observe(this.stage);
     this.#watchRatio();
     this.#resize();
@@ -104,9 +110,11 @@ class Shell {
     this.painter.paint(frame);
     this.panel.show(frame);
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
-    part('welcome').hidden = frame.still.length > 0 || frame.live.length > 0;
+    const empty = frame.still.length === 0;
+    part('welcome').hidden = !empty || frame.live.length > 0;
     this.files.unsaved = frame.unsaved;
-    this.keeper.note(this.files.name, this.engine.journal, frame.unsaved);
+    this.keeper.note(this.files.name, this.engine.session, this.engine.journal, frame.unsaved,
+      !this.files.bound && !empty);
     if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
       this.notice.say(frame.notice);
     }
@@ -117,20 +125,34 @@ class Shell {
     this.#grant(frame.requests);
   }
 
-  /** What a crashed or closed page left unsaved of this drawing can be brought back. */
-  async offerKept() {
-    const kept = await this.keeper.find(this.files.name);
-    if (kept) {
-      this.notice.say(`There is unsaved work on ${kept.name} from before.`, {
-        label: 'Bring it back',
-        run: () => {
-          if (!this.engine.replay(kept.journal)) {
-            this.notice.say('It could not be brought back.');
-          }
-          this.wake();
-        },
-      });
+  /** What the shell says of itself. @param {string} key @returns {string} */
+  text(key) {
+    return this.panel.tables.strings[`shell.${key}`].replace('%s', this.files.name);
+  }
+
+  /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
+  resume(kept) {
+    if (!kept) {
+      return;
     }
+    // Its steps lead through the file as it is, or the file has changed since, and the user is to say.
+    if (new TextDecoder().decode(kept.journal).includes(`"digest":"${this.engine.digest()}"`)) {
+      this.#bringBack(kept);
+    } else {
+      this.notice.say(this.text('kept-other'), { label: this.text('bring-back'), run: () => this.#bringBack(kept) });
+    }
+  }
+
+  /** @param {Kept} kept */
+  #bringBack(kept) {
+    if (this.engine.replay(kept.journal)) {
+      this.notice.say(this.text('brought-back'), { label: this.text('without'), run: () => void this.files.reopen() });
+    } else {
+      void this.files.reopen();
+      this.notice.say(this.text('lost'), {
+        label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) });
+    }
+    this.wake();
   }
 
   /** What the engine asks of its host. @param {number} requests */
@@ -160,7 +182,7 @@ async function start() {
     if (shell.server.there) {
       await shell.files.openServed();
     }
-    await shell.offerKept();
+    shell.resume(await shell.keeper.find(shell.files.name));
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';

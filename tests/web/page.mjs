@@ -7,14 +7,21 @@ import { chromium } from 'playwright-core';
 
 export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
 
+const BROWSER = {
+  executablePath: process.env.BATTEN_CHROMIUM ?? '/usr/bin/chromium',
+  headless: true,
+  args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync'],
+};
+
 export function launch() {
   fs.mkdirSync(SCREENSHOTS, { recursive: true });
-  return chromium.launch({
-    executablePath: process.env.BATTEN_CHROMIUM ?? '/usr/bin/chromium',
-    headless: true,
-    args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-      '--disable-component-update', '--disable-sync'],
-  });
+  return chromium.launch(BROWSER);
+}
+
+/** A browser that keeps what it stores in a folder. @param {string} profile */
+export function launchAt(profile) {
+  return chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 } });
 }
 
 /**

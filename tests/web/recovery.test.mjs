@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, ready, settle, state } from './page.mjs';
+import { bezier, launch, open, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -15,21 +15,6 @@ after(async () => {
   await browser.close();
   server.close();
 });
-
-/** Waits until `enough`(bytes kept, bytes of the journal) holds. */
-async function kept(page, enough) {
-  for (let tries = 0; tries < 200; tries++) {
-    const [length, now] = await page.evaluate(async () => {
-      const found = await batten.keeper.find('car.svg');
-      return [found?.journal.length, batten.engine.journal.length];
-    });
-    if (enough(length, now)) {
-      return;
-    }
-    await settle(page);
-  }
-  assert.fail('the journal is not kept as it should be');
-}
 
 const breaks = {
   'a failed check in the module': () => {
@@ -100,31 +85,3 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
     await context.close();
   });
 }
-
-test('a page that was killed loses no step', async () => {
-  const { page, hand, context } = await open(browser, server.address);
-  const points = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
-  await hand.stroke(await Promise.all(points.map(([x, y]) => place(page, x, y))));
-  const before = await state(page);
-  await kept(page, (length, now) => length === now);
-  // Killed: no chance to say goodbye.
-  await page.evaluate(() => {
-    batten.files.unsaved = false;
-  });
-  await page.reload();
-  await ready(page);
-  assert.notEqual((await state(page)).digest, before.digest);
-  assert.match((await state(page)).notice, /unsaved work on car.svg/);
-  await page.click('#notice-action');
-  await settle(page);
-  const after = await state(page);
-  assert.equal(after.digest, before.digest);
-  assert.equal(after.unsaved, true);
-  await page.keyboard.press('Control+S');
-  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
-  await kept(page, (length) => length === undefined);
-  await page.reload();
-  await ready(page);
-  assert.equal((await state(page)).notice, '', 'saved work is not offered again');
-  await context.close();
-});

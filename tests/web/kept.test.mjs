@@ -1,0 +1,150 @@
+// What a page has not saved survives its end, however sudden: the journal lies in the browser's own file system.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { bezier, Hand, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { edit, EXAMPLE, serve } from './server.mjs';
+
+const ROOF = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const car = () => serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
+const kept = (page, name = 'car.svg') => page.evaluate(async (title) => {
+  await batten.keeper.settled();
+  return (await batten.keeper.find(title))?.journal.length ?? 0;
+}, name);
+
+/** Kills the renderer: the page gets no chance to say goodbye. */
+async function crash(page, client) {
+  const crashed = page.waitForEvent('crash');
+  client.send('Page.crash').catch(() => {});
+  await crashed;
+}
+
+/** Another page of the same browser, in place of one that is gone. */
+async function again(context, address) {
+  const page = await context.newPage();
+  await page.goto(address);
+  await ready(page);
+  const client = await context.newCDPSession(page);
+  return { page, client, hand: new Hand(page, client) };
+}
+
+for (const [real, name] of [[false, 'a renderer killed in the middle of a stroke loses that stroke alone'],
+  [true, 'the same with the program\'s own server']]) {
+  test(name, async (t) => {
+    const server = real ? await edit(fs.readFileSync(EXAMPLE), 'car.svg') : await car();
+    t.after(() => server.close());
+    const { page, client, hand, context } = await open(browser, server.address);
+    const opened = await state(page);
+    await hand.stroke(await on(page, SKY));
+    await hand.stroke(await on(page, ROOF));
+    const before = await state(page);
+    assert.notEqual(before.digest, opened.digest);
+    await hand.stroke(await on(page, bezier([60, 380], [140, 340], [220, 410], [320, 380])), { lift: false });
+    await crash(page, client);
+    await page.close();
+
+    const next = await again(context, server.address);
+    let now = await state(next.page);
+    assert.equal(now.digest, before.digest, 'all but the stroke under the pen');
+    assert.equal(now.check, '');
+    assert.equal(now.unsaved, true);
+    assert.match(now.notice, /Unsaved work on car\.svg was brought back/);
+    await next.page.screenshot({ path: path.join(SCREENSHOTS, 'brought-back.png') });
+    await next.page.emulateMedia({ colorScheme: 'dark' });
+    await settle(next.page);
+    await next.page.screenshot({ path: path.join(SCREENSHOTS, 'brought-back-dark.png') });
+    // Its history came along.
+    await next.page.keyboard.press('Control+Z');
+    await next.page.keyboard.press('Control+Z');
+    await settle(next.page);
+    assert.equal((await state(next.page)).digest, opened.digest);
+    await next.page.keyboard.press('Control+Shift+Z');
+    await next.page.keyboard.press('Control+Shift+Z');
+    await settle(next.page);
+    assert.equal((await state(next.page)).digest, before.digest);
+    // Saved work is not brought back again.
+    await next.page.keyboard.press('Control+S');
+    await next.page.waitForFunction(() => document.getElementById('unsaved').hidden);
+    await settle(next.page);
+    assert.equal(await kept(next.page), 0);
+    await next.page.reload();
+    await ready(next.page);
+    now = await state(next.page);
+    assert.equal(now.notice, '');
+    assert.equal(now.digest, before.digest);
+    await context.close();
+  });
+}
+
+test('a browser killed half a second after pen-up has the stroke on its disk', async (t) => {
+  const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-profile-'));
+  const server = await car();
+  t.after(() => server.close());
+  const context = await launchAt(profile);
+  const page = await context.newPage();
+  await page.goto(server.address);
+  await ready(page);
+  const hand = new Hand(page, await context.newCDPSession(page));
+  await hand.stroke(await on(page, SKY));
+  await kept(page); // the worker runs
+  await hand.stroke(await on(page, ROOF));
+  await new Promise((done) => setTimeout(done, 400)); // and the two frames of settle()
+  const pids = fs.readdirSync('/proc').filter((pid) => /^\d+$/.test(pid) &&
+    fs.readFileSync(`/proc/${pid}/cmdline`, { flag: 'r' }).includes(profile)).map(Number);
+  assert.ok(pids.length > 0);
+  const digest = page.evaluate(() => batten.engine.digest());
+  const before = await digest;
+  const closed = new Promise((done) => context.on('close', done));
+  for (const pid of pids) {
+    process.kill(pid, 'SIGKILL');
+  }
+  await closed;
+
+  const next = await launchAt(profile);
+  const { page: other } = await again(next, server.address);
+  assert.equal((await state(other)).digest, before);
+  await next.close();
+  fs.rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+});
+
+test('two hundred steps and more can be undone after the page was killed', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, client, context } = await open(browser, server.address);
+  const opened = await state(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+A');
+  for (let i = 0; i < 230; i++) {
+    await page.keyboard.press('ArrowRight');
+  }
+  await settle(page);
+  const before = await state(page);
+  await kept(page);
+  await crash(page, client);
+  await page.close();
+  const next = await again(context, server.address);
+  assert.equal((await state(next.page)).digest, before.digest);
+  for (let i = 0; i < 230; i++) {
+    await next.page.keyboard.press('Control+Z');
+    if (i === 199) {
+      await settle(next.page);
+      assert.equal((await state(next.page)).check, '');
+      assert.notEqual((await state(next.page)).digest, opened.digest);
+    }
+  }
+  await settle(next.page);
+  assert.equal((await state(next.page)).digest, opened.digest);
+  await context.close();
+});
