@@ -68,6 +68,9 @@ export class Panel {
     /** @type {(() => void)[]} */
     this.controls = [];
     this.shown = '';
+    this.controls.push(() => {
+      document.documentElement.dataset.hand = this.engine.get('left-hand') ? 'left' : 'right';
+    });
     this.#fillBar();
     this.#fillSettings();
     this.#fillLayers();
@@ -80,9 +83,8 @@ export class Panel {
 
   #fillBar() {
     const bar = part('tools');
-    const tools = this.#group(bar, 'Tools');
     for (const tool of this.tables.tools) {
-      tools.append(this.#button(tool.command, tool.label, tool.help, tool.keys));
+      part('rail').append(this.#button(tool.command, tool.label, tool.help, tool.keys));
     }
     const groups = new Map();
     for (const row of this.tables.commands) {
@@ -278,9 +280,8 @@ export class Panel {
     const write = () => {
       const value = row.type === 'switch' ? Number(input.checked) :
         row.type === 'colour' ? Number.parseInt(`${input.value.slice(1)}ff`, 16) : input.valueAsNumber;
-      if (!this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)))) {
-        this.refresh();
-      }
+      this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)));
+      this.refresh(); // refused, it is what it was
       this.wake();
     };
     input.addEventListener(row.type === 'switch' ? 'input' : 'change', write);

@@ -126,3 +126,57 @@ test('fingers beside a pen that draws neither undo nor end the stroke', async ()
   assert.notEqual((await state(page)).digest, plain);
   await context.close();
 });
+
+/** What can be touched and is smaller than 44 px; a box to tick counts with its label. */
+function small(page) {
+  return page.$$eval('button, input:not([type=file]), select, summary, a', (targets) => targets.filter((target) => {
+    const { width, height } = (target.type === 'checkbox' ? target.labels[0] : target).getBoundingClientRect();
+    return target.checkVisibility() && (width < 44 || height < 44);
+  }).map((target) => `${target.id || target.dataset.name || target.textContent} ${target.offsetWidth} x ${target.offsetHeight}`));
+}
+
+for (const [screen, viewport] of [['tablet', { width: 1024, height: 768 }], ['narrow', { width: 820, height: 1180 }]]) {
+  test(`${screen}: every target is 44 px under a finger, for either hand`, async () => {
+    const { page, context } = await open(browser, server.address, { viewport, hasTouch: true });
+    assert.equal(await page.evaluate(() => matchMedia('(pointer: coarse)').matches), true);
+    for (const hand of ['right', 'left']) {
+      assert.deepEqual(await small(page), []);
+      for (const sheet of ['style', 'layers', 'settings', 'menu']) {
+        await page.tap(`[data-name=${sheet}]`);
+        await settle(page);
+        assert.deepEqual(await small(page), [], sheet);
+        const inside = await page.$eval(`#${sheet}`, (element) => {
+          const { left, right } = element.getBoundingClientRect();
+          return left >= 0 && right <= innerWidth;
+        });
+        assert.ok(inside, sheet);
+        if (sheet === 'settings' && hand === 'right') {
+          await page.locator('#settings [data-property=left-hand]').check();
+        }
+        await page.keyboard.press('Escape');
+      }
+    }
+    await context.close();
+  });
+}
+
+for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
+  for (const colorScheme of ['light', 'dark']) {
+    test(`the left hand: tools to the right, sheets to the left; ${screen}, ${colorScheme}`, async () => {
+      const { page, context } = await open(browser, server.address, { ...options, colorScheme });
+      const sides = () => page.evaluate(() => Object.fromEntries(['rail', 'settings', 'stage'].map((id) => {
+        const { left, right } = document.getElementById(id).getBoundingClientRect();
+        return [id, (left + right) / 2 < innerWidth / 2 ? 'left' : 'right'];
+      })));
+      await page.click('[data-name=settings]');
+      assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
+      await page.locator('#settings [data-property=left-hand]').check();
+      await settle(page);
+      assert.deepEqual(Object.values(await sides()).slice(0, 2), ['right', 'left']);
+      await shot(page, `left-${screen}-${colorScheme}`);
+      await page.locator('#settings [data-property=left-hand]').uncheck();
+      assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
+      await context.close();
+    });
+  }
+}

@@ -144,7 +144,7 @@ test('every command and every property of the engine is in the page', async () =
       if (!document.querySelector(`[data-property="${row.name}"]`)) lost.push(row.name);
     }
     for (const row of tools) {
-      if (!document.querySelector(`#tools [data-name="${row.command}"]`)) lost.push(row.name);
+      if (!document.querySelector(`#rail [data-name="${row.command}"]`)) lost.push(row.name);
     }
     return lost;
   });
