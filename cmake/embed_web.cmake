@@ -1,19 +1,23 @@
-# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE: may be empty;
-# MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and spaces, else as they are.
+# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE and WORDS, of
+# build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and
+# spaces, else as they are.
+cmake_minimum_required(VERSION 3.23)
 set(type_html "text/html; charset=utf-8")
 set(type_js "text/javascript; charset=utf-8")
 set(type_css "text/css; charset=utf-8")
 set(type_svg "image/svg+xml")
 set(type_png "image/png")
 set(type_webmanifest "application/manifest+json")
+set(type_json "application/json")
 set(type_wasm "application/wasm")
 
 string(REPLACE "|" ";" files "${FILES}")
+string(REPLACE "|" ";" words "${WORDS}")
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/types\\.js$")
 set(text "#include \"web_files.h\"\n\n")
 set(table "")
 set(number 0)
-foreach(file ${files} ${MODULE})
+foreach(file ${files} ${words} ${MODULE})
   set(content ${file})
   if(MINIFY AND file MATCHES "\\.(js|css)$")
     set(content ${OUT}.minified)
@@ -25,8 +29,9 @@ foreach(file ${files} ${MODULE})
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
   string(APPEND text "static const unsigned char data_${number}[] = {\n${hex}0};\n\n")
   string(REGEX REPLACE ".*\\." "" extension ${file})
-  if("${file}" STREQUAL "${MODULE}")
-    set(path "/batten.wasm")
+  if(file IN_LIST words OR "${file}" STREQUAL "${MODULE}")
+    get_filename_component(path ${file} NAME)
+    string(PREPEND path "/")
   else()
     file(RELATIVE_PATH path ${ROOT} ${file})
     string(PREPEND path "/")

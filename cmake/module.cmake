@@ -1,6 +1,7 @@
 # build/wasm/batten.wasm: the library and the glue of the browser shell (web/module) in one module.
 # build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
 find_program(WASM_OPT wasm-opt)
+include(cmake/words.cmake)
 
 # Where the time of a stroke goes: compiled for speed, the rest for size.
 set_source_files_properties(src/curve/lsq.c src/shape/whittaker.c src/shape/stroke.c

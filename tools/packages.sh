@@ -62,6 +62,7 @@ need_to_test() {
     need nodejs node
     need npm npm
     need chromium chromium
+    need fonts-nanum /usr/share/fonts/truetype/nanum
 }
 
 # build PRESET: configures and builds build/PRESET.

@@ -3,6 +3,7 @@
 // replayed into a new one.
 
 import { readFrame, readString } from './frame.js';
+import { word } from './words.js';
 
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
@@ -61,6 +62,8 @@ export class Engine {
     /** Gave up: even an empty editor traps. */
     this.dead = false;
     this.size = [1, 1, 1];
+    /** The words of another language, as fetched. @type {Uint8Array | null} */
+    this.words = null;
     /** @type {Exports} */
     this.wasm = /** @type {any} */ (null);
     /** @type {Record<string, number>} */
@@ -90,10 +93,13 @@ export class Engine {
     this.events = this.#alloc(EVENTS * this.layout['pointer.size']);
     this.editor = this.wasm.editor_create();
     if (!this.editor) {
-      throw new Error('The engine could not start: not enough memory.');
+      throw new Refusal(word('shell.no-memory'));
     }
     this.stillVersion = -1;
     this.wasm.editor_resize(this.editor, ...this.size);
+    if (this.words) {
+      this.speak(this.words);
+    }
   }
 
   // ---- memory ----
@@ -106,7 +112,7 @@ export class Engine {
   #alloc(size) {
     const address = this.wasm.memory_alloc(size);
     if (!address) {
-      throw new Refusal('Not enough memory.');
+      throw new Refusal(word('shell.no-memory'));
     }
     return address;
   }
@@ -306,6 +312,19 @@ export class Engine {
     return this.#guard(() => this.wasm.editor_set_state(this.editor, id, Number(hidden), Number(locked)) === OK, false);
   }
 
+  /** @param {string} command @param {string | null} keys null: the default @returns {boolean} */
+  bind(command, keys) {
+    return this.#guard(() => this.#lend(command, (name) => (keys === null ?
+      this.wasm.editor_bind(this.editor, name, 0) :
+      this.#lend(keys, (list) => this.wasm.editor_bind(this.editor, name, list)))) === OK, false);
+  }
+
+  /** The words of a language. @param {Uint8Array} words */
+  speak(words) {
+    this.words = words;
+    this.#lend(words, (text, size) => this.wasm.editor_words(this.editor, text, size));
+  }
+
   /** @returns {Tables} */
   tables() {
     return JSON.parse(this.#string(this.wasm.editor_tables(this.editor)));
@@ -353,7 +372,7 @@ export class Engine {
     const status = this.#guard(() => {
       const reader = this.wasm.svg_begin();
       if (!reader) {
-        throw new Refusal('Not enough memory.');
+        throw new Refusal(word('shell.no-memory'));
       }
       const refused = this.#walk(reader, root);
       if (refused !== OK) {
@@ -423,7 +442,7 @@ export class Engine {
       return;
     }
     if (status < 0) {
-      throw new Refusal('This file broke the reader.');
+      throw new Refusal(word('shell.broke'));
     }
     const place = this.#string(this.scratch + this.layout['problem.place']);
     const message = this.#string(this.scratch + this.layout['problem.message']);
@@ -451,7 +470,7 @@ export class Engine {
       return copy;
     }, /** @type {Uint8Array | null} */ (none));
     if (!bytes) {
-      throw new Refusal('Writing the file failed; the drawing was brought back from its journal. Try again.');
+      throw new Refusal(word('shell.not-written'));
     }
     return bytes;
   }

@@ -1,6 +1,7 @@
 // Files: in by drop, picker or server, out to the server or as a download.
 
 import { Changed } from './server.js';
+import { word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./keep.js').Kept} Kept */
@@ -9,7 +10,6 @@ import { Changed } from './server.js';
 
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
-const KEPT_OUT = 'Foreign content of the file is not kept when it is saved.';
 
 /** @param {string} name */
 const isNative = (name) => name.toLowerCase().endsWith('.batten');
@@ -40,7 +40,7 @@ function parseSvg(bytes) {
   const problem = tree.getElementsByTagName('parsererror')[0];
   if (problem) {
     const line = /line \d+[^:]*/.exec(problem.textContent ?? '')?.[0] ?? '';
-    throw new Error(`Not a well-formed SVG file${line ? `, ${line}` : ''}.`);
+    throw new Error(`${word('shell.not-xml')} ${line}`.trim());
   }
   return tree.documentElement;
 }
@@ -153,7 +153,7 @@ export class Files {
   #mayReplace() {
     const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('question'));
     const text = /** @type {HTMLElement} */ (document.getElementById('question-text'));
-    text.textContent = `“${this.name}” is not saved. Open another file and lose the changes?`;
+    text.textContent = word('shell.may-replace', this.name);
     dialog.returnValue = '';
     dialog.showModal();
     return new Promise((resolve) => {
@@ -174,14 +174,14 @@ export class Files {
       } else {
         const left = this.engine.openSvg(parseSvg(bytes), name);
         if (left) {
-          this.notice.say(`${left} ${KEPT_OUT}`);
+          this.notice.say(`${left} ${word('shell.kept-out')}`);
         }
       }
       this.name = name;
       this.opened = bytes;
       return true;
     } catch (error) {
-      this.#complain(new Error(`${name} was not opened. ${error instanceof Error ? error.message : ''}`));
+      this.#complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
       return false;
     } finally {
       this.wake();
@@ -206,7 +206,7 @@ export class Files {
       // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
       await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG);
       this.engine.saved();
-      this.notice.say(`Saved ${this.name}`);
+      this.notice.say(word('shell.saved', this.name));
     } catch (error) {
       this.#complain(error, native);
     } finally {
@@ -257,7 +257,7 @@ export class Files {
    */
   #complain(error, native = false) {
     const text = error instanceof Error ? error.message : String(error);
-    const copy = { label: 'Download a copy', run: () => void this.download(native) };
+    const copy = { label: word('shell.copy'), run: () => void this.download(native) };
     this.notice.say(text, error instanceof Changed ? copy : undefined);
   }
 }

@@ -1,5 +1,7 @@
 // The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it.
 
+import { word } from './words.js';
+
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./types.js').Frame} Frame */
 /**
@@ -56,7 +58,7 @@ export class LayersSheet {
     }
     const { layers, active, loose } = this.engine.layers();
     const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
-    const none = { id: 0, name: 'No layer', hidden: false, locked: false, depth: 0, members: loose };
+    const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
     rows.unshift(this.#row(none, active === 0));
     this.list.replaceChildren(...rows);
   }
@@ -77,7 +79,7 @@ export class LayersSheet {
     choose.type = 'radio';
     choose.name = 'layer';
     choose.checked = active;
-    choose.setAttribute('aria-label', `Draw in ${layer.name}`);
+    choose.setAttribute('aria-label', word('shell.draw-in', layer.name));
     choose.addEventListener('change', () => this.#change(() => this.engine.activateLayer(layer.id)));
     row.append(choose);
     if (layer.id === 0) {
@@ -90,7 +92,7 @@ export class LayersSheet {
       name.type = 'text';
       name.className = 'layer-name';
       name.value = layer.name;
-      name.setAttribute('aria-label', 'Name of the layer');
+      name.setAttribute('aria-label', word('shell.layer-name'));
       name.addEventListener('change', () => this.engine.rename(layer.id, name.value));
       name.addEventListener('keydown', (event) => {
         if (event.key === 'Enter' || event.key === 'Escape') {
@@ -104,13 +106,13 @@ export class LayersSheet {
     const members = document.createElement('span');
     members.className = 'layer-members';
     members.textContent = String(layer.members);
-    members.title = `${layer.members} objects`;
+    members.title = word('shell.objects', layer.members);
     row.append(members);
     if (layer.id !== 0) {
       row.append(
-        this.#toggle(layer.hidden ? 'Hidden' : 'Shown', layer.hidden, `Hide ${layer.name}`,
+        this.#toggle(word(layer.hidden ? 'shell.hidden' : 'shell.shown'), layer.hidden, word('shell.hide', layer.name),
           () => this.engine.setState(layer.id, !layer.hidden, layer.locked)),
-        this.#toggle(layer.locked ? 'Locked' : 'Free', layer.locked, `Lock ${layer.name}`,
+        this.#toggle(word(layer.locked ? 'shell.locked' : 'shell.free'), layer.locked, word('shell.lock', layer.name),
           () => this.engine.setState(layer.id, layer.hidden, !layer.locked)));
     }
     return row;

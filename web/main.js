@@ -8,7 +8,9 @@ import { Notice } from './notice.js';
 import { Painter } from './paint.js';
 import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
+import { Settings } from './settings.js';
 import { Theme } from './theme.js';
+import { Words, word } from './words.js';
 
 /** @typedef {import('./keep.js').Kept} Kept */
 
@@ -21,13 +23,15 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (document.getElementById(id));
 
 class Shell {
-  /** @param {WebAssembly.Module} module */
-  constructor(module) {
+  /** @param {Engine} engine @param {Settings} settings @param {Words} words */
+  constructor(engine, settings, words) {
     this.stage = part('stage');
     this.notice = new Notice();
     this.server = new Server();
     this.keeper = new Keeper();
-    this.engine = new Engine(module);
+    this.engine = engine;
+    this.settings = settings;
+    this.words = words;
     this.theme = new Theme();
     this.painter = new Painter(canvas('still'), canvas('overlay'), this.theme);
     this.wake = this.wake.bind(this);
@@ -49,6 +53,7 @@ class Shell {
       this.painter.retheme();
       this.wake();
     };
+    this.words.onchange = (tables) => this.panel.retold(tables);
     this.theme.onchange = () => {
       this.painter.retheme();
       this.wake();
@@ -56,13 +61,12 @@ class Shell {
     this.panel.themeButton?.addEventListener('click', () => this.theme.toggle());
     this.engine.onrecovery = (whole, error) => {
       console.error(error);
-      let text = 'Something broke inside. The drawing was brought back from its journal.';
+      this.settings.restore();
       if (!whole) {
-        text = 'Something broke inside. Not all steps could be brought back.';
         this.keeper.session = -1; // what is kept stays kept, though the drawing shown is not unsaved
       }
       const run = () => this.files.downloadJournal(this.engine.broken);
-      this.notice.say(text, { label: 'Download the journal', run });
+      this.notice.say(word(whole ? 'shell.trapped' : 'shell.trapped-part'), { label: word('shell.journal'), run });
       this.wake();
     };
     this.keeper.onfault = () => this.notice.say(this.text('not-kept'), {
@@ -119,6 +123,8 @@ class Shell {
       this.notice.say(frame.notice);
     }
     this.noticeVersion = frame.noticeVersion;
+    this.settings.note();
+    void this.words.follow();
     this.cost.frames++;
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;
@@ -127,7 +133,7 @@ class Shell {
 
   /** What the shell says of itself. @param {string} key @returns {string} */
   text(key) {
-    return this.panel.tables.strings[`shell.${key}`].replace('%s', this.files.name);
+    return word(`shell.${key}`, this.files.name);
   }
 
   /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
@@ -178,7 +184,11 @@ class Shell {
 async function start() {
   try {
     const [module] = await Promise.all([loadModule('batten.wasm'), loadIcons()]);
-    const shell = new Shell(module);
+    const engine = new Engine(module);
+    const settings = new Settings(engine);
+    const words = new Words(engine);
+    await words.follow();
+    const shell = new Shell(engine, settings, words);
     if (shell.server.there) {
       await shell.files.openServed();
     }
@@ -186,10 +196,18 @@ async function start() {
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';
+    // What explains is fetched when somebody is there.
+    const seen = new AbortController();
+    for (const event of engine.words ? [] : ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
+      addEventListener(event, () => {
+        seen.abort();
+        void words.load();
+      }, { signal: seen.signal });
+    }
   } catch (error) {
     console.error(error);
-    new Notice().say(`Batten could not start. ${error instanceof Error ? error.message : ''}`, {
-      label: 'Try again', run: () => location.reload() });
+    part('failed').hidden = false;
+    part('failed').append(error instanceof Error ? error.message : '');
   }
 }
 

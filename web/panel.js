@@ -2,6 +2,7 @@
 // always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
 
 import { LayersSheet } from './layers.js';
+import { keyName, tell, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./types.js').Frame} Frame */
@@ -10,7 +11,6 @@ import { LayersSheet } from './layers.js';
 /** @typedef {import('./types.js').Tables} Tables */
 
 const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
-const MAC = /Mac|iP(hone|ad)/.test(navigator.platform);
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -18,18 +18,6 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 /** A length or number, short: three figures. @param {number} value */
 function short(value) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : '';
-}
-
-/** A shortcut as this machine writes it. @param {string} key */
-function keyName(key) {
-  /** @type {Record<string, string>} */
-  const known = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', Escape: 'Esc' };
-  if (MAC) {
-    Object.assign(known, { Ctrl: '⌘', Shift: '⇧', Alt: '⌥' });
-  }
-  // "Ctrl++" is Ctrl and the key "+".
-  const parts = key.split(/\+(?=.)/);
-  return parts.map((piece) => known[piece] ?? piece).join(MAC ? '' : '+');
 }
 
 /** @param {string} name @returns {SVGSVGElement | null} null when the sprite has none */
@@ -84,7 +72,7 @@ export class Panel {
   #fillBar() {
     const bar = part('tools');
     for (const tool of this.tables.tools) {
-      part('rail').append(this.#button(tool.command, tool.label, tool.help, tool.keys));
+      part('rail').append(this.#button(tool.command, `tool.${tool.name}`));
     }
     const groups = new Map();
     for (const row of this.tables.commands) {
@@ -94,45 +82,39 @@ export class Panel {
         continue;
       }
       if (!groups.has(group)) {
-        groups.set(group, this.#group(bar, group));
+        groups.set(group, this.#group(bar, group.toLowerCase()));
       }
-      groups.get(group).append(this.#button(row.name, row.label, row.help, row.keys));
+      groups.get(group).append(this.#button(row.name, `command.${row.name}`));
     }
-    const own = this.#group(bar, 'Window');
-    own.append(this.#sheetButton('style', 'Style'), this.#sheetButton('layers', 'Layers'));
-    own.append(this.#sheetButton('settings', 'Settings'), this.#sheetButton('menu', 'All commands'));
-    this.themeButton = this.#plainButton('theme', 'Light or dark', '');
-    own.append(this.themeButton);
+    const own = this.#group(bar, 'window');
+    this.themeButton = this.#plainButton('theme', 'shell.theme');
+    own.append(...['style', 'layers', 'settings', 'menu'].map((sheet) => this.#sheetButton(sheet)), this.themeButton);
   }
 
-  /** @param {HTMLElement} bar @param {string} label */
-  #group(bar, label) {
-    const group = document.createElement('div');
+  /** @param {HTMLElement} bar @param {string} name */
+  #group(bar, name) {
+    const group = tell(document.createElement('div'), { label: `shell.${name}` });
     group.className = 'group';
     group.setAttribute('role', 'group');
-    group.setAttribute('aria-label', label);
     bar.append(group);
     return group;
   }
 
   /**
    * @param {string} name
-   * @param {string} label
-   * @param {string} title
+   * @param {string} key of its words
+   * @param {Record<string, string>} [more] for tell
    */
-  #plainButton(name, label, title) {
+  #plainButton(name, key, more = { help: '' }) {
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'tool';
     button.dataset.name = name;
     const picture = icon(name);
     if (picture) {
-      button.setAttribute('aria-label', label);
       button.append(picture);
-    } else {
-      button.textContent = label;
     }
-    button.title = title ? `${label}: ${title}` : label;
+    tell(button, { [picture ? 'label' : 'text']: key, ...more });
     // A click with the pointer leaves the keyboard to the drawing; one with the keyboard stays where it is.
     button.addEventListener('click', (event) => {
       if (event.detail > 0) {
@@ -142,22 +124,17 @@ export class Panel {
     return button;
   }
 
-  /**
-   * @param {string} command
-   * @param {string} label
-   * @param {string} help
-   * @param {string[]} keys
-   */
-  #button(command, label, help, keys) {
-    const button = this.#plainButton(command, label, keys.length > 0 ? `${help} (${keyName(keys[0])})` : help);
+  /** @param {string} command @param {string} key of its words */
+  #button(command, key) {
+    const button = this.#plainButton(command, key, { help: `${key}.help`, shortcut: command });
     button.addEventListener('click', () => this.#run(command));
     this.buttons.set(command, button);
     return button;
   }
 
-  /** @param {string} sheet @param {string} label */
-  #sheetButton(sheet, label) {
-    const button = this.#plainButton(sheet, label, '');
+  /** @param {string} sheet */
+  #sheetButton(sheet) {
+    const button = this.#plainButton(sheet, `shell.${sheet}`);
     button.setAttribute('popovertarget', sheet);
     return button;
   }
@@ -172,9 +149,9 @@ export class Panel {
 
   #fillSettings() {
     const sheet = part('settings');
-    sheet.append(this.#heading('Settings'));
+    sheet.append(this.#heading('settings'));
     const style = part('style');
-    style.append(this.#heading('Style'));
+    style.append(this.#heading('style'));
     for (const row of this.tables.properties) {
       (row.group === 'style' ? style : sheet).append(this.#control(row, 'setting'));
     }
@@ -189,26 +166,26 @@ export class Panel {
 
   #fillLayers() {
     const sheet = part('layers');
-    sheet.append(this.#heading('Layers'));
+    sheet.append(this.#heading('layers'));
     this.layers = new LayersSheet(this.engine, this.wake, sheet,
       this.#wordButtons((name) => name.startsWith('layer-')));
   }
 
   /** Commands as buttons with their words. @param {(name: string) => boolean} chosen */
   #wordButtons(chosen) {
-    return this.tables.commands.filter((row) => chosen(row.name)).map((row) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.textContent = row.label;
-      button.title = row.help;
-      button.addEventListener('click', () => this.#run(row.name));
-      return button;
-    });
+    return this.tables.commands.filter((row) => chosen(row.name)).map((row) => this.#wordButton(row.name));
+  }
+
+  /** @param {string} command */
+  #wordButton(command) {
+    const button = tell(document.createElement('button'), { text: `command.${command}`, help: `command.${command}.help` });
+    button.type = 'button';
+    button.addEventListener('click', () => this.#run(command));
+    return button;
   }
 
   #fillMenu() {
     const sheet = part('menu');
-    sheet.append(this.#heading('All commands'));
     const list = document.createElement('ul');
     list.className = 'commands';
     for (const row of this.tables.commands) {
@@ -234,14 +211,19 @@ export class Panel {
       entry.append(button);
       list.append(entry);
     }
-    sheet.append(list);
+    sheet.replaceChildren(this.#heading('menu'), list);
   }
 
-  /** @param {string} text */
-  #heading(text) {
-    const heading = document.createElement('h2');
-    heading.textContent = text;
-    return heading;
+  /** @param {string} name */
+  #heading(name) {
+    return tell(document.createElement('h2'), { text: `shell.${name}` });
+  }
+
+  /** The label of a property's control. @param {PropertyRow} row @param {HTMLElement} control */
+  #label(row, control) {
+    const label = tell(document.createElement('label'), { text: `property.${row.name}`, help: `property.${row.name}.help` });
+    label.htmlFor = control.id;
+    return label;
   }
 
   /**
@@ -258,10 +240,6 @@ export class Panel {
     const input = document.createElement('input');
     input.id = `${kind}-${row.name}`;
     input.dataset.property = row.name;
-    const label = document.createElement('label');
-    label.htmlFor = input.id;
-    label.textContent = row.label;
-    label.title = row.help;
     input.type = row.type === 'switch' ? 'checkbox' : row.type === 'colour' ? 'color' : 'number';
     if (row.type === 'number') {
       input.min = String(row.low);
@@ -297,8 +275,11 @@ export class Panel {
     });
     const unit = document.createElement('span');
     unit.className = 'unit';
-    unit.textContent = row.unit === 'unit' ? 'units' : row.unit;
-    box.append(label, input, unit);
+    unit.textContent = row.unit;
+    if (row.unit === 'unit') {
+      tell(unit, { text: 'shell.units' });
+    }
+    box.append(this.#label(row, input), input, unit);
     return box;
   }
 
@@ -312,13 +293,9 @@ export class Panel {
     const select = document.createElement('select');
     select.id = `${kind}-${row.name}`;
     select.dataset.property = row.name;
-    for (const [index, words] of (row.choices ?? []).entries()) {
-      select.add(new Option(words, String(index)));
+    for (const [index, text] of (row.choices ?? []).entries()) {
+      select.add(tell(new Option('', String(index)), { text }));
     }
-    const label = document.createElement('label');
-    label.htmlFor = select.id;
-    label.textContent = row.label;
-    label.title = row.help;
     select.addEventListener('change', () => {
       this.engine.set(row.name, Number(select.value));
       this.wake();
@@ -326,7 +303,7 @@ export class Panel {
     this.controls.push(() => {
       select.value = String(this.engine.get(row.name));
     });
-    box.append(label, select);
+    box.append(this.#label(row, select), select);
     return box;
   }
 
@@ -346,9 +323,9 @@ export class Panel {
 
   #fillReadouts() {
     const list = part('readouts');
-    this.knots = this.#readout(list, 'Knots');
+    this.knots = this.#readout(list, 'shell.knots');
     const row = this.tables.properties.find((property) => property.name === 'tolerance');
-    this.tolerance = this.#readout(list, 'Tolerance');
+    this.tolerance = this.#readout(list, 'property.tolerance');
     if (row) {
       const control = this.#control(row, 'readout');
       control.querySelector('label')?.classList.add('hidden');
@@ -358,7 +335,7 @@ export class Panel {
       this.tolerance.before(control);
       this.tolerance.parentElement?.classList.add('with-control');
     }
-    this.zoom = this.#readout(list, 'Zoom');
+    this.zoom = this.#readout(list, 'shell.zoom');
   }
 
   /**
@@ -368,17 +345,17 @@ export class Panel {
    * @param {number} steps
    */
   #stepper(row, input, steps) {
-    const button = this.#plainButton(steps < 0 ? 'less' : 'more', `${steps < 0 ? 'Less' : 'More'} ${row.label}`, '');
+    const button = this.#plainButton(steps < 0 ? 'less' : 'more', steps < 0 ? 'shell.less' : 'shell.more',
+      { help: '', value: `property.${row.name}` });
     button.addEventListener('click', () => this.#step(row, input, steps));
     return button;
   }
 
-  /** @param {HTMLElement} list @param {string} label */
-  #readout(list, label) {
+  /** @param {HTMLElement} list @param {string} key */
+  #readout(list, key) {
     const group = document.createElement('div');
-    const term = document.createElement('dt');
+    const term = tell(document.createElement('dt'), { text: key });
     const value = document.createElement('dd');
-    term.textContent = label;
     const text = document.createElement('span');
     text.className = 'value';
     value.append(text);
@@ -390,18 +367,16 @@ export class Panel {
   /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
   #fillPending() {
     for (const name of ['accept', 'cancel']) {
-      const row = this.tables.commands.find((command) => command.name === name);
-      if (row) {
-        const button = document.createElement('button');
-        button.type = 'button';
-        button.textContent = row.label;
-        button.title = row.help;
-        button.addEventListener('click', () => {
-          this.#run(name);
-        });
-        part('pending').append(button);
-      }
+      part('pending').append(this.#wordButton(name));
     }
+  }
+
+  /** Other words or shortcuts. @param {Tables} tables */
+  retold(tables) {
+    this.tables = tables;
+    this.shown = '';
+    this.#fillMenu();
+    this.wake();
   }
 
   /** Reads every control's value again. */
@@ -425,7 +400,7 @@ export class Panel {
       return;
     }
     this.shown = shown;
-    const name = frame.name || 'Untitled';
+    const name = frame.name || word('shell.untitled');
     part('name').textContent = name;
     part('unsaved').hidden = !frame.unsaved;
     document.title = `${frame.unsaved ? '• ' : ''}${name} – Batten`;
@@ -439,15 +414,15 @@ export class Panel {
       this.buttons.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
     });
     part('pending').hidden = !frame.pending;
-    const miss = frame.error > 0 ? ` It is off by ${short(frame.error)} units.` : '';
-    part('pending-text').textContent = frame.pending ? `The tolerance could not be met.${miss}` : '';
+    const missed = frame.error > 0 ? word('shell.missed-by', short(frame.error)) : word('shell.missed');
+    part('pending-text').textContent = frame.pending ? missed : '';
     const knots = /** @type {HTMLElement} */ (this.knots);
     /** @type {HTMLElement} */ (knots.closest('div')).hidden = !drawing;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     knots.textContent = `${before}${frame.knotsAfter}`;
-    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${short(frame.tolerance)} units`;
-    /** @type {HTMLElement} */ (this.zoom).textContent = `${short(frame.zoom * 100)} %${
-      frame.angle === 0 ? '' : `, ${frame.angle.toFixed(0)}°`}`;
+    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${short(frame.tolerance)} ${word('shell.units')}`;
+    /** @type {HTMLElement} */ (this.zoom).textContent = [`${short(frame.zoom * 100)} %`,
+      ...(frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
     this.refresh();
   }
 

@@ -1,5 +1,7 @@
 // The loopback server that `batten edit` runs: the file it was started with, and saving back to it.
 
+import { word } from './words.js';
+
 /** The file changed on disk after it was opened. */
 export class Changed extends Error {}
 
@@ -46,15 +48,15 @@ export class Server {
       const body = /** @type {BodyInit | null} */ (bytes);
       response = await fetch('/document', { method, headers: { ...headers, 'X-Batten-Token': this.token }, body });
     } catch {
-      throw new Error('The server does not answer. Is `batten edit` still running?');
+      throw new Error(word('shell.no-answer'));
     }
     if (response.status === 412) {
-      throw new Changed('The file changed on disk since it was opened. It was not touched.');
+      throw new Changed(word('shell.changed'));
     }
     if (!response.ok) {
       // The server says in one line of plain text what it objects to.
       const reason = (await response.text()).trim();
-      throw new Error(reason || `The server answered ${response.status} ${response.statusText}.`);
+      throw new Error(reason || word('shell.answered', `${response.status} ${response.statusText}`));
     }
     return response;
   }

@@ -68,10 +68,15 @@ BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, cons
 /*
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
  * {"commands":[{"name","label","help","keys":[...],"hold"}], "properties":[{"name","label","help","type",
- *  "default","low","high","step","unit","choices":[words, of type choice only]}], "tools":[{"name","label","help","command","keys":[...]}],
- *  "strings":{key:text}}. Owned by the editor, valid until the next call of it; NULL when out of memory.
+ *  "default","low","high","step","unit","choices":[keys of their words, of type choice only]}],
+ *  "tools":[{"name","label","help","command","keys":[...]}], "strings":{key:text}}.
+ * Owned by the editor, valid until the next call of it; NULL when out of memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);
+/* The words of another language: UTF-8 JSON {key:text}, as the build makes them of the table (words.ko.json). A text
+ * that is not there stays English; so does one with more or fewer "%" (places of values) than the English. NULL, 0:
+ * English. The words are copied. BAT_SYNTAX, BAT_MEMORY: nothing changed. Never part of document or journal. */
+BAT_API bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size);
 /* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it
  * is now): that state is clean from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);

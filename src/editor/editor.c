@@ -42,8 +42,7 @@ void bat_editor_notice_failure(bat_editor *editor, bat_status status) {
 }
 
 const char *bat_editor_text(const bat_editor *editor, bat_string text) {
-    (void)editor; /* the language will be its property */
-    return bat_string_english(text);
+    return editor->words && editor->words[text] ? editor->words[text] : bat_string_english(text);
 }
 
 void bat_editor_follow(bat_editor *editor) {
@@ -119,6 +118,7 @@ void bat_editor_free(bat_editor *editor) {
     free(editor->name);
     free(editor->tables);
     free(editor->layers);
+    free(editor->words);
     free(editor);
 }
 

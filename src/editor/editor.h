@@ -76,6 +76,8 @@ struct bat_editor {
     uint32_t notice_version;
     bat_frame frame;
     char *tables, *layers; /* JSON, made when asked for */
+    const char *
+        *words; /* of another language, by bat_string; NULL in it: English. One block with its texts */
 };
 
 /* editor.c */

@@ -28,15 +28,16 @@ static const bat_tool_row tools[BAT_TOOL_COUNT] = {
 };
 
 static const char *const keys_of_texts[BAT_STRING_COUNT] = {
-#define TEXT(id, key, english) key,
+#define TEXT(id, key, english, korean) key,
 #include "editor/strings.def"
-#undef TEXT
 };
 
 static const char *const english_texts[BAT_STRING_COUNT] = {
-#define TEXT(id, key, english) english,
+#define TEXT(id, key, english, korean) english,
+#ifdef BAT_HELP_APART
+#define HELP(id, key, english, korean) "",
+#endif
 #include "editor/strings.def"
-#undef TEXT
 };
 
 const bat_command_row *bat_command_at(bat_command_id id) { return &commands[id]; }

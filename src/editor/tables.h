@@ -5,9 +5,8 @@
 #include <batten/base.h>
 
 typedef enum bat_string {
-#define TEXT(id, key, english) BAT_STRING_##id,
+#define TEXT(id, key, english, korean) BAT_STRING_##id,
 #include "editor/strings.def"
-#undef TEXT
     BAT_STRING_COUNT
 } bat_string;
 

@@ -11,8 +11,9 @@ static void field(bat_text *line, const char *name, const char *value) {
     bat_text_json_string(line, value);
 }
 
-static void keys(bat_text *line, const char *list) {
-    bat_text_string(line, ",\"keys\":[");
+/* A list of what stands between spaces. */
+static void list_of(bat_text *line, const char *name, const char *list) {
+    bat_text_string(line, name);
     for (const char *at = list; *at;) {
         const char *end = at;
         while (*end && *end != ' ') end++;
@@ -40,20 +41,6 @@ static void number(bat_text *line, const char *name, double value) {
     bat_line_number(line, value);
 }
 
-/* keys: of the choices' words, separated by spaces. */
-static void choices(const bat_editor *editor, bat_text *line, const char *keys) {
-    bat_text_string(line, ",\"unit\":\"\",\"choices\":[");
-    for (const char *at = keys; *at;) {
-        size_t size = strcspn(at, " ");
-        bat_string word = bat_string_named(at, size);
-        if (at != keys) bat_text_string(line, ",");
-        bat_text_json_string(line, word == BAT_STRING_COUNT ? "" : bat_editor_text(editor, word));
-        at += size;
-        at += strspn(at, " ");
-    }
-    bat_text_string(line, "]");
-}
-
 const char *bat_editor_tables(bat_editor *editor) {
     static const char *const types[] = {"number", "switch", "colour", "choice"};
     bat_text line = {0};
@@ -62,7 +49,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         const bat_command_row *row = bat_command_at((bat_command_id)i);
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
                   bat_editor_text(editor, row->help));
-        keys(&line, editor->keys[i]);
+        list_of(&line, ",\"keys\":[", editor->keys[i]);
         bat_text_string(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
     }
     bat_text_string(&line, "],\"properties\":[");
@@ -77,7 +64,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "step", row->step);
         field(&line, "group", bat_styling_is((bat_property_id)i) ? "style" : "");
         if (row->type == BAT_PROPERTY_CHOICE)
-            choices(editor, &line, row->unit);
+            list_of(&line, ",\"unit\":\"\",\"choices\":[", row->unit);
         else
             field(&line, "unit", row->unit);
         bat_text_string(&line, "}");
@@ -88,7 +75,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
                   bat_editor_text(editor, row->help));
         field(&line, "command", bat_command_at(row->command)->name);
-        keys(&line, editor->keys[row->command]);
+        list_of(&line, ",\"keys\":[", editor->keys[row->command]);
         bat_text_string(&line, "}");
     }
     bat_text_string(&line, "],\"strings\":{");

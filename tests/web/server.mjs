@@ -20,6 +20,7 @@ const TYPES = {
   '.css': 'text/css; charset=utf-8',
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
+  '.json': 'application/json',
 };
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -38,8 +39,10 @@ export async function serve(document) {
       answerDocument(request, response);
       return;
     }
-    const file = where === '/batten.wasm' ? MODULE : path.join(WEB, where === '/' ? 'index.html' : where);
-    if (!file.startsWith(WEB) && file !== MODULE || !fs.existsSync(file)) {
+    const built = /^\/words\.\w+\.json$/.test(where) ? path.join(path.dirname(MODULE), where) :
+      where === '/batten.wasm' ? MODULE : '';
+    const file = built || path.join(WEB, where === '/' ? 'index.html' : where);
+    if (!built && !file.startsWith(WEB) || !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;
     }

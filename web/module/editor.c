@@ -17,6 +17,8 @@ MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char 
 MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
 MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
 MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
+MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
+MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_activate_layer) int editor_activate_layer(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_rename) int editor_rename(bat_editor *editor, uint32_t id, const char *name);
@@ -105,6 +107,17 @@ int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked) {
 const char *editor_tables(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_tables(editor);
+}
+
+int editor_words(bat_editor *editor, const char *text, size_t size) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_words(editor, text, size);
+}
+
+/* keys: NULL for the default. */
+int editor_bind(bat_editor *editor, const char *command, const char *keys) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_bind(editor, command, keys);
 }
 
 void editor_saved(bat_editor *editor) {

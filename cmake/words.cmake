@@ -1,0 +1,15 @@
+# words.<language>.json beside the module: all strings of one language, made of the table by the preprocessor. The page
+# fetches them when it needs them; the module carries English alone, without what only explains.
+# A language: its column of strings.def, here and below, and a choice of the property "language".
+set(LANGUAGES en ko)
+
+foreach(language ${LANGUAGES})
+  set(words ${CMAKE_BINARY_DIR}/words.${language}.json)
+  add_custom_command(OUTPUT ${words} VERBATIM
+    DEPENDS ${PROJECT_SOURCE_DIR}/src/editor/strings.def ${PROJECT_SOURCE_DIR}/src/editor/words.in
+    COMMAND ${CMAKE_C_COMPILER} -E -P -x c -I${PROJECT_SOURCE_DIR}/src "-DTEXT(id,key,en,ko)=key:${language},"
+            -o ${words} ${PROJECT_SOURCE_DIR}/src/editor/words.in)
+  list(APPEND WORDS ${words})
+endforeach()
+add_custom_target(words ALL DEPENDS ${WORDS})
+set_source_files_properties(src/editor/tables.c PROPERTIES COMPILE_DEFINITIONS BAT_HELP_APART)

@@ -1,0 +1,41 @@
+/* The words of another language than English. */
+#include "editor/editor.h"
+#include "format/json.h"
+#include <stdlib.h>
+#include <string.h>
+
+static int holes(const char *text) {
+    int count = 0;
+    while (*text) count += *text++ == '%';
+    return count;
+}
+
+bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
+    const char **words = NULL;
+    if (text) {
+        bat_json json;
+        bat_status status = bat_json_parse(text, size, &json, NULL);
+        if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_SYNTAX;
+        if (bat_json_type_of(&json, 1) != BAT_JSON_OBJECT) status = BAT_SYNTAX;
+        /* A text is never longer than the JSON that says it. */
+        if (status == BAT_OK && !(words = calloc(1, BAT_STRING_COUNT * sizeof *words + size)))
+            status = BAT_MEMORY;
+        if (status != BAT_OK) {
+            bat_json_free(&json);
+            return status;
+        }
+        char *room = (char *)(words + BAT_STRING_COUNT);
+        for (int i = 0; i < BAT_STRING_COUNT; i++) {
+            const char *word = bat_json_text(&json, bat_json_member(&json, 1, bat_string_key((bat_string)i)));
+            const char *english = bat_string_english(
+                (bat_string)i); /* "": a help, of which the module has none */
+            if (!word || (*english && holes(word) != holes(english))) continue;
+            words[i] = strcpy(room, word);
+            room += strlen(word) + 1;
+        }
+        bat_json_free(&json);
+    }
+    free(editor->words);
+    editor->words = words;
+    return BAT_OK;
+}

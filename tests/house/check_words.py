@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""The browser shell has no words of its own: what it says comes from src/editor/strings.def. No text in index.html but
+the name and what stands there when nothing could be loaded; no sentence, and no text given to an element, in the
+scripts. Every key that the shell asks for is in the table.
+
+Usage: check_words.py ROOT
+"""
+import html.parser
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+faults = []
+keys = set(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)"', (root / "src/editor/strings.def").read_text("utf-8"), re.M))
+asked = set()
+
+
+class Page(html.parser.HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.skipped = 0  # depth inside what may have words
+
+    def handle_starttag(self, tag, attributes):
+        if tag in ("meta", "link", "img", "input"):
+            self.check(tag, attributes)
+            return
+        self.skipped += bool(self.skipped or dict(attributes).get("id") == "failed")
+        self.check(tag, attributes)
+
+    def check(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("aria-label", "title", "placeholder", "alt") and value != "Batten":
+                faults.append(f"web/index.html: {tag} {name}={value!r}")
+            if name in ("data-text", "data-label", "data-help"):
+                asked.add(value)
+
+    def handle_endtag(self, tag):
+        self.skipped -= bool(self.skipped)
+
+    def handle_data(self, data):
+        if not self.skipped and re.search(r"\w", data) and data.strip() != "Batten":
+            faults.append(f"web/index.html: {data.strip()!r}")
+
+
+Page().feed((root / "web/index.html").read_text("utf-8"))
+
+LITERAL = re.compile(r"'((?:[^'\\\n]|\\.)*)'|`((?:[^`\\]|\\.)*)`")
+TOLD = re.compile(r"(textContent|innerText|\.title|\.placeholder|'aria-label'|'title')\s*(=|,)\s*$")
+sprite = (root / "web/icons/sprite.svg").read_text("utf-8")
+files = sorted(root.glob("web/*.js"))
+for path in files:
+    text = path.read_text("utf-8")
+    text = re.sub(r"/\*.*?\*/", lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.S)
+    text = re.sub(r"(^|\s)//[^\n]*", r"\1", text)
+    for found in LITERAL.finditer(text):
+        words = found[1] if found[1] is not None else found[2]
+        spoken = re.sub(r"\$\{[^}]*\}", "%", words)
+        sentence = re.match(r"[^\w]*[A-Z][a-z]+[ ,]", spoken) or re.search(r"[a-z] [a-z]+\.$", spoken)
+        given = TOLD.search(text[max(0, found.start() - 30):found.start()]) and re.search(r"[A-Za-z]{2}", spoken.replace("Batten", ""))
+        if sentence or given:
+            faults.append(f"web/{path.name}: {words!r}")
+    asked |= set(re.findall(r"'(shell\.[a-z0-9-]+)'", text))
+    asked |= {f"shell.{key}" for key in re.findall(r"\.text\('([a-z-]+)'\)", text)}
+    if "`shell.${" in text:  # by the names of sheets and of the groups of the bar
+        names = re.findall(r"'([a-z]+)'", text) + re.findall(r'data-group="(\w+)"', sprite.lower())
+        asked |= {f"shell.{name}" for name in names} & keys
+
+faults += [f"{key}: not in strings.def" for key in sorted(asked - keys)]
+print("\n".join(faults))
+print(f"{len(files)} scripts and the page read, {len(faults)} faults")
+sys.exit(1 if faults or not files else 0)

@@ -1,0 +1,123 @@
+// Languages: Korean from the first picture to a notice, changed while the page is open and kept; what explains is
+// fetched only when somebody is there.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { bezier, launch, open, place, ready, SCREENSHOTS, settle } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
+
+/** What the page says, text and names for those who do not see it, that holds no letter of Korean. */
+const foreign = (page) => page.evaluate(() => {
+  const said = [];
+  for (const element of document.querySelectorAll('body *')) {
+    if (element.closest('#failed, #icons, svg, script, #name, kbd')) {
+      continue;
+    }
+    const own = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE)
+      .map((node) => node.nodeValue);
+    said.push(...own, element.getAttribute('aria-label') ?? '', element.title, element.getAttribute('placeholder') ?? '');
+  }
+  const kept = /^(px|mm|in|English|Batten|Esc)$/;
+  return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text));
+});
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`Korean, ${colorScheme}: all of it, from the browser's wish`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { locale: 'ko-KR', colorScheme });
+    assert.deepEqual(await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir]), ['ko', 'ltr']);
+    await hand.hover(await place(page, 592, 103.5));
+    assert.deepEqual(await foreign(page), []);
+    await page.evaluate(AXE);
+    for (const sheet of ['style', 'layers', 'settings', 'menu']) {
+      await page.click(`[data-name=${sheet}]`);
+      await settle(page);
+      assert.deepEqual(await foreign(page), [], sheet);
+      const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
+      assert.deepEqual(violations.map(({ id }) => id), [], sheet);
+      await shot(page, `korean-${colorScheme}-${sheet}`);
+      await page.keyboard.press('Escape');
+    }
+    const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+    await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    assert.deepEqual(await foreign(page), []);
+    assert.match(await page.textContent('#notice-text'), /취소할 것이 없습니다/);
+    await shot(page, `korean-${colorScheme}`);
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
+test('the language is chosen in the settings, at once, and stays chosen', async () => {
+  const { page, faults, context } = await open(browser, server.address);
+  const said = () => page.evaluate(() => [document.documentElement.lang, document.querySelector('#settings h2').textContent]);
+  assert.deepEqual(await said(), ['en', 'Settings']);
+  await page.click('[data-name=settings]');
+  await page.selectOption('#settings [data-property=language]', { label: '한국어' });
+  await page.waitForFunction(() => document.documentElement.lang === 'ko');
+  assert.deepEqual(await said(), ['ko', '설정']);
+  assert.deepEqual(await foreign(page), []);
+  await page.waitForTimeout(500);
+  await page.reload();
+  await ready(page);
+  assert.deepEqual(await said(), ['ko', '설정']);
+  // An engine that broke and was made anew still speaks it.
+  await page.evaluate(() => {
+    batten.engine.wasm = { ...batten.engine.wasm, editor_command: batten.engine.wasm.module_break };
+    batten.engine.command('undo');
+  });
+  await settle(page);
+  assert.match(await page.textContent('#notice-text'), /되살렸습니다/);
+  assert.match(await page.textContent('#hint'), /[가-힣]/);
+  await page.click('[data-name=settings]');
+  await page.selectOption('#settings [data-property=language]', { label: 'English' });
+  await page.waitForFunction(() => document.documentElement.lang === 'en');
+  assert.deepEqual(await said(), ['en', 'Settings']);
+  assert.equal(faults.filter((text) => !/asked to break/.test(text)).length, 0, faults.join('\n'));
+  await context.close();
+});
+
+test('English: what explains comes with the first touch of the page; without it all still works', async () => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  const fetched = [];
+  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
+  await page.goto(server.address);
+  await ready(page);
+  await page.waitForLoadState('networkidle');
+  assert.ok(!fetched.some((where) => /^\/words\./.test(where) && where !== '/words.js'));
+  assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo (Ctrl+Z)');
+  await page.mouse.move(400, 300);
+  await page.waitForFunction(() => /Takes the last change back/.test(document.querySelector('[data-name=undo]').title));
+  assert.equal(fetched.filter((where) => where === '/words.en.json').length, 1);
+  assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo: Takes the last change back. (Ctrl+Z)');
+  await context.close();
+
+  const alone = await browser.newContext({ locale: 'ko' });
+  await alone.route('**/words.*.json', (route) => route.abort());
+  const other = await alone.newPage();
+  await other.goto(server.address);
+  await ready(other);
+  assert.equal(await other.textContent('#settings h2'), 'Settings');
+  await alone.close();
+});
