@@ -91,6 +91,22 @@ BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
 /* Steps of the history, of any object. BAT_STATE: a drag is under way. */
 BAT_API bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name);
 BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked);
+/* The drawing for those who do not see it, in words. Owned by the editor, valid until the next call of either; NULL:
+ * out of memory.
+ * outline: objects first, first + 1 ... of the document, back to front, at most `count` and 500, as JSON {"total":
+ * objects in all, "at": index of the first selected one or -1, "rows":[{"id","level" (1: in no group),"points",
+ * "selected","words"}]}.
+ * outline_points: {"at": the chosen point or -1, "points":[words]}, at most 1,000: a spline's points, else the control
+ * points of all its curves. */
+BAT_API const char *bat_editor_outline(bat_editor *editor, int first, int count);
+BAT_API const char *bat_editor_outline_points(bat_editor *editor, bat_id id);
+/* Selects the object and chooses a point of it, numbered as outline_points has them, with the tool that moves it.
+ * BAT_ARGUMENT: no such point. BAT_STATE: a drag is under way, or it is hidden or locked. */
+BAT_API bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point);
+/* What has happened since the last call, to be spoken: tool, step, selection, the place of what the keys move; ""
+ * when nothing has, or a drag is under way. What notices tell is left out. Owned by the editor, valid until the
+ * next call of it. */
+BAT_API const char *bat_editor_said(bat_editor *editor);
 /* Selects an object (0: none), alone or besides what is selected. */
 BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 

@@ -56,24 +56,30 @@ static bool drop_uncommitted(bat_editor *editor) {
     return tool->undo ? tool->undo(editor) : drop(editor);
 }
 
+/* Which step it was; else why there was none. */
+static bat_status tell_step(bat_editor *editor, bat_status status, bat_string done, bat_string nothing) {
+    const bat_history *history = &editor->history;
+    if (status != BAT_OK) {
+        bat_editor_notice(editor, status == BAT_STATE ? nothing : BAT_STRING_NOTICE_MEMORY);
+        return status;
+    }
+    int label = history->steps[history->done - (done == BAT_STRING_NOTICE_REDONE)].label;
+    bat_editor_notice_value(editor, done, bat_editor_text(editor, (bat_string)label));
+    return status;
+}
+
 static bat_status undo(bat_editor *editor, bool down) {
     (void)down;
     if (drop_uncommitted(editor)) return BAT_OK;
-    bat_status status = step(editor, "undo", bat_history_undo, bat_history_redo);
-    bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_UNDONE
-                              : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_UNDO
-                                                    : BAT_STRING_NOTICE_MEMORY);
-    return status;
+    return tell_step(editor, step(editor, "undo", bat_history_undo, bat_history_redo),
+                     BAT_STRING_NOTICE_UNDONE, BAT_STRING_NOTICE_NOTHING_TO_UNDO);
 }
 
 static bat_status redo(bat_editor *editor, bool down) {
     (void)down;
     drop_uncommitted(editor);
-    bat_status status = step(editor, "redo", bat_history_redo, bat_history_undo);
-    bat_editor_notice(editor, status == BAT_OK      ? BAT_STRING_NOTICE_REDONE
-                              : status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_TO_REDO
-                                                    : BAT_STRING_NOTICE_MEMORY);
-    return status;
+    return tell_step(editor, step(editor, "redo", bat_history_redo, bat_history_undo),
+                     BAT_STRING_NOTICE_REDONE, BAT_STRING_NOTICE_NOTHING_TO_REDO);
 }
 
 static bat_status accept(bat_editor *editor, bool down) {

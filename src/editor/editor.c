@@ -119,6 +119,7 @@ void bat_editor_free(bat_editor *editor) {
     free(editor->tables);
     free(editor->layers);
     free(editor->words);
+    free(editor->outline);
     free(editor);
 }
 

@@ -9,6 +9,7 @@
 #include "editor/contacts.h"
 #include "editor/insight.h"
 #include "editor/line.h"
+#include "editor/outline.h"
 #include "editor/overlay.h"
 #include "editor/pointing.h"
 #include "editor/range.h"
@@ -75,7 +76,8 @@ struct bat_editor {
     bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
     uint32_t notice_version;
     bat_frame frame;
-    char *tables, *layers; /* JSON, made when asked for */
+    bat_told told;
+    char *tables, *layers, *outline; /* JSON, made when asked for */
     const char *
         *words; /* of another language, by bat_string; NULL in it: English. One block with its texts */
 };
