@@ -15,7 +15,8 @@ import { word } from './words.js';
 export const Phase = Object.freeze({ HOVER: 0, DOWN: 1, MOVE: 2, UP: 3, CANCEL: 4, LEAVE: 5 });
 export const Device = Object.freeze({ MOUSE: 0, PEN: 1, TOUCH: 2 });
 export const Modifier = Object.freeze({ SHIFT: 1, CTRL: 2, ALT: 4, META: 8 });
-export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16 });
+export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16,
+  CUT: 32, COPY: 64, PASTE: 128 });
 
 const SCRATCH = 1024; // bytes for what a call hands back
 const EVENTS = 64; // pointer events sent in one call
@@ -24,6 +25,7 @@ const HOPELESS = 3; // traps in a row after which the journal is given up
 const DEAD = 6;
 
 const encoder = new TextEncoder();
+const decoder = new TextDecoder();
 
 /** Something the engine refused: its words are for the user. */
 export class Refusal extends Error {}
@@ -345,6 +347,20 @@ export class Engine {
     return new Uint8Array(this.wasm.memory.buffer).slice(at, at + size);
   }
 
+  // ---- the clipboard ----
+
+  /** What is selected, as SVG with its knots. @param {boolean} cut @returns {string} '' when nothing is: a notice says so */
+  copy(cut) {
+    return this.#guard(() => (this.wasm.editor_copy(this.editor, Number(cut), this.scratch) === OK ?
+      decoder.decode(this.#take()) : ''), '');
+  }
+
+  /** @param {Element} root */
+  pasteSvg(root) {
+    this.#done(this.#guard(() => this.#read(root, (reader) =>
+      this.wasm.svg_paste(reader, this.editor, this.scratch)), -1));
+  }
+
   // ---- files ----
 
   /**
@@ -369,21 +385,29 @@ export class Engine {
     const broken = -1;
     const room = 256;
     const line = this.scratch + SCRATCH - room;
-    const status = this.#guard(() => {
-      const reader = this.wasm.svg_begin();
-      if (!reader) {
-        throw new Refusal(word('shell.no-memory'));
-      }
-      const refused = this.#walk(reader, root);
-      if (refused !== OK) {
-        this.wasm.svg_cancel(reader);
-        return refused;
-      }
-      return this.#lend(name, (title) =>
-        this.wasm.svg_finish(reader, this.editor, title, line, room, this.scratch));
-    }, broken);
+    const status = this.#guard(() => this.#read(root, (reader) => this.#lend(name, (title) =>
+      this.wasm.svg_finish(reader, this.editor, title, line, room, this.scratch))), broken);
     this.#opened(status);
     return this.#string(line);
+  }
+
+  /**
+   * Tells a reader of an SVG document, and then what to do with it.
+   * @param {Element} root
+   * @param {(reader: number) => number} finish frees the reader
+   * @returns {number} status
+   */
+  #read(root, finish) {
+    const reader = this.wasm.svg_begin();
+    if (!reader) {
+      throw new Refusal(word('shell.no-memory'));
+    }
+    const refused = this.#walk(reader, root);
+    if (refused !== OK) {
+      this.wasm.svg_cancel(reader);
+      return refused;
+    }
+    return finish(reader);
   }
 
   /**
@@ -437,8 +461,13 @@ export class Engine {
 
   /** @param {number} status */
   #opened(status) {
+    this.#done(status);
+    this.#begun(new Uint8Array(0)); // to be copied afresh
+  }
+
+  /** Throws what the reader has to say. @param {number} status */
+  #done(status) {
     if (status === OK) {
-      this.#begun(new Uint8Array(0)); // to be copied afresh
       return;
     }
     if (status < 0) {
@@ -462,17 +491,22 @@ export class Engine {
       if (status !== OK) {
         throw new Refusal(this.#string(this.wasm.status_message(status)));
       }
-      const view = this.#view();
-      const data = view.getUint32(this.scratch + this.layout['bytes.data'], true);
-      const size = view.getUint32(this.scratch + this.layout['bytes.size'], true);
-      const copy = new Uint8Array(this.wasm.memory.buffer).slice(data, data + size);
-      this.wasm.memory_free(data);
-      return copy;
+      return this.#take();
     }, /** @type {Uint8Array | null} */ (none));
     if (!bytes) {
       throw new Refusal(word('shell.not-written'));
     }
     return bytes;
+  }
+
+  /** The bytes that a call has left in scratch. @returns {Uint8Array<ArrayBuffer>} */
+  #take() {
+    const view = this.#view();
+    const data = view.getUint32(this.scratch + this.layout['bytes.data'], true);
+    const size = view.getUint32(this.scratch + this.layout['bytes.size'], true);
+    const copy = new Uint8Array(this.wasm.memory.buffer).slice(data, data + size);
+    this.wasm.memory_free(data);
+    return copy;
   }
 
   /** The host has saved: the document is clean. */

@@ -1,5 +1,6 @@
 // Files: in by drop, picker or server, out to the server or as a download.
 
+import { Refusal } from './engine.js';
 import { Changed } from './server.js';
 import { word } from './words.js';
 
@@ -32,15 +33,15 @@ function decodeXml(bytes) {
 }
 
 /**
- * @param {Uint8Array} bytes
+ * @param {string} text
  * @returns {Element} the root
  */
-function parseSvg(bytes) {
-  const tree = new DOMParser().parseFromString(decodeXml(bytes), SVG);
+export function parseSvg(text) {
+  const tree = new DOMParser().parseFromString(text, SVG);
   const problem = tree.getElementsByTagName('parsererror')[0];
   if (problem) {
     const line = /line \d+[^:]*/.exec(problem.textContent ?? '')?.[0] ?? '';
-    throw new Error(`${word('shell.not-xml')} ${line}`.trim());
+    throw new Refusal(`${word('shell.not-xml')} ${line}`.trim());
   }
   return tree.documentElement;
 }
@@ -172,7 +173,7 @@ export class Files {
       if (native) {
         this.engine.openNative(bytes, name);
       } else {
-        const left = this.engine.openSvg(parseSvg(bytes), name);
+        const left = this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
         if (left) {
           this.notice.say(`${left} ${word('shell.kept-out')}`);
         }

@@ -38,6 +38,8 @@ class Shell {
     this.panel = new Panel(this.engine, this.wake);
     this.files = new Files(this.engine, this.server, this.notice, this.wake);
     this.input = new Input(this.stage, this.engine, this.wake);
+    /** @type {import('./clipboard.js').Clipboard | null} */
+    this.clipboard = null;
     this.due = false;
     this.noticeVersion = 0;
     /** Frames painted and the time they took, for tests and measurements. */
@@ -175,6 +177,9 @@ class Shell {
     if (requests & Ask.JOURNAL) {
       this.files.downloadJournal();
     }
+    if (requests & (Ask.CUT | Ask.COPY | Ask.PASTE)) {
+      void this.clipboard?.ask(requests);
+    }
     if (requests & Ask.OPEN) {
       this.files.pick();
     }
@@ -196,6 +201,8 @@ async function start() {
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';
+    const { Clipboard } = await import('./clipboard.js');
+    shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
     // What explains is fetched when somebody is there.
     const seen = new AbortController();
     for (const event of engine.words ? [] : ['pointermove', 'pointerdown', 'keydown', 'focusin']) {

@@ -119,6 +119,15 @@ BAT_API bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes,
 /* The picture that an item of role IMAGE shows; NULL: there is none of that number. */
 BAT_API const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture);
 
+/* The selection as an SVG file with every knot (bat_free), for the clipboard; cut: it is deleted, a step of the
+ * history. BAT_STATE: nothing is selected. A notice tells what was done, or why not. */
+BAT_API bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, size_t *size);
+/* Puts all that a document holds into the active layer, selected: a step of the history. own: copied by
+ * bat_editor_copy (the reader's report says `native`): 10 px off the place it had, 20 when pasted again, or in the
+ * middle of the view when it would not be seen; else at the pointer, or in the middle. In place with Shift, or when
+ * asked by "paste-in-place". Layers are dropped, what is in them is not. BAT_STATE: there is nothing in it. */
+BAT_API bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own);
+
 /* ---- output ---- */
 
 /* Path data: floats, relative to the frame's origin. Command, then its coordinates. */
@@ -205,7 +214,10 @@ enum {
     BAT_ASK_DOWNLOAD_SVG = 2,
     BAT_ASK_DOWNLOAD_NATIVE = 4,
     BAT_ASK_OPEN = 8,
-    BAT_ASK_JOURNAL = 16
+    BAT_ASK_JOURNAL = 16,
+    BAT_ASK_CUT = 32, /* the clipboard: bat_editor_copy, bat_editor_paste */
+    BAT_ASK_COPY = 64,
+    BAT_ASK_PASTE = 128
 };
 
 typedef struct bat_frame {

@@ -117,6 +117,25 @@ static bat_status download_journal(bat_editor *editor, bool down) {
     return ask(editor, BAT_ASK_JOURNAL);
 }
 
+static bat_status cut(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_CUT);
+}
+static bat_status copy(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_COPY);
+}
+static bat_status paste(bat_editor *editor, bool down) {
+    (void)down;
+    editor->paste_in_place = false;
+    return ask(editor, BAT_ASK_PASTE);
+}
+static bat_status paste_in_place(bat_editor *editor, bool down) {
+    (void)down;
+    editor->paste_in_place = true;
+    return ask(editor, BAT_ASK_PASTE);
+}
+
 static bat_status view_fit(bat_editor *editor, bool down) {
     (void)down;
     return bat_editor_fit(editor) ? BAT_OK : BAT_STATE;
@@ -295,7 +314,8 @@ static command_function *const functions[BAT_COMMAND_COUNT] = {
 
 bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down) {
     const bat_command_row *row = bat_command_at(id);
-    if (row->when == BAT_WHEN_IDLE && (bat_editor_busy(editor) || editor->transaction.open)) return BAT_STATE;
+    if (row->when != BAT_WHEN_ANYTIME && (bat_editor_busy(editor) || editor->transaction.open))
+        return BAT_STATE;
     editor->freed = false;
     return functions[id](editor, down);
 }

@@ -71,7 +71,10 @@ struct bat_editor {
     bat_scene scene;
     bat_overlay overlay;
     uint32_t requests;
-    bat_string notice; /* BAT_STRING_COUNT: none */
+    int pastes;          /* of what was copied last */
+    uint64_t pasted;     /* digest of what was pasted last; 0: something was copied since */
+    bool paste_in_place; /* the next one, whatever is held */
+    bat_string notice;   /* BAT_STRING_COUNT: none */
     char notice_text[BAT_NOTICE_ROOM];
     bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
     uint32_t notice_version;

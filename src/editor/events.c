@@ -224,6 +224,7 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
         /* A held key is let go whatever else is pressed by then. */
         if (!pressed && !(hold && bat_keys_match(editor->keys[i], key, 0))) continue;
         if (pressed && !bat_keys_match(editor->keys[i], key, modifiers)) continue;
+        if (bat_command_at(id)->when == BAT_WHEN_HOST && modifiers & (BAT_CTRL | BAT_META)) return false;
         if (bat_command_run(editor, id, pressed) == BAT_OK) return true;
         known = true; /* it finds nothing to do: the next one with this key may */
     }

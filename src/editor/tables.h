@@ -34,7 +34,7 @@ typedef enum bat_property_type {
     BAT_PROPERTY_COLOUR,
     BAT_PROPERTY_CHOICE
 } bat_property_type;
-typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE } bat_when;
+typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST } bat_when;
 
 typedef struct bat_command_row {
     const char *name, *keys;

@@ -33,6 +33,7 @@ MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
 MODULE_EXPORT(editor_open_native)
 int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
                        bat_problem *problem);
+MODULE_EXPORT(editor_copy) int editor_copy(bat_editor *editor, int cut, module_bytes *out);
 MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
 MODULE_EXPORT(editor_picture)
@@ -158,6 +159,11 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
         bat_document_free(document);
     }
     return (int)status;
+}
+
+int editor_copy(bat_editor *editor, int cut, module_bytes *out) {
+    MODULE_CHECK(editor && out);
+    return (int)bat_editor_copy(editor, cut != 0, &out->data, &out->size);
 }
 
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {

@@ -10,6 +10,7 @@ MODULE_EXPORT(svg_start) int svg_start(bat_svg_reader *reader, const char *strin
 MODULE_EXPORT(svg_text) int svg_text(bat_svg_reader *reader, const char *text, size_t size);
 MODULE_EXPORT(svg_end) int svg_end(bat_svg_reader *reader);
 MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader);
+MODULE_EXPORT(svg_paste) int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem);
 MODULE_EXPORT(svg_finish)
 int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, char *line, size_t room,
                bat_problem *problem);
@@ -68,4 +69,19 @@ int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, cha
         bat_document_free(document);
     }
     return (int)status;
+}
+
+/* Frees the reader whatever it returns, and puts what was read into the drawing. Without a document (nothing read)
+ * it pastes nothing, which a notice tells. */
+int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem) {
+    MODULE_CHECK(reader && editor && problem);
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_status status = bat_svg_reader_finish(reader, &document, &report, problem);
+    if (status != BAT_OK) {
+        return (int)status;
+    }
+    bat_editor_paste(editor, document, report.native); /* tells by notices */
+    bat_document_free(document);
+    return BAT_OK;
 }
