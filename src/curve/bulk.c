@@ -3,54 +3,13 @@
  * and the run of parameters in that span goes through Horner's rule. About the middle |s| <= h / 2, so
  * coefficients are no larger than Chebyshev's bound allows and no digits are lost.
  */
-#include "curve/curve.h"
-#include "curve/vector.h"
+#include "curve/piece.h"
 
 #include <math.h>
 
-enum { ROWS = BAT_DEGREE_MAX + 1, ROOM = ROWS * BAT_DIMENSION_MAX };
-
-/* c[k * dimension + d]: coefficient of (u - middle)^k. */
-typedef struct piece {
-    double middle;
-    double c[ROOM];
-} piece;
-
-/* Cubic Taylor coefficients straight from knots and points: six divisions. With f's blossom about m, and the
- * span's ends a, b relative to m: f1(a,b) = f1 + f2 (a+b)/2 + f3 ab/2, f(a,b,m) = f + f1 (a+b)/3 + f2 ab/6
- * (f1 to f3: the derivatives at m). a + b is not quite zero: m is rounded, and counts for what it is. */
-BAT_INLINE void cubic_piece(const double *t, const double *points, piece *out, int size) {
-    double m = 0.5 * t[0] + 0.5 * t[1], a = t[0] - m, b = t[1] - m, sum = a + b, ab = a * b;
-    double r0 = 3 / (t[1] - t[-2]), r1 = 3 / (t[2] - t[-1]), r2 = 3 / (t[3] - t[0]);
-    double s0 = 2 / (t[1] - t[-1]), s1 = 2 / (t[2] - t[0]), q = 1 / (t[1] - t[0]);
-    double w = (m - t[-1]) * (1.0 / 3), v0 = b * q, v1 = -a * q;
-    for (int c = 0; c < size; c++) {
-        double p1 = points[size + c], p2 = points[2 * size + c];
-        double d0 = (p1 - points[c]) * r0, d1 = (p2 - p1) * r1, d2 = (points[3 * size + c] - p2) * r2;
-        double e0 = (d1 - d0) * s0, e1 = (d2 - d1) * s1, third = (e1 - e0) * q;
-        double second = v0 * e0 + v1 * e1, first = d1 - 0.5 * (second * sum + third * ab);
-        out->c[3 * size + c] = third * (1.0 / 6);
-        out->c[2 * size + c] = 0.5 * second;
-        out->c[size + c] = first;
-        out->c[c] = p1 + w * d1 - first * sum * (1.0 / 3) - second * ab * (1.0 / 6);
-    }
-    out->middle = m;
-}
-
-static void any_piece(const bat_curve *curve, int span, piece *out) {
-    int p = curve->degree, size = curve->dimension;
-    double scale = 1;
-    out->middle = 0.5 * curve->knots[span] + 0.5 * curve->knots[span + 1];
-    bat_curve_eval_span(curve, span, out->middle, p, out->c);
-    for (int k = 2; k <= p; k++) {
-        scale /= k;
-        for (int c = 0; c < size; c++) out->c[k * size + c] *= scale;
-    }
-}
-
 /* Derivatives are written as cubics too, with zeros in front: one rule for the whole block, which compilers
  * turn into vectors across the block; without derivatives they do across the points. */
-BAT_INLINE void cubic_run(const piece *f, size_t count, const double *restrict u, double *restrict out,
+BAT_INLINE void cubic_run(const bat_piece *f, size_t count, const double *restrict u, double *restrict out,
                           int size, int order) {
     double m = f->middle, a[4][3 * BAT_DIMENSION_MAX];
     int block = size * (order + 1);
@@ -66,7 +25,8 @@ BAT_INLINE void cubic_run(const piece *f, size_t count, const double *restrict u
     }
 }
 
-static void any_run(const piece *f, int p, int size, size_t count, const double *u, int order, double *out) {
+static void any_run(const bat_piece *f, int p, int size, size_t count, const double *u, int order,
+                    double *out) {
     for (size_t i = 0; i < count; i++) {
         double s = u[i] - f->middle;
         for (int k = 0; k <= order; k++, out += size) {
@@ -102,11 +62,11 @@ static size_t run_length(const double *u, size_t count, double end, bool with) {
 BAT_INLINE void cubic_spans(const bat_curve *curve, size_t count, const double *u, double *out, int size,
                             int order) {
     int span = -1, last = bat_span(curve, curve->knots[curve->spread], -1);
-    piece f;
+    bat_piece f;
     for (size_t i = 0; i < count;) {
         span = bat_span(curve, u[i], span);
         size_t n = run_length(u + i, count - i, curve->knots[span + 1], span == last);
-        cubic_piece(curve->knots + span, curve->points + (span - 3) * size, &f, size);
+        bat_piece_cubic(curve->knots + span, curve->points + (span - 3) * size, &f, size);
         cubic_run(&f, n, u + i, out + i * (size_t)(size * (order + 1)), size, order);
         i += n;
     }
@@ -127,10 +87,10 @@ static void any_spans(const bat_curve *curve, size_t count, const double *u, int
     int span = -1, last = bat_span(curve, curve->knots[curve->spread], -1);
     size_t block = ((size_t)order + 1) * (size_t)curve->dimension;
     for (size_t i = 0; i < count;) {
-        piece f;
+        bat_piece f;
         span = bat_span(curve, u[i], span);
         size_t n = run_length(u + i, count - i, curve->knots[span + 1], span == last);
-        any_piece(curve, span, &f);
+        bat_piece_any(curve, span, &f);
         any_run(&f, curve->degree, curve->dimension, n, u + i, order, out + i * block);
         i += n;
     }
