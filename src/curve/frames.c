@@ -133,10 +133,11 @@ typedef struct targets {
     size_t stride;
 } targets;
 
-/* Parameters of one span, each with the node that it is one step from. */
+/* Parameters of one span, each one step from a node: those up to end[k] from node[k]. */
 typedef struct run {
-    int count;
+    int count, parts;
     size_t node[BAT_FRAME_ROOM];
+    int end[BAT_FRAME_ROOM];
     double u[BAT_FRAME_ROOM];
     bat_rows xs, ts, ss;
 } run;
@@ -145,14 +146,31 @@ static void repeat(int count, vec v, double *rows) {
     for (int i = 0; i < count; i++) bat_rows_put(rows, i, v);
 }
 
+BAT_CLONES static void fill(int count, double v, double *row) {
+    for (int i = 0; i < count; i++) row[i] = v;
+}
+
 static bool solve_quickly(const bat_frame_chain *chain, const bat_frame_span *piece, run *r) {
     bat_rows from_x, from_t, from_s;
     if (chain->options.rule == BAT_FRAMES_FRENET) return false;
-    for (int i = 0; i < r->count; i++) {
-        const bat_frame_node *from = chain->nodes + r->node[i];
-        bat_rows_put(from_x, i, from->x);
-        bat_rows_put(from_t, i, from->t);
-        bat_rows_put(from_s, i, from->s);
+    for (int k = 0, i = 0; k < r->parts; i = r->end[k++]) {
+        const bat_frame_node *from = chain->nodes + r->node[k];
+        int next = r->end[k];
+        if (next - i < 16) {
+            for (int j = i; j < next; j++) {
+                bat_rows_put(from_x, j, from->x);
+                bat_rows_put(from_t, j, from->t);
+                bat_rows_put(from_s, j, from->s);
+            }
+            continue;
+        }
+        const vec v[3] = {from->x, from->t, from->s};
+        double *rows[3] = {from_x + i, from_t + i, from_s + i};
+        for (int d = 0; d < 3; d++) {
+            fill(next - i, v[d].x, rows[d]);
+            fill(next - i, v[d].y, rows[d] + BAT_FRAME_ROOM);
+            fill(next - i, v[d].z, rows[d] + 2 * BAT_FRAME_ROOM);
+        }
     }
     return bat_frame_steps(piece, chain->curve->dimension, r->count, r->u, from_x, from_t, from_s, r->xs,
                            r->ts, r->ss);
@@ -162,8 +180,9 @@ static void solve(const bat_frame_chain *chain, const bat_frame_span *piece, run
     bat_frame_rule rule = chain->options.rule;
     bool quick = solve_quickly(chain, piece, r);
     double end = chain->curve->knots[chain->curve->spread];
-    for (int i = 0; i < r->count && !quick; i++) {
-        const bat_frame_node *from = chain->nodes + r->node[i];
+    for (int i = 0, k = 0; i < r->count && !quick; i++) {
+        k += i == r->end[k];
+        const bat_frame_node *from = chain->nodes + r->node[k];
         bat_frame_node at = {.u = r->u[i]};
         bat_frame_step(chain->curve, rule, piece, from, at.u == end, &at);
         bat_rows_put(r->xs, i, at.x);
@@ -174,8 +193,9 @@ static void solve(const bat_frame_chain *chain, const bat_frame_span *piece, run
         repeat(r->count, (vec){1, 0, 0}, r->ts);
         repeat(r->count, (vec){0, 1, 0}, r->ss);
     } else if (chain->holonomy != 0) {
-        for (int i = 0; i < r->count; i++) {
-            const bat_frame_node *from = chain->nodes + r->node[i];
+        for (int i = 0, k = 0; i < r->count; i++) {
+            k += i == r->end[k];
+            const bat_frame_node *from = chain->nodes + r->node[k];
             vec t = bat_rows_get(r->ts, i);
             double length = from->length + bat_frame_length(piece, from->u, r->u[i]);
             vec s = bat_turn_about(bat_rows_get(r->ss, i), t, -chain->holonomy * length / chain->length);
@@ -184,10 +204,28 @@ static void solve(const bat_frame_chain *chain, const bat_frame_span *piece, run
     }
 }
 
+/* Rows to triples. */
+BAT_CLONES static void put_rows(int count, const double *restrict rows, const double *restrict origin,
+                                double *restrict out) {
+    double x = origin[0], y = origin[1], z = origin[2];
+    for (int i = 0; i < count; i++) {
+        out[3 * i] = rows[i] + x;
+        out[3 * i + 1] = rows[BAT_FRAME_ROOM + i] + y;
+        out[3 * i + 2] = rows[2 * BAT_FRAME_ROOM + i] + z;
+    }
+}
+
 static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, const run *r,
                     const targets *to, size_t at) {
     bool flat = chain->curve->dimension == 2 && chain->options.rule == BAT_FRAMES_RMF;
     at *= to->stride;
+    if (to->stride == 3 && !to->r) {
+        const double none[3] = {0, 0, 0};
+        if (to->point) put_rows(r->count, r->xs, piece->origin, to->point + at);
+        if (to->t) put_rows(r->count, r->ts, none, to->t + at);
+        if (to->s) put_rows(r->count, r->ss, none, to->s + at);
+        return;
+    }
     for (int i = 0; i < r->count; i++, at += to->stride) {
         vec t = bat_rows_get(r->ts, i), s = bat_rows_get(r->ss, i);
         if (to->point) vec_store(vec_add(vec_load(piece->origin, 3), bat_rows_get(r->xs, i)), to->point + at);
@@ -199,26 +237,35 @@ static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, c
 
 static void evaluate(const bat_frame_chain *chain, size_t count, const double *u, const targets *to) {
     const bat_curve *curve = chain->curve;
+    const bat_frame_node *nodes = chain->nodes;
     run r;
     bat_frame_span piece = {.span = -1};
-    r.node[0] = 0;
+    size_t node = 0;
     for (size_t i = 0; i < count; i += (size_t)r.count) {
-        r.u[0] = bat_curve_reduce(curve, u[i]);
+        int most = count - i < BAT_FRAME_ROOM ? (int)(count - i) : BAT_FRAME_ROOM;
+        const double *v = u + i;
+        r.u[0] = bat_curve_reduce(curve, v[0]);
         if (isnan(r.u[0])) r.u[0] = curve->knots[curve->degree];
-        size_t node = node_before(chain, r.u[0], r.node[0]);
-        int span = chain->nodes[node].span;
-        r.node[0] = node;
-        for (r.count = 1; r.count < BAT_FRAME_ROOM && i + (size_t)r.count < count; r.count++) {
-            double v = u[i + (size_t)r.count];
-            if (!(v >= r.u[0] && v < curve->knots[span + 1])) break;
-            while (chain->nodes[node + 1].u <= v) node++;
-            while (chain->nodes[node].u > v) node--;
-            r.u[r.count] = v, r.node[r.count] = node;
+        node = node_before(chain, r.u[0], node);
+        int span = nodes[node].span;
+        r.count = 1, r.parts = 0;
+        /* What follows is of this span as long as it ascends. */
+        for (;;) {
+            bool last = node + 1 == chain->count || nodes[node + 1].span != span;
+            double low = r.u[r.count - 1], high = last ? low : nodes[node + 1].u;
+            while (r.count < most && v[r.count] >= low && v[r.count] < high)
+                r.u[r.count] = v[r.count], r.count++;
+            r.node[r.parts] = node, r.end[r.parts++] = r.count;
+            if (last || r.count == most || !(v[r.count] >= high)) break;
+            node++;
+            if (node + 1 < chain->count && nodes[node + 1].span == span && v[r.count] < nodes[node + 1].u)
+                r.u[r.count] = v[r.count], r.count++;
+            else
+                break;
         }
         if (piece.span != span) bat_frame_span_make(curve, span, &piece);
         solve(chain, &piece, &r);
         put_run(chain, &piece, &r, to, i);
-        r.node[0] = node;
     }
 }
 
