@@ -96,9 +96,32 @@ BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
 /* Another frame rule, an affine image (matrix NULL: none), or both at once: the details are expressed anew, so
  * that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR: it flattens. */
 BAT_API bat_status bat_shape_reframe(bat_shape *shape, bat_frame_rule rule, const double *matrix);
-/* Ends an edit: the persistent pair is taken anew when the start tangent has turned far from it (math 2.2).
- */
+/* Ends an edit. Edits in space may have left details in frames that the curves alone would not give: they turn
+ * back into those, and the persistent pair is taken anew when the start tangent has turned far from it (math 2.2);
+ * nothing moves by more than rounding. A committed shape is what its file reads as, bit for bit. */
 BAT_API bat_status bat_shape_commit(bat_shape *shape);
+
+/*
+ * Live: the same edits while the pen is down. The session works on a copy of the shape. Every call edits the shape as
+ * it was at the beginning, so that what comes out depends on the last call alone, bit for bit what the one-shot
+ * call and bat_shape_commit give; a call of nothing gives the shape as it was, bit for bit. Cost: what the edit
+ * touches at its level and above (math 3.4), some microseconds, however large the shape, for as long as the same
+ * control points move; the first call of a run, and edits that touch everything (a base of few points; Frenet
+ * frames and plain propagation in space), cost more. On failure: the shape as it was at the beginning.
+ */
+typedef struct bat_shape_live bat_shape_live;
+BAT_API bat_status bat_shape_live_begin(const bat_shape *shape, int level, bat_shape_live **out);
+BAT_API bat_status bat_shape_live_move(bat_shape_live *live, int first, int count, const double *deltas);
+BAT_API bat_status bat_shape_live_drag(bat_shape_live *live, double u, const double *delta);
+BAT_API bat_status bat_shape_live_drag_finest(bat_shape_live *live, double u, const double *delta,
+                                              double tolerance, double *left);
+/* The shape as it stands; owned by the session, its curves valid until the next call. */
+BAT_API const bat_shape *bat_shape_live_shape(const bat_shape_live *live);
+/* The control points of C^level that differ from those at the beginning: *count from *first on (closed: modulo n). */
+BAT_API void bat_shape_live_touched(const bat_shape_live *live, int level, int *first, int *count);
+/* Ends the session whatever it returns. *out: the edited shape, committed. */
+BAT_API bat_status bat_shape_live_commit(bat_shape_live *live, bat_shape **out);
+BAT_API void bat_shape_live_cancel(bat_shape_live *live); /* NULL is fine */
 
 /* Takes a curve apart into `levels` levels, exactly: every other interior knot is left out a level
  * (math 3.7); second and third copies of a knot go before any knot goes altogether, so that the coarse curves

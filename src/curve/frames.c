@@ -34,7 +34,7 @@ static bool spreads(const bat_curve *curve, bat_frame_rule rule) {
 void bat_frame_walk_whole(bat_frame_walk *walk, const bat_curve *curve, const bat_frame_options *options) {
     vec t = bat_frame_tangent(curve, bat_span(curve, curve->knots[curve->degree], -1), false);
     bat_frame_walk_begin(walk, curve, options, curve->degree, curve->spread - curve->degree, t,
-                         bat_frame_first(options, t));
+                         bat_frame_first(options, curve->dimension, t));
     walk->measured = spreads(curve, options->rule);
 }
 

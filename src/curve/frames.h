@@ -62,8 +62,8 @@ void bat_frame_walk_whole(bat_frame_walk *walk, const bat_curve *curve, const ba
 
 /* A tangent at a knot: at the start of a stored span, or at its end. */
 vec bat_frame_tangent(const bat_curve *curve, int span, bool at_end);
-/* s at the start of the whole curve. */
-vec bat_frame_first(const bat_frame_options *options, vec t);
+/* s at the start of the whole curve; of a planar one, to the left. */
+vec bat_frame_first(const bat_frame_options *options, int dimension, vec t);
 /* Frames at u[0..count), in the order in which the walk meets them (those it does not meet are left out, with
  * all behind them): t, s and, when measured, lengths (may be NULL). Returns how many. */
 int bat_frame_walk_along(bat_frame_walk *walk, int count, const double *u, vec *t, vec *s, double *lengths);

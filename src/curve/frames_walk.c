@@ -328,6 +328,7 @@ bool bat_frame_walk_next(bat_frame_walk *walk) {
         walk->t = bat_rows_get(walk->ts, last), walk->s = bat_rows_get(walk->ss, last);
         walk->length = walk->lengths[last];
         walk->done += last;
+        if (walk->done == walk->steps) walk->count = 0;
     }
     bool fresh = walk->done == walk->steps;
     if (fresh) {
@@ -381,7 +382,8 @@ vec bat_frame_walk_end(const bat_frame_walk *walk, vec t) {
     return square_up(bat_turn_least(from_s, from_t, t), t);
 }
 
-vec bat_frame_first(const bat_frame_options *o, vec t) {
+vec bat_frame_first(const bat_frame_options *o, int dimension, vec t) {
+    if (dimension == 2) return (vec){-t.y, t.x, 0};
     if (o->has_reference) {
         vec t_ref = vec_load(o->reference_t, 3), s = vec_load(o->reference_s, 3);
         if (vec_norm(t_ref) > 0) s = bat_turn_least(s, vec_unit(t_ref), t);

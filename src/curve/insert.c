@@ -53,7 +53,7 @@ BAT_INLINE void fill(const bat_curve *old, const double *tau, const int *rank, i
     }
 }
 
-static void fill_points(const bat_curve *old, bat_curve *fresh, const int *rank, int from, int to) {
+void bat_refine_points(const bat_curve *old, bat_curve *fresh, const int *rank, int from, int to) {
     if (old->degree == 3 && old->dimension == 2)
         fill(old, fresh->knots, rank, 3, 2, from, to, fresh->points);
     else if (old->degree == 3)
@@ -69,6 +69,20 @@ static void unroll_rank(const bat_curve *old, const bat_curve *fresh, int *rank)
     for (int j = p - 1; j >= 0; j--) rank[j] = rank[j + fresh->count] - old->count;
     for (int j = fresh->spread + 1; j <= fresh->spread + p; j++)
         rank[j] = rank[j - fresh->count] + old->count;
+}
+
+bool bat_refine_rank(const bat_curve *old, const bat_curve *fresh, int *rank) {
+    const double *t = bat_curve_knots(old), *tau = bat_curve_knots(fresh), end = old->knots[old->spread];
+    int total = bat_curve_knot_count(old), whole = bat_curve_knot_count(fresh), i = 0;
+    int lead = old->closed ? old->degree : 0;
+    for (int j = 0; j < whole; j++) {
+        /* Of knots equal to the end of the domain the new ones come first. */
+        bool is_new = i == total || tau[j] != t[i] || (t[i] == end && whole - j > total - i);
+        i += !is_new;
+        rank[lead + j] = lead + i;
+    }
+    if (i == total && old->closed) unroll_rank(old, fresh, rank);
+    return i == total;
 }
 
 /* New knots go behind equal old ones, but before those equal to the end of the domain: every blossom then
@@ -132,7 +146,7 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const doubl
     if (status == BAT_OK) {
         if (curve->closed) unroll_rank(curve, fresh, rank);
         bat_curve_unroll(fresh);
-        fill_points(curve, fresh, rank, front, fresh->spread - back);
+        bat_refine_points(curve, fresh, rank, front, fresh->spread - back);
     }
     if (status == BAT_OK) status = bat_points_check(fresh);
     free(rank);

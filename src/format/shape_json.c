@@ -257,6 +257,17 @@ static void put_level(bat_text *text, const bat_shape *shape, int level) {
 }
 
 void bat_shape_to_json(const bat_shape *shape, bat_text *text) {
+    if (shape->turned) { /* a file knows details in the frames of the curves alone */
+        bat_shape *folded;
+        text->failed = text->failed || bat_shape_copy(shape, &folded) != BAT_OK;
+        if (text->failed) return;
+        if (bat_shape_fold(folded, false) == BAT_OK)
+            bat_shape_to_json(folded, text);
+        else
+            text->failed = true;
+        bat_shape_free(folded);
+        return;
+    }
     const bat_shape_options *o = bat_shape_options_of(shape);
     bat_text_string(text, "{\"base\":");
     bat_curve_to_json(bat_shape_curve(shape, 0), 2, text);

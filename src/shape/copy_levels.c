@@ -86,7 +86,7 @@ static bat_status copy_level(bat_shape *shape, const bat_level *from) {
         }
         level->gain = from->gain;
         level->muted = from->muted;
-        status = bat_shape_rebuild(shape, shape->count, BAT_EVERYWHERE);
+        status = bat_level_build(level, bat_shape_curve(shape, shape->count - 1));
     }
     free(knots);
     bat_curve_free(detail);

@@ -173,7 +173,7 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
                            at->details + 3 * i);
         if (bat_shape_flat(shape)) at->details[3 * i + 2] = 0; /* not -0 */
     }
-    return bat_shape_rebuild(shape, level, BAT_EVERYWHERE);
+    return bat_level_build(at, bat_shape_curve(shape, level - 1));
 }
 
 /* Control points of the level below one of n: every other interior knot is left out. */

@@ -2,13 +2,12 @@
 #include "shape/levels.h"
 
 #include "curve/banded.h"
-#include "curve/curve.h"
+#include "curve/frames.h"
 #include "curve/lsq.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINEST_STEPS = 20 };
 static const double MU = 1e-6, NU = 1e-3; /* math 3.6 */
 
 static bool finite_all(const double *v, size_t n) {
@@ -21,44 +20,40 @@ static bat_status check(const bat_shape *shape, int level) {
     return !shape || level < 0 || level > shape->count ? BAT_ARGUMENT : BAT_OK;
 }
 
-static bat_status move_base(bat_shape *shape, int first, int count, const double *deltas) {
-    int size = shape->base->dimension, n = shape->base->count;
-    double *points = bat_curve_own_points(shape->base);
-    for (int i = 0; i < count; i++)
-        for (int d = 0; d < size; d++) points[((first + i) % n) * size + d] += deltas[i * size + d];
-    bat_status status = bat_curve_validate(shape->base);
-    bat_curve_unroll(shape->base);
-    return status;
+static bool nothing(const double *v, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        if (v[i] != 0) return false;
+    return true;
 }
 
-static bat_status move_details(bat_level *level, int first, int count, const double *deltas) {
-    int size = level->curve->dimension;
-    double gain = bat_level_gain(level);
+bat_status bat_level_add(bat_shape *shape, int level, int first, int count, const double *deltas,
+                         double factor) {
+    int size = shape->base->dimension, n = bat_shape_curve(shape, level)->count;
+    bat_level *at = level > 0 ? &shape->levels[level - 1] : NULL;
+    double gain = at ? bat_level_gain(at) : 1;
     if (gain == 0) return BAT_STATE; /* a muted level shows no change */
     for (int i = 0; i < count; i++) {
-        int k = (first + i) % level->count;
-        double local[3];
-        bat_triad_to_local(&level->frames[k], vec_load(deltas + i * size, size), local);
-        for (int d = 0; d < 3; d++) level->details[3 * k + d] += local[d] / gain;
+        int k = (first + i) % n;
+        vec v = vec_scale(vec_load(deltas + i * size, size), factor);
+        double local[3], *to = at ? at->details + 3 * k : bat_curve_own_points(shape->base) + k * size;
+        if (at)
+            bat_triad_to_local(&at->frames[k], vec_scale(v, 1 / gain), local);
+        else
+            vec_store(v, local);
+        for (int d = 0; d < (at ? 3 : size); d++) to[d] += local[d];
     }
+    if (!at) bat_curve_unroll(shape->base);
     return BAT_OK;
 }
 
-bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count, const double *deltas) {
-    bat_status status = check(shape, level);
-    if (status != BAT_OK) return status;
-    const bat_curve *curve = bat_shape_curve(shape, level);
-    if (!deltas || first < 0 || first >= curve->count || count < 1 || count > curve->count ||
-        (!curve->closed && first + count > curve->count))
-        return BAT_ARGUMENT;
-    if (!finite_all(deltas, (size_t)count * (size_t)curve->dimension)) return BAT_NUMBER;
-    bat_stretch touched = bat_stretch_of(curve, first, count);
+bat_status bat_shape_move_all(bat_shape *shape, int level, int first, int count, const double *deltas) {
     bat_shape *edited;
-    status = bat_shape_copy(shape, &edited);
+    bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
-    status = level == 0 ? move_base(edited, first, count, deltas)
-                        : move_details(&edited->levels[level - 1], first, count, deltas);
-    if (status == BAT_OK) status = bat_shape_rebuild(edited, level, touched);
+    if (edited->turned) status = bat_shape_fold(edited, true);
+    if (status == BAT_OK) status = bat_level_add(edited, level, first, count, deltas, 1);
+    if (status == BAT_OK) status = bat_points_check(edited->base);
+    if (status == BAT_OK) status = bat_shape_rebuild(edited, level);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else
@@ -66,66 +61,71 @@ bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count
     return status;
 }
 
+bat_status bat_level_check(const bat_shape *shape, int level, int first, int count, const double *deltas,
+                           bool *idle) {
+    bat_status status = check(shape, level);
+    if (status != BAT_OK) return status;
+    const bat_curve *curve = bat_shape_curve(shape, level);
+    if (!deltas || first < 0 || first >= curve->count || count < 1 || count > curve->count ||
+        (!curve->closed && first + count > curve->count))
+        return BAT_ARGUMENT;
+    size_t numbers = (size_t)count * (size_t)curve->dimension;
+    if (!finite_all(deltas, numbers)) return BAT_NUMBER;
+    if (level > 0 && bat_level_gain(&shape->levels[level - 1]) == 0) return BAT_STATE;
+    *idle = nothing(deltas, numbers);
+    return BAT_OK;
+}
+
+bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count, const double *deltas) {
+    bool idle;
+    bat_touch *touch;
+    bat_status status = bat_level_check(shape, level, first, count, deltas, &idle);
+    if (status != BAT_OK || idle) return status;
+    status = bat_touch_begin(shape, level, first, count, &touch);
+    if (status != BAT_OK) return status;
+    status = touch ? bat_touch_apply(touch, deltas) : bat_shape_move_all(shape, level, first, count, deltas);
+    bat_touch_free(touch);
+    return status;
+}
+
 bat_status bat_shape_move(bat_shape *shape, int level, int index, const double *delta) {
     return bat_shape_move_many(shape, level, index, 1, delta);
 }
 
-bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *delta) {
+bat_status bat_level_pull(const bat_shape *shape, int level, double u, const double *delta, int *first,
+                          int *count, double *deltas) {
     bat_status status = check(shape, level);
     if (status != BAT_OK) return status;
     if (!delta) return BAT_ARGUMENT;
     const bat_curve *curve = bat_shape_curve(shape, level);
-    int p = curve->degree, size = curve->dimension, n = curve->count, first;
-    if (!isfinite(u)) return BAT_NUMBER;
+    int p = curve->degree, size = curve->dimension, n = curve->count;
+    if (!isfinite(u) || !finite_all(delta, (size_t)size)) return BAT_NUMBER;
     double basis[BAT_DEGREE_MAX + 1], weight[BAT_DEGREE_MAX + 1] = {0}, square = 0;
-    double deltas[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
-    bat_curve_basis(curve, u, &first, basis);
+    bat_curve_basis(curve, u, first, basis);
     /* A closed curve of few points meets one of them more than once. */
-    int count = p + 1 < n ? p + 1 : n;
-    for (int i = 0; i <= p; i++) weight[i % count] += basis[i];
-    for (int i = 0; i < count; i++) square += weight[i] * weight[i];
-    for (int i = 0; i < count; i++)
+    *count = p + 1 < n ? p + 1 : n;
+    for (int i = 0; i <= p; i++) weight[i % *count] += basis[i];
+    for (int i = 0; i < *count; i++) square += weight[i] * weight[i];
+    for (int i = 0; i < *count; i++)
         for (int d = 0; d < size; d++) deltas[i * size + d] = weight[i] / square * delta[d];
-    return bat_shape_move_many(shape, level, first, count, deltas);
+    return BAT_OK;
 }
 
-bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta, double tolerance,
-                                 double *left) {
-    bat_status status = check(shape, level);
-    if (status != BAT_OK) return status;
-    if (!delta || !(tolerance > 0)) return BAT_ARGUMENT;
-    int size = shape->base->dimension;
-    if (!isfinite(u) || !finite_all(delta, (size_t)size)) return BAT_NUMBER;
-    bat_shape *edited;
-    status = bat_shape_copy(shape, &edited);
-    if (status != BAT_OK) return status;
-    double target[3], at[3], step[3], miss = INFINITY;
-    bat_curve_eval(bat_shape_curve(shape, shape->count), u, 0, target);
-    for (int d = 0; d < size; d++) target[d] += delta[d], step[d] = delta[d];
-    for (int i = 0; i < FINEST_STEPS && status == BAT_OK && miss > tolerance; i++) {
-        status = bat_shape_drag(edited, level, u, step);
-        if (status != BAT_OK) break;
-        bat_curve_eval(bat_shape_curve(edited, edited->count), u, 0, at);
-        miss = 0;
-        for (int d = 0; d < size; d++) step[d] = target[d] - at[d], miss = bat_hypot(miss, step[d]);
-    }
-    if (status == BAT_OK && miss > tolerance) status = BAT_TOLERANCE;
-    if (status != BAT_OK) {
-        bat_shape_free(edited);
-        return status;
-    }
-    if (left) *left = miss;
-    bat_shape_adopt(shape, edited);
-    return BAT_OK;
+bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *delta) {
+    double deltas[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    int first, count;
+    bat_status status = bat_level_pull(shape, level, u, delta, &first, &count, deltas);
+    return status == BAT_OK ? bat_shape_move_many(shape, level, first, count, deltas) : status;
 }
 
 static bat_status set_level(bat_shape *shape, int level, double gain, bool muted) {
     bat_shape *edited;
     bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
+    if (edited->turned) status = bat_shape_fold(edited, true);
     edited->levels[level - 1].gain = gain;
     edited->levels[level - 1].muted = muted;
-    status = bat_shape_rebuild(edited, level, BAT_EVERYWHERE);
+    if (status == BAT_OK) status = bat_shape_rebuild(edited, level);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else
@@ -271,7 +271,8 @@ bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
     bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
     bat_curve *base;
-    status = bat_curve_transform(edited->base, matrix, &base);
+    if (edited->turned) status = bat_shape_fold(edited, true);
+    if (status == BAT_OK) status = bat_curve_transform(edited->base, matrix, &base);
     if (status == BAT_OK) {
         bat_curve_free(edited->base);
         edited->base = base;
@@ -294,7 +295,7 @@ bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
                 }
             }
         for (int l = 0; l < BAT_LEVELS_MAX && det < 0; l++) edited->holonomy[l] = -edited->holonomy[l];
-        status = bat_shape_rebuild(edited, 0, BAT_EVERYWHERE);
+        status = bat_shape_rebuild(edited, 0);
     }
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
@@ -305,25 +306,24 @@ bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
 
 bat_status bat_shape_commit(bat_shape *shape) {
     if (!shape) return BAT_ARGUMENT;
-    if (!shape->options.has_reference || shape->base->dimension == 2) return BAT_OK;
-    bat_frame3 first;
-    double domain[2];
-    bat_frame_options options = {.has_reference = true};
-    memcpy(options.reference_t, shape->options.reference_t, sizeof options.reference_t);
-    memcpy(options.reference_s, shape->options.reference_s, sizeof options.reference_s);
-    bat_curve_domain(shape->base, domain);
-    bat_status status = bat_frames(shape->base, &options, 1, domain, &first, NULL);
-    if (status != BAT_OK) return status;
-    vec t = vec_load(first.t, 3);
-    if (vec_dot(t, vec_unit(vec_load(options.reference_t, 3))) >= -0.5) return BAT_OK;
+    bat_shape_options options = shape->options;
+    bool anew = false;
+    if (options.has_reference && shape->base->dimension == 3) {
+        vec t = bat_frame_tangent(shape->base,
+                                  bat_span(shape->base, shape->base->knots[shape->base->degree], -1), false);
+        if (vec_dot(t, vec_unit(vec_load(options.reference_t, 3))) < -0.5) {
+            bat_frame_options frames = bat_shape_frame_options(&options, 0);
+            vec_store(bat_frame_first(&frames, 3, t), options.reference_s);
+            vec_store(t, options.reference_t);
+            anew = true;
+        }
+    }
+    if (!anew && !shape->turned) return BAT_OK;
     bat_shape *edited;
-    status = bat_shape_copy(shape, &edited);
+    bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
-    memcpy(edited->options.reference_t, first.t, sizeof first.t);
-    memcpy(edited->options.reference_s, first.s, sizeof first.s);
-    /* An empty stretch: details turn back everywhere, so that nothing moves. */
-    double middle = domain[0] + (domain[1] - domain[0]) / 2;
-    status = bat_shape_rebuild(edited, 0, (bat_stretch){middle, 0});
+    edited->options = options;
+    status = bat_shape_fold(edited, false);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else

@@ -53,7 +53,9 @@ bat_status bat_shape_reframe(bat_shape *shape, bat_frame_rule rule, const double
             turn_reference(&edited->options, matrix, size);
         }
     }
+    memset(edited->holonomy, 0, sizeof edited->holonomy); /* the principal ones, whichever the details knew */
     for (int l = 1; l <= edited->count && status == BAT_OK; l++) status = reframe_level(edited, l, matrix);
+    edited->turned = false;
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else
