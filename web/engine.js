@@ -293,6 +293,11 @@ export class Engine {
     return this.#guard(() => this.#lend(property, (text) => this.wasm.editor_get(this.editor, text)), NaN);
   }
 
+  /** Which share of a brush's reach a pen's pressure stands for. @param {number} pressure @returns {number} */
+  pressure(pressure) {
+    return this.#guard(() => this.wasm.editor_pressure(this.editor, pressure), 1);
+  }
+
   /** @returns {import('./layers.js').Layers} */
   layers() {
     return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_layers(this.editor))),

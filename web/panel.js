@@ -162,6 +162,14 @@ export class Panel {
     for (const one of [sheet, style]) {
       one.addEventListener('toggle', () => this.refresh());
     }
+    sheet.addEventListener('toggle', () => this.#drawPressure(), { once: true });
+  }
+
+  async #drawPressure() {
+    const { PressureCurve } = await import('./pressure.js');
+    const curve = new PressureCurve(this.engine, /** @type {Element} */ (part('setting-pressure-curve').parentElement));
+    this.controls.push(() => curve.show());
+    curve.show();
   }
 
   #fillLayers() {

@@ -62,6 +62,9 @@ BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, 
 BAT_API bat_status bat_editor_command(bat_editor *editor, const char *name);
 BAT_API bat_status bat_editor_set(bat_editor *editor, const char *property, double value);
 BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value);
+/* What a pen's pressure (0..1) counts as with the properties as they are: the share of a brush's reach, 0.25..1; it
+ * never falls as the pressure rises. 1 when pressure is switched off. */
+BAT_API double bat_editor_pressure(const bat_editor *editor, double pressure);
 /* The shortcuts of a command, for this editor: keys as the tables write them ("Ctrl+Shift+Z Ctrl+Y"), "" for none,
  * NULL for the default. BAT_UNSUPPORTED: no such command; BAT_ARGUMENT: too long or not well-formed. */
 BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys);

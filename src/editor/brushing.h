@@ -15,7 +15,8 @@ typedef struct bat_rubbed {
 typedef struct bat_brushing {
     bool hovering, painting, due;
     bat_device device;
-    double at[2]; /* view pixels */
+    double at[2];    /* view pixels */
+    double pressure; /* what it counts as: a share of the reach */
 
     /* eraser, while painting */
     bat_rubbed *rubbed;

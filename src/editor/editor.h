@@ -110,6 +110,9 @@ bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down);
 /* view commands need the document's box: fit.c's one rule for what "all" is. False: nothing to fit to. */
 bool bat_editor_fit(bat_editor *editor);
 
+/* pressure.c: of an event; 1 but for a pen that is down. */
+double bat_pressure_of(const bat_editor *editor, const bat_pointer *event);
+
 /* keys.c */
 bool bat_keys_valid(const char *keys);
 bool bat_keys_match(const char *keys, const char *key, uint32_t modifiers);

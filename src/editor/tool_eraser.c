@@ -23,7 +23,8 @@ void bat_brushing_end(bat_brushing *b) {
 }
 
 static double radius(const bat_editor *editor) {
-    return editor->values[BAT_PROPERTY_ERASER_SIZE] * bat_view_pixel(&editor->view);
+    return editor->values[BAT_PROPERTY_ERASER_SIZE] * editor->brushing.pressure *
+           bat_view_pixel(&editor->view);
 }
 
 static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
@@ -206,6 +207,7 @@ static void note(bat_editor *editor, const bat_pointer *event) {
     b->device = event->device;
     b->at[0] = event->x;
     b->at[1] = event->y;
+    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(editor, event);
 }
 
 static void hover(bat_editor *editor, const bat_pointer *event) { note(editor, event); }

@@ -16,6 +16,9 @@ static double radius(const bat_editor *editor) {
     return editor->values[BAT_PROPERTY_BRUSH_SIZE] * bat_view_pixel(&editor->view);
 }
 
+/* What the pen's pressure makes of it. A curve is found within all of it, however light the tap. */
+static double pressed(const bat_editor *editor) { return editor->brushing.pressure * radius(editor); }
+
 static const bat_curve *target(const bat_editor *editor) {
     const bat_brushing *b = &editor->brushing;
     return b->object ? bat_edit_target(editor->document, b->object, b->curve) : NULL;
@@ -39,7 +42,7 @@ static void look(bat_editor *editor) {
     b->u = pick.near.u;
     const bat_curve *curve = target(editor);
     if (curve)
-        bat_calm_range(curve, b->u, half(r, pick.near.distance), b->range);
+        bat_calm_range(curve, b->u, half(pressed(editor), pick.near.distance), b->range);
     else
         b->object = 0;
 }
@@ -56,7 +59,7 @@ static void paint(bat_editor *editor) {
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0], turns = 0;
     if (bat_curve_closed(curve)) turns = floor((b->u - near.u) / period + 0.5) * period;
-    bat_calm_range(curve, near.u, half(r, near.distance), range);
+    bat_calm_range(curve, near.u, half(pressed(editor), near.distance), range);
     b->u = near.u + turns;
     b->range[0] = fmin(b->range[0], range[0] + turns);
     b->range[1] = fmax(b->range[1], range[1] + turns);
@@ -76,6 +79,7 @@ static void note(bat_editor *editor, const bat_pointer *event) {
     b->device = event->device;
     b->at[0] = event->x;
     b->at[1] = event->y;
+    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(editor, event);
 }
 
 static void hover(bat_editor *editor, const bat_pointer *event) { note(editor, event); }
@@ -154,7 +158,7 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     }
     bat_view_to_document(&editor->view, b->at, point);
     bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
-    bat_overlay_circle(list, point, radius(editor));
+    bat_overlay_circle(list, point, pressed(editor));
 }
 
 static bat_string hint(const bat_editor *editor) {

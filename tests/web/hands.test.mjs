@@ -180,3 +180,22 @@ for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800
     });
   }
 }
+
+test('the pressure curve is drawn as the engine has it', async () => {
+  const { page, context } = await open(browser, server.address);
+  await page.click('[data-name=settings]');
+  const heights = () => page.$eval('.pressure-curve polyline', (line) => [...line.points].map(({ y }) => 1 - y / 40));
+  await page.waitForSelector('.pressure-curve');
+  for (const curve of [1, 3, 0.4]) {
+    await page.fill('#setting-pressure-curve', String(curve));
+    await page.press('#setting-pressure-curve', 'Tab');
+    for (const [i, height] of (await heights()).entries()) {
+      assert.ok(Math.abs(height - (0.25 + 0.75 * (i / 40) ** curve)) < 1e-3);
+    }
+  }
+  await page.locator('.pressure-curve').scrollIntoViewIfNeeded();
+  await shot(page, 'pressure');
+  await page.locator('#settings [data-property=pressure]').uncheck();
+  assert.ok((await heights()).every((height) => height === 1));
+  await context.close();
+});

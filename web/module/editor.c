@@ -16,6 +16,7 @@ void editor_resize(bat_editor *editor, double width, double height, double pixel
 MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char *name);
 MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
 MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
+MODULE_EXPORT(editor_pressure) double editor_pressure(const bat_editor *editor, double pressure);
 MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
 MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
@@ -103,6 +104,11 @@ int editor_rename(bat_editor *editor, uint32_t id, const char *name) {
 int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked) {
     MODULE_CHECK(editor);
     return (int)bat_editor_set_state(editor, id, hidden != 0, locked != 0);
+}
+
+double editor_pressure(const bat_editor *editor, double pressure) {
+    MODULE_CHECK(editor);
+    return bat_editor_pressure(editor, pressure);
 }
 
 const char *editor_tables(bat_editor *editor) {
