@@ -42,7 +42,8 @@ static bat_editor *editor_with(bat_curve *curve, const char *tool) {
     bat_editor_resize(editor, 1000, 800, 1);
     bat_editor_open(editor, document, "test");
     bat_editor_command(editor, "zoom-100");
-    bat_editor_set(editor, "pressure", 0); /* all of the reach, always: tests/editor/test_pressure.c has the rest */
+    bat_editor_set(editor, "pressure",
+                   0); /* all of the reach, always: tests/editor/test_pressure.c has the rest */
     bat_editor_command(editor, tool);
     return editor;
 }
