@@ -66,6 +66,7 @@ export class Engine {
     this.size = [1, 1, 1];
     /** The words of another language, as fetched. @type {Uint8Array | null} */
     this.words = null;
+    this.readOnly = false;
     /** @type {Exports} */
     this.wasm = /** @type {any} */ (null);
     /** @type {Record<string, number>} */
@@ -102,6 +103,7 @@ export class Engine {
     if (this.words) {
       this.speak(this.words);
     }
+    this.wasm.editor_read_only(this.editor, Number(this.readOnly));
   }
 
   // ---- memory ----
@@ -202,6 +204,12 @@ export class Engine {
     this.#start();
     this.#begun(new Uint8Array(0));
     this.onrecovery(whole.length === 0, error);
+  }
+
+  /** Whether the document can only be looked at. @param {boolean} on */
+  setReadOnly(on) {
+    this.readOnly = on;
+    this.#guard(() => this.wasm.editor_read_only(this.editor, Number(on)), undefined);
   }
 
   // ---- input ----

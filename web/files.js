@@ -61,7 +61,7 @@ export class Files {
     this.name = 'drawing.svg';
     /** What was opened, as it came. @type {Uint8Array} */
     this.opened = new Uint8Array(0);
-    /** Asked before a drawing is opened: what was kept of it. @type {(name: string) => Promise<Kept | null>} */
+    /** Asked before a drawing is opened in place of this one: what was kept of it. @type {(name: string) => Promise<Kept | null>} */
     this.find = async () => null;
     /** Told as soon as it is open. @type {(kept: Kept | null) => void} */
     this.onopen = () => {};
@@ -121,7 +121,8 @@ export class Files {
     } else if (this.opened.length > 0) {
       this.open(this.opened, this.name);
     } else {
-      this.engine.replay(new TextEncoder().encode('{"journal":"batten","version":1}'));
+      const head = JSON.stringify({ journal: 'batten', version: 1, name: this.name });
+      this.engine.replay(new TextEncoder().encode(head));
       this.wake();
     }
   }
@@ -140,6 +141,8 @@ export class Files {
     if (this.open(bytes, file.name)) {
       this.bound = false;
       this.onopen(kept);
+    } else {
+      await this.find(this.name);
     }
   }
 

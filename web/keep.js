@@ -5,6 +5,8 @@
 
 /** @typedef {{ name: string, journal: Uint8Array, time: number }} Kept */
 
+const HEAD = 4096; // bytes of a journal in which its name stands
+
 /** Where all folders are. */
 export async function journals() {
   return (await navigator.storage.getDirectory()).getDirectoryHandle('journals', { create: true });
@@ -19,9 +21,10 @@ export async function folderOf(name) {
 /**
  * The newest whole journal of a folder, up to its last whole line.
  * @param {FileSystemDirectoryHandle} folder
+ * @param {number} [size] only so much of it
  * @returns {Promise<Kept | null>}
  */
-async function newest(folder) {
+async function newest(folder, size) {
   /** @type {number[]} */
   const numbers = [];
   for await (const name of folder.keys()) {
@@ -29,9 +32,9 @@ async function newest(folder) {
   }
   for (const number of numbers.sort((a, b) => b - a)) {
     const file = await (await folder.getFileHandle(String(number))).getFile();
-    const bytes = new Uint8Array(await file.arrayBuffer());
+    const bytes = new Uint8Array(await file.slice(0, size).arrayBuffer());
     if (bytes[0]) {
-      const head = /"name":("(?:[^"\\]|\\.)*")/.exec(new TextDecoder().decode(bytes.subarray(0, 4096)));
+      const head = /"name":("(?:[^"\\]|\\.)*")/.exec(new TextDecoder().decode(bytes.subarray(0, HEAD)));
       return { name: head ? JSON.parse(head[1]) : '', journal: bytes.subarray(0, bytes.lastIndexOf(10) + 1),
         time: file.lastModified };
     }
@@ -88,12 +91,13 @@ export class Keeper {
     }
   }
 
-  /** All drawings kept, the latest first. @returns {Promise<Kept[]>} */
+  /** The names of all drawings kept, the latest first. @returns {Promise<string[]>} */
   async list() {
+    /** @type {Kept[]} */
     const list = [];
     try {
       for await (const handle of (await journals()).values()) {
-        const kept = await newest(/** @type {FileSystemDirectoryHandle} */ (handle));
+        const kept = await newest(/** @type {FileSystemDirectoryHandle} */ (handle), HEAD);
         if (kept?.name) {
           list.push(kept);
         }
@@ -101,7 +105,7 @@ export class Keeper {
     } catch {
       // Nothing can be kept here, so nothing is.
     }
-    return list.sort((a, b) => b.time - a.time);
+    return list.sort((a, b) => b.time - a.time).map(({ name }) => name);
   }
 
   /** @param {string} name */

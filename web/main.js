@@ -9,6 +9,7 @@ import { Painter } from './paint.js';
 import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
 import { Settings } from './settings.js';
+import { Tabs } from './tabs.js';
 import { Theme } from './theme.js';
 import { Words, word } from './words.js';
 
@@ -27,11 +28,13 @@ class Shell {
   constructor(engine, settings, words) {
     this.stage = part('stage');
     this.notice = new Notice();
+    this.standing = new Notice('standing');
     this.server = new Server();
     this.keeper = new Keeper();
     this.engine = engine;
     this.settings = settings;
     this.words = words;
+    this.tabs = new Tabs();
     this.theme = new Theme();
     this.painter = new Painter(canvas('still'), canvas('overlay'), this.theme);
     this.wake = this.wake.bind(this);
@@ -73,8 +76,12 @@ class Shell {
     };
     this.keeper.onfault = () => this.notice.say(this.text('not-kept'), {
       label: this.text('save-now'), run: () => void this.files.save() });
-    this.files.find = (name) => this.keeper.find(name);
+    this.files.find = (name) => this.admit(name);
     this.files.onopen = (kept) => this.resume(kept);
+    this.tabs.onleave = async () => {
+      await this.keeper.yield();
+      this.#showOwner();
+    };
     new ResizeObserver(() => this.#resize()).observe(this.stage);
     this.#watchRatio();
     this.#resize();
@@ -118,9 +125,12 @@ class Shell {
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
     part('welcome').hidden = !empty || frame.live.length > 0;
-    this.files.unsaved = frame.unsaved;
-    this.keeper.note(this.files.name, this.engine.session, this.engine.journal, frame.unsaved,
-      !this.files.bound && !empty);
+    const ours = this.tabs.held && this.tabs.name === this.files.name;
+    this.files.unsaved = frame.unsaved && ours;
+    if (ours) {
+      this.keeper.note(this.files.name, this.engine.session, this.engine.journal, frame.unsaved,
+        !this.files.bound && !empty);
+    }
     if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
       this.notice.say(frame.notice);
     }
@@ -138,8 +148,70 @@ class Shell {
     return word(`shell.${key}`, this.files.name);
   }
 
+  /**
+   * Leaves this drawing for another.
+   * @param {string} name
+   * @returns {Promise<Kept | null>} what was kept of it; null, too, when another page has it
+   */
+  async admit(name) {
+    if (this.files.unsaved) {
+      this.keeper.drop(this.files.name); // the user was asked
+      await this.keeper.settled();
+    }
+    return await this.tabs.claim(name) ? this.keeper.find(name) : null;
+  }
+
+  /** Says when another page has the drawing; it can be had from there. */
+  #showOwner() {
+    this.engine.setReadOnly(!this.tabs.held);
+    this.standing.hide();
+    if (!this.tabs.held) {
+      this.standing.say(this.text('elsewhere'), { label: this.text('take-over'), run: () => void this.#takeOver() });
+    }
+    this.wake();
+  }
+
+  async #takeOver() {
+    await this.tabs.take();
+    const kept = await this.keeper.find(this.files.name);
+    await this.files.reopen();
+    this.resume(kept);
+  }
+
+  /** Without a file: the drawing kept last that no other page has, else an empty one. */
+  async openLast() {
+    for (const name of await this.keeper.list()) {
+      const kept = await this.admit(name);
+      if (kept) {
+        this.files.name = name;
+        if (this.engine.replay(kept.journal)) {
+          this.wake();
+          this.notice.say(this.text('as-left'), { label: this.text('new'), run: () => void this.openNew() });
+          return;
+        }
+      }
+    }
+    await this.openNew();
+  }
+
+  /** An empty drawing; what was there before stays kept. */
+  async openNew() {
+    this.keeper.session = -1;
+    this.keeper.unsaved = this.files.unsaved = false;
+    let name = 'drawing.svg';
+    for (let number = 2; (await this.admit(name)) || !this.tabs.held; number++) {
+      name = `drawing ${number}.svg`;
+    }
+    this.files.name = name;
+    this.files.bound = false;
+    this.files.opened = new Uint8Array(0);
+    await this.files.reopen();
+    this.#showOwner();
+  }
+
   /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
   resume(kept) {
+    this.#showOwner();
     if (!kept) {
       return;
     }
@@ -196,8 +268,10 @@ async function start() {
     const shell = new Shell(engine, settings, words);
     if (shell.server.there) {
       await shell.files.openServed();
+      shell.resume(await shell.admit(shell.files.name));
+    } else {
+      await shell.openLast();
     }
-    shell.resume(await shell.keeper.find(shell.files.name));
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';

@@ -3,10 +3,11 @@
 const SHORT = 5000; // milliseconds that a notice stays when it asks for nothing
 
 export class Notice {
-  constructor() {
-    this.box = /** @type {HTMLElement} */ (document.getElementById('notice'));
-    this.text = /** @type {HTMLElement} */ (document.getElementById('notice-text'));
-    this.button = /** @type {HTMLButtonElement} */ (document.getElementById('notice-action'));
+  /** @param {string} id of its box */
+  constructor(id = 'notice') {
+    this.box = /** @type {HTMLElement} */ (document.getElementById(id));
+    this.text = /** @type {HTMLElement} */ (document.getElementById(`${id}-text`));
+    this.button = /** @type {HTMLButtonElement} */ (document.getElementById(`${id}-action`));
     this.timer = 0;
     this.button.addEventListener('click', () => {
       this.hide();

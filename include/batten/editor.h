@@ -83,6 +83,10 @@ BAT_API bat_status bat_editor_words(bat_editor *editor, const char *text, size_t
 /* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it
  * is now): that state is clean from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);
+/* The document can be looked at and exported, not changed and not saved: a pointer moves the view, and what would
+ * change something says why not. Drops what is under way. A host that does not own the document asks for it;
+ * opening and replay are the host's own and go on. */
+BAT_API void bat_editor_set_read_only(bat_editor *editor, bool read_only);
 
 /* ---- layers and objects by id, for panels ---- */
 

@@ -29,6 +29,7 @@ static void follow(bat_editor *editor, bool undone) {
 /* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
 static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(bat_history *, bat_document *),
                        bat_status (*back)(bat_history *, bat_document *)) {
+    if (bat_editor_refuses(editor)) return BAT_STATE;
     bat_status status = go(&editor->history, editor->document);
     if (status != BAT_OK) return status;
     bat_text line = {0};
@@ -102,7 +103,7 @@ static bat_status open(bat_editor *editor, bool down) {
 }
 static bat_status save(bat_editor *editor, bool down) {
     (void)down;
-    return ask(editor, BAT_ASK_SAVE);
+    return bat_editor_refuses(editor) ? BAT_OK : ask(editor, BAT_ASK_SAVE);
 }
 static bat_status download_svg(bat_editor *editor, bool down) {
     (void)down;
@@ -316,7 +317,7 @@ bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down) {
     const bat_command_row *row = bat_command_at(id);
     if (row->when != BAT_WHEN_ANYTIME && (bat_editor_busy(editor) || editor->transaction.open))
         return BAT_STATE;
-    editor->freed = false;
+    editor->freed = editor->refused = false;
     return functions[id](editor, down);
 }
 

@@ -7,13 +7,14 @@ enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones sa
 
 static bat_cursor cursor(const bat_editor *editor) {
     if (bat_contacts_count(&editor->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
-    if (editor->holding_pan) return BAT_CURSOR_GRAB;
+    if (editor->holding_pan || editor->read_only) return BAT_CURSOR_GRAB;
     const bat_tool *tool = bat_editor_tool(editor);
     return tool->cursor ? tool->cursor(editor) : BAT_CURSOR_CROSS;
 }
 
 static const char *hint(const bat_editor *editor) {
     const bat_tool *tool = bat_editor_tool(editor);
+    if (editor->read_only) return bat_editor_text(editor, BAT_STRING_HINT_READ_ONLY);
     if (editor->holding_pan && !bat_editor_busy(editor)) return bat_editor_text(editor, BAT_STRING_HINT_PAN);
     return tool->hint ? bat_editor_text(editor, tool->hint(editor)) : "";
 }

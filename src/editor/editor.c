@@ -23,7 +23,8 @@ bool bat_editor_busy(const bat_editor *editor) {
 
 void bat_editor_notice_value(bat_editor *editor, bat_string text, const char *value) {
     if (editor->freed) text = BAT_STRING_NOTICE_FREED;
-    editor->freed = false;
+    if (editor->refused) text = BAT_STRING_NOTICE_READ_ONLY;
+    editor->freed = editor->refused = false;
     editor->notice = text;
     if (text == BAT_STRING_COUNT) return;
     const char *words = bat_editor_text(editor, text), *hole = value ? strchr(words, '%') : NULL;
@@ -210,6 +211,18 @@ void bat_editor_saved(bat_editor *editor) {
     editor->saved_state = editor->asked ? editor->asked_state : editor->history.state;
     editor->asked = false;
     bat_editor_notice(editor, BAT_STRING_NOTICE_SAVED);
+}
+
+void bat_editor_set_read_only(bat_editor *editor, bool read_only) {
+    if (editor->read_only == read_only) return;
+    bat_editor_interrupt(editor);
+    editor->read_only = read_only;
+}
+
+bool bat_editor_refuses(bat_editor *editor) {
+    if (editor->read_only) bat_editor_notice(editor, BAT_STRING_NOTICE_READ_ONLY);
+    editor->refused = editor->read_only;
+    return editor->read_only;
 }
 
 const char *bat_editor_journal(const bat_editor *editor, size_t *size) {

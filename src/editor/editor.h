@@ -76,6 +76,7 @@ struct bat_editor {
     bool paste_in_place; /* the next one, whatever is held */
     bat_string notice;   /* BAT_STRING_COUNT: none */
     char notice_text[BAT_NOTICE_ROOM];
+    bool read_only, refused; /* refused: this event would have changed something, which the user is told */
     bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
     uint32_t notice_version;
     bat_frame frame;
@@ -103,6 +104,8 @@ bat_status bat_editor_keep_picture(bat_editor *editor, const bat_picture *pictur
 void bat_editor_sync(bat_editor *editor);
 /* Ends every contact and whatever the tool has under way. */
 void bat_editor_interrupt(bat_editor *editor);
+/* The document is read-only, and the user is told: whatever the event has to say besides. */
+bool bat_editor_refuses(bat_editor *editor);
 
 /* commands.c */
 bat_status bat_command_run(bat_editor *editor, bat_command_id id, bool down);

@@ -81,7 +81,7 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         bat_contacts_pinch(editor);
         return BAT_DUTY_NAVIGATE;
     }
-    if (event->device == BAT_DEVICE_TOUCH && palm) return BAT_DUTY_NAVIGATE;
+    if (editor->read_only || (event->device == BAT_DEVICE_TOUCH && palm)) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
         bat_range_end(editor);
         const bat_tool *tool = bat_editor_tool(editor);
@@ -153,7 +153,7 @@ static void one(bat_editor *editor, bat_pointer event) {
         return;
     }
     editor->time = event.time;
-    editor->freed = false;
+    editor->freed = editor->refused = false;
     if (event.device == BAT_DEVICE_PEN) {
         editor->pen_seen = true;
         editor->pen_time = event.time;

@@ -218,9 +218,7 @@ static bool blank(const char *text, size_t size) {
     return true;
 }
 
-bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
-                             bat_problem *problem) {
-    if (!editor || (!text && size)) return BAT_ARGUMENT;
+static bat_status run(bat_editor *editor, const char *text, size_t size, bool check, bat_problem *problem) {
     bat_problem fault = {"", ""};
     bool first = true;
     int number_of_line = 0;
@@ -244,4 +242,14 @@ bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, 
     bat_problem_set(&fault, BAT_SYNTAX, "line 1", "the journal is empty");
     if (problem) *problem = fault;
     return BAT_SYNTAX;
+}
+
+bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
+                             bat_problem *problem) {
+    if (!editor || (!text && size)) return BAT_ARGUMENT;
+    bool read_only = editor->read_only;
+    editor->read_only = false; /* for the user, not for the host */
+    bat_status status = run(editor, text, size, check, problem);
+    editor->read_only = read_only;
+    return status;
 }

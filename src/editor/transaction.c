@@ -90,9 +90,10 @@ bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text
         bat_transaction_cancel(editor);
         return BAT_OK;
     }
-    if (bat_document_check_nesting(editor->document)) {
+    bool refused = bat_editor_refuses(editor);
+    if (refused || bat_document_check_nesting(editor->document)) {
         bat_transaction_cancel(editor);
-        return BAT_ARGUMENT;
+        return refused ? BAT_STATE : BAT_ARGUMENT;
     }
     bat_text own = {0};
     if (!line) bat_change_write(transaction->deltas, transaction->count, label, line = &own);

@@ -26,6 +26,7 @@ MODULE_EXPORT(editor_rename) int editor_rename(bat_editor *editor, uint32_t id, 
 MODULE_EXPORT(editor_set_state)
 int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked);
 MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
+MODULE_EXPORT(editor_read_only) void editor_read_only(bat_editor *editor, int on);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
 MODULE_EXPORT(editor_replay)
@@ -130,6 +131,11 @@ int editor_bind(bat_editor *editor, const char *command, const char *keys) {
 void editor_saved(bat_editor *editor) {
     MODULE_CHECK(editor);
     bat_editor_saved(editor);
+}
+
+void editor_read_only(bat_editor *editor, int on) {
+    MODULE_CHECK(editor);
+    bat_editor_set_read_only(editor, on != 0);
 }
 
 const bat_frame *editor_frame(bat_editor *editor) {
