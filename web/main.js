@@ -196,10 +196,11 @@ class Shell {
 
   /** An empty drawing; what was there before stays kept. */
   async openNew() {
+    const taken = await this.keeper.list();
     this.keeper.session = -1;
     this.keeper.unsaved = this.files.unsaved = false;
     let name = 'drawing.svg';
-    for (let number = 2; (await this.admit(name)) || !this.tabs.held; number++) {
+    for (let number = 2; taken.includes(name) || !(await this.tabs.claim(name)); number++) {
       name = `drawing ${number}.svg`;
     }
     this.files.name = name;
