@@ -17,6 +17,7 @@ import { word } from './words.js';
  * @property {Layer[]} layers back to front
  * @property {number} active
  * @property {number} loose objects in no layer
+ * @property {number} pictures to trace
  */
 
 export class LayersSheet {
@@ -24,19 +25,14 @@ export class LayersSheet {
    * @param {Engine} engine
    * @param {() => void} wake
    * @param {HTMLElement} sheet
-   * @param {HTMLElement[]} commands
    */
-  constructor(engine, wake, sheet, commands) {
+  constructor(engine, wake, sheet) {
     this.engine = engine;
     this.wake = wake;
     this.sheet = sheet;
     this.shown = '';
     this.list = document.createElement('ul');
     this.list.className = 'layer-list';
-    const row = document.createElement('div');
-    row.className = 'layer-commands';
-    row.append(...commands);
-    sheet.append(this.list, row);
     sheet.addEventListener('toggle', () => this.#fill());
   }
 
@@ -56,7 +52,8 @@ export class LayersSheet {
       document.activeElement.type === 'text') {
       return; // a name is being written
     }
-    const { layers, active, loose } = this.engine.layers();
+    const { layers, active, loose, pictures } = this.engine.layers();
+    /** @type {HTMLElement} */ (document.getElementById('pictures')).hidden = pictures === 0;
     const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
     const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
     rows.unshift(this.#row(none, active === 0));

@@ -253,6 +253,9 @@ class Shell {
     if (requests & (Ask.CUT | Ask.COPY | Ask.PASTE)) {
       void this.clipboard?.ask(requests);
     }
+    if (requests & Ask.SPAN) {
+      this.panel.ask('picture-span');
+    }
     if (requests & Ask.OPEN) {
       this.files.pick();
     }

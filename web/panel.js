@@ -10,6 +10,8 @@ import { keyName, tell, word } from './words.js';
 /** @typedef {import('./types.js').PropertyRow} PropertyRow */
 /** @typedef {import('./types.js').Tables} Tables */
 
+/** Where the properties of a group are; the rest are settings. @type {Record<string, string>} */
+const SHEETS = { style: 'style', picture: 'pictures' };
 const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
 
 /** @param {string} id */
@@ -72,6 +74,9 @@ export class Panel {
   #fillBar() {
     const bar = part('tools');
     for (const tool of this.tables.tools) {
+      if (!document.getElementById(`icon-${tool.command}`)) {
+        continue; // one for a moment only, chosen where it is wanted
+      }
       part('rail').append(this.#button(tool.command, `tool.${tool.name}`));
     }
     const groups = new Map();
@@ -153,13 +158,11 @@ export class Panel {
     const style = part('style');
     style.append(this.#heading('style'));
     for (const row of this.tables.properties) {
-      (row.group === 'style' ? style : sheet).append(this.#control(row, 'setting'));
+      part(SHEETS[row.group] ?? 'settings').append(this.#control(row, 'setting'));
     }
-    const presets = document.createElement('div');
-    presets.className = 'layer-commands';
-    presets.append(...this.#wordButtons((name) => name.startsWith('style-')));
-    style.append(presets);
-    for (const one of [sheet, style]) {
+    part('pictures').append(this.#commandRow((name) => name.startsWith('picture-') || name === 'tool-span'));
+    style.append(this.#commandRow((name) => name.startsWith('style-')));
+    for (const one of [sheet, style, part('layers')]) {
       one.addEventListener('toggle', () => this.refresh());
     }
     sheet.addEventListener('toggle', () => this.#drawPressure(), { once: true });
@@ -174,9 +177,26 @@ export class Panel {
 
   #fillLayers() {
     const sheet = part('layers');
-    sheet.append(this.#heading('layers'));
-    this.layers = new LayersSheet(this.engine, this.wake, sheet,
-      this.#wordButtons((name) => name.startsWith('layer-')));
+    const list = new LayersSheet(this.engine, this.wake, sheet);
+    sheet.prepend(this.#heading('layers'), list.list, this.#commandRow((name) => name.startsWith('layer-')));
+    part('pictures').prepend(this.#heading('pictures'));
+    this.layers = list;
+  }
+
+  /** Lets a property be typed. @param {string} property */
+  ask(property) {
+    const input = /** @type {HTMLInputElement} */ (document.getElementById(`setting-${property}`));
+    /** @type {HTMLElement} */ (input.closest('[popover]')).showPopover();
+    input.focus();
+    input.select();
+  }
+
+  /** Commands as buttons in a row. @param {(name: string) => boolean} chosen */
+  #commandRow(chosen) {
+    const row = document.createElement('div');
+    row.className = 'layer-commands';
+    row.append(...this.#wordButtons(chosen));
+    return row;
   }
 
   /** Commands as buttons with their words. @param {(name: string) => boolean} chosen */

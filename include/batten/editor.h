@@ -91,7 +91,7 @@ BAT_API void bat_editor_set_read_only(bat_editor *editor, bool read_only);
 /* ---- layers and objects by id, for panels ---- */
 
 /* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
- * "loose": objects in no layer}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
+ * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
 /* The layer that new curves go into; 0: none. */
 BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
@@ -224,7 +224,8 @@ enum {
     BAT_ASK_JOURNAL = 16,
     BAT_ASK_CUT = 32, /* the clipboard: bat_editor_copy, bat_editor_paste */
     BAT_ASK_COPY = 64,
-    BAT_ASK_PASTE = 128
+    BAT_ASK_PASTE = 128,
+    BAT_ASK_SPAN = 256 /* let the property picture-span be typed */
 };
 
 typedef struct bat_frame {

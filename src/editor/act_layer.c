@@ -231,6 +231,8 @@ const char *bat_editor_layers(bat_editor *editor) {
     bat_text_integer(&text, editor->layer);
     bat_text_string(&text, ",\"loose\":");
     bat_text_integer(&text, (uint64_t)loose);
+    bat_text_string(&text, ",\"pictures\":");
+    bat_text_integer(&text, (uint64_t)bat_tracing_count(document));
     bat_text_string(&text, "}");
     bat_text_add(&text, "", 1);
     if (text.failed) {

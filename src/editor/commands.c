@@ -254,6 +254,10 @@ static bat_status tool_tangents(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_TANGENTS);
 }
+static bat_status tool_span(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_SPAN);
+}
 static bat_status tool_pan(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_PAN);

@@ -84,6 +84,7 @@ bat_status bat_editor_create(bat_editor **out) {
     if (!editor) return BAT_MEMORY;
     editor->view = bat_view_defaults();
     editor->notice = BAT_STRING_COUNT;
+    editor->spanning.held = -1;
     bat_scene_init(&editor->scene);
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
         editor->values[i] = bat_property_at((bat_property_id)i)->standard;

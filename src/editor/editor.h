@@ -21,6 +21,7 @@
 #include "editor/tables.h"
 #include "editor/taps.h"
 #include "editor/tool.h"
+#include "editor/tracing.h"
 #include "editor/transaction.h"
 #include "editor/view.h"
 #include "editor/waypoints.h"
@@ -52,6 +53,7 @@ struct bat_editor {
     bat_brushing brushing;
     bat_insight insight;
     bat_selecting selecting;
+    bat_spanning spanning;
     bat_range range; /* these two lie over the chosen tool while they are on */
     bat_waypoints waypoints;
 

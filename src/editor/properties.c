@@ -18,6 +18,7 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
         bat_styling values[2] = {{id, value}, {shown, 1}};
         return bat_styling_set(editor, shown == id ? 1 : 2, values);
     }
+    if (bat_tracing_is(id)) return bat_tracing_set(editor, id, value);
     editor->values[id] = value;
     return BAT_OK;
 }
@@ -26,6 +27,8 @@ bat_status bat_editor_get(const bat_editor *editor, const char *property, double
     bat_property_id id = bat_property_named(property);
     if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
     const bat_style *style = bat_styling_is(id) ? bat_styling_selected(editor) : NULL;
-    *value = style ? bat_styling_value(style, id) : editor->values[id];
+    *value = style                ? bat_styling_value(style, id)
+             : bat_tracing_is(id) ? bat_tracing_value(editor, id)
+                                  : editor->values[id];
     return BAT_OK;
 }

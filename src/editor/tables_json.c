@@ -62,7 +62,10 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "low", row->low);
         number(&line, "high", row->high);
         number(&line, "step", row->step);
-        field(&line, "group", bat_styling_is((bat_property_id)i) ? "style" : "");
+        field(&line, "group",
+              bat_styling_is((bat_property_id)i)   ? "style"
+              : bat_tracing_is((bat_property_id)i) ? "picture"
+                                                   : "");
         if (row->type == BAT_PROPERTY_CHOICE)
             list_of(&line, ",\"unit\":\"\",\"choices\":[", row->unit);
         else

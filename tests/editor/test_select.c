@@ -503,7 +503,7 @@ static void layers_hold_hide_and_lock(void **state) {
         bat_editor_layers(editor),
         "{\"layers\":[{\"id\":3,\"name\":\"T\xc3\xbcr\",\"hidden\":false,\"locked\":false,\"depth\":0,"
         "\"members\":2},{\"id\":5,\"name\":\"Layer 2\",\"hidden\":false,\"locked\":false,\"depth\":0,"
-        "\"members\":0}],\"active\":3,\"loose\":1}");
+        "\"members\":0}],\"active\":3,\"loose\":1,\"pictures\":0}");
     /* A layer's contents are taken one by one. */
     click(&p, 500, 200, 0);
     assert_true(selected(editor) == 1 && has(editor, 1));

@@ -155,6 +155,91 @@ static void refused_in_one_line(void **unused) {
     bat_editor_free(editor);
 }
 
+/* Two places 100 px apart on the picture are said to be 250 units: it grows by 2.5 pixels about the first, and what
+ * lies under the second is 250 units from there. Locked as it is. */
+static void scaled_by_two_points(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    double before[6], now, pixel = bat_view_pixel(&editor->view), first[2], second[2];
+    assert_int_equal(add(editor, 200, 100), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
+    assert_true(bat_object_locked(last(editor)));
+    memcpy(before, bat_object_matrix(last(editor)), sizeof before);
+    assert_int_equal(bat_editor_set(editor, "picture-span", 250), BAT_STATE); /* no places yet */
+    assert_int_equal(bat_editor_command(editor, "tool-span"), BAT_OK);
+    pen_event(&p, BAT_POINTER_DOWN, 450, 400);
+    pen_event(&p, BAT_POINTER_UP, 450, 400);
+    assert_int_equal(bat_editor_frame(editor)->requests, 0);
+    pen_event(&p, BAT_POINTER_DOWN, 500, 470);
+    pen_event(&p, BAT_POINTER_MOVE, 510, 480);                               /* 60 across, 80 down */
+    assert_int_equal(bat_editor_command(editor, "picture-hide"), BAT_STATE); /* in the middle of it */
+    pen_event(&p, BAT_POINTER_UP, 510, 480);
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_int_equal(frame->requests, BAT_ASK_SPAN);
+    assert_int_equal(frame->label_count, 1);
+    bat_editor_get(editor, "picture-span", &now);
+    assert_true(fabs(now - 100 * pixel) < 1e-9);
+    bat_view_to_document(&editor->view, (double[]){450, 400}, first);
+    bat_view_to_document(&editor->view, (double[]){510, 480}, second);
+    assert_int_equal(bat_editor_set(editor, "picture-span", 250), BAT_OK);
+    const double *m = bat_object_matrix(last(editor));
+    double factor = 250 / (100 * pixel);
+    assert_true(fabs(m[0] - factor * before[0]) < 1e-9 && fabs(m[3] - factor * before[3]) < 1e-9);
+    /* The pixel under the first place stays, that under the second is 250 units away. */
+    for (int k = 0; k < 2; k++) {
+        double of_first = (first[k] - before[4 + k]) / before[0],
+               of_second = (second[k] - before[4 + k]) / before[0];
+        assert_true(fabs(m[0] * of_first + m[4 + k] - first[k]) < 1e-9);
+        second[k] = m[0] * of_second + m[4 + k] - first[k];
+    }
+    assert_true(fabs(hypot(second[0], second[1]) - 250) < 1e-9);
+    bat_editor_get(editor, "picture-span", &now);
+    assert_true(fabs(now - 250) < 1e-9);
+    assert_true(bat_object_locked(last(editor)));
+    for (int i = 0; i < 3; i++)
+        assert_int_not_equal(bat_editor_set(editor, "picture-span", (double[]){0, NAN, -1}[i]), BAT_OK);
+    replays(editor);
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK); /* the places go */
+    assert_int_equal(bat_editor_set(editor, "picture-span", 100), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_memory_equal(bat_object_matrix(last(editor)), before, sizeof before);
+    bat_editor_free(editor);
+}
+
+static void opacity_lock_and_hide(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    double value;
+    assert_int_equal(bat_editor_set(editor, "picture-opacity", 0.3), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_STATE);
+    assert_int_equal(add(editor, 20, 10), BAT_OK);
+    assert_int_equal(add(editor, 30, 10), BAT_OK); /* this one is selected, and behind */
+    assert_int_equal(bat_editor_set(editor, "picture-opacity", 0.3), BAT_OK);
+    assert_true(bat_object_style(last(editor))->opacity == 0.3);
+    assert_true(bat_object_style(bat_document_at(bat_editor_document(editor), 1))->opacity == 0.5);
+    bat_editor_get(editor, "picture-opacity", &value);
+    assert_true(value == 0.3);
+    assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
+    assert_int_equal(bat_editor_set(editor, "picture-opacity", 0.25), BAT_OK); /* locked ones, too */
+    for (int i = 0; i < 2; i++) {
+        const bat_object *object = bat_document_at(bat_editor_document(editor), i);
+        assert_true(bat_object_locked(object) && bat_object_style(object)->opacity == 0.25);
+    }
+    assert_int_equal(bat_editor_command(editor, "picture-hide"), BAT_OK);
+    for (int i = 0; i < 2; i++)
+        assert_true(bat_object_hidden(bat_document_at(bat_editor_document(editor), i)));
+    assert_int_equal(bat_editor_command(editor, "picture-hide"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
+    for (int i = 0; i < 2; i++) {
+        const bat_object *object = bat_document_at(bat_editor_document(editor), i);
+        assert_true(!bat_object_hidden(object) && !bat_object_locked(object));
+    }
+    assert_null(bat_editor_check(editor));
+    replays(editor);
+    bat_editor_free(editor);
+}
+
 static void failing_allocations(void **unused) {
     (void)unused;
     for (int n = 1;; n++) {
@@ -183,6 +268,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed_in_the_middle),  cmocka_unit_test(moved_undone_and_replayed),
         cmocka_unit_test(locked_out_of_the_way), cmocka_unit_test(refused_in_one_line),
+        cmocka_unit_test(scaled_by_two_points),  cmocka_unit_test(opacity_lock_and_hide),
         cmocka_unit_test(failing_allocations),
     };
     return cmocka_run_group_tests_name("tracing", tests, NULL, NULL);

@@ -100,6 +100,45 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+for (const colorScheme of ['light', 'dark']) {
+  test(`scaled by two points, faded, locked, ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    await give(page, 'drop', 'image/png', twoHalves(400, 200));
+    await shownPictures(page, 1);
+    const [x, y] = await middle(page);
+    await page.click('[data-name="layers"]');
+    assert.ok(await page.isVisible('#pictures'));
+    await page.click('#pictures [data-text="command.tool-span"]');
+    await page.keyboard.press('Escape');
+    await settle(page);
+    for (const at of [[x - 200, y], [x + 200, y]]) {
+      await hand.stroke([at, at], { pointerType: 'mouse' });
+    }
+    await page.waitForSelector('#setting-picture-span:focus');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-span.png`) });
+    await page.keyboard.type('800');
+    await page.keyboard.press('Enter');
+    await settle(page);
+    const matrix = await page.evaluate(() =>
+      JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0].matrix);
+    assert.ok(Math.abs(matrix[0] - 2) < 1e-9, String(matrix));
+    await page.fill('#setting-picture-opacity', '1');
+    await page.press('#setting-picture-opacity', 'Enter');
+    await page.click('#pictures [data-text="command.picture-lock"]');
+    await page.keyboard.press('Escape');
+    await settle(page);
+    assert.equal((await colourAt(page, x + 100, y + 50))[3], 255);
+    await page.focus('#stage');
+    await page.keyboard.press('v');
+    await hand.stroke([[x, y + 50], [x, y + 50]], { pointerType: 'mouse' });
+    assert.equal(await page.evaluate(() => batten.engine.frame().selected), 0);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-locked.png`) });
+    assert.equal((await state(page)).check, '');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
 test('a crash of the module brings the picture back from the journal', async () => {
   const { page, context } = await open(browser, server.address);
   await give(page, 'drop', 'image/png', twoHalves(100, 100));
