@@ -135,6 +135,25 @@ BAT_API bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, si
  * asked by "paste-in-place". Layers are dropped, what is in them is not. BAT_STATE: there is nothing in it. */
 BAT_API bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own);
 
+/* ---- levels of the chosen curve, for the level strip ---- */
+
+/* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the
+ * curve; "apart": the rows are what taking apart would give; "copying": a tap chooses who gets the detail}. The
+ * three words, muted, solo and active are 0 or 1. Owned by the editor, valid until the next call of it; NULL: out
+ * of memory. */
+BAT_API const char *bat_editor_levels(bat_editor *editor);
+
+typedef enum bat_level_act {
+    BAT_LEVEL_CHOOSE, /* makes it the active one */
+    BAT_LEVEL_GAIN,   /* to value; shown at once, one step of the history when `done` comes, command "cancel"
+                       * takes it back */
+    BAT_LEVEL_MUTE,   /* value 0: sounds, else silent */
+    BAT_LEVEL_SOLO    /* the levels above are silent and the others not; again: all sound */
+} bat_level_act;
+/* BAT_STATE: no levels, or something else is under way; BAT_ARGUMENT: no such level. */
+BAT_API bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, double value,
+                                    bool done);
+
 /* ---- output ---- */
 
 /* Path data: floats, relative to the frame's origin. Command, then its coordinates. */
@@ -257,6 +276,7 @@ typedef struct bat_frame {
     uint32_t selection;      /* grows with every change of the selection */
     uint32_t selected;       /* objects in it */
     uint32_t layer;          /* the active one; 0: none */
+    uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
 } bat_frame;
 
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */

@@ -48,7 +48,9 @@ bat_status bat_do_delete(bat_editor *editor, bool down) {
 
 bat_status bat_do_deselect(bat_editor *editor, bool down) {
     (void)down;
-    if (!editor->selection.count) return BAT_STATE;
+    bool levels = editor->tool == BAT_TOOL_LEVELS && editor->leveling.object;
+    if (!editor->selection.count && !levels) return BAT_STATE;
+    if (levels) editor->leveling.object = 0;
     bat_selection_clear(&editor->selection);
     return BAT_OK;
 }

@@ -37,6 +37,12 @@ ACT(style_hairline)
 ACT(style_pen)
 ACT(style_marker)
 ACT(style_shape)
+ACT(take_apart)
+ACT(level_add)
+ACT(level_up)
+ACT(level_down)
+ACT(levels_copy)
+ACT(levels_flatten)
 #undef ACT
 
 #endif

@@ -47,12 +47,14 @@ static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(ba
 }
 
 static bool drop(bat_editor *editor) {
+    if (bat_leveling_let_go(editor)) return true;
     const bat_tool *tool = bat_editor_tool(editor);
     return tool->cancel && tool->cancel(editor);
 }
 
 /* What has not been committed yet is what the user wants gone first. */
 static bool drop_uncommitted(bat_editor *editor) {
+    if (bat_leveling_let_go(editor)) return true;
     const bat_tool *tool = bat_editor_tool(editor);
     return tool->undo ? tool->undo(editor) : drop(editor);
 }
@@ -257,6 +259,10 @@ static bat_status tool_tangents(bat_editor *editor, bool down) {
 static bat_status tool_span(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_SPAN);
+}
+static bat_status tool_levels(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_LEVELS);
 }
 static bat_status tool_pan(bat_editor *editor, bool down) {
     (void)down;

@@ -90,7 +90,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .revision = (uint32_t)editor->revision,
                          .selection = editor->selection.version,
                          .selected = (uint32_t)editor->selection.count,
-                         .layer = (uint32_t)editor->layer};
+                         .layer = (uint32_t)editor->layer,
+                         .levels = bat_leveling_version(editor)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     drawing(editor, frame);

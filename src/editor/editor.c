@@ -17,6 +17,7 @@ const bat_tool *bat_editor_tool(const bat_editor *editor) {
 }
 
 bool bat_editor_busy(const bat_editor *editor) {
+    if (editor->leveling.fading) return true;
     const bat_tool *tool = bat_editor_tool(editor);
     return tool->busy && tool->busy(editor);
 }
@@ -57,6 +58,7 @@ void bat_editor_sync(bat_editor *editor) {
 }
 
 void bat_editor_interrupt(bat_editor *editor) {
+    bat_leveling_let_go(editor);
     bat_range_end(editor);
     const bat_tool *tool = bat_editor_tool(editor);
     if (tool->cancel) tool->cancel(editor);
@@ -110,6 +112,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_samples_free(&editor->sketching.edit.samples);
     bat_samples_free(&editor->sketching.pending.samples);
     bat_splining_free(&editor->splining);
+    bat_leveling_free(&editor->leveling);
     bat_scene_free(&editor->scene);
     free(editor->overlay.path.data);
     bat_selection_free(&editor->selection);
@@ -173,6 +176,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     bat_selection_clear(&editor->selection);
     editor->layer = 0;
     bat_splining_free(&editor->splining);
+    bat_leveling_free(&editor->leveling);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
     free(editor->name);

@@ -8,6 +8,7 @@
 #include "editor/brushing.h"
 #include "editor/contacts.h"
 #include "editor/insight.h"
+#include "editor/leveling.h"
 #include "editor/line.h"
 #include "editor/outline.h"
 #include "editor/overlay.h"
@@ -49,6 +50,7 @@ struct bat_editor {
     bat_tool_id tool;
     bat_sketching sketching;
     bat_splining splining;
+    bat_leveling leveling;
     bat_pointing pointing;
     bat_brushing brushing;
     bat_insight insight;

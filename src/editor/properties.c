@@ -20,12 +20,17 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
     }
     if (bat_tracing_is(id)) return bat_tracing_set(editor, id, value);
     editor->values[id] = value;
-    return BAT_OK;
+    return bat_leveling_is(id) ? bat_leveling_set(editor, id, value) : BAT_OK;
 }
 
 bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
     bat_property_id id = bat_property_named(property);
     if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
+    const bat_shape *shape = id == BAT_PROPERTY_FRAME_RULE ? bat_leveling_shape(editor) : NULL;
+    if (shape) {
+        *value = (double)bat_shape_options_of(shape)->frame;
+        return BAT_OK;
+    }
     const bat_style *style = bat_styling_is(id) ? bat_styling_selected(editor) : NULL;
     *value = style                ? bat_styling_value(style, id)
              : bat_tracing_is(id) ? bat_tracing_value(editor, id)

@@ -63,9 +63,10 @@ const char *bat_editor_tables(bat_editor *editor) {
         number(&line, "high", row->high);
         number(&line, "step", row->step);
         field(&line, "group",
-              bat_styling_is((bat_property_id)i)   ? "style"
-              : bat_tracing_is((bat_property_id)i) ? "picture"
-                                                   : "");
+              bat_styling_is((bat_property_id)i)    ? "style"
+              : bat_tracing_is((bat_property_id)i)  ? "picture"
+              : bat_leveling_is((bat_property_id)i) ? "levels"
+                                                    : "");
         if (row->type == BAT_PROPERTY_CHOICE)
             list_of(&line, ",\"unit\":\"\",\"choices\":[", row->unit);
         else
