@@ -67,6 +67,7 @@ bat_status bat_do_select_all(bat_editor *editor, bool down) {
         bat_nesting_next(&nesting, object, &level);
         int outside = nesting.depth - 1 - bat_object_is_group(object);
         bool whole = outside < 0 || nesting.open[outside].kind == BAT_KIND_LAYER;
+        if (editor->entered) whole = bat_object_parent(object) == editor->entered;
         if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER) continue;
         bat_status status = bat_selection_add(&editor->selection, bat_object_id(object));
         if (status != BAT_OK) return told(editor, status);

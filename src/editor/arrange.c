@@ -64,11 +64,14 @@ bool bat_arrange_selection_box(const bat_editor *editor, double box[4]) {
     return box[0] <= box[2];
 }
 
-int bat_arrange_whole(const bat_document *document, int index) {
+int bat_arrange_whole(const bat_editor *editor, int index) {
+    const bat_document *document = editor->document;
     for (;;) {
         bat_id parent = bat_object_parent(bat_document_at(document, index));
         int at = parent ? bat_document_find(document, parent) : -1;
-        if (at < 0 || bat_object_kind(bat_document_at(document, at)) == BAT_KIND_LAYER) return index;
+        if (at < 0 || parent == editor->entered ||
+            bat_object_kind(bat_document_at(document, at)) == BAT_KIND_LAYER)
+            return index;
         index = at;
     }
 }
@@ -201,7 +204,25 @@ static void copy_range(bat_editor *editor, bat_listing *listing, int first, int 
     }
 }
 
-bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
+bool bat_arrange_entered(const bat_editor *editor, int index) {
+    const bat_object *whole = bat_document_at(editor->document, bat_arrange_whole(editor, index));
+    return !editor->entered || bat_object_parent(whole) == editor->entered;
+}
+
+bool bat_arrange_leave(bat_editor *editor) {
+    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
+    if (at < 0) return false;
+    bat_id parent = bat_object_parent(bat_document_at(editor->document, at));
+    int outer = parent ? bat_document_find(editor->document, parent) : -1;
+    bool group = outer >= 0 && bat_object_kind(bat_document_at(editor->document, outer)) == BAT_KIND_GROUP;
+    bat_selection_clear(&editor->selection);
+    bat_selection_add(&editor->selection, editor->entered); /* without memory: not selected */
+    editor->entered = group ? parent : 0;
+    return true;
+}
+
+/* Within the open transaction, or as a step of its own. */
+static bat_status duplicate(bat_editor *editor, double dx, double dy, bool open) {
     const bat_document *document = editor->document;
     int *roots, count, at = 0;
     bat_status status = bat_arrange_roots(editor, &roots, &count);
@@ -220,7 +241,12 @@ bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
         at = end;
     }
     bat_listing_range(&listing, document, at, bat_document_count(document));
-    status = apply(editor, &listing, BAT_STRING_STEP_DUPLICATE);
+    if (open) {
+        status = bat_listing_apply(&listing, editor);
+        bat_listing_free(&listing);
+    } else {
+        status = apply(editor, &listing, BAT_STRING_STEP_DUPLICATE);
+    }
     if (status == BAT_OK && copies) {
         bat_selection_clear(&editor->selection);
         for (int i = 0; i < count; i++) bat_selection_add(&editor->selection, copies[i]);
@@ -228,6 +254,15 @@ bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
     free(copies);
     free(roots);
     return status;
+}
+
+bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
+    return duplicate(editor, dx, dy, false);
+}
+
+bat_status bat_arrange_lift(bat_editor *editor) {
+    bat_status status = bat_transaction_begin(editor);
+    return status == BAT_OK ? duplicate(editor, 0, 0, true) : status;
 }
 
 static void add_with_parent(bat_listing *listing, const bat_object *object, bat_id parent) {

@@ -14,8 +14,13 @@ bat_status bat_arrange_roots(const bat_editor *editor, int **roots, int *count);
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]);
 /* The box of the selection. */
 bool bat_arrange_selection_box(const bat_editor *editor, double box[4]);
-/* The topmost group below layers that the object at index is in, or itself: what a click means. */
-int bat_arrange_whole(const bat_document *document, int index);
+/* The topmost group below layers, and below the group that was entered, that the object at index is in, or itself:
+ * what a click means. */
+int bat_arrange_whole(const bat_editor *editor, int index);
+/* It is in the group that was entered, or none was. */
+bool bat_arrange_entered(const bat_editor *editor, int index);
+/* One group out, which is selected then; false: none was entered. */
+bool bat_arrange_leave(bat_editor *editor);
 /* Where a new object goes: into the active layer (unless it is hidden or locked), in front of all there. Its
  * index; *parent: the layer or 0. */
 int bat_arrange_place(const bat_editor *editor, bat_id *parent);
@@ -26,6 +31,9 @@ bat_status bat_arrange_transform(bat_editor *editor, const double matrix[6], bat
 bat_status bat_arrange_delete(bat_editor *editor);
 /* Copies in front of each root, moved by dx, dy; they are selected then. */
 bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy);
+/* Begins a transaction with copies that lie where the roots are, and are selected: to be dragged off. On failure the
+ * transaction is open still. */
+bat_status bat_arrange_lift(bat_editor *editor);
 /* BAT_STATE: less than two roots, a layer among them, or groups would be too deep. */
 bat_status bat_arrange_group(bat_editor *editor);
 bat_status bat_arrange_ungroup(bat_editor *editor); /* BAT_STATE: no group among the roots */

@@ -1,5 +1,6 @@
 /* The dispatcher: what each command of the table does. */
 #include "editor/act.h"
+#include "editor/arrange.h"
 #include "editor/editor.h"
 #include "editor/calm.h"
 #include <math.h>
@@ -92,7 +93,7 @@ static bat_status accept(bat_editor *editor, bool down) {
 }
 
 static bat_status cancel(bat_editor *editor, bool down) {
-    return drop(editor) ? BAT_OK : bat_do_deselect(editor, down);
+    return drop(editor) || bat_arrange_leave(editor) ? BAT_OK : bat_do_deselect(editor, down);
 }
 
 static bat_status ask(bat_editor *editor, uint32_t request) {

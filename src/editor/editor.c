@@ -50,6 +50,7 @@ const char *bat_editor_text(const bat_editor *editor, bat_string text) {
 void bat_editor_follow(bat_editor *editor) {
     bat_selection_prune(&editor->selection, editor->document);
     if (editor->layer && bat_document_find(editor->document, editor->layer) < 0) editor->layer = 0;
+    if (editor->entered && bat_document_find(editor->document, editor->entered) < 0) editor->entered = 0;
 }
 
 void bat_editor_sync(bat_editor *editor) {
@@ -174,7 +175,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     strcpy(own_name, name);
     if (editor->document) bat_editor_interrupt(editor);
     bat_selection_clear(&editor->selection);
-    editor->layer = 0;
+    editor->layer = editor->entered = 0;
     bat_splining_free(&editor->splining);
     bat_leveling_free(&editor->leveling);
     bat_history_clear(&editor->history);

@@ -41,6 +41,7 @@ struct bat_editor {
     bool asked;
     bat_transaction transaction;
     bat_selection selection; /* what commands act on; never part of the document, history or journal */
+    bat_id entered;          /* the group whose members a click selects; 0: none */
     bat_id layer;            /* the active one, where new curves go; 0: none */
     bat_journal journal;
     bat_pictures pictures; /* whose bytes the journal holds */

@@ -30,7 +30,11 @@ typedef struct bat_selecting {
     int *indices;      /* of the paths that the drag changes, and what they were */
     bat_object **before;
     int count;
+    bat_id *originals; /* a drag of copies: what was selected before; else NULL */
+    int original_count;
     bool due; /* the drag has moved on since the objects were last changed */
+
+    double clicked[2], clicked_at; /* view pixels, time: of the last press, for a double click */
 
     double point[2]; /* document units: the last place that was clicked; where to split */
     bool has_point;

@@ -3,6 +3,7 @@
  *
  * IDLE --down on a handle--> SCALING, ROTATING --up--> IDLE (committed)
  * IDLE --down on an object--> PRESSED --move--> MOVING --up--> IDLE (committed); PRESSED --up--> IDLE (a click)
+ * A move with Alt held at its beginning is of copies. A double click enters a group; Esc, or a click outside, leaves it.
  * IDLE --down on nothing--> MARQUEE --up--> IDLE
  * cancel: to IDLE from anywhere, nothing changed. A drag holds a transaction from its first change to its end.
  */
@@ -16,6 +17,7 @@
 
 static const double REACH = 8, REACH_TOUCH = 22; /* px to a line, and to a handle */
 static const double STILL = 4;                   /* px that a click may travel */
+static const double TWICE = 400;                 /* ms between the presses of a double click */
 static const double HANDLE = 4.5, ROTATE_AWAY = 26, CROWDED = 30;
 static const double PI = 3.14159265358979323846;
 
@@ -68,7 +70,7 @@ static bat_id object_at(bat_editor *editor, const double pixel[2], bat_device de
     bat_view_to_document(&editor->view, pixel, point);
     int index = bat_pick_object(&editor->scene, point, reach(device) * bat_view_pixel(&editor->view));
     if (index < 0) return 0;
-    if (!deep) index = bat_arrange_whole(editor->document, index);
+    if (!deep) index = bat_arrange_whole(editor, index);
     return bat_object_id(bat_document_at(editor->document, index));
 }
 
@@ -76,6 +78,8 @@ static void forget_drag(bat_selecting *s) {
     for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
     free(s->before);
     free(s->indices);
+    free(s->originals);
+    s->originals = NULL;
     s->before = NULL;
     s->indices = NULL;
     s->count = 0;
@@ -84,9 +88,17 @@ static void forget_drag(bat_selecting *s) {
     s->handle = BAT_GRIP_NONE;
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
+/* Takes the drag back; the copies are gone, what they were made of is selected again. */
+static void take_back(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
     bat_transaction_cancel(editor);
-    forget_drag(&editor->selecting);
+    for (int i = 0; s->originals && i < s->original_count; i++)
+        bat_selection_add(&editor->selection, s->originals[i]); /* there is room: they were in it */
+    forget_drag(s);
+}
+
+static void give_up(bat_editor *editor, bat_status status) {
+    take_back(editor);
     bat_editor_notice_failure(editor, status);
 }
 
@@ -111,10 +123,21 @@ static bat_status take_hold(bat_editor *editor) {
                 s->before[s->count++] = bat_object_retain(object);
             }
         bat_arrange_selection_box(editor, s->box);
-        status = bat_transaction_begin(editor);
+        if (!editor->transaction.open) status = bat_transaction_begin(editor);
     }
     free(roots);
     return status;
+}
+
+/* Copies in place of the selection, to be dragged. */
+static bat_status lift(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    size_t size = (size_t)editor->selection.count * sizeof *s->originals;
+    s->originals = malloc(size);
+    if (!s->originals) return BAT_MEMORY;
+    memcpy(s->originals, editor->selection.ids, size);
+    s->original_count = editor->selection.count;
+    return bat_arrange_lift(editor);
 }
 
 /* ---- what the drag makes ---- */
@@ -206,7 +229,17 @@ static void leave(bat_editor *editor) {
 static void press(bat_editor *editor, const bat_pointer *event) {
     bat_selecting *s = &editor->selecting;
     bat_selection *selection = &editor->selection;
+    bool near = bat_hypot(s->start[0] - s->clicked[0], s->start[1] - s->clicked[1]) <= reach(event->device);
+    bool twice = near && s->clicked_at > 0 && event->time - s->clicked_at <= TWICE;
+    memcpy(s->clicked, s->start, sizeof s->clicked);
+    s->clicked_at = twice ? 0 : event->time;
     s->pressed = object_at(editor, s->start, event->device, event->modifiers & BAT_CTRL);
+    int index = s->pressed ? bat_document_find(editor->document, s->pressed) : -1;
+    if (index < 0 || !bat_arrange_entered(editor, index)) editor->entered = 0;
+    if (twice && index >= 0 && bat_object_kind(bat_document_at(editor->document, index)) == BAT_KIND_GROUP) {
+        editor->entered = s->pressed;
+        s->pressed = object_at(editor, s->start, event->device, false);
+    }
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
@@ -248,7 +281,8 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
     bool far = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > STILL;
     if (s->state == BAT_SELECTING_PRESSED && far) {
-        bat_status status = take_hold(editor);
+        bat_status status = event->modifiers & BAT_ALT ? lift(editor) : BAT_OK;
+        if (status == BAT_OK) status = take_hold(editor);
         if (status != BAT_OK) {
             give_up(editor, status);
             return;
@@ -283,7 +317,8 @@ static void select_box(bat_editor *editor) {
     bat_editor_sync(editor);
     for (int i = 0; i < editor->scene.count; i++) {
         if (!bat_pick_touches(&editor->scene, i, &editor->view, box)) continue;
-        int whole = bat_arrange_whole(editor->document, i);
+        if (!bat_arrange_entered(editor, i)) continue;
+        int whole = bat_arrange_whole(editor, i);
         bat_status status = bat_selection_add(&editor->selection,
                                               bat_object_id(bat_document_at(editor->document, whole)));
         if (status != BAT_OK) {
@@ -305,7 +340,9 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         /* A handle that was only touched changes nothing. */
         bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
         bat_status status = moved ? change(editor) : BAT_OK;
-        if (status == BAT_OK) status = bat_transaction_commit(editor, labels[state], NULL);
+        if (status == BAT_OK)
+            status = bat_transaction_commit(editor, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[state],
+                                            NULL);
         if (status != BAT_OK) {
             give_up(editor, status);
             return;
@@ -318,8 +355,10 @@ static void up(bat_editor *editor, const bat_pointer *event) {
 static bool cancel(bat_editor *editor) {
     bat_selecting *s = &editor->selecting;
     bool busy = s->state != BAT_SELECTING_IDLE;
-    if (dragging(s)) bat_transaction_cancel(editor);
-    forget_drag(s);
+    if (dragging(s))
+        take_back(editor);
+    else
+        forget_drag(s);
     if (busy) bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
     return busy;
 }
@@ -342,7 +381,7 @@ static bat_status step_object(bat_editor *editor, int direction) {
     for (; i >= 0 && i < count; i += direction) {
         const bat_scene_entry *entry = &editor->scene.entries[i];
         if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
-        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(document, i)));
+        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(editor, i)));
         bat_selection_clear(selection);
         return bat_selection_add(selection, id);
     }
@@ -440,8 +479,22 @@ static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
         if (handle_place(view, box, i, place)) show_handle(overlay, view, place, i == BAT_GRIP_ROTATE);
 }
 
+/* The box of the group that was entered, and its name. */
+static void show_entered(const bat_editor *editor, bat_overlay *list) {
+    double box[4];
+    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
+    if (at < 0 || !bat_arrange_box(editor->document, at, bat_document_end(editor->document, at), box)) return;
+    const char *name = bat_object_name(bat_document_at(editor->document, at));
+    bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
+    bat_overlay_polyline(
+        list, 5, (double[]){box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]});
+    bat_overlay_label(list, BAT_ROLE_VALUE, (double[]){box[0], box[1]}, 24, -12,
+                      *name ? name : bat_editor_text(editor, BAT_STRING_GROUP_NAME));
+}
+
 static void overlay(bat_editor *editor, bat_overlay *list) {
     const bat_selecting *s = &editor->selecting;
+    show_entered(editor, list);
     if (s->state == BAT_SELECTING_IDLE && s->hovering && s->hovered &&
         !bat_selection_has(&editor->selection, s->hovered)) {
         int index = bat_document_find(editor->document, s->hovered);
@@ -474,7 +527,7 @@ static bat_string hint(const bat_editor *editor) {
     if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
     if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
     if (s->hovered) return BAT_STRING_HINT_SELECT;
-    return BAT_STRING_HINT_SELECT_NOTHING;
+    return editor->entered ? BAT_STRING_HINT_ENTERED : BAT_STRING_HINT_SELECT_NOTHING;
 }
 
 static bat_cursor cursor(const bat_editor *editor) {

@@ -636,6 +636,102 @@ static void random_sessions(void **state) {
     }
 }
 
+/* A drag with Alt leaves the originals and moves copies, as one step; cancelled, nothing is left of it. */
+static void alt_drags_a_copy(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    uint64_t fresh = digest(editor);
+    bat_id id = bat_object_id(bat_document_at(editor->document, 0));
+    bat_editor_command(editor, "tool-select");
+    double box[4], moved[4];
+    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    double from[2];
+    bat_view_to_screen(&editor->view, (double[]){400, 200}, from);
+    for (int cancelled = 1; cancelled >= 0; cancelled--) {
+        p.time += 1000;
+        p.modifiers = BAT_ALT;
+        pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
+        pen_event(&p, BAT_POINTER_MOVE, from[0] + 20, from[1]);
+        bat_editor_frame(editor);
+        pen_event(&p, BAT_POINTER_MOVE, from[0] + 30, from[1] + 50);
+        bat_editor_frame(editor);
+        assert_int_equal(bat_document_count(editor->document), 3);
+        assert_null(bat_editor_check(editor));
+        pen_event(&p, cancelled ? BAT_POINTER_CANCEL : BAT_POINTER_UP, from[0] + 30, from[1] + 50);
+        p.modifiers = 0;
+        assert_int_equal(editor->selection.count, 1);
+        assert_true(bat_selection_has(&editor->selection, id) == cancelled);
+        assert_true((digest(editor) == fresh) == cancelled);
+    }
+    double pixel = bat_view_pixel(&editor->view);
+    bat_object_bounds(bat_document_at(editor->document, 0), moved);
+    assert_memory_equal(box, moved, sizeof box);
+    bat_object_bounds(bat_document_at(editor->document, 1), moved);
+    assert_true(fabs(moved[0] - box[0] - 30 * pixel) < 1e-9 && fabs(moved[1] - box[1] - 50 * pixel) < 1e-9);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == fresh);
+    bat_editor_free(editor);
+}
+
+static void tap(pen *p, double x, double y) {
+    double at[2];
+    bat_view_to_screen(&p->editor->view, (double[]){x, y}, at);
+    pen_event(p, BAT_POINTER_DOWN, at[0], at[1]);
+    pen_event(p, BAT_POINTER_UP, at[0], at[1]);
+}
+
+/* A double click enters a group: clicks, boxes and "select all" mean what is in it then; Esc leaves, one group at a
+ * time, and so does a click outside. */
+static void double_click_enters(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "select-all");
+    bat_editor_command(editor, "group");
+    bat_id group = editor->selection.ids[0];
+    bat_editor_command(editor, "deselect");
+    tap(&p, 400, 200);
+    assert_true(bat_selection_has(&editor->selection, group) && !editor->entered);
+    p.time += 1000;
+    tap(&p, 400, 200); /* too late to be a double click */
+    assert_true(!editor->entered);
+    tap(&p, 400, 200);
+    assert_true(editor->entered == group && editor->selection.count == 1);
+    bat_id first = editor->selection.ids[0];
+    assert_true(first != group);
+    assert_true(bat_object_parent(
+                    bat_document_at(editor->document, bat_document_find(editor->document, first))) == group);
+    p.time += 1000;
+    tap(&p, 400, 600);
+    assert_true(editor->selection.count == 1 && editor->selection.ids[0] != first &&
+                editor->entered == group);
+    bat_editor_command(editor, "select-all");
+    assert_int_equal(editor->selection.count, 2);
+    assert_non_null(strstr(bat_editor_frame(editor)->labels[0].text, "Group"));
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+    assert_true(!editor->entered && bat_selection_has(&editor->selection, group));
+    p.time += 1000;
+    bat_editor_command(editor, "deselect");
+    tap(&p, 400, 200);
+    tap(&p, 400, 200);
+    assert_true(editor->entered == group);
+    p.time += 1000;
+    tap(&p, 400, 400); /* nothing there */
+    assert_true(!editor->entered && !editor->selection.count);
+    /* What is gone cannot be in force. */
+    tap(&p, 400, 200);
+    p.time += 1000;
+    tap(&p, 400, 200);
+    tap(&p, 400, 200);
+    assert_true(editor->entered == group);
+    bat_editor_command(editor, "undo");
+    assert_true(!editor->entered);
+    assert_null(bat_editor_check(editor));
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clicks_select),
@@ -651,6 +747,8 @@ int main(void) {
         cmocka_unit_test(layers_hold_hide_and_lock),
         cmocka_unit_test(style_of_selection_and_of_new),
         cmocka_unit_test(random_sessions),
+        cmocka_unit_test(alt_drags_a_copy),
+        cmocka_unit_test(double_click_enters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
