@@ -33,14 +33,16 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
 /* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
  * of the tangents hand, whose points and directions stay editable and give its one curve; or a shape, some of
  * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a
- * group, or a layer, which is a group of the topmost level; or an image, a placed picture, without curves too. */
+ * group, or a layer, which is a group of the topmost level; or an image, a placed picture, without curves too; or a
+ * guide, an endless line that paints nothing. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
     BAT_KIND_GROUP = 3,
     BAT_KIND_LAYER = 4,
     BAT_KIND_SHAPE = 5,
-    BAT_KIND_IMAGE = 6
+    BAT_KIND_IMAGE = 6,
+    BAT_KIND_GUIDE = 7
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -76,6 +78,8 @@ BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool lay
 BAT_API bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
                                            const double matrix[6], double opacity, bat_object **out);
 BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out);
+/* A guide: the line x = at (axis 0) or y = at (axis 1). BAT_NUMBER: at beyond BAT_COORDINATE_MAX. */
+BAT_API bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out);
 /* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
  * is kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
@@ -121,6 +125,8 @@ BAT_API const double *bat_object_matrix(const bat_object *object);
 /* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */
 BAT_API void bat_object_corners(const bat_object *object, double corners[8]);
 BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
+BAT_API bool bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
+BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */
 BAT_API bool bat_object_hidden(const bat_object *object);

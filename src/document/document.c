@@ -213,7 +213,8 @@ const char *bat_document_check_nesting(const bat_document *document) {
 
 static const char *check_object(const bat_object *object) {
     bat_kind kind = bat_object_kind(object);
-    if (bat_object_is_group(object)) return bat_object_curve_count(object) ? "a group has curves" : NULL;
+    if (bat_object_is_group(object) || kind == BAT_KIND_GUIDE)
+        return bat_object_curve_count(object) ? "a group or a guide has curves" : NULL;
     if (kind == BAT_KIND_IMAGE) {
         if (bat_object_curve_count(object) || !bat_object_picture(object)) return "an image has no picture";
         return bat_style_valid(bat_object_style(object)) ? NULL : "a style is out of range";

@@ -30,6 +30,8 @@ struct bat_object {
     bool hidden, locked;
     bat_style style;
     double box[4];
+    int axis;  /* of a guide, else -1 */
+    double at; /* of a guide, else 0 */
     int count;
     part **parts;
     bat_kept_spline *spline; /* SPLINE: what the one curve is made of; else NULL */
@@ -85,7 +87,7 @@ static bat_object *allocate(int count, const char *name) {
     part **parts = (part **)(void *)(object + 1);
     char *text = (char *)(parts + count);
     memcpy(text, name, length);
-    *object = (bat_object){.users = 1, .kind = BAT_KIND_PATH, .count = count, .parts = parts, .name = text};
+    *object = (bat_object){.users = 1, .kind = BAT_KIND_PATH, .axis = -1, .count = count, .parts = parts, .name = text};
     return object;
 }
 
@@ -209,6 +211,21 @@ bat_status bat_object_create_image(bat_id id, const char *name, const bat_pictur
     return BAT_OK;
 }
 
+bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out) {
+    if (!out || id == 0 || id > BAT_ID_MAX || axis < 0 || axis > 1) return BAT_ARGUMENT;
+    if (!(fabs(at) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    bat_object *object = allocate(0, "");
+    if (!object) return BAT_MEMORY;
+    object->kind = BAT_KIND_GUIDE;
+    object->id = id;
+    object->style = bat_style_defaults();
+    object->axis = axis;
+    object->at = at;
+    measure(object);
+    *out = object;
+    return BAT_OK;
+}
+
 /* What lies beside curves and style. */
 static void keep_place(bat_object *object, const bat_object *from) {
     object->parent = from->parent;
@@ -218,7 +235,7 @@ static void keep_place(bat_object *object, const bat_object *from) {
 
 bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                   bat_object **out) {
-    if (!object || bat_object_is_group(object) || object->picture) return BAT_ARGUMENT;
+    if (!object || !object->count) return BAT_ARGUMENT;
     bat_status status = bat_object_create_path(object->id, object->name, &object->style, count, curves, out);
     if (status == BAT_OK) keep_place(*out, object);
     return status;
@@ -231,6 +248,8 @@ static bat_object *share_as(const bat_object *object, const char *name) {
     copy->kind = object->kind;
     copy->id = object->id;
     copy->style = object->style;
+    copy->axis = object->axis;
+    copy->at = object->at;
     keep_place(copy, object);
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
@@ -403,6 +422,15 @@ bool bat_object_locked(const bat_object *object) { return object->locked; }
 bool bat_object_is_group(const bat_object *object) {
     return object->kind == BAT_KIND_GROUP || object->kind == BAT_KIND_LAYER;
 }
+bool bat_object_is_drawn(const bat_object *object) {
+    return !bat_object_is_group(object) && object->kind != BAT_KIND_GUIDE;
+}
+
+int bat_object_guide(const bat_object *object, double *at) {
+    if (object->axis >= 0) *at = object->at;
+    return object->axis;
+}
+
 int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {
@@ -470,5 +498,7 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
         digest = bat_digest_number(digest, bat_picture_digest(object->picture));
         for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, object->matrix[i]);
     }
+    if (object->axis >= 0)
+        digest = bat_digest_double(bat_digest_number(digest, (uint64_t)object->axis), object->at);
     return digest;
 }

@@ -68,7 +68,9 @@ bat_status bat_do_select_all(bat_editor *editor, bool down) {
         int outside = nesting.depth - 1 - bat_object_is_group(object);
         bool whole = outside < 0 || nesting.open[outside].kind == BAT_KIND_LAYER;
         if (editor->entered) whole = bat_object_parent(object) == editor->entered;
-        if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER) continue;
+        if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER ||
+            bat_object_kind(object) == BAT_KIND_GUIDE)
+            continue;
         bat_status status = bat_selection_add(&editor->selection, bat_object_id(object));
         if (status != BAT_OK) return told(editor, status);
     }

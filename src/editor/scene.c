@@ -181,7 +181,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     }
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
-        if (entry->hidden || bat_object_is_group(entry->object)) continue;
+        if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
         if (!entry->path) {
             if (make_path(scene, entry))
                 bat_box_add(scene->dirty, entry->item.bounds);

@@ -380,7 +380,7 @@ static bat_status step_object(bat_editor *editor, int direction) {
     }
     for (; i >= 0 && i < count; i += direction) {
         const bat_scene_entry *entry = &editor->scene.entries[i];
-        if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
+        if (entry->hidden || entry->locked || !bat_object_is_drawn(entry->object)) continue;
         bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(editor, i)));
         bat_selection_clear(selection);
         return bat_selection_add(selection, id);

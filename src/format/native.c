@@ -11,6 +11,7 @@
 
 #include <batten/bezier.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -264,6 +265,18 @@ static bat_status place_object(const reader *r, uint32_t node, bat_object *objec
     return status;
 }
 
+static bat_status read_guide(const reader *r, uint32_t node, bat_id id, bat_object **out) {
+    int axis = bat_json_member(r->json, node, "x") ? 0 : 1;
+    double at = NAN;
+    bat_status status = read_number(r, node, axis ? "y" : "x", -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX,
+                                    "a number", &at);
+    if (status != BAT_OK) return status;
+    if (isnan(at)) return complain(r, node, "guide", "x or y");
+    status = bat_object_create_guide(id, axis, at, out);
+    return status == BAT_OK ? status
+                            : bat_json_say(r->json, node, status, bat_status_message(status), r->problem);
+}
+
 static bat_status read_object(const reader *r, uint32_t node, bat_object **out) {
     const bat_json *json = r->json;
     if (bat_json_type_of(json, node) != BAT_JSON_OBJECT) return complain(r, node, "objects", "an object");
@@ -272,10 +285,11 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     if (!word) return complain(r, kind ? kind : node, "kind", "a text");
     bool group = strcmp(word, "group") == 0 || strcmp(word, "layer") == 0;
     bool shape = strcmp(word, "shape") == 0, image = strcmp(word, "image") == 0;
-    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !shape && !image && !group)
-        return bat_json_complain(json, kind, BAT_UNSUPPORTED, "kind",
-                                 "\"path\", \"spline\", \"shape\", \"image\", \"group\" or \"layer\"",
-                                 r->problem);
+    bool guide = strcmp(word, "guide") == 0;
+    if (strcmp(word, "path") != 0 && strcmp(word, "spline") != 0 && !shape && !image && !guide && !group)
+        return bat_json_complain(
+            json, kind, BAT_UNSUPPORTED, "kind",
+            "\"path\", \"spline\", \"shape\", \"image\", \"guide\", \"group\" or \"layer\"", r->problem);
     double id = 0;
     bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
                                     "a whole number from 1 to 2147483647", &id);
@@ -294,6 +308,8 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
         if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
     } else if (image) {
         status = read_image(r, node, (bat_id)id, name, &object);
+    } else if (guide) {
+        status = read_guide(r, node, (bat_id)id, &object);
     } else if (strcmp(word, "spline") == 0) {
         status = read_spline_object(r, node, (bat_id)id, name, &style, &object);
     } else {
@@ -478,7 +494,8 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     const bat_spline *spline = bat_object_spline(object);
     static const char *const kinds[] = {
         [BAT_KIND_PATH] = "path",   [BAT_KIND_SPLINE] = "spline", [BAT_KIND_GROUP] = "group",
-        [BAT_KIND_LAYER] = "layer", [BAT_KIND_SHAPE] = "shape",   [BAT_KIND_IMAGE] = "image"};
+        [BAT_KIND_LAYER] = "layer", [BAT_KIND_SHAPE] = "shape",   [BAT_KIND_IMAGE] = "image",
+        [BAT_KIND_GUIDE] = "guide"};
     bat_text_string(text, ",\"kind\":\"");
     bat_text_string(text, kinds[bat_object_kind(object)]);
     bat_text_string(text, "\",\"name\":");
@@ -489,7 +506,13 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     }
     if (bat_object_hidden(object)) bat_text_string(text, ",\"hidden\":true");
     if (bat_object_locked(object)) bat_text_string(text, ",\"locked\":true");
-    if (bat_object_is_group(object)) {
+    double at;
+    int axis = bat_object_guide(object, &at);
+    if (axis >= 0) {
+        bat_text_string(text, axis ? ",\"y\":" : ",\"x\":");
+        bat_text_number(text, at);
+    }
+    if (bat_object_is_group(object) || axis >= 0) {
         bat_text_string(text, "}");
         return;
     }

@@ -42,7 +42,7 @@ void bat_svg_page(const bat_document *document, double page[4]) {
     double box[4], widest = 0;
     bat_document_bounds(document, box);
     for (int i = 0; i < bat_document_count(document); i++) {
-        if (bat_object_is_group(bat_document_at(document, i))) continue;
+        if (!bat_object_is_drawn(bat_document_at(document, i))) continue;
         const bat_style *style = bat_object_style(bat_document_at(document, i));
         if (style->stroked) widest = fmax(widest, style->width);
     }

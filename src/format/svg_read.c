@@ -571,7 +571,7 @@ static void use_native(bat_svg_reader *reader, uint64_t digest, bat_pictures *pi
     report->paths = report->curves = 0;
     for (int i = 0; i < bat_document_count(native); i++) {
         const bat_object *object = bat_document_at(native, i);
-        report->paths += bat_object_curve_count(object) > 0;
+        report->paths += bat_object_is_drawn(object);
         report->curves += bat_object_curve_count(object);
     }
     bat_document_free(*document);
