@@ -125,6 +125,7 @@ function readLabels(memory, place, first, count) {
       y: single('label.at', 1),
       dx: single('label.offset', 0),
       dy: single('label.offset', 1),
+      turn: single('label.turn'),
       text: readString(memory, view.getUint32(at + place['label.text'], true)),
     };
   });

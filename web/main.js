@@ -5,7 +5,7 @@ import { Files } from './files.js';
 import { Input } from './input.js';
 import { Keeper } from './keep.js';
 import { Notice } from './notice.js';
-import { Painter } from './paint.js';
+import { Painter, ROLE_GRID } from './paint.js';
 import { loadIcons, Panel } from './panel.js';
 import { Server } from './server.js';
 import { Settings } from './settings.js';
@@ -124,7 +124,7 @@ class Shell {
     this.panel.show(frame);
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
-    part('welcome').hidden = !empty || frame.live.length > 0;
+    part('welcome').hidden = !empty || frame.live.some((item) => item.role < ROLE_GRID);
     const ours = this.tabs.held && this.tabs.name === this.files.name;
     this.files.unsaved = frame.unsaved && ours;
     if (ours) {

@@ -18,6 +18,9 @@ const ROLE_STRETCH = 2;
 const ROLE_PAGE = 8;
 const ROLE_IMAGE = 26;
 const FADE = 0.75; // how much of the paper covers a line that is about to change
+export const ROLE_RULER = 29;
+export const ROLE_GRID = 27; // this and what follows: lines to draw by
+const RULER_FONT = '10px system-ui, sans-serif';
 const LABEL_FONT = '500 13px system-ui, sans-serif';
 
 /** @type {CanvasLineCap[]} */
@@ -325,9 +328,7 @@ export class Painter {
    * @param {Frame} frame
    */
   #write(context, frame) {
-    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.globalAlpha = 1;
-    context.font = LABEL_FONT;
     context.textBaseline = 'middle';
     context.textAlign = 'center';
     context.lineJoin = 'round';
@@ -337,12 +338,14 @@ export class Painter {
     for (const label of frame.labels) {
       const look = this.theme.roles[label.role] ?? this.theme.roles[1];
       const at = matrix.transformPoint(label);
-      const x = at.x + label.dx;
-      const y = at.y + label.dy;
-      context.strokeStyle = look.fill;
-      context.strokeText(label.text, x, y);
+      context.font = label.role === ROLE_RULER ? RULER_FONT : LABEL_FONT;
+      context.setTransform(new DOMMatrix().scale(this.ratio).translate(at.x + label.dx, at.y + label.dy).rotate(label.turn));
+      if (label.role !== ROLE_RULER) {
+        context.strokeStyle = look.fill;
+        context.strokeText(label.text, 0, 0);
+      }
       context.fillStyle = look.stroke;
-      context.fillText(label.text, x, y);
+      context.fillText(label.text, 0, 0);
     }
   }
 

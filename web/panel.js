@@ -2,6 +2,7 @@
 // always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
 
 import { LayersSheet } from './layers.js';
+import { ROLE_RULER } from './paint.js';
 import { keyName, tell, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
@@ -420,7 +421,8 @@ export class Panel {
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     // Values that the canvas shows, for those who do not see it; not while they still run.
-    const values = frame.busy ? null : frame.labels.map((label) => label.text).join(', ');
+    const values = frame.busy ? null : frame.labels.filter((label) => label.role !== ROLE_RULER)
+      .map((label) => label.text).join(', ');
     const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
       frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
       frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');

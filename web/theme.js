@@ -4,7 +4,8 @@
 /** Role numbers of editor.h, in order, as the tokens name them. */
 const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending',
   'selection', 'handle', 'marquee', 'ghost', 'point', 'chosen', 'prompt', 'arrow', 'wedge', 'beyond', 'guide',
-  'value', 'polygon', 'comb', 'reach', 'erased', 'image'];
+  'value', 'polygon', 'comb', 'reach', 'erased', 'image', 'grid',
+  'grid-strong', 'ruler', 'guideline'];
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
 

@@ -45,6 +45,7 @@
  * @property {number} y
  * @property {number} dx view pixels from there to the middle of the text
  * @property {number} dy
+ * @property {number} turn degrees, about the middle of the text
  * @property {string} text
  */
 

@@ -125,9 +125,10 @@ BAT_API const double *bat_object_matrix(const bat_object *object);
 /* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */
 BAT_API void bat_object_corners(const bat_object *object, double corners[8]);
 BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
-BAT_API bool bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
+BAT_API bool
+bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
-BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
+BAT_API bat_id bat_object_parent(const bat_object *object);         /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */
 BAT_API bool bat_object_hidden(const bat_object *object);
 BAT_API bool bat_object_locked(const bat_object *object);

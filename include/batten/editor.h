@@ -187,7 +187,11 @@ typedef enum bat_role {
     BAT_ROLE_COMB,       /* the curvature comb; filled: marks on inflections */
     BAT_ROLE_REACH,      /* how far a brush reaches */
     BAT_ROLE_ERASED,     /* what is going to be rubbed out */
-    BAT_ROLE_IMAGE       /* a picture: the path goes round its corners, from its top left on clockwise */
+    BAT_ROLE_IMAGE,      /* a picture: the path goes round its corners, from its top left on clockwise */
+    BAT_ROLE_GRID,       /* the grid, and its stronger lines */
+    BAT_ROLE_GRID_STRONG,
+    BAT_ROLE_RULER,      /* the rulers: filled, their ticks, their labels */
+    BAT_ROLE_GUIDELINE   /* the drawing's guides */
 } bat_role;
 
 enum {
@@ -217,6 +221,7 @@ typedef struct bat_item {
 typedef struct bat_label {
     uint32_t role;
     float at[2], offset[2];
+    float turn;       /* degrees, clockwise, about its middle */
     const char *text; /* UTF-8 */
 } bat_label;
 

@@ -87,7 +87,8 @@ static bat_object *allocate(int count, const char *name) {
     part **parts = (part **)(void *)(object + 1);
     char *text = (char *)(parts + count);
     memcpy(text, name, length);
-    *object = (bat_object){.users = 1, .kind = BAT_KIND_PATH, .axis = -1, .count = count, .parts = parts, .name = text};
+    *object = (bat_object){
+        .users = 1, .kind = BAT_KIND_PATH, .axis = -1, .count = count, .parts = parts, .name = text};
     return object;
 }
 

@@ -61,6 +61,7 @@ bat_status bat_do_select_all(bat_editor *editor, bool down) {
     const bat_document *document = editor->document;
     bat_nesting nesting = {0};
     bat_selection_clear(&editor->selection);
+    bat_editor_sync(editor);
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
@@ -69,7 +70,8 @@ bat_status bat_do_select_all(bat_editor *editor, bool down) {
         bool whole = outside < 0 || nesting.open[outside].kind == BAT_KIND_LAYER;
         if (editor->entered) whole = bat_object_parent(object) == editor->entered;
         if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER ||
-            bat_object_kind(object) == BAT_KIND_GUIDE)
+            bat_object_kind(object) == BAT_KIND_GUIDE ||
+            (i < editor->scene.count && editor->scene.entries[i].pale))
             continue;
         bat_status status = bat_selection_add(&editor->selection, bat_object_id(object));
         if (status != BAT_OK) return told(editor, status);

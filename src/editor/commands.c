@@ -3,6 +3,7 @@
 #include "editor/arrange.h"
 #include "editor/editor.h"
 #include "editor/calm.h"
+#include "editor/isolate.h"
 #include <math.h>
 #include <string.h>
 
@@ -93,7 +94,8 @@ static bat_status accept(bat_editor *editor, bool down) {
 }
 
 static bat_status cancel(bat_editor *editor, bool down) {
-    return drop(editor) || bat_arrange_leave(editor) ? BAT_OK : bat_do_deselect(editor, down);
+    if (drop(editor) || bat_isolate_end(editor) || bat_arrange_leave(editor)) return BAT_OK;
+    return bat_do_deselect(editor, down);
 }
 
 static bat_status ask(bat_editor *editor, uint32_t request) {
@@ -312,6 +314,26 @@ static bat_status show_knots(bat_editor *editor, bool down) {
 static bat_status show_length(bat_editor *editor, bool down) {
     (void)down;
     return turn_over(editor, BAT_PROPERTY_SHOW_LENGTH);
+}
+
+static bat_status show_grid(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_SHOW_GRID);
+}
+static bat_status show_rulers(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_SHOW_RULERS);
+}
+static bat_status snap(bat_editor *editor, bool down) {
+    (void)down;
+    turn_over(editor, BAT_PROPERTY_SNAP);
+    bat_editor_notice(editor, editor->values[BAT_PROPERTY_SNAP] != 0 ? BAT_STRING_NOTICE_SNAP_ON
+                                                                     : BAT_STRING_NOTICE_SNAP_OFF);
+    return BAT_OK;
+}
+static bat_status outline(bat_editor *editor, bool down) {
+    (void)down;
+    return turn_over(editor, BAT_PROPERTY_OUTLINE);
 }
 
 static bat_status hold_pan(bat_editor *editor, bool down) {

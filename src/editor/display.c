@@ -1,20 +1,26 @@
 /* The frame: what the host paints and says. */
 #include "editor/editor.h"
 #include "editor/calm.h"
+#include "editor/ruler.h"
 #include <string.h>
 
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
 
-static bat_cursor cursor(const bat_editor *editor) {
+static bat_cursor cursor(bat_editor *editor) {
     if (bat_contacts_count(&editor->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
     if (editor->holding_pan || editor->read_only) return BAT_CURSOR_GRAB;
     const bat_tool *tool = bat_editor_tool(editor);
+    int guide = bat_guides_hot(editor);
+    if (guide >= 0) return guide ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
     return tool->cursor ? tool->cursor(editor) : BAT_CURSOR_CROSS;
 }
 
-static const char *hint(const bat_editor *editor) {
+static const char *hint(bat_editor *editor) {
     const bat_tool *tool = bat_editor_tool(editor);
     if (editor->read_only) return bat_editor_text(editor, BAT_STRING_HINT_READ_ONLY);
+    if (!editor->guiding.on && bat_guides_hot(editor) >= 0)
+        return bat_editor_text(editor, bat_ruler_at(editor, editor->pen) < 0 ? BAT_STRING_HINT_GUIDE
+                                                                             : BAT_STRING_HINT_GUIDE_NEW);
     if (editor->holding_pan && !bat_editor_busy(editor)) return bat_editor_text(editor, BAT_STRING_HINT_PAN);
     return tool->hint ? bat_editor_text(editor, tool->hint(editor)) : "";
 }
@@ -56,14 +62,19 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_scene *scene = &editor->scene;
     bat_scene_rebase(scene, &editor->view);
     bat_editor_sync(editor);
+    if (!bat_editor_busy(editor)) editor->snap.kind = BAT_SNAP_NONE;
     if (tool->update) tool->update(editor);
     bat_editor_sync(editor); /* a drag shows in the frame that it was made for */
 
     bat_overlay_begin(&editor->overlay, scene->origin);
+    bat_grid_show(editor, &editor->overlay);
+    bat_guides_show(editor, &editor->overlay);
     show_selection(editor);
     bat_insight_show(editor, &editor->overlay);
     bat_calm_show(editor, &editor->overlay);
     if (tool->overlay) tool->overlay(editor, &editor->overlay);
+    bat_snap_show(editor, &editor->overlay);
+    bat_rulers_show(editor, &editor->overlay);
     bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
 
     bat_frame *frame = &editor->frame;

@@ -11,6 +11,7 @@ const bat_tool *bat_editor_tool(const bat_editor *editor) {
 #define TOOL(id, name, command, behaviour) behaviour,
 #include "editor/commands.def"
     };
+    if (editor->guiding.on) return bat_tool_guides();
     if (editor->waypoints.on) return bat_tool_waypoints();
     if (editor->range.on) return bat_tool_range();
     return tools[editor->erasing ? BAT_TOOL_ERASER : editor->tool]();
@@ -54,6 +55,7 @@ void bat_editor_follow(bat_editor *editor) {
 }
 
 void bat_editor_sync(bat_editor *editor) {
+    bat_scene_look(&editor->scene, editor->values[BAT_PROPERTY_OUTLINE] != 0, &editor->isolation);
     if (bat_scene_sync(&editor->scene, editor->document, editor->revision) != BAT_OK)
         bat_editor_notice(editor, BAT_STRING_NOTICE_MEMORY);
 }
@@ -117,6 +119,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_scene_free(&editor->scene);
     free(editor->overlay.path.data);
     bat_selection_free(&editor->selection);
+    bat_selection_free(&editor->isolation.kept);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);
     bat_pictures_free(&editor->pictures);
@@ -175,6 +178,8 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     strcpy(own_name, name);
     if (editor->document) bat_editor_interrupt(editor);
     bat_selection_clear(&editor->selection);
+    bat_isolate_end(editor);
+    editor->guiding = (bat_guiding){0};
     editor->layer = editor->entered = 0;
     bat_splining_free(&editor->splining);
     bat_leveling_free(&editor->leveling);

@@ -7,7 +7,9 @@
 #include "document/picture.h"
 #include "editor/brushing.h"
 #include "editor/contacts.h"
+#include "editor/guides.h"
 #include "editor/insight.h"
+#include "editor/isolate.h"
 #include "editor/leveling.h"
 #include "editor/line.h"
 #include "editor/outline.h"
@@ -18,12 +20,14 @@
 #include "editor/selecting.h"
 #include "editor/selection.h"
 #include "editor/sketching.h"
+#include "editor/snap.h"
 #include "editor/splining.h"
 #include "editor/tables.h"
 #include "editor/taps.h"
 #include "editor/tool.h"
 #include "editor/tracing.h"
 #include "editor/transaction.h"
+#include "editor/unit.h"
 #include "editor/view.h"
 #include "editor/waypoints.h"
 #include <batten/editor.h>
@@ -59,6 +63,9 @@ struct bat_editor {
     bat_spanning spanning;
     bat_range range; /* these two lie over the chosen tool while they are on */
     bat_waypoints waypoints;
+    bat_guiding guiding; /* this one too */
+    bat_isolation isolation;
+    bat_snap snap; /* what the last place of a drag snapped to */
 
     bat_view view;
     bool fit_wanted; /* the view is to be fitted as soon as the window has a size */

@@ -1,5 +1,6 @@
 /* Events come in here: bad numbers are kept out, and every contact gets its duty. */
 #include "editor/editor.h"
+#include "editor/ruler.h"
 #include "curve/real.h"
 #include <math.h>
 #include <string.h>
@@ -90,6 +91,8 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         editor->erasing = true;
         return BAT_DUTY_TOOL;
     }
+    if (event->buttons & BAT_BUTTON_PRIMARY && !editor->holding_pan && bat_guides_take(editor, event))
+        return BAT_DUTY_TOOL;
     if (editor->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || editor->tool == BAT_TOOL_PAN)
         return BAT_DUTY_NAVIGATE;
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
@@ -180,8 +183,12 @@ static void one(bat_editor *editor, bat_pointer event) {
     case BAT_POINTER_HOVER:
         if (index >= 0)
             move(editor, &event, index);
-        else if (event.device != BAT_DEVICE_TOUCH && !editor->contacts.count && tool->hover)
-            tool->hover(editor, &event);
+        else if (event.device != BAT_DEVICE_TOUCH && !editor->contacts.count) {
+            if (bat_ruler_at(editor, editor->pen) < 0 && tool->hover)
+                tool->hover(editor, &event);
+            else if (tool->leave)
+                tool->leave(editor);
+        }
         break;
     case BAT_POINTER_LEAVE:
         if (index < 0 && tool->leave && !bat_editor_busy(editor)) tool->leave(editor);

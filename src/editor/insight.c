@@ -147,7 +147,7 @@ void bat_insight_show(bat_editor *editor, bat_overlay *overlay) {
         double domain[2], at[2];
         char text[64];
         bat_curve_domain(curve, domain);
-        snprintf(text, sizeof text, "%.5g", bat_curve_length(curve, domain[0], domain[1], 1e-6));
+        bat_unit_write(editor, bat_curve_length(curve, domain[0], domain[1], 1e-6), text);
         bat_view_to_document(&editor->view, editor->pen, at);
         bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 16, -20, text);
     }

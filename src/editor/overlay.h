@@ -4,7 +4,7 @@
 
 #include "editor/path.h"
 
-enum { BAT_OVERLAY_ITEMS = 32, BAT_OVERLAY_LABELS = 8, BAT_LABEL_ROOM = 96 };
+enum { BAT_OVERLAY_ITEMS = 48, BAT_OVERLAY_LABELS = 128, BAT_LABEL_ROOM = 96 };
 
 typedef struct bat_overlay {
     bat_path path; /* of all items, one after the other */

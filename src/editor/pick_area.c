@@ -59,7 +59,7 @@ static bool count_turns(void *user, const double a[2], const double b[2]) {
 /* point: document units. */
 static bool fills(const bat_scene *scene, const bat_scene_entry *entry, const double point[2]) {
     const bat_style *style = bat_object_style(entry->object);
-    if (!style->filled || !entry->path) return false;
+    if (!style->filled || !entry->path || scene->outline) return false;
     winding w = {{point[0] - scene->origin[0], point[1] - scene->origin[1]}, 0};
     each_line(entry, true, count_turns, &w);
     return style->even_odd ? w.turns & 1 : w.turns != 0;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const float PALE = 0.2F; /* of the opacity of what is not isolated */
 static const uint32_t ITEM_PAGE = 0xffffffff;
 
 void bat_scene_init(bat_scene *scene) {
@@ -114,6 +115,7 @@ static int former(const bat_scene *scene, int first, const bat_object *object, b
 /* Entries for the document's objects: those still there are moved over, the rest are dropped and counted
  * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
+    const bat_isolation *isolation = scene->isolation;
     int count = bat_document_count(document);
     bat_scene_entry *entries = calloc((size_t)count + 1, sizeof *entries);
     if (!entries) return BAT_MEMORY;
@@ -142,15 +144,45 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
     scene->count = count;
     /* A group's change is a change of all that is in it. */
     bat_nesting nesting = {0};
-    for (int i = 0; i < count; i++) {
+    for (int i = 0, end = 0; i < count; i++) {
         bat_nesting_level level = {0};
+        bat_id id = bat_object_id(entries[i].object);
+        if (isolation && i >= end && (id >= isolation->from || bat_selection_has(&isolation->kept, id)))
+            end = bat_document_end(document, i);
+        entries[i].pale = isolation && i >= end;
         bat_nesting_next(&nesting, entries[i].object, &level);
         if (entries[i].path && level.hidden != entries[i].hidden)
             bat_box_add(scene->dirty, entries[i].item.bounds);
         entries[i].hidden = level.hidden;
-        entries[i].locked = level.locked;
+        entries[i].locked = level.locked || entries[i].pale;
     }
     return BAT_OK;
+}
+
+static void dirty_all(bat_scene *scene) {
+    for (int i = 0; i < 4; i++) scene->dirty[i] = i < 2 ? -3e38f : 3e38f;
+}
+
+void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation) {
+    uint32_t version = isolation->on ? isolation->kept.version + 1 : 0;
+    scene->isolation = isolation->on ? isolation : NULL;
+    if (scene->outline == outline && scene->isolated == version) return;
+    scene->outline = outline;
+    scene->isolated = version;
+    scene->revision = UINT64_MAX;
+    dirty_all(scene);
+}
+
+/* As it is painted: in outlines, or pale. */
+static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
+    bat_item item = entry->item;
+    if (scene->outline && item.role == BAT_ROLE_OBJECT) {
+        item.flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
+        item.stroke = 0x000000ff;
+        item.width = item.opacity = 1;
+    }
+    if (entry->pale) item.opacity *= PALE;
+    return item;
 }
 
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
@@ -190,7 +222,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
                 status = BAT_MEMORY;
             }
         }
-        items[item_count++] = entry->item;
+        items[item_count++] = painted(scene, entry);
     }
     free(scene->items);
     scene->items = items;
@@ -213,7 +245,7 @@ void bat_scene_rebase(bat_scene *scene, const bat_view *view) {
     }
     scene->item_count = 0;
     scene->stale = true;
-    for (int i = 0; i < 4; i++) scene->dirty[i] = i < 2 ? -3e38f : 3e38f;
+    dirty_all(scene);
 }
 
 const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {

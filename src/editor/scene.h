@@ -6,6 +6,7 @@
 #ifndef BATTEN_SRC_SCENE_H
 #define BATTEN_SRC_SCENE_H
 
+#include "editor/isolate.h"
 #include "editor/path.h"
 #include "editor/view.h"
 #include <batten/nearest.h>
@@ -15,7 +16,8 @@ typedef struct bat_scene_entry {
     double box[4];      /* of the outline, document units */
     float *path;        /* NULL until made */
     bat_item item;
-    bool hidden, locked;  /* itself, or a group it is in */
+    bool hidden, locked;  /* itself, or a group it is in; what is not isolated is locked */
+    bool pale;            /* it is not isolated */
     bat_finder **finders; /* one a curve, each NULL until asked for; NULL altogether before */
 } bat_scene_entry;
 
@@ -30,12 +32,17 @@ typedef struct bat_scene {
     uint32_t versions; /* of items, given so far */
     uint32_t still_version;
     float dirty[4];
-    uint64_t revision; /* of the document that the entries mirror */
-    bool stale;        /* some path could not be made, or the origin has moved */
+    uint64_t revision;              /* of the document that the entries mirror */
+    bool outline;                   /* thin lines without fill */
+    const bat_isolation *isolation; /* borrowed; NULL: all is within reach */
+    uint32_t isolated;              /* its version as shown */
+    bool stale;                     /* some path could not be made, or the origin has moved */
 } bat_scene;
 
 void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
+/* How the next sync shows it: in outlines; with all but what is isolated pale. */
+void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
 /* Mirrors the document. BAT_MEMORY: the scene is as it was, or some paths are missing until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
 /* Moves the origin to the view's middle when floats would show (a quarter of a pixel). */

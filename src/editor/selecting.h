@@ -2,7 +2,7 @@
 #ifndef BATTEN_SRC_SELECTING_H
 #define BATTEN_SRC_SELECTING_H
 
-#include <batten/editor.h>
+#include "editor/snap.h"
 
 typedef enum bat_selecting_state {
     BAT_SELECTING_IDLE,
@@ -14,7 +14,7 @@ typedef enum bat_selecting_state {
 } bat_selecting_state;
 
 /* The eight handles lie around the box, from the top left on clockwise; then the one that rotates. */
-enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_NONE = -1 };
+enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_NONE = -1, BAT_SNAP_SOURCES = 40 };
 
 typedef struct bat_selecting {
     bat_selecting_state state;
@@ -35,9 +35,14 @@ typedef struct bat_selecting {
     bool due; /* the drag has moved on since the objects were last changed */
 
     double clicked[2], clicked_at; /* view pixels, time: of the last press, for a double click */
+    bat_snap_source sources[BAT_SNAP_SOURCES]; /* of what moves: what may snap; when the drag began */
+    int source_count;
 
     double point[2]; /* document units: the last place that was clicked; where to split */
     bool has_point;
 } bat_selecting;
+
+/* Whether a press would be on an object or a handle. */
+bool bat_selecting_hits(bat_editor *editor, const bat_pointer *event);
 
 #endif

@@ -129,15 +129,21 @@ static bat_status moved(const bat_editor *editor, const bat_curve *base, const b
     return status == BAT_SINGULAR ? bat_pull(base, 1, u, deltas, out) : status;
 }
 
-/* From the press to where the pen is, document units; Shift keeps to an axis. */
-static void drag_delta(const bat_editor *editor, double delta[2]) {
+/* From the press to where the pen is, document units; what is held snaps, Shift steps by angles. */
+static void drag_delta(bat_editor *editor, double delta[2]) {
     const bat_pointing *p = &editor->pointing;
-    double from[2], to[2];
+    double from[2], to[2], held[2];
+    int own = bat_document_find(editor->document, p->grip.object);
     bat_view_to_document(&editor->view, p->start, from);
     bat_view_to_document(&editor->view, p->at, to);
-    delta[0] = to[0] - from[0];
-    delta[1] = to[1] - from[1];
-    if (editor->modifiers & BAT_SHIFT) delta[fabs(delta[0]) >= fabs(delta[1]) ? 1 : 0] = 0;
+    bat_handle_place(p->base, &p->grip, held);
+    double place[2] = {held[0] + to[0] - from[0], held[1] + to[1] - from[1]};
+    if (editor->modifiers & BAT_SHIFT)
+        bat_snap_angle(editor, held, place);
+    else
+        bat_snap_point(editor, 1, &own, place);
+    delta[0] = place[0] - held[0];
+    delta[1] = place[1] - held[1];
 }
 
 static void release(bat_pointing *p) {
@@ -530,7 +536,7 @@ static void show_length(const bat_editor *editor, bat_overlay *list, const bat_c
     const bat_pointing *p = &editor->pointing;
     double at[2], length = bat_curve_length(curve, p->stretch[0], p->stretch[1], 1e-6);
     char text[64];
-    snprintf(text, sizeof text, "%.5g", length);
+    bat_unit_write(editor, length, text);
     bat_curve_eval(curve, (p->stretch[0] + p->stretch[1]) / 2, 0, at);
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 14, -14, text);
 }

@@ -74,6 +74,12 @@ static bat_id object_at(bat_editor *editor, const double pixel[2], bat_device de
     return bat_object_id(bat_document_at(editor->document, index));
 }
 
+bool bat_selecting_hits(bat_editor *editor, const bat_pointer *event) {
+    double pixel[2] = {event->x, event->y};
+    return handle_at(editor, pixel, event->device) != BAT_GRIP_NONE ||
+           object_at(editor, pixel, event->device, false) != 0;
+}
+
 static void forget_drag(bat_selecting *s) {
     for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
     free(s->before);
@@ -102,6 +108,31 @@ static void give_up(bat_editor *editor, bat_status status) {
     bat_editor_notice_failure(editor, status);
 }
 
+static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
+    if (s->source_count < BAT_SNAP_SOURCES) s->sources[s->source_count++] = (bat_snap_source){{x, y}, kinds};
+}
+
+/* What of the selection snaps: the box to lines, ends of curves and the place held to everything. */
+static void find_sources(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    double held[2], domain[2], end[2];
+    s->source_count = 0;
+    for (int i = 0; i < 4; i++) add_source(s, s->box[i & 1 ? 2 : 0], s->box[i & 2 ? 3 : 1], BAT_SNAP_LINES);
+    add_source(s, s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2, BAT_SNAP_LINES);
+    bat_view_to_document(&editor->view, s->start, held);
+    add_source(s, held[0], held[1], BAT_SNAP_ALL & ~BAT_SNAP_LINES);
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
+            const bat_curve *curve = bat_object_curve(s->before[i], k);
+            if (bat_curve_dimension(curve) != 2 || bat_curve_closed(curve)) continue;
+            bat_curve_domain(curve, domain);
+            for (int side = 0; side < 2; side++) {
+                bat_curve_eval(curve, domain[side], 0, end);
+                add_source(s, end[0], end[1], BAT_SNAP_ALL);
+            }
+        }
+}
+
 /* Keeps what the drag is going to change, as it is now. */
 static bat_status take_hold(bat_editor *editor) {
     bat_selecting *s = &editor->selecting;
@@ -123,6 +154,7 @@ static bat_status take_hold(bat_editor *editor) {
                 s->before[s->count++] = bat_object_retain(object);
             }
         bat_arrange_selection_box(editor, s->box);
+        find_sources(editor);
         if (!editor->transaction.open) status = bat_transaction_begin(editor);
     }
     free(roots);
@@ -176,10 +208,36 @@ static void rotating(const bat_selecting *s, uint32_t modifiers, const double fr
     bat_affine_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
 }
 
-static void moving(uint32_t modifiers, const double from[2], const double to[2], double matrix[6]) {
+static void moving(bat_editor *editor, const double from[2], double to[2], double matrix[6]) {
+    const bat_selecting *s = &editor->selecting;
+    if (editor->modifiers & BAT_SHIFT) {
+        bat_snap_angle(editor, from, to);
+        bat_affine_translation(to[0] - from[0], to[1] - from[1], matrix);
+        return;
+    }
     double by[2] = {to[0] - from[0], to[1] - from[1]};
-    if (modifiers & BAT_SHIFT) by[fabs(by[0]) >= fabs(by[1])] = 0;
+    int which = 0;
+    editor->snap = bat_snap_find(editor, s->count, s->indices, s->source_count, s->sources, by, &which);
+    for (int k = 0; k < 2 && editor->snap.kind; k++)
+        if (editor->snap.bound[k]) by[k] = editor->snap.point[k] - s->sources[which].point[k];
     bat_affine_translation(by[0], by[1], matrix);
+}
+
+/* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
+static void snap_handle(bat_editor *editor, const double from[2], double to[2]) {
+    const bat_selecting *s = &editor->selecting;
+    double share[2], by[2] = {to[0] - from[0], to[1] - from[1]};
+    handle_share(s->handle, share);
+    bat_snap_source source = {.kinds = BAT_SNAP_ALL};
+    for (int k = 0; k < 2; k++) source.point[k] = s->box[k] + share[k] * (s->box[k + 2] - s->box[k]);
+    editor->snap = bat_snap_find(editor, s->count, s->indices, 1, &source, by, NULL);
+    bool used = false;
+    for (int k = 0; k < 2 && editor->snap.kind; k++)
+        if (editor->snap.bound[k] && share[k] != 0.5) {
+            to[k] = from[k] + editor->snap.point[k] - source.point[k];
+            used = true;
+        }
+    if (!used) editor->snap.kind = BAT_SNAP_NONE;
 }
 
 static bat_status change(bat_editor *editor) {
@@ -187,12 +245,14 @@ static bat_status change(bat_editor *editor) {
     double from[2], to[2], matrix[6];
     bat_view_to_document(&editor->view, s->start, from);
     bat_view_to_document(&editor->view, s->at, to);
+    bat_editor_sync(editor);
+    if (s->state == BAT_SELECTING_SCALING && !(editor->modifiers & BAT_SHIFT)) snap_handle(editor, from, to);
     if (s->state == BAT_SELECTING_SCALING)
         scaling(s, editor->modifiers, from, to, matrix);
     else if (s->state == BAT_SELECTING_ROTATING)
         rotating(s, editor->modifiers, from, to, matrix);
     else
-        moving(editor->modifiers, from, to, matrix);
+        moving(editor, from, to, matrix);
     bool strokes = editor->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = 0; i < s->count; i++) {
         bat_object *after = NULL;

@@ -115,7 +115,12 @@ static void apply(bat_editor *editor) {
     }
     double *own = s->draft.points + 2 * s->press.point;
     if (s->press.part == BAT_PART_POINT) {
+        int index = bat_document_find(editor->document, s->object);
         for (int k = 0; k < 2; k++) own[k] = s->base[k] + point[k] - start[k];
+        if (editor->modifiers & BAT_SHIFT)
+            bat_snap_angle(editor, s->base, own);
+        else
+            bat_snap_point(editor, 1, &index, own);
     } else {
         if (s->travelled <= TAP) return; /* a tap places a point with the default direction */
         double direction[2] = {point[0] - own[0], point[1] - own[1]};
@@ -255,6 +260,18 @@ static void tap(bat_editor *editor, const bat_pointer *event) {
 
 /* ---- events ---- */
 
+/* Where a tap would place a point; Shift: at a step of angle from the last one. */
+static void place_to_snap(bat_editor *editor, double point[2]) {
+    const bat_splining *s = &editor->splining;
+    const bat_spline *spline = s->placing ? bat_splining_spline(editor) : NULL;
+    int own = s->object ? bat_document_find(editor->document, s->object) : -1;
+    const double *last = spline ? spline->points + 2 * (spline->count - 1) : s->placing ? s->first : NULL;
+    if (editor->modifiers & BAT_SHIFT && last)
+        bat_snap_angle(editor, last, point);
+    else
+        bat_snap_point(editor, own >= 0, &own, point);
+}
+
 static void down(bat_editor *editor, const bat_pointer *event) {
     bat_splining *s = &editor->splining;
     double pixel[2] = {event->x, event->y}, point[2];
@@ -270,6 +287,7 @@ static void down(bat_editor *editor, const bat_pointer *event) {
     bat_editor_notice(editor, BAT_STRING_COUNT);
     if (s->press.part != BAT_PART_NOTHING) return;
     bat_view_to_document(&editor->view, pixel, point);
+    place_to_snap(editor, point);
     if (!s->placing) {
         s->placing = true;
         s->object = 0;

@@ -89,3 +89,16 @@ bool bat_view_fit(bat_view *view, const double box[4], double margin) {
     bat_view_hold(view, middle, (double[]){view->width / 2, view->height / 2});
     return true;
 }
+
+void bat_view_box(const bat_view *view, double box[4]) {
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < 4; i++) {
+        double at[2];
+        bat_view_to_document(view, (double[]){i & 1 ? view->width : 0, i & 2 ? view->height : 0}, at);
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], at[k]);
+            box[k + 2] = fmax(box[k + 2], at[k]);
+        }
+    }
+}

@@ -38,4 +38,7 @@ void bat_view_rotate(bat_view *view, const double about[2], double degrees);
  */
 bool bat_view_fit(bat_view *view, const double box[4], double margin);
 
+/* The upright box around what the window shows, document units. */
+void bat_view_box(const bat_view *view, double box[4]);
+
 #endif

@@ -84,7 +84,7 @@ static void control_point_moves_by_the_drag(void **state) {
     tap(&p, on[0], on[1]); /* the curve is chosen, so that its points can be taken */
     x = old[8] + 2, y = old[9] - 3;
     pen_event(&p, BAT_POINTER_HOVER, x, y);
-    assert_string_equal(bat_editor_frame(editor)->hint, "Drag the control point. Shift keeps to an axis");
+    assert_string_equal(bat_editor_frame(editor)->hint, "Drag the control point. Shift: steps of 15°");
     assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_POLYGON));
     drag(&p, x, y, x + 33, y + 21);
     const double *now = bat_curve_points(curve_at(editor, 0));
@@ -96,7 +96,7 @@ static void control_point_moves_by_the_drag(void **state) {
     /* along one axis with Shift */
     p.modifiers = BAT_SHIFT;
     x = now[8], y = now[9];
-    drag(&p, x, y, x - 40, y + 9);
+    drag(&p, x, y, x - 40, y + 4);
     now = bat_curve_points(curve_at(editor, 0));
     assert_true(fabs(now[8] - x + 40) < 0.011 && now[9] == y);
     bat_curve_free(before);

@@ -184,7 +184,7 @@ static void drags_move(void **state) {
     drag(&p, 500, 200, 530, 260, 0); /* a drag selects what it takes hold of */
     assert_true(selected(editor) == 1 && has(editor, 1));
     expect_box(editor, 1, 230, 260, 830, 260);
-    drag(&p, 500, 260, 504, 290, BAT_SHIFT);
+    drag(&p, 500, 260, 502, 290, BAT_SHIFT);
     expect_box(editor, 1, 230, 290, 830, 290);
     assert_false(editor->transaction.open);
     assert_int_equal(editor->history.done, 2);

@@ -65,6 +65,7 @@ const module_field *module_layout(void) {
         {"label.role", offsetof(bat_label, role)},
         {"label.at", offsetof(bat_label, at)},
         {"label.offset", offsetof(bat_label, offset)},
+        {"label.turn", offsetof(bat_label, turn)},
         {"label.text", offsetof(bat_label, text)},
         {"frame.cursor", offsetof(bat_frame, cursor)},
         {"frame.requests", offsetof(bat_frame, requests)},

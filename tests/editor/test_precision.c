@@ -1,0 +1,476 @@
+/* Snapping, grid, guides, rulers, units, isolation, outlines: places known in closed form, and what must not change. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <cmocka.h>
+#include "curve/real.h"
+#include "editor/editor.h"
+#include "editor/ruler.h"
+#include "support/pen.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+/* A polyline of degree 1. */
+static bat_curve *polyline(int count, const double *points) {
+    double knots[16];
+    bat_curve *curve = NULL;
+    for (int i = 0; i < count + 2; i++) knots[i] = i == 0 ? 0 : i > count ? count - 1 : i - 1;
+    assert_int_equal(bat_curve_create(1, 2, false, count, knots, points, &curve), BAT_OK);
+    return curve;
+}
+
+static bat_curve *segment(double x0, double y0, double x1, double y1) {
+    return polyline(2, (double[]){x0, y0, x1, y1});
+}
+
+/* An empty page of 1000 x 800 px, one to one. */
+static bat_editor *editor_with(int count, bat_curve **curves) {
+    bat_document *document = NULL;
+    bat_editor *editor = NULL;
+    bat_document_create(&document);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    for (int i = 0; i < count; i++) pen_add(document, curves[i]);
+    bat_editor_create(&editor);
+    bat_editor_resize(editor, 1000, 800, 1);
+    bat_editor_open(editor, document, "precise");
+    bat_editor_command(editor, "zoom-100");
+    return editor;
+}
+
+static void at_once(const bat_snap *snap, bat_snap_kind kind, double x, double y) {
+    if (snap->kind != kind || !(bat_hypot(snap->point[0] - x, snap->point[1] - y) < 1e-9))
+        fail_msg("kind %d at %.12g %.12g, not %d at %.12g %.12g", (int)snap->kind, snap->point[0],
+                 snap->point[1], (int)kind, x, y);
+}
+
+static bat_snap snap(bat_editor *editor, double x, double y) {
+    double point[2] = {x, y};
+    bat_snap_point(editor, 0, NULL, point);
+    assert_null(bat_editor_check(editor));
+    return editor->snap;
+}
+
+/* Ends, crossings of two lines, of a line and a parabola, of a curve with itself: all known. */
+static void snaps_to_known_places(void **state) {
+    (void)state;
+    /* y = 300 - (x - 500)^2 / 100 for x in 400..600: the control points of a parabola in Bézier form. */
+    bat_curve *parabola = NULL, *loop = NULL;
+    bat_curve_create(2, 2, false, 3, (double[]){0, 0, 0, 1, 1, 1}, (double[]){400, 200, 500, 400, 600, 200},
+                     &parabola);
+    /* Symmetric about x = 800, so it meets itself there: x(t) - 800 = 600 (t - 1/2) (1 - 6 t (1 - t)) ... solved
+     * below by halving. */
+    bat_curve_create(3, 2, false, 4, (double[]){0, 0, 0, 0, 1, 1, 1, 1},
+                     (double[]){700, 600, 1000, 300, 600, 300, 900, 600}, &loop);
+    bat_curve *curves[] = {segment(100, 100, 300, 300), segment(100, 300, 300, 100), parabola,
+                           segment(350, 250, 650, 250), loop};
+    bat_editor *editor = editor_with(5, curves);
+    bat_snap found = snap(editor, 103, 96);
+    at_once(&found, BAT_SNAP_END, 100, 100);
+    found = snap(editor, 203, 204);
+    at_once(&found, BAT_SNAP_CROSSING, 200, 200);
+    /* y = 400 t (1 - t) + 200 = 250: t = (1 - sqrt(1/2)) / 2, x = 400 + 200 t */
+    found = snap(editor, 432, 253);
+    at_once(&found, BAT_SNAP_CROSSING, 500 - 100 * sqrt(0.5), 250);
+    found = snap(editor, 567, 248);
+    at_once(&found, BAT_SNAP_CROSSING, 500 + 100 * sqrt(0.5), 250);
+    double low = 0, high = 0.4; /* the parameter of the crossing with itself */
+    const bat_curve *own = bat_object_curve(bat_document_at(editor->document, 4), 0);
+    for (int i = 0; i < 60; i++) {
+        double t = (low + high) / 2, at[2];
+        bat_curve_eval(own, t, 0, at);
+        if (at[0] < 800)
+            low = t;
+        else
+            high = t;
+    }
+    double at[2];
+    bat_curve_eval(own, low, 0, at);
+    found = snap(editor, at[0] + 3, at[1] - 2);
+    at_once(&found, BAT_SNAP_CROSSING, 800, at[1]);
+    /* An end within reach comes before a crossing that is nearer. */
+    found = snap(editor, 296, 298);
+    at_once(&found, BAT_SNAP_END, 300, 300);
+    /* Out of reach, switched off, held off. */
+    assert_int_equal(snap(editor, 320, 300).kind, BAT_SNAP_NONE);
+    bat_editor_set(editor, "snap-ends", 0);
+    assert_int_equal(snap(editor, 103, 96).kind, BAT_SNAP_NONE);
+    bat_editor_set(editor, "snap-curves", 1);
+    found = snap(editor, 153, 147);
+    at_once(&found, BAT_SNAP_CURVE, 150, 150);
+    editor->modifiers = BAT_CTRL;
+    assert_int_equal(snap(editor, 153, 147).kind, BAT_SNAP_NONE);
+    editor->modifiers = 0;
+    bat_editor_command(editor, "snap");
+    assert_int_equal(snap(editor, 203, 204).kind, BAT_SNAP_NONE);
+    bat_editor_command(editor, "snap");
+    bat_editor_set(editor, "snap-curves", 0);
+    /* The reach is in pixels. */
+    bat_editor_command(editor, "zoom-in");
+    bat_editor_command(editor, "zoom-in");
+    assert_int_equal(snap(editor, 205, 204.5).kind, BAT_SNAP_NONE);
+    found = snap(editor, 202, 201);
+    at_once(&found, BAT_SNAP_CROSSING, 200, 200);
+    bat_editor_free(editor);
+}
+
+static void guides_and_grid_draw(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(100, 500, 500, 700)};
+    bat_editor *editor = editor_with(1, curves);
+    uint64_t first = digest(editor);
+    assert_int_equal(bat_guide_put(editor, 0, 0, 320.5), BAT_OK);
+    assert_int_equal(bat_guide_put(editor, 0, 1, 150.25), BAT_OK);
+    bat_snap found = snap(editor, 323, 400);
+    at_once(&found, BAT_SNAP_GUIDE, 320.5, 400);
+    found = snap(editor, 325, 147);
+    at_once(&found, BAT_SNAP_CROSSING, 320.5, 150.25);
+    found = snap(editor, 317, 612); /* the line is at y = 500 + 220.5 / 2 there */
+    at_once(&found, BAT_SNAP_CROSSING, 320.5, 610.25);
+    /* The grid draws while it is shown; a guide keeps its coordinate. */
+    bat_editor_set(editor, "grid-spacing", 25);
+    assert_int_equal(snap(editor, 402, 277).kind, BAT_SNAP_NONE);
+    bat_editor_command(editor, "show-grid");
+    found = snap(editor, 402, 277);
+    at_once(&found, BAT_SNAP_GRID, 400, 275);
+    found = snap(editor, 322, 277);
+    at_once(&found, BAT_SNAP_GUIDE, 320.5, 275);
+    /* Never nearer than 8 px, always a part of the finer one, never finer than asked. */
+    double spacings[] = {0.001, 1, 3.7, 10, 1000}, before = 0;
+    for (int i = 0; i < 5; i++) {
+        bat_editor_set(editor, "grid-spacing", spacings[i]);
+        before = 0;
+        for (int k = 0; k < 60; k++) {
+            double step = bat_grid_step(editor), whole = step / spacings[i];
+            assert_true(step * editor->view.zoom >= 8 && fabs(whole - round(whole)) < 1e-9 * whole);
+            if (before > 0) {
+                double times = step / before;
+                assert_true(fabs(times - round(times)) < 1e-9 * times);
+                assert_true(step == before || before * editor->view.zoom < 8);
+            }
+            before = step;
+            bat_view_zoom(&editor->view, (double[]){0, 0}, 0.8);
+        }
+        bat_editor_command(editor, "zoom-100");
+    }
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GRID));
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDELINE));
+    bat_editor_command(editor, "undo");
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDELINE));
+    bat_editor_free(editor);
+}
+
+static pen mouse(bat_editor *editor) {
+    pen p = pen_for(editor);
+    p.device = BAT_DEVICE_MOUSE;
+    return p;
+}
+
+static void drag(pen *p, double x0, double y0, double x1, double y1) {
+    pen_event(p, BAT_POINTER_HOVER, x0, y0);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_DOWN, x0, y0);
+    for (int i = 1; i <= 6; i++) {
+        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 6, y0 + (y1 - y0) * i / 6);
+        bat_editor_frame(p->editor);
+        assert_null(bat_editor_check(p->editor));
+    }
+    pen_event(p, BAT_POINTER_UP, x1, y1);
+    assert_null(bat_editor_check(p->editor));
+}
+
+static int guides(const bat_editor *editor, int axis, double *at) {
+    int found = 0;
+    double place;
+    for (int i = 0; i < bat_document_count(editor->document); i++)
+        if (bat_object_guide(bat_document_at(editor->document, i), &place) == axis) {
+            *at = place;
+            found++;
+        }
+    return found;
+}
+
+static void replays(bat_editor *editor) {
+    bat_editor *again = NULL;
+    bat_problem problem = {"", ""};
+    size_t size;
+    const char *journal = bat_editor_journal(editor, &size);
+    bat_editor_create(&again);
+    if (bat_editor_replay(again, journal, size, true, &problem) != BAT_OK)
+        fail_msg("%s: %s", problem.place, problem.message);
+    assert_true(digest(again) == digest(editor));
+    bat_editor_free(again);
+}
+
+/* Out of the rulers, moved, dragged back, deleted by the key; each one step. */
+static void guides_by_hand(void **state) {
+    (void)state;
+    bat_editor *editor = editor_with(0, NULL);
+    uint64_t first = digest(editor);
+    pen p = mouse(editor);
+    double at = 0;
+    drag(&p, 500, 10, 500, 233); /* no rulers: this is a stroke of the tool */
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    bat_editor_command(editor, "show-rulers");
+    drag(&p, 500, 10, 500, 233);
+    assert_true(guides(editor, 1, &at) == 1 && at == 233);
+    drag(&p, 8, 400, 340, 400);
+    assert_true(guides(editor, 0, &at) == 1 && at == 340);
+    drag(&p, 8, 400, 12, 500); /* not out of it */
+    assert_int_equal(bat_document_count(editor->document), 2);
+    drag(&p, 10, 10, 300, 300); /* the corner is nobody's */
+    bat_editor_command(editor, "tool-select");
+    drag(&p, 340, 600, 355, 610);
+    assert_true(guides(editor, 0, &at) == 1 && at == 355);
+    pen_event(&p, BAT_POINTER_DOWN, 355, 600);
+    pen_event(&p, BAT_POINTER_MOVE, 500, 600);
+    assert_true(bat_editor_key(editor, "Escape", true, 0, p.time));
+    pen_event(&p, BAT_POINTER_UP, 500, 600);
+    assert_true(guides(editor, 0, &at) == 1 && at == 355);
+    drag(&p, 700, 233, 700, 9); /* back into the ruler */
+    assert_int_equal(guides(editor, 1, &at), 0);
+    bat_editor_command(editor, "undo");
+    assert_true(guides(editor, 1, &at) == 1 && at == 233);
+    drag(&p, 355, 600, 355, 600); /* a tap chooses */
+    assert_int_equal(guides(editor, 0, &at), 1);
+    assert_true(bat_editor_key(editor, "Delete", true, 0, p.time));
+    assert_int_equal(guides(editor, 0, &at), 0);
+    assert_int_equal(bat_editor_command(editor, "guide-upright"), BAT_OK);
+    assert_true(guides(editor, 0, &at) == 1 && at == 500); /* the middle of the window */
+    replays(editor);
+    /* A drawing with guides survives both formats. */
+    char *text = NULL;
+    size_t size = 0;
+    bat_document *again = NULL;
+    assert_int_equal(bat_document_write(editor->document, &text, &size), BAT_OK);
+    assert_int_equal(bat_document_read(text, size, &again, NULL), BAT_OK);
+    assert_true(bat_document_digest(again) == digest(editor));
+    bat_document_free(again);
+    bat_free(text);
+    while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
+    assert_true(digest(editor) == first);
+    bat_object *none = NULL;
+    assert_int_equal(bat_object_create_guide(1, 0, NAN, &none), BAT_NUMBER);
+    assert_int_equal(bat_object_create_guide(1, 2, 0, &none), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_guide(0, 0, 0, &none), BAT_ARGUMENT);
+    bat_editor_free(editor);
+}
+
+/* A moved line's end lands on the end of another to the last bit; the picture says so while it is held. */
+static void moves_snap(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(100, 100, 200, 150), segment(400, 333.25, 600, 500)};
+    bat_editor *editor = editor_with(2, curves);
+    pen p = mouse(editor);
+    bat_editor_command(editor, "tool-select");
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 300, 300);
+    pen_event(&p, BAT_POINTER_MOVE, 352, 306); /* its right end comes to 402, 331 */
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_non_null(pen_live(frame, BAT_ROLE_GUIDE));
+    assert_string_equal(frame->labels[0].text, "end");
+    pen_event(&p, BAT_POINTER_UP, 352, 306);
+    double box[4];
+    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    assert_true(box[2] == 400 && box[3] == 333.25);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDE));
+    replays(editor);
+    bat_editor_command(editor, "undo");
+    p.modifiers = BAT_CTRL;
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 352, 306);
+    pen_event(&p, BAT_POINTER_UP, 352, 306);
+    p.modifiers = 0;
+    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    assert_true(fabs(box[2] - 402) < 1e-9);
+    bat_editor_command(editor, "undo");
+    /* Shift: 15 degrees. The pen goes 100, -30 (16.7 degrees); what moves goes along 15. */
+    p.modifiers = BAT_SHIFT;
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 250, 95);
+    frame = bat_editor_frame(editor);
+    assert_string_equal(frame->labels[0].text, "15°");
+    pen_event(&p, BAT_POINTER_UP, 250, 95);
+    p.modifiers = 0;
+    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    double c = cos(BAT_PI / 12), s = sin(BAT_PI / 12), along = 100 * c + 30 * s;
+    assert_true(fabs(box[0] - 100 - along * c) < 1e-9 && fabs(box[1] - 100 + along * s) < 1e-9);
+    /* A control point goes to the crossing of guides. */
+    bat_guide_put(editor, 0, 0, 700);
+    bat_guide_put(editor, 0, 1, 600);
+    bat_editor_command(editor, "deselect");
+    bat_editor_command(editor, "tool-points");
+    pen_event(&p, BAT_POINTER_HOVER, 500, 416.6);
+    pen_event(&p, BAT_POINTER_DOWN, 500, 416.6);
+    pen_event(&p, BAT_POINTER_UP, 500, 416.6);
+    drag(&p, 600, 500, 703, 605);
+    const bat_object *moved = bat_document_at(editor->document, bat_document_find(editor->document, 2));
+    const double *points = bat_curve_points(bat_object_curve(moved, 0));
+    assert_true(fabs(points[2] - 700) < 1e-12 && fabs(points[3] - 600) < 1e-12);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void units_are_read_and_written(void **state) {
+    (void)state;
+    bat_editor *editor = editor_with(0, NULL);
+    static const struct {
+        const char *text;
+        double unit, value; /* px */
+    } good[] = {{"12", 0, 12},
+                {"12mm", 0, 12 * 96 / 25.4},
+                {" 1in + 3 mm ", 0, 96 + 3 * 96 / 25.4},
+                {"25.4", 1, 96},
+                {"2", 2, 192},
+                {"(2+3)*4,5", 0, 22.5},
+                {"-.5cm", 0, -48 / 2.54},
+                {"3 * 1in / 2", 1, 144},
+                {"1in/1px", 0, 96},
+                {"72pt", 2, 96},
+                {"1\"", 1, 96},
+                {"--4", 0, 4},
+                {"10mm - 1", 1, 9 * 96 / 25.4}};
+    static const char *const bad[] = {
+        "",     " ",   "mm",  "1 2", "2mm*3mm", "3/2mm", "1+",
+        "(1",   "1)",  "1e5", "x",   "1..2",    "1/",    "((((((((((((((((((((1))))))))))))))))))))",
+        "0x10", "nan", "inf"};
+    double value = 7;
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        bat_editor_set(editor, "unit", good[i].unit);
+        if (bat_unit_read(editor, good[i].text, false, &value) != BAT_OK ||
+            !(fabs(value - good[i].value) <= 1e-12 * (1 + fabs(value))))
+            fail_msg("\"%s\" is %.17g", good[i].text, value);
+    }
+    value = 7;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        if (bat_unit_read(editor, bad[i], false, &value) != BAT_SYNTAX) fail_msg("\"%s\" is taken", bad[i]);
+        assert_true(value == 7);
+    }
+    assert_int_equal(bat_unit_read(editor, "1/0", false, &value), BAT_NUMBER);
+    assert_int_equal(bat_unit_read(editor, "30°", true, &value), BAT_OK);
+    assert_true(value == 30);
+    assert_int_equal(bat_unit_read(editor, "30mm", true, &value), BAT_SYNTAX);
+    char text[BAT_UNIT_ROOM];
+    static const char *const written[] = {"96 px", "25.4 mm", "1 in"};
+    for (int i = 0; i < 3; i++) {
+        bat_editor_set(editor, "unit", i);
+        bat_unit_write(editor, 96, text);
+        assert_string_equal(text, written[i]);
+    }
+    /* What is written reads back to within its last digit. */
+    for (int i = 0; i < 200; i++) {
+        double length = (i - 100) * 1.2345;
+        bat_unit_write(editor, length, text);
+        assert_int_equal(bat_unit_read(editor, text, false, &value), BAT_OK);
+        assert_true(fabs(value - length) <= 0.0005001 * 96);
+    }
+    bat_unit_number(-0.0001, text);
+    assert_string_equal(text, "0");
+    bat_unit_number(1e300, text);
+    assert_true(strlen(text) < BAT_UNIT_ROOM);
+    bat_editor_free(editor);
+}
+
+/* Every label of the rulers stands at its own place, whatever zoom and unit; turned, there are none. */
+static void rulers_tell_places(void **state) {
+    (void)state;
+    bat_editor *editor = editor_with(0, NULL);
+    bat_editor_command(editor, "show-rulers");
+    assert_int_equal(bat_ruler_at(editor, (double[]){300, 5}), 1);
+    assert_int_equal(bat_ruler_at(editor, (double[]){5, 300}), 0);
+    assert_int_equal(bat_ruler_at(editor, (double[]){5, 5}), -1);
+    assert_int_equal(bat_ruler_at(editor, (double[]){300, 300}), -1);
+    for (int unit = 0; unit < 3; unit++)
+        for (int k = 0; k < 40; k++) {
+            bat_editor_set(editor, "unit", unit);
+            bat_view_zoom(&editor->view, (double[]){200, 300}, k < 20 ? 0.7 : 1.9);
+            const bat_frame *frame = bat_editor_frame(editor);
+            int labels = 0;
+            for (uint32_t i = 0; i < frame->label_count; i++) {
+                const bat_label *label = &frame->labels[i];
+                if (label->role != BAT_ROLE_RULER) continue;
+                labels++;
+                int axis = label->turn != 0;
+                double place = (frame->origin[axis] + (double)label->at[axis]) / bat_unit_size(editor);
+                double pixel = 1 / (editor->view.zoom * bat_unit_size(editor));
+                assert_true(fabs(strtod(label->text, NULL) - place) <= fmax(0.6 * pixel, 0.000501));
+            }
+            assert_true(labels >= 8 && labels < 40);
+        }
+    bat_editor_command(editor, "view-left");
+    assert_int_equal(bat_ruler_at(editor, (double[]){300, 5}), -1);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_RULER));
+    bat_editor_free(editor);
+}
+
+static void isolated_is_all_there_is(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = mouse(editor);
+    uint64_t first = digest(editor);
+    bat_editor_command(editor, "tool-select");
+    assert_int_equal(bat_editor_command(editor, "isolate"), BAT_STATE); /* nothing is meant */
+    pen_event(&p, BAT_POINTER_DOWN, 500, 200);
+    pen_event(&p, BAT_POINTER_UP, 500, 200);
+    assert_true(bat_editor_key(editor, "i", true, 0, p.time));
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_true(frame->still[1].opacity == 1 && frame->still[2].opacity < 0.5F);
+    bat_editor_command(editor, "select-all");
+    assert_int_equal(editor->selection.count, 1);
+    drag(&p, 500, 600, 540, 640); /* nothing is there to take hold of */
+    assert_true(digest(editor) == first);
+    drag(&p, 100, 500, 900, 700);
+    assert_int_equal(editor->selection.count, 0);
+    assert_int_equal(snap(editor, 201, 601).kind, BAT_SNAP_END); /* but to snap to */
+    bat_editor_command(editor, "tool-sketch");
+    pen_line(&p, 300, 400, 700, 400, 10); /* what is drawn meanwhile is within reach */
+    frame = bat_editor_frame(editor);
+    assert_true(frame->still[3].opacity == 1);
+    assert_true(bat_editor_key(editor, "Escape", true, 0, p.time));
+    frame = bat_editor_frame(editor);
+    assert_true(frame->still[2].opacity == 1);
+    assert_true(frame->dirty[0] < -1e6F); /* all of it is painted anew */
+    bat_editor_command(editor, "tool-select");
+    drag(&p, 500, 600, 540, 640);
+    assert_int_equal(editor->selection.count, 1);
+    replays(editor);
+    bat_editor_free(editor);
+}
+
+static void outlines_are_thin(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    uint64_t first = digest(editor);
+    uint32_t version = bat_editor_frame(editor)->still[1].version;
+    bat_editor_set(editor, "filled", 1);
+    bat_editor_command(editor, "outline");
+    const bat_frame *frame = bat_editor_frame(editor);
+    for (int i = 1; i < 3; i++) {
+        assert_int_equal(frame->still[i].flags, BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH);
+        assert_true(frame->still[i].width == 1 && frame->still[i].opacity == 1);
+    }
+    assert_int_equal(frame->still[1].version, version); /* the same path */
+    bat_editor_command(editor, "outline");
+    frame = bat_editor_frame(editor);
+    assert_true(frame->still[1].width == 2 && !(frame->still[1].flags & BAT_ITEM_SCREEN_WIDTH));
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(snaps_to_known_places),
+        cmocka_unit_test(guides_and_grid_draw),
+        cmocka_unit_test(guides_by_hand),
+        cmocka_unit_test(moves_snap),
+        cmocka_unit_test(units_are_read_and_written),
+        cmocka_unit_test(rulers_tell_places),
+        cmocka_unit_test(isolated_is_all_there_is),
+        cmocka_unit_test(outlines_are_thin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
