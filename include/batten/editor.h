@@ -190,8 +190,8 @@ typedef enum bat_role {
     BAT_ROLE_IMAGE,      /* a picture: the path goes round its corners, from its top left on clockwise */
     BAT_ROLE_GRID,       /* the grid, and its stronger lines */
     BAT_ROLE_GRID_STRONG,
-    BAT_ROLE_RULER,      /* the rulers: filled, their ticks, their labels */
-    BAT_ROLE_GUIDELINE   /* the drawing's guides */
+    BAT_ROLE_RULER,    /* the rulers: filled, their ticks, their labels */
+    BAT_ROLE_GUIDELINE /* the drawing's guides */
 } bat_role;
 
 enum {

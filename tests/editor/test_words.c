@@ -42,7 +42,7 @@ static void every_string_is_there_in_every_language(void **state) {
         assert_true(*key && *english && *korean);
         /* what is no word of Korean */
         bool own = !strcmp(key, "language.code") || !strcmp(key, "language.direction") ||
-                   !strcmp(key, "language.en");
+                   !strcmp(key, "language.en") || !strncmp(key, "unit.", 5);
         if (has_hangul(korean) == own) fail_msg("%s is not Korean: %s", key, korean);
         /* keys of the keyboard, values and names stay what they are; "Delete" also means what it says */
         for (size_t k = 0; k < sizeof names / sizeof *names; k++)
