@@ -112,7 +112,12 @@ static void drag(bat_editor *editor) {
     bat_view_to_document(&editor->view, l->start, from);
     bat_view_to_document(&editor->view, l->at, to);
     double delta[2] = {to[0] - from[0], to[1] - from[1]};
-    if (editor->modifiers & BAT_SHIFT) delta[fabs(delta[0]) >= fabs(delta[1]) ? 1 : 0] = 0;
+    if (editor->modifiers & BAT_SHIFT) {
+        bat_snap_angle(editor, from, to);
+        for (int k = 0; k < 2; k++) delta[k] = to[k] - from[k];
+    } else {
+        editor->snap.kind = BAT_SNAP_NONE;
+    }
     bat_shape *shape = NULL;
     bat_status status = edited(editor, l->base, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(editor, shape);

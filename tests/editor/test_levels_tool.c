@@ -228,7 +228,7 @@ static void points_of_a_level(void **state) {
     const bat_curve *base = bat_shape_curve(shape_at(editor, 0), 0);
     double x = bat_curve_points(base)[6], y = bat_curve_points(base)[7];
     pen_event(&p, BAT_POINTER_HOVER, x, y);
-    assert_string_equal(bat_editor_frame(editor)->hint, "Drag the control point. Shift keeps to an axis");
+    assert_string_equal(bat_editor_frame(editor)->hint, "Drag the control point. Shift: steps of 15°");
     drag(&p, x, y, x + 31, y - 17);
     base = bat_shape_curve(shape_at(editor, 0), 0);
     assert_true(fabs(bat_curve_points(base)[6] - x - 31) < 0.02 &&
