@@ -34,7 +34,7 @@ typedef struct bat_selecting {
     int original_count;
     bool due; /* the drag has moved on since the objects were last changed */
 
-    double clicked[2], clicked_at; /* view pixels, time: of the last press, for a double click */
+    double clicked[2], clicked_at;             /* view pixels, time: of the last press, for a double click */
     bat_snap_source sources[BAT_SNAP_SOURCES]; /* of what moves: what may snap; when the drag began */
     int source_count;
 
