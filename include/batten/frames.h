@@ -66,6 +66,12 @@ typedef struct bat_frame_arrays {
 BAT_API bat_status bat_frame_chain_many(const bat_frame_chain *chain, size_t count, const double *u,
                                         const bat_frame_arrays *out);
 BAT_API double bat_frame_chain_holonomy(const bat_frame_chain *chain);
+/*
+ * For animation: makes options those of the next picture. The persistent pair becomes this chain's first frame, so
+ * that the next curve's s(0) is turned from it by the least rotation; and a loop's angle is followed past +-pi.
+ * As long as the start tangent turns by less than a half turn from one picture to the next, frames never jump.
+ */
+BAT_API void bat_frame_chain_follow(const bat_frame_chain *chain, bat_frame_options *options);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,7 @@
 
 #include <batten/frames.h>
 #include <batten/sketch.h>
+#include <batten/tangents.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -44,6 +45,9 @@ typedef struct bat_shape bat_shape;
 
 /* Copies the base. The shape has no level yet. */
 BAT_API bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *options, bat_shape **out);
+/* The base is a G1 spline through points (bat_tangents). */
+BAT_API bat_status bat_shape_from_spline(const bat_spline *spline, const bat_tangents_options *tangents,
+                                         const bat_shape_options *options, bat_shape **out);
 BAT_API bat_status bat_shape_copy(const bat_shape *shape, bat_shape **out);
 BAT_API void bat_shape_free(bat_shape *shape); /* NULL is fine */
 
@@ -57,6 +61,8 @@ BAT_API bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const d
 BAT_API int bat_shape_levels(const bat_shape *shape); /* k */
 /* C^0..C^k; owned by the shape, valid until it changes. */
 BAT_API const bat_curve *bat_shape_curve(const bat_shape *shape, int level);
+/* C^k as a curve of its own. */
+BAT_API bat_status bat_shape_flatten(const bat_shape *shape, bat_curve **out);
 /* Of level 1..k: count * 3 numbers, owned by the shape. */
 BAT_API const double *bat_shape_details(const bat_shape *shape, int level);
 BAT_API const double *bat_shape_nodes(const bat_shape *shape, int level);

@@ -101,6 +101,13 @@ void bat_frame_chain_free(bat_frame_chain *chain) {
 
 double bat_frame_chain_holonomy(const bat_frame_chain *chain) { return chain->holonomy; }
 
+void bat_frame_chain_follow(const bat_frame_chain *chain, bat_frame_options *options) {
+    options->has_reference = true;
+    vec_store(chain->nodes->t, options->reference_t);
+    vec_store(chain->nodes->s, options->reference_s);
+    options->holonomy_near = chain->holonomy;
+}
+
 /* ---- evaluation ---- */
 
 /* The last node at or before u; `hint` and what follows it are tried first. */

@@ -119,6 +119,22 @@ bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *opti
     return BAT_OK;
 }
 
+bat_status bat_shape_from_spline(const bat_spline *spline, const bat_tangents_options *tangents,
+                                 const bat_shape_options *options, bat_shape **out) {
+    bat_curve *base;
+    if (!out) return BAT_ARGUMENT;
+    bat_status status = bat_tangents(spline, tangents, NULL, NULL, NULL, &base);
+    if (status != BAT_OK) return status;
+    status = bat_shape_create(base, options, out);
+    bat_curve_free(base);
+    return status;
+}
+
+bat_status bat_shape_flatten(const bat_shape *shape, bat_curve **out) {
+    if (!shape || !out) return BAT_ARGUMENT;
+    return bat_curve_copy(bat_shape_curve(shape, shape->count), out);
+}
+
 int bat_shape_levels(const bat_shape *shape) { return shape->count; }
 const bat_curve *bat_shape_curve(const bat_shape *shape, int level) {
     return level == 0 ? shape->base : shape->levels[level - 1].curve;

@@ -248,6 +248,255 @@ static void degenerate(void **state) {
     bat_curve_free(curve);
 }
 
+/* A curve of degree 7 that has positions and three derivatives of `at` at every breakpoint: 1e-12 from it. */
+static bat_curve *osculating(void (*at)(double t, double d[4][3]), double end, int spans) {
+    enum { P = 7, MOST = 40 };
+    double points[(P * MOST + 1) * 3], knots[P * MOST + P + 2], d[2][4][3], h = end / spans;
+    for (int i = 0; i < spans; i++) {
+        at(i * h, d[0]), at((i + 1) * h, d[1]);
+        for (int c = 0; c < 3; c++) {
+            double b[8];
+            for (int side = 0; side < 2; side++) { /* Bézier points from either end */
+                double w = side ? -h : h, p0 = d[side][0][c], p1 = p0 + w / 7 * d[side][1][c],
+                       p2 = 2 * p1 - p0 + w * w / 42 * d[side][2][c],
+                       p3 = 3 * p2 - 3 * p1 + p0 + w * w * w / 210 * d[side][3][c];
+                const double side_points[4] = {p0, p1, p2, p3};
+                for (int k = 0; k < 4; k++) b[side ? 7 - k : k] = side_points[k];
+            }
+            for (int k = 0; k <= P; k++) points[(P * i + k) * 3 + c] = b[k];
+        }
+    }
+    int n = P * spans + 1;
+    for (int i = 0; i < n + P + 1; i++) knots[i] = i == 0 ? 0 : fmin((i - 1) / P, spans) * h;
+    bat_curve *curve;
+    assert_int_equal(bat_curve_create(P, 3, false, n, knots, points, &curve), BAT_OK);
+    return curve;
+}
+
+static void helix_at(double t, double d[4][3]) {
+    const double rows[4][3] = {{2 * cos(t), 2 * sin(t), 0.7 * t},
+                               {-2 * sin(t), 2 * cos(t), 0.7},
+                               {-2 * cos(t), -2 * sin(t), 0},
+                               {2 * sin(t), -2 * cos(t), 0}};
+    memcpy(d, rows, sizeof rows);
+}
+
+/* On a helix the rotation-minimising s turns against Frenet's normal by minus the torsion times the length. Twice
+ * the steps leave a sixteenth of the error. */
+static void helix(void **state) {
+    (void)state;
+    enum { SPANS = 20 };
+    double end = 8, speed = sqrt(4 + 0.49), torsion = 0.7 / 4.49, angle = -torsion * speed * end, error[3];
+    bat_curve *curve = osculating(helix_at, end, SPANS);
+    double n[3] = {-cos(end), -sin(end), 0},
+           b[3] = {0.7 * sin(end) / speed, -0.7 * cos(end) / speed, 2 / speed};
+    for (int i = 0; i < 3; i++) {
+        bat_frame_options options = bat_frame_defaults();
+        options.substeps = 1 << i, options.has_first = true, options.first[0] = -1;
+        bat_frame3 f;
+        assert_int_equal(bat_frames(curve, &options, 1, &end, &f, NULL), BAT_OK);
+        double got = atan2(dot(f.s, b), dot(f.s, n));
+        error[i] = fabs(remainder(got - angle, 2 * PI));
+    }
+    assert_true(error[0] > 1e-7 && error[2] < 1e-6);
+    assert_true(log2(error[0] / error[1]) > 3.8 && log2(error[1] / error[2]) > 3.8);
+    bat_curve_free(curve);
+}
+
+static void sphere_at(double t, double d[4][3]) { /* Viviani's window, on the unit sphere */
+    const double c = cos(t), s = sin(t), c2 = cos(2 * t), s2 = sin(2 * t);
+    const double rows[4][3] = {
+        {(1 + c2) / 2, s2 / 2, s}, {-s2, c2, c}, {-2 * c2, -2 * s2, -s}, {4 * s2, -4 * c2, -c}};
+    memcpy(d, rows, sizeof rows);
+}
+
+/* On a sphere s = x / R is rotation-minimising, and double reflection keeps it at any sampling. */
+static void spheres_are_exact(void **state) {
+    (void)state;
+    bat_curve *curve = osculating(sphere_at, 6, 30);
+    bat_frame_options options = bat_frame_defaults();
+    options.substeps = 1, options.has_first = true, options.first[0] = 1;
+    for (int i = 0; i <= 30; i++) {
+        bat_frame3 f;
+        double u = i * (6.0 / 30), x[4][3];
+        assert_int_equal(bat_frames(curve, &options, 1, &u, &f, NULL), BAT_OK);
+        sphere_at(u, x);
+        for (int d = 0; d < 3; d++) assert_true(fabs(f.s[d] - x[0][d]) < 1e-10);
+    }
+    bat_curve_free(curve);
+}
+
+/* The formula as the paper prints it, one step after the other, in plain arithmetic. */
+static void serial_step(const double *x0, const double *t0, const double *s0, const double *x1,
+                        const double *t1, double *s1) {
+    double v1[3], v2[3], t[3], s[3];
+    for (int d = 0; d < 3; d++) v1[d] = x1[d] - x0[d];
+    for (int d = 0; d < 3; d++) {
+        s[d] = s0[d] - 2 / dot(v1, v1) * dot(v1, s0) * v1[d];
+        t[d] = t0[d] - 2 / dot(v1, v1) * dot(v1, t0) * v1[d];
+    }
+    for (int d = 0; d < 3; d++) v2[d] = t1[d] - t[d];
+    for (int d = 0; d < 3; d++) s1[d] = s[d] - 2 / dot(v2, v2) * dot(v2, s) * v2[d];
+}
+
+/* The parallel form against the serial one, and one at a time against many, bit for bit, in any order. */
+static void bulk_equals_serial(void **state) {
+    (void)state;
+    enum { STEPS = 8, MANY = 500 };
+    seed = 21;
+    for (int round = 0; round < 30; round++) {
+        bat_curve *curve = random_curve(2 + (round % 3 > 0), round % 4 == 3, 12);
+        const double *knots = bat_curve_knots(curve);
+        double domain[2], x[2][6], t[2][3], s[2][3], u[MANY], point[3 * MANY], tangent[3 * MANY],
+            side[3 * MANY], other[3 * MANY];
+        bat_curve_domain(curve, domain);
+        bat_frame_options options = bat_frame_defaults();
+        options.substeps = STEPS;
+        bat_frame_chain *chain;
+        assert_int_equal(bat_frame_chain_create(curve, &options, &chain), BAT_OK);
+        bat_frame3 f;
+        bat_frame_chain_at(chain, domain[0], &f);
+        memcpy(s[0], f.s, sizeof f.s);
+        for (int k = 0;
+             k + 1 < bat_curve_knot_count(curve) && bat_curve_dimension(curve) == 3 && round % 4 != 3; k++)
+            for (int i = 0; i <= STEPS && knots[k + 1] > knots[k]; i++) {
+                bat_curve_eval(curve, knots[k] + (knots[k + 1] - knots[k]) * i / STEPS, 1, x[1]);
+                double speed = sqrt(dot(x[1] + 3, x[1] + 3));
+                for (int d = 0; d < 3; d++) t[1][d] = x[1][3 + d] / speed;
+                if (i > 0) {
+                    serial_step(x[0], t[0], s[0], x[1], t[1], s[1]);
+                    memcpy(s[0], s[1], sizeof s[0]);
+                    bat_frame_chain_at(chain,
+                                       fmin(knots[k] + (knots[k + 1] - knots[k]) * i / STEPS, domain[1]), &f);
+                    for (int d = 0; d < 3; d++) assert_true(fabs(s[0][d] - f.s[d]) < 1e-12);
+                }
+                memcpy(x[0], x[1], sizeof x[0]), memcpy(t[0], t[1], sizeof t[0]);
+            }
+        for (int i = 0; i < MANY; i++)
+            u[i] = round % 2 ? uniform(domain[0] - 1, domain[1] + 1)
+                             : domain[0] + (domain[1] - domain[0]) * i / (MANY - 1);
+        const bat_frame_arrays all = {point, tangent, side, other}, none = {NULL, NULL, NULL, NULL};
+        assert_int_equal(bat_frame_chain_many(chain, MANY, u, &none), BAT_OK);
+        assert_int_equal(bat_frame_chain_many(chain, MANY, u, &all), BAT_OK);
+        for (int i = 0; i < MANY; i++) {
+            bat_frame_chain_at(chain, u[i], &f);
+            assert_memory_equal(f.point, point + 3 * i, sizeof f.point);
+            assert_memory_equal(f.t, tangent + 3 * i, sizeof f.t);
+            assert_memory_equal(f.s, side + 3 * i, sizeof f.s);
+            assert_memory_equal(f.r, other + 3 * i, sizeof f.r);
+        }
+        bat_frame_arrays some = {NULL, tangent, side, NULL};
+        double copy[3 * MANY];
+        memcpy(copy, side, sizeof copy);
+        assert_int_equal(bat_frame_chain_many(chain, MANY, u, &some), BAT_OK);
+        assert_memory_equal(copy, side, sizeof copy);
+        u[3] = NAN;
+        assert_int_equal(bat_frame_chain_many(chain, MANY, u, &all), BAT_NUMBER);
+        bat_frame_chain_free(chain);
+        bat_curve_free(curve);
+    }
+}
+
+/* Neighbours hardly differ over random curves with RMF; Frenet's flip behind inflections. */
+static void flips(void **state) {
+    (void)state;
+    seed = 22;
+    int flipped[2] = {0, 0};
+    for (int round = 0; round < 60; round++) {
+        bat_curve *curve = random_curve(2 + round % 2, round % 4 > 1, 10);
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        for (int rule = 0; rule < 2; rule++) {
+            bat_frame_options options = bat_frame_defaults();
+            options.rule = (bat_frame_rule)rule;
+            bat_frame_chain *chain;
+            bat_frame3 f[2];
+            assert_int_equal(bat_frame_chain_create(curve, &options, &chain), BAT_OK);
+            for (int i = 0; i <= 4000; i++) {
+                bat_frame_chain_at(chain, domain[0] + (domain[1] - domain[0]) * i / 4001, &f[i % 2]);
+                /* Against what the tangent alone turns. */
+                if (i > 0 && dot(f[0].t, f[1].t) > 0.9 && dot(f[0].s, f[1].s) < 0.5) flipped[rule]++;
+            }
+            bat_frame_chain_free(chain);
+        }
+        bat_curve_free(curve);
+    }
+    assert_int_equal(flipped[0], 0);
+    assert_true(flipped[1] > 20);
+}
+
+/* Straight lines in any direction and far away: nothing turns. Coordinates are multiples of 1/1024, so that the
+ * curve moved by 2^30 is the same one. */
+static void lines_and_far_places(void **state) {
+    (void)state;
+    seed = 23;
+    for (int round = 0; round < 60; round++) {
+        double way[3] = {round % 3 == 0, round % 3 == 1, round % 3 == 2}, points[30], far[30], knots[14];
+        for (int d = 0; d < 3 && round > 5; d++) way[d] = uniform(-3, 3);
+        for (int i = 0; i < 10; i++)
+            for (int d = 0; d < 3; d++) points[3 * i + d] = way[d] * (i + 0.3 * (i % 3)) / 7;
+        for (int i = 0; i < 14; i++) knots[i] = fmin(fmax(i - 3, 0), 7);
+        bat_curve *curve, *moved;
+        bat_frame3 f[2], g;
+        assert_int_equal(bat_curve_create(3, 3, false, 10, knots, points, &curve), BAT_OK);
+        for (int i = 0; i <= 100; i++) {
+            double u = 7.0 * i / 100;
+            assert_int_equal(bat_frames(curve, NULL, 1, &u, &f[i > 0], NULL), BAT_OK);
+            for (int d = 0; d < 3 && i > 0; d++) assert_true(fabs(f[0].s[d] - f[1].s[d]) < 1e-11);
+        }
+        bat_curve_free(curve);
+        for (int i = 0; i < 30; i++) {
+            points[i] = floor(uniform(-100, 100) * 1024) / 1024;
+            far[i] = points[i] + 1073741824.0;
+        }
+        assert_int_equal(bat_curve_create(3, 3, false, 10, knots, points, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(3, 3, false, 10, knots, far, &moved), BAT_OK);
+        for (int i = 0; i <= 20; i++) {
+            double u = 7.0 * i / 20;
+            assert_int_equal(bat_frames(curve, NULL, 1, &u, &f[0], NULL), BAT_OK);
+            assert_int_equal(bat_frames(moved, NULL, 1, &u, &g, NULL), BAT_OK);
+            for (int d = 0; d < 3; d++) assert_true(fabs(f[0].s[d] - g.s[d]) < 1e-12);
+        }
+        bat_curve_free(curve);
+        bat_curve_free(moved);
+    }
+}
+
+/* Pictures of an animation in which the start tangent goes round and a loop winds up: s(0) never turns by more than
+ * the tangent does, and the holonomy does not jump. */
+static void animation(void **state) {
+    (void)state;
+    bat_frame_options options = bat_frame_defaults();
+    double knots[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8}, last[3] = {0}, before[3] = {0}, angle = 0, widest = 0;
+    for (int k = 0; k <= 400; k++) {
+        double points[24], w = 2 * PI * k / 100, lift = 3.0 * k / 400;
+        for (int i = 0; i < 8; i++) { /* a figure that turns, and is drawn out of its plane */
+            double a = 2 * PI * i / 8, x = cos(a), y = sin(a), z = lift * sin(2 * a + 0.3);
+            points[3 * i] = x * cos(w) - z * sin(w);
+            points[3 * i + 1] = y + 0.2 * lift * cos(3 * a);
+            points[3 * i + 2] = x * sin(w) + z * cos(w);
+        }
+        bat_curve *curve;
+        bat_frame_chain *chain;
+        bat_frame3 f;
+        assert_int_equal(bat_curve_create(3, 3, true, 8, knots, points, &curve), BAT_OK);
+        assert_int_equal(bat_frame_chain_create(curve, &options, &chain), BAT_OK);
+        bat_frame_chain_at(chain, 0, &f);
+        if (k > 0) {
+            double turn = acos(fmin(dot(last, f.t), 1)), spin = acos(fmin(dot(before, f.s), 1));
+            assert_true(turn < 0.5 && spin <= turn + 1e-7);
+            assert_true(fabs(bat_frame_chain_holonomy(chain) - angle) < 0.5);
+        }
+        memcpy(last, f.t, sizeof last), memcpy(before, f.s, sizeof before);
+        angle = bat_frame_chain_holonomy(chain);
+        widest = fmax(widest, fabs(angle));
+        bat_frame_chain_follow(chain, &options);
+        bat_frame_chain_free(chain);
+        bat_curve_free(curve);
+    }
+    assert_true(widest > 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_frames_are_frames),
@@ -257,6 +506,12 @@ int main(void) {
         cmocka_unit_test(inflection),
         cmocka_unit_test(closed_loops_meet),
         cmocka_unit_test(degenerate),
+        cmocka_unit_test(helix),
+        cmocka_unit_test(spheres_are_exact),
+        cmocka_unit_test(bulk_equals_serial),
+        cmocka_unit_test(flips),
+        cmocka_unit_test(lines_and_far_places),
+        cmocka_unit_test(animation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

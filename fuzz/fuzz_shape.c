@@ -1,0 +1,167 @@
+/* Any bytes as a shape and a sequence of edits of it, one shot and live. Outside what an edit says it touches no bit
+ * changes; a session and one shot agree bit for bit; a cancelled or failed edit leaves no trace; a committed
+ * shape reads back bit for bit, and so does its finest curve, taken apart and put together. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+typedef struct source {
+    const uint8_t *data;
+    size_t size;
+} source;
+
+static int byte(source *s) { return s->size == 0 ? 0 : (s->size--, *s->data++); }
+static double coordinate(source *s) {
+    int b = byte(s);
+    return b == 255 ? 1e30 : b == 254 ? 1e-30 : (b - 100) * (b % 7 == 0 ? 10.0 : 0.25);
+}
+
+static bool same(const bat_shape *a, const bat_shape *b) {
+    if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
+    for (int l = 0; l <= bat_shape_levels(a); l++) {
+        const bat_curve *c = bat_shape_curve(a, l);
+        if (!bat_curve_equal(c, bat_shape_curve(b, l))) return false;
+        for (int i = 0; l > 0 && i < 3 * bat_curve_count(c); i++)
+            if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
+    }
+    return true;
+}
+
+static void check_finite(const bat_shape *shape) {
+    for (int l = 0; l <= bat_shape_levels(shape); l++) {
+        const bat_curve *c = bat_shape_curve(shape, l);
+        for (int i = 0; i < bat_curve_count(c) * bat_curve_dimension(c); i++)
+            if (!isfinite(bat_curve_points(c)[i])) abort();
+    }
+}
+
+static void check_touched(const bat_shape *before, const bat_shape_live *live) {
+    const bat_shape *after = bat_shape_live_shape(live);
+    for (int l = 0; l <= bat_shape_levels(before); l++) {
+        const bat_curve *a = bat_shape_curve(before, l), *b = bat_shape_curve(after, l);
+        int first, count, n = bat_curve_count(a);
+        size_t size = (size_t)bat_curve_dimension(a);
+        bat_shape_live_touched(live, l, &first, &count);
+        if (count < 0 || count > n) abort();
+        for (int k = count; k < n; k++) {
+            size_t i = (size_t)((first + k) % n);
+            if (memcmp(bat_curve_points(a) + i * size, bat_curve_points(b) + i * size,
+                       size * sizeof(double)) != 0)
+                abort();
+        }
+    }
+}
+
+static void check_file(const bat_shape *shape) {
+    char *text;
+    size_t size;
+    bat_shape *back;
+    bat_problem problem;
+    if (bat_shape_write(shape, &text, &size) != BAT_OK) abort();
+    if (bat_shape_read(text, size, &back, &problem) != BAT_OK || !same(shape, back)) abort();
+    bat_free(text);
+    bat_shape_free(back);
+}
+
+static bat_shape *make(source *s) {
+    int kind = byte(s), degree = 1 + kind % 5, dimension = 2 + kind / 5 % 2,
+        count = degree + 2 + byte(s) % 40;
+    bool closed = kind / 10 % 2;
+    double knots[64], points[200], t = 0;
+    int total = closed ? count + 1 : count + degree + 1;
+    for (int i = 0; i < total; i++) {
+        knots[i] = t;
+        int b = byte(s);
+        if (closed || (i >= degree && i < count)) t += b % 5 == 0 ? 0 : b / 64.0 + 1e-6 * (b % 3);
+    }
+    for (int i = 0; i < count * dimension; i++) points[i] = (i % dimension ? 0 : 20 * i) + coordinate(s);
+    bat_curve *curve;
+    if (bat_curve_create(degree, dimension, closed, count, knots, points, &curve) != BAT_OK) return NULL;
+    bat_shape_options options = bat_shape_defaults();
+    int rules = byte(s);
+    options.frame = (bat_frame_rule)(rules % 8 < 3 ? rules % 8 : 0);
+    options.nodes = (bat_node_rule)(rules / 8 % 2);
+    options.propagation = (bat_propagation)(rules / 16 % 4 == 0);
+    bat_shape *shape = NULL;
+    if (rules & 128) {
+        if (bat_shape_decompose(curve, 1 + rules % 2, &options, &shape) != BAT_OK) shape = NULL;
+    } else if (bat_shape_create(curve, &options, &shape) == BAT_OK) {
+        for (int l = rules / 64 % 2; l < 2; l++)
+            if (bat_shape_add_level(shape, 0, NULL, NULL, NULL) != BAT_OK) break;
+    }
+    bat_curve_free(curve);
+    if (shape && bat_shape_commit(shape) != BAT_OK) {
+        bat_shape_free(shape);
+        return NULL;
+    }
+    return shape;
+}
+
+/* One session of drags at a level; the shape goes on as it is committed, or as it was. */
+static bat_shape *session(source *s, bat_shape *shape) {
+    int level = byte(s) % (bat_shape_levels(shape) + 1), rounds = 1 + byte(s) % 3;
+    double domain[2], u = 0, delta[3] = {0};
+    bat_curve_domain(bat_shape_curve(shape, level), domain);
+    bat_shape_live *live;
+    if (bat_shape_live_begin(shape, level, &live) != BAT_OK) abort();
+    bat_status status = BAT_OK;
+    for (int k = 0; k < rounds; k++) {
+        if (k == 0 || byte(s) % 2) u = domain[0] + (domain[1] - domain[0]) * byte(s) / 255;
+        for (int d = 0; d < 3; d++) delta[d] = coordinate(s);
+        status = bat_shape_live_drag(live, u, delta);
+        if (status != BAT_OK && !same(shape, bat_shape_live_shape(live))) abort();
+        check_touched(shape, live);
+        check_finite(bat_shape_live_shape(live));
+    }
+    double zero[3] = {0};
+    bat_shape *one = NULL, *after = NULL;
+    if (byte(s) % 4 == 0) {
+        bat_shape_live_drag(live, u, zero);
+        if (!same(shape, bat_shape_live_shape(live))) abort();
+        bat_shape_live_cancel(live);
+        return shape;
+    }
+    if (bat_shape_live_commit(live, &after) != BAT_OK) return shape;
+    if (bat_shape_copy(shape, &one) != BAT_OK || bat_shape_drag(one, level, u, delta) != status) abort();
+    if (bat_shape_commit(one) != BAT_OK || !same(one, after)) abort();
+    bat_shape_free(one);
+    bat_shape_free(shape);
+    check_file(after);
+    return after;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    source s = {data, size};
+    bat_shape *shape = make(&s);
+    if (!shape) return 0;
+    while (s.size > 0) {
+        switch (byte(&s) % 8) {
+        case 0:
+            if (bat_shape_levels(shape) > 0)
+                bat_shape_set_gain(shape, 1 + byte(&s) % bat_shape_levels(shape), byte(&s) / 100.0);
+            if (bat_shape_commit(shape) != BAT_OK) abort();
+            break;
+        case 1: {
+            int n = bat_curve_count(bat_shape_curve(shape, 0));
+            double left, delta[3] = {coordinate(&s), coordinate(&s), coordinate(&s)};
+            bat_shape *before;
+            if (bat_shape_copy(shape, &before) != BAT_OK) abort();
+            if (bat_shape_drag_finest(shape, 0, byte(&s) * n / 255.0, delta, 1e-3, &left) != BAT_OK &&
+                !same(shape, before))
+                abort();
+            bat_shape_free(before);
+            if (bat_shape_commit(shape) != BAT_OK) abort();
+            break;
+        }
+        default: shape = session(&s, shape);
+        }
+        check_finite(shape);
+    }
+    bat_shape_free(shape);
+    return 0;
+}
