@@ -139,7 +139,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s = {data, size};
     bat_shape *shape = make(&s);
     if (!shape) return 0;
-    while (s.size > 0) {
+    for (int k = 0; k < 8 && s.size > 0; k++) {
         switch (byte(&s) % 8) {
         case 0:
             if (bat_shape_levels(shape) > 0)

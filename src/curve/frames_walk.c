@@ -119,6 +119,11 @@ BAT_INLINE bool eval_rows(const bat_frame_span *f, int p, int count, const doubl
     return !fault;
 }
 
+#ifdef __OPTIMIZE_SIZE__ /* the same operations; degree 3 needs no code of its own */
+static bool eval_span(const bat_frame_span *f, int count, const double *u, double *x, double *t) {
+    return eval_rows(f, f->degree, count, u, x, t);
+}
+#else
 BAT_CLONES static bool eval_cubic(const bat_frame_span *f, int count, const double *u, double *x, double *t) {
     return eval_rows(f, 3, count, u, x, t);
 }
@@ -126,6 +131,7 @@ BAT_CLONES static bool eval_cubic(const bat_frame_span *f, int count, const doub
 static bool eval_span(const bat_frame_span *f, int count, const double *u, double *x, double *t) {
     return f->degree == 3 ? eval_cubic(f, count, u, x, t) : eval_rows(f, f->degree, count, u, x, t);
 }
+#endif
 
 /* One double reflection for each i: s0 at (x0, t0) goes to s1 at (x1, t1), close to a unit vector. False where
  * neither it nor a moderate least rotation is to be had. */

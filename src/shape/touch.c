@@ -15,7 +15,7 @@
 typedef struct stretch {
     double start, end, length, period;
     bool wraps, from_start, to_end; /* reaches that end of an open curve */
-    bool corner;                    /* tangents at the start, seen from the right, change, too */
+    bool with_start;                /* the tangent at the start, seen from the right, changes, too */
 } stretch;
 
 /* A node whose frame changes. */
@@ -58,6 +58,12 @@ static int own(const bat_curve *curve, int i) {
     return curve->closed ? (i % curve->count + curve->count) % curve->count : i;
 }
 
+/* At a smooth knot the tangent changes by rounding at most, and does not count in space. In the plane frames are to
+ * be, bit for bit, what the curves alone give. */
+static bool changes_start(const bat_curve *curve, double start) {
+    return curve->dimension == 2 || bat_knot_multiplicity(curve, start) >= curve->degree;
+}
+
 /* False: everywhere. */
 static bool stretch_of(const bat_curve *curve, int first, int count, stretch *out) {
     const double *t = bat_curve_knots(curve);
@@ -69,20 +75,20 @@ static bool stretch_of(const bat_curve *curve, int first, int count, stretch *ou
         out->start = t[own(curve, first)];
         out->end = last % n == 0 ? t[n] : t[last % n];
         out->wraps = out->end <= out->start;
-        out->corner = bat_knot_multiplicity(curve, out->start) >= p;
+        out->with_start = changes_start(curve, out->start);
         out->length = out->end - out->start + (out->wraps ? out->period : 0);
         return true;
     }
     out->start = fmax(t[first], start), out->end = fmin(t[last], end);
     out->length = out->end - out->start;
-    out->corner = bat_knot_multiplicity(curve, out->start) >= p;
+    out->with_start = changes_start(curve, out->start);
     out->from_start = out->start == start, out->to_end = out->end == end;
     return !(out->from_start && out->to_end);
 }
 
 /* The end of an open curve belongs to a stretch that reaches it. */
 static bool inside(const stretch *s, double u) {
-    bool behind = u > s->start || s->from_start || (s->corner && u == s->start),
+    bool behind = u > s->start || s->from_start || (s->with_start && u == s->start),
          before = u < s->end || s->to_end;
     return s->wraps ? behind || before : behind && before;
 }

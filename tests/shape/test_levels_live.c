@@ -22,7 +22,7 @@ static double uniform(double low, double high) {
 static int pick(int n) { return (int)uniform(0, n - 1e-9); }
 
 static bat_curve *random_curve(int degree, int dimension, bool closed, int count) {
-    double points[600], knots[220], t = 0;
+    double points[600], knots[220], t = 0, even = uniform(0, 1) < 0.4; /* nodes then lie on knots */
     int total = closed ? count + 1 : count + degree + 1;
     for (int i = 0; i < count; i++) {
         points[i * dimension] = closed ? 200 * cos(6.2831853 * i / count) : 60.0 * i;
@@ -32,7 +32,7 @@ static bat_curve *random_curve(int degree, int dimension, bool closed, int count
     }
     for (int i = 0; i < total; i++) {
         knots[i] = t;
-        if (closed || (i >= degree && i < count)) t += uniform(0.5, 2);
+        if (closed || (i >= degree && i < count)) t += even ? 1 : uniform(0.5, 2);
     }
     bat_curve *curve;
     assert_int_equal(bat_curve_create(degree, dimension, closed, count, knots, points, &curve), BAT_OK);

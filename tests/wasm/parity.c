@@ -272,6 +272,55 @@ static void tangents(parity_sink *sink) {
     }
 }
 
+/* Frames of all rules one at a time and in bulk; levels dragged, live and in one shot, and taken apart. */
+static void levels_one(parity_sink *sink, random_source *r, bat_curve *curve) {
+    enum { MANY = 70 };
+    double domain[2], u[MANY], t[3 * MANY], s[3 * MANY], delta[3];
+    bat_curve_domain(curve, domain);
+    bat_curve_spread(curve, MANY, u);
+    for (int rule = 0; rule < 3; rule++) {
+        bat_frame_options options = bat_frame_defaults();
+        bat_frame_chain *chain;
+        bat_frame_arrays out = {NULL, t, s, NULL};
+        options.rule = (bat_frame_rule)rule;
+        bat_status status = bat_frame_chain_create(curve, &options, &chain);
+        put(sink, status);
+        if (status != BAT_OK) continue;
+        put(sink, bat_frame_chain_many(chain, MANY, u, &out));
+        put_many(sink, 3 * MANY, t), put_many(sink, 3 * MANY, s);
+        put(sink, bat_frame_chain_holonomy(chain));
+        bat_frame_chain_free(chain);
+    }
+    bat_shape *shape, *after;
+    bat_shape_live *live;
+    if (bat_shape_create(curve, NULL, &shape) != BAT_OK) return;
+    for (int l = 1; l <= 2; l++) {
+        put(sink, bat_shape_add_level(shape, 0, NULL, NULL, NULL));
+        for (int i = 0; i < 5; i++) {
+            for (int d = 0; d < 3; d++) delta[d] = random_between(r, -20, 20);
+            put(sink, bat_shape_drag(shape, l, random_between(r, domain[0], domain[1]), delta));
+        }
+    }
+    if (bat_shape_live_begin(shape, 0, &live) == BAT_OK) {
+        put(sink, bat_shape_live_drag(live, random_between(r, domain[0], domain[1]), delta));
+        bat_status status = bat_shape_live_commit(live, &after);
+        put(sink, status);
+        if (status == BAT_OK) {
+            for (int l = 0; l <= bat_shape_levels(after); l++) {
+                const bat_curve *c = bat_shape_curve(after, l);
+                put_many(sink, (size_t)(bat_curve_count(c) * bat_curve_dimension(c)), bat_curve_points(c));
+            }
+            bat_shape_free(after);
+        }
+    }
+    bat_shape_free(shape);
+    if (bat_shape_decompose(curve, 1, NULL, &shape) != BAT_OK) return;
+    put_many(sink, 3 * (size_t)bat_curve_count(bat_shape_curve(shape, 1)), bat_shape_details(shape, 1));
+    bat_shape_free(shape);
+}
+
+static void levels(parity_sink *sink) { each_curve(sink, 13, levels_one); }
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
@@ -282,5 +331,6 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"fit", fit},
                                           {"sketch", sketch},
                                           {"tangents", tangents},
+                                          {"levels", levels},
                                           {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);
