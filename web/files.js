@@ -68,6 +68,8 @@ export class Files {
     /** The document is the server's file, so that it is saved there. */
     this.bound = false;
     this.unsaved = false;
+    /** The page goes and comes back with what is not saved. */
+    this.leaving = false;
     this.saving = false;
     this.picker = /** @type {HTMLInputElement} */ (document.getElementById('picker'));
     this.#listen();
@@ -93,7 +95,7 @@ export class Files {
       void this.#openFile(event.dataTransfer?.files[0]);
     });
     addEventListener('beforeunload', (event) => {
-      if (this.unsaved) {
+      if (this.unsaved && !this.leaving) {
         event.preventDefault();
       }
     });

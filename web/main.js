@@ -279,6 +279,13 @@ async function start() {
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';
+    if (!shell.server.passing) {
+      const { settle } = await import('./offline.js');
+      await settle(async () => {
+        await shell.keeper.settled();
+        shell.files.leaving = true;
+      });
+    }
     const { Clipboard } = await import('./clipboard.js');
     shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
     // What explains is fetched when somebody is there.

@@ -13,6 +13,8 @@ export class Server {
     /** '' when the page was served by something else. */
     this.token = token.startsWith('%') ? '' : token;
     this.tag = '';
+    /** Another program may answer here tomorrow: nothing of the page is to stay in the browser. */
+    this.passing = document.querySelector('meta[name=batten-address]')?.getAttribute('content') === 'passing';
   }
 
   get there() {

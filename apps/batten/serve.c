@@ -24,8 +24,6 @@ enum {
     IDLE_SECONDS = 60
 };
 
-static const char token_mark[] = "%TOKEN%";
-
 /* What every answer carries. */
 static const char *const headers[][2] = {
     {"Content-Security-Policy",
@@ -366,26 +364,27 @@ static bool make_token(char token[TOKEN_ROOM]) {
     return true;
 }
 
-/* The page with the token in place of its mark; as it is when it has no mark. */
-static bool make_page(http_server *server) {
+/* The page with the token in place of its mark, and what becomes of its address; as it is without the marks. */
+static bool make_page(http_server *server, bool lasting) {
     const web_file *file = find_file("/");
     if (!file) return true;
-    const char *text = (const char *)file->data;
-    size_t mark_size = sizeof token_mark - 1, at = 0;
-    while (at + mark_size <= file->size && memcmp(text + at, token_mark, mark_size) != 0) at++;
-    bool found = at + mark_size <= file->size;
-    server->page = malloc(file->size + TOKEN_ROOM);
-    if (!server->page) return false;
-    if (!found) {
-        memcpy(server->page, text, file->size);
-        server->page_size = file->size;
-        return true;
+    const char *const marks[][2] = {{"%TOKEN%", server->token},
+                                    {"%ADDRESS%", lasting ? "lasting" : "passing"}};
+    const char *from = (const char *)file->data, *end = from + file->size;
+    char *to = server->page = malloc(file->size + TOKEN_ROOM);
+    if (!to) return false;
+    while (from < end) {
+        size_t mark = 0, marks_count = sizeof marks / sizeof marks[0];
+        while (mark < marks_count && strncmp(from, marks[mark][0], strlen(marks[mark][0])) != 0) mark++;
+        if (mark == marks_count) {
+            *to++ = *from++;
+        } else {
+            memcpy(to, marks[mark][1], strlen(marks[mark][1]));
+            to += strlen(marks[mark][1]);
+            from += strlen(marks[mark][0]);
+        }
     }
-    size_t token_size = strlen(server->token), rest = file->size - at - mark_size;
-    memcpy(server->page, text, at);
-    memcpy(server->page + at, server->token, token_size);
-    memcpy(server->page + at + token_size, text + at + mark_size, rest);
-    server->page_size = at + token_size + rest;
+    server->page_size = (size_t)(to - server->page);
     return true;
 }
 
@@ -434,7 +433,7 @@ const char *serve_start(const char *path, drawing_format format, int port, http_
     const char *wrong = NULL;
     if (!make_token(server->token)) {
         wrong = "no random numbers";
-    } else if (!server->name || !make_page(server)) {
+    } else if (!server->name || !make_page(server, port != 0)) {
         wrong = "out of memory";
     } else {
         wrong = start(server, port);

@@ -17,7 +17,9 @@
  * Connections of other users of the machine are closed at once, where the system tells whose they are.
  *
  * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with
- * If-Match saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%.
+ * If-Match saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%. The page at
+ * "/index.html" is the one without a token, which a browser may keep: "/sw.js" keeps it and the files beside it where
+ * %ADDRESS% says "lasting", that is, where the port was asked for, and asks "/" for the token of each start.
  */
 #ifndef BATTEN_APPS_SERVE_H
 #define BATTEN_APPS_SERVE_H

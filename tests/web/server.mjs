@@ -21,20 +21,33 @@ const TYPES = {
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
   '.json': 'application/json',
+  '.png': 'image/png',
+  '.webmanifest': 'application/manifest+json',
 };
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/** What the program would have embedded. */
+function shellFiles() {
+  const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
+  return [...files.filter((file) => !['sw.js', 'types.js'].includes(file)), 'words.en.json', 'words.ko.json', 'batten.wasm'];
+}
 
 const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
 
 /**
  * @param {{ name?: string, bytes?: Buffer }} [document] none: the page is served without a token
+ * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
  */
-export async function serve(document) {
+export async function serve(document, lasting = false) {
   const token = crypto.randomBytes(16).toString('hex');
-  const state = { bytes: document?.bytes, saves: 0, address: '', close: () => {} };
+  const state = { bytes: document?.bytes, version: '1', stranger: '', saves: 0, address: '', close: () => {} };
   const server = http.createServer((request, response) => {
     const where = new URL(request.url, 'http://localhost').pathname;
+    if (state.stranger) {
+      response.writeHead(200, { 'Content-Type': 'text/html' }).end(state.stranger);
+      return;
+    }
     if (where === '/document') {
       answerDocument(request, response);
       return;
@@ -47,8 +60,13 @@ export async function serve(document) {
       return;
     }
     let body = fs.readFileSync(file);
-    if (where === '/' && document) {
-      body = Buffer.from(body.toString().replace('%TOKEN%', token));
+    if (where === '/') {
+      body = Buffer.from(body.toString().replace('%TOKEN%', document ? token : '%TOKEN%')
+        .replace('%ADDRESS%', lasting ? 'lasting' : 'passing'));
+    } else if (where === '/sw.js') {
+      body = Buffer.from(body.toString().replace('%VERSION%', state.version).replace('%FILES%', shellFiles().join(' ')));
+    } else if (where === '/index.html') {
+      body = Buffer.from(body.toString().replace('</head>', `<meta name="version" content="${state.version}"></head>`));
     }
     response.writeHead(200, { 'Content-Type': TYPES[path.extname(file)], 'Content-Security-Policy': POLICY,
       'Cache-Control': 'no-store' });
@@ -89,14 +107,15 @@ export async function serve(document) {
  * The program's own server, on a file in a folder of its own. No bytes: the file is not there yet.
  * @param {Buffer} bytes
  * @param {string} name
+ * @param {string[]} words further arguments
  */
-export async function edit(bytes, name) {
+export async function edit(bytes, name, ...words) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-web-'));
   const file = path.join(folder, name);
   if (bytes.length > 0) {
     fs.writeFileSync(file, bytes);
   }
-  const program = spawn(PROGRAM, ['edit', file, '--no-open'], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const program = spawn(PROGRAM, ['edit', file, '--no-open', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise((resolve, reject) => {
     program.on('error', reject);
     program.on('exit', (status) => reject(new Error(`batten edit ended with ${status}`)));
