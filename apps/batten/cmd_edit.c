@@ -1,4 +1,5 @@
 /* batten edit: the editor in the browser, on one file. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
@@ -7,11 +8,15 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+/* Below the ports that systems give out, and none that browsers block. */
+enum { OWN_PORTS = 20000, OWN_PORTS_COUNT = 10000 };
 
 /* In a process of its own that nobody has to wait for. What it prints is not ours to show. */
 static void open_browser(const char *address, const sigset_t *signals) {
@@ -66,6 +71,20 @@ static int look_at(const char *path, drawing_format format) {
     return EXIT_DONE;
 }
 
+/* A file's own port, the same at every start: by the address the browser finds again what it keeps of a drawing. */
+static int own_port(const char *path) {
+    char folder[4096];
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    char *whole = realpath(folder, NULL);
+    uint32_t hash = 2166136261u; /* FNV-1a */
+    for (const char *c = whole ? whole : ""; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
+    for (const char *c = name; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
+    free(whole);
+    return OWN_PORTS + (int)(hash % OWN_PORTS_COUNT);
+}
+
+/* port below 0: none was asked for. */
 static int serve(const cli_arguments *arguments, drawing_format format, int port) {
     const char *path = arguments->operands[0];
     sigset_t signals;
@@ -75,8 +94,9 @@ static int serve(const cli_arguments *arguments, drawing_format format, int port
     sigaddset(&signals, SIGHUP);
     sigprocmask(SIG_BLOCK, &signals, NULL); /* before threads: only this one takes them */
     http_server *server;
-    const char *wrong = serve_start(path, format, port, &server);
-    if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port, wrong);
+    const char *wrong = serve_start(path, format, port < 0 ? own_port(path) : port, port > 0, &server);
+    if (wrong && port < 0) wrong = serve_start(path, format, 0, false, &server);
+    if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port < 0 ? 0 : port, wrong);
     char address[64];
     snprintf(address, sizeof address, "http://127.0.0.1:%d/", serve_port(server));
     printf("%s\n", address);
@@ -90,7 +110,7 @@ static int serve(const cli_arguments *arguments, drawing_format format, int port
 
 static int run(const cli_arguments *arguments) {
     const char *path = arguments->operands[0];
-    long port = 0;
+    long port = -1;
     int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
     if (failed) return failed;
     drawing_format format = drawing_format_of(path);
@@ -119,7 +139,7 @@ const cli_command command_edit = {
         "by the first save. Content of an SVG that Batten does not know is not promised to survive a save.",
     .example = "batten edit car.svg",
     .operands = 1,
-    .options = {{"--port", "N", "the port on 127.0.0.1; 0, the default, takes a free one"},
+    .options = {{"--port", "N", "the port on 127.0.0.1, else the file's own; 0: any free one"},
                 {"--no-open", NULL, "only print the address, do not open the browser"}},
     .run = run,
 };

@@ -423,7 +423,7 @@ static const char *start(http_server *server, int port) {
     return server->daemon ? NULL : "the server cannot be started";
 }
 
-const char *serve_start(const char *path, drawing_format format, int port, http_server **out) {
+const char *serve_start(const char *path, drawing_format format, int port, bool lasting, http_server **out) {
     http_server *server = calloc(1, sizeof *server);
     if (!server) return "out of memory";
     server->path = path;
@@ -433,7 +433,7 @@ const char *serve_start(const char *path, drawing_format format, int port, http_
     const char *wrong = NULL;
     if (!make_token(server->token)) {
         wrong = "no random numbers";
-    } else if (!server->name || !make_page(server, port != 0)) {
+    } else if (!server->name || !make_page(server, lasting)) {
         wrong = "out of memory";
     } else {
         wrong = start(server, port);

@@ -98,6 +98,26 @@ class EditTest(ProgramTest):
 
 
 class Serving(EditTest):
+    def test_a_file_has_its_own_port(self):
+        first = self.start("own.batten", drawing())
+        again = self.editor_on(self.path)
+        self.assertNotEqual(again.port, first.port, "the port is taken: another")
+        other = self.editor_on(self.folder / "other.batten")
+        self.assertNotEqual(other.port, first.port)
+        first.end()
+        again.end()
+        self.assertEqual(self.editor_on(self.path).port, first.port)
+        self.assertEqual(self.editor_on(self.folder / "." / "other.batten", "--port", "0").get("/")[0], 200)
+
+    def test_a_port_that_was_asked_for_may_be_kept(self):
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        editor = self.start("d.batten", drawing(), "--port", str(port))
+        self.assertEqual(editor.port, port)
+        self.assertIn(b'name="batten-address" content="lasting"', editor.get("/")[2])
+        self.assertIn(b'name="batten-address" content="passing"', self.start("e.batten", drawing()).get("/")[2])
+
     def test_address_shell_and_headers(self):
         editor = self.start(content=drawing())
         self.assertRegex(editor.address, r"^http://127\.0\.0\.1:\d+/$")
@@ -225,6 +245,25 @@ class Refusals(EditTest):
             self.assertEqual(self.both({"Sec-Fetch-Site": site}), {403})
         for site in ("same-origin", "none"):
             self.assertEqual(self.editor.get("/", {"Sec-Fetch-Site": site})[0], 200)
+
+    def test_page_that_may_be_kept(self):
+        kept = self.editor.get("/index.html")[2]
+        self.assertIn(b'content="%TOKEN%"', kept)
+        self.assertNotIn(self.editor.token.encode(), kept)
+        page = self.editor.get("/")[2]
+        self.assertEqual(page, kept.replace(b"%TOKEN%", self.editor.token.encode()).replace(b"%ADDRESS%", b"passing"))
+        worker = self.editor.get("/sw.js")[2].decode()
+        self.assertNotIn("%", re.sub(r"%TOKEN%", "", worker))
+        files = re.search(r'"([^"]* index\.html [^"]*)"|\'([^\']* index\.html [^\']*)\'', worker)
+        names = (files[1] or files[2]).split()
+        self.assertNotIn("sw.js", names)
+        for name in names:
+            self.assertEqual(self.editor.get(f"/{name}")[0], 200, name)
+        for path, kind in (("/manifest.webmanifest", "application/manifest+json"), ("/icons/app-192.png", "image/png"),
+                           ("/icons/app.svg", "image/svg+xml"), ("/sw.js", "text/javascript; charset=utf-8")):
+            self.assertEqual(self.editor.get(path)[1]["Content-Type"], kind)
+        for part in ("manifest-src 'self'", "worker-src 'self'"):
+            self.assertIn(part, self.editor.get("/")[1]["Content-Security-Policy"])
 
     def test_token(self):
         right = self.editor.token
