@@ -1,5 +1,4 @@
 /* batten edit: the editor in the browser, on one file. */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
@@ -12,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -71,16 +71,19 @@ static int look_at(const char *path, drawing_format format) {
     return EXIT_DONE;
 }
 
-/* A file's own port, the same at every start: by the address the browser finds again what it keeps of a drawing. */
+/* A file's own port, the same at every start: by the address the browser finds again what it keeps of a drawing.
+ * Made of its name and its folder, however that is written. */
 static int own_port(const char *path) {
     char folder[4096];
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *slash = strrchr(path, '/');
     snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
-    char *whole = realpath(folder, NULL);
-    uint32_t hash = 2166136261u; /* FNV-1a */
-    for (const char *c = whole ? whole : ""; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
-    for (const char *c = name; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
-    free(whole);
+    struct stat about = {0};
+    stat(folder, &about);
+    uint64_t hash = 14695981039346656037u; /* FNV-1a */
+    for (int i = 0; i < 64; i += 8) hash = (hash ^ ((uint64_t)about.st_ino >> i & 255)) * 1099511628211u;
+    for (const char *c = slash ? slash + 1 : path; *c; c++) {
+        hash = (hash ^ (unsigned char)*c) * 1099511628211u;
+    }
     return OWN_PORTS + (int)(hash % OWN_PORTS_COUNT);
 }
 
