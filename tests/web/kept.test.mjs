@@ -148,3 +148,75 @@ test('two hundred steps and more can be undone after the page was killed', async
   assert.equal((await state(next.page)).digest, opened.digest);
   await context.close();
 });
+
+test('a browser without room says so once, and keeps again when there is room', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, client, hand, context } = await open(browser, server.address);
+  const { origin } = new URL(server.address);
+  await client.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 10 });
+  await hand.stroke(await on(page, SKY));
+  await page.waitForFunction(() => /no room to keep/.test(document.getElementById('notice-text').textContent));
+  assert.equal(await page.textContent('#notice-action'), 'Save now');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'no-room.png') });
+  assert.equal(await kept(page), 0);
+  await client.send('Storage.overrideQuotaForOrigin', { origin });
+  await hand.stroke(await on(page, ROOF));
+  assert.equal(await kept(page), await page.evaluate(() => batten.engine.journal.length), 'all of it');
+  await page.click('#notice-action');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.equal(server.saves, 1);
+  await context.close();
+});
+
+test('unsaved work is announced on leaving, saved work is not', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  const asked = [];
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type());
+    void dialog.dismiss();
+  });
+  await hand.stroke(await on(page, SKY));
+  const before = await state(page);
+  await page.reload({ timeout: 3000 }).catch(() => {}); // the user stays
+  assert.deepEqual(asked, ['beforeunload']);
+  assert.equal((await state(page)).digest, before.digest);
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  await settle(page);
+  await page.reload();
+  await ready(page);
+  assert.deepEqual(asked, ['beforeunload']);
+  await context.close();
+});
+
+test('a journal that broke off in the middle of a line, or was never finished, is no obstacle', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, client, hand, context } = await open(browser, server.address);
+  await hand.stroke(await on(page, SKY));
+  const before = await state(page);
+  await kept(page);
+  await crash(page, client);
+  await page.close();
+  const other = await context.newPage();
+  await other.goto(new URL('icons/batten.svg', server.address).href);
+  await other.evaluate(async () => {
+    const all = await (await navigator.storage.getDirectory()).getDirectoryHandle('journals');
+    for await (const folder of all.values()) {
+      const write = async (name, text, at) => {
+        const stream = await (await folder.getFileHandle(name, { create: true })).createWritable({ keepExistingData: true });
+        await stream.write({ type: 'write', position: at, data: text });
+        await stream.close();
+      };
+      const { size } = await (await folder.getFileHandle('1')).getFile();
+      await write('1', '{"do":"sketch-new","obj', size);
+      await write('2', '\0"journal":"batten","version":1,"name":"car.svg"}\n', 0);
+    }
+  });
+  const next = await again(context, server.address);
+  assert.equal((await state(next.page)).digest, before.digest);
+  await context.close();
+});
