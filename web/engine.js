@@ -312,6 +312,23 @@ export class Engine {
       { layers: [], active: 0, loose: 0, pictures: 0 });
   }
 
+  /** @returns {import('./levels.js').Levels} */
+  levels() {
+    return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_levels(this.editor))),
+      { rows: [], points: 0, apart: 0, copying: 0 });
+  }
+
+  /**
+   * @param {number} act as Act of levels.js
+   * @param {number} level 0: the base
+   * @param {number} value
+   * @param {boolean} done a fader was let go
+   * @returns {boolean}
+   */
+  level(act, level, value, done) {
+    return this.#guard(() => this.wasm.editor_level(this.editor, act, level, value, Number(done)) === OK, false);
+  }
+
   /** @param {number} id 0: none @returns {boolean} */
   activateLayer(id) {
     return this.#guard(() => this.wasm.editor_activate_layer(this.editor, id) === OK, false);

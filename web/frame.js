@@ -67,6 +67,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     selection: word('frame.selection'),
     selected: word('frame.selected'),
     layer: word('frame.layer'),
+    levels: word('frame.levels'),
   };
 }
 

@@ -59,6 +59,9 @@ export class Panel {
     /** @type {(() => void)[]} */
     this.controls = [];
     this.shown = '';
+    this.levels = 0;
+    /** @type {Promise<import('./levels.js').LevelStrip> | undefined} */
+    this.strip = undefined;
     this.controls.push(() => {
       document.documentElement.dataset.hand = this.engine.get('left-hand') ? 'left' : 'right';
     });
@@ -159,7 +162,10 @@ export class Panel {
     const style = part('style');
     style.append(this.#heading('style'));
     for (const row of this.tables.properties) {
-      part(SHEETS[row.group] ?? 'settings').append(this.#control(row, 'setting'));
+      if (row.group === 'levels') {
+        continue; // in the strip, once it is seen
+      }
+      part(SHEETS[row.group] ?? 'settings').append(this.control(row, 'setting'));
     }
     part('pictures').append(this.#commandRow((name) => name.startsWith('picture-') || name === 'tool-span'));
     style.append(this.#commandRow((name) => name.startsWith('style-')));
@@ -184,6 +190,12 @@ export class Panel {
     this.layers = list;
   }
 
+  /** The strip comes with the first curve whose levels are looked at. */
+  async #showLevels() {
+    this.strip ??= import('./levels.js').then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
+    (await this.strip).show(this.levels > 0);
+  }
+
   /** Lets a property be typed. @param {string} property */
   ask(property) {
     const input = /** @type {HTMLInputElement} */ (document.getElementById(`setting-${property}`));
@@ -202,11 +214,11 @@ export class Panel {
 
   /** Commands as buttons with their words. @param {(name: string) => boolean} chosen */
   #wordButtons(chosen) {
-    return this.tables.commands.filter((row) => chosen(row.name)).map((row) => this.#wordButton(row.name));
+    return this.tables.commands.filter((row) => chosen(row.name)).map((row) => this.wordButton(row.name));
   }
 
   /** @param {string} command */
-  #wordButton(command) {
+  wordButton(command) {
     const button = tell(document.createElement('button'), { text: `command.${command}`, help: `command.${command}.help` });
     button.type = 'button';
     button.addEventListener('click', () => this.#run(command));
@@ -260,7 +272,7 @@ export class Panel {
    * @param {PropertyRow} row
    * @param {string} kind
    */
-  #control(row, kind) {
+  control(row, kind) {
     if (row.type === 'choice') {
       return this.#choice(row, kind);
     }
@@ -356,11 +368,11 @@ export class Panel {
     const row = this.tables.properties.find((property) => property.name === 'tolerance');
     this.tolerance = this.#readout(list, 'property.tolerance');
     if (row) {
-      const control = this.#control(row, 'readout');
+      const control = this.control(row, 'readout');
       control.querySelector('label')?.classList.add('hidden');
       const input = /** @type {HTMLInputElement} */ (control.querySelector('input'));
-      input.before(this.#stepper(row, input, -1));
-      input.after(this.#stepper(row, input, 1));
+      input.before(this.stepper(row, input, -1));
+      input.after(this.stepper(row, input, 1));
       this.tolerance.before(control);
       this.tolerance.parentElement?.classList.add('with-control');
     }
@@ -373,7 +385,7 @@ export class Panel {
    * @param {HTMLInputElement} input
    * @param {number} steps
    */
-  #stepper(row, input, steps) {
+  stepper(row, input, steps) {
     const button = this.#plainButton(steps < 0 ? 'less' : 'more', steps < 0 ? 'shell.less' : 'shell.more',
       { help: '', value: `property.${row.name}` });
     button.addEventListener('click', () => this.#step(row, input, steps));
@@ -396,7 +408,7 @@ export class Panel {
   /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
   #fillPending() {
     for (const name of ['accept', 'cancel']) {
-      part('pending').append(this.#wordButton(name));
+      part('pending').append(this.wordButton(name));
     }
   }
 
@@ -418,6 +430,10 @@ export class Panel {
   /** @param {Frame} frame */
   show(frame) {
     this.layers?.show(frame);
+    if (frame.levels !== this.levels) {
+      this.levels = frame.levels;
+      void this.#showLevels();
+    }
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     // Values that the canvas shows, for those who do not see it; not while they still run.

@@ -68,6 +68,7 @@
  * @property {number} selection grows with every change of the selection
  * @property {number} selected
  * @property {number} layer the active one; 0: none
+ * @property {number} levels another number when the level strip shows something else; 0: no strip
  * @property {number} requests
  * @property {boolean} unsaved
  * @property {boolean} canUndo

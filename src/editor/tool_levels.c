@@ -322,7 +322,7 @@ static void show_frames(const bat_editor *editor, bat_overlay *list, const bat_s
     for (int i = 0; u && i < AXES_MAX; i++) u[i] = domain[0] + (domain[1] - domain[0]) * i / AXES_MAX;
     if (u && frames && bat_frames(curve, &options, AXES_MAX, u, frames, NULL) == BAT_OK) {
         show_axis(editor, list, BAT_ROLE_ARROW, AXES_MAX, frames, false);
-        show_axis(editor, list, BAT_ROLE_CHOSEN, AXES_MAX, frames, true);
+        show_axis(editor, list, BAT_ROLE_GUIDE, AXES_MAX, frames, true);
     }
     free(u);
     free(frames);

@@ -21,6 +21,9 @@ MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
 MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
+MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
+MODULE_EXPORT(editor_level)
+int editor_level(bat_editor *editor, int act, int level, double value, int done);
 MODULE_EXPORT(editor_activate_layer) int editor_activate_layer(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_rename) int editor_rename(bat_editor *editor, uint32_t id, const char *name);
 MODULE_EXPORT(editor_set_state)
@@ -90,6 +93,16 @@ double editor_get(const bat_editor *editor, const char *property) {
 const char *editor_layers(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_layers(editor);
+}
+
+const char *editor_levels(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_levels(editor);
+}
+
+int editor_level(bat_editor *editor, int act, int level, double value, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_level(editor, (bat_level_act)act, level, value, done != 0);
 }
 
 int editor_activate_layer(bat_editor *editor, uint32_t id) {

@@ -1,0 +1,184 @@
+// Levels in the page: an outline full of points taken apart with a live choice, its sweep dragged with a pen while the
+// scales ride along, faders, mute and solo, a level redrawn by a stroke, detail copied to another curve, frames as
+// axes; by keys too; nothing for axe to find; pictures in light and dark.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+/** A leaf of 72 cubics with scales along its rim, and a plain arch below it. */
+function outline() {
+  const at = (i) => {
+    const a = (2 * Math.PI * i) / 72;
+    const r = 1 + (i % 2 ? 0.07 : -0.02);
+    return [500 + 330 * r * Math.cos(a), 260 + 170 * r * Math.sin(a) * (1 - 0.3 * Math.cos(a))];
+  };
+  const text = (p) => p.map((x) => x.toFixed(2)).join(' ');
+  const parts = [`M${text(at(0))}`];
+  for (let i = 0; i < 72; i++) {
+    const [a, b, c, d] = [at(i - 1), at(i), at(i + 1), at(i + 2)];
+    parts.push(`C${text(b.map((x, k) => x + (c[k] - a[k]) / 6))} ${text(c.map((x, k) => x - (d[k] - b[k]) / 6))} ${text(c)}`);
+  }
+  return Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 700">
+<path d="${parts.join('')}Z" fill="#cfe3d0" stroke="#2d5a3a" stroke-width="2"/>
+<path d="M150 640C350 520 650 520 850 640" fill="none" stroke="#8a4b2a" stroke-width="3"/></svg>`);
+}
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'leaf.svg', bytes: outline() });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const objects = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects);
+const digest = async (page) => (await state(page)).digest;
+const rows = (page) => page.locator('.level-row');
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`an outline in levels, with a pen, ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const asked = [];
+    page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+    const strings = await page.evaluate(() => batten.panel.tables.strings);
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `levels-${colorScheme}-${name}.png`) });
+    const key = async (...names) => {
+      for (const name of names) {
+        await page.keyboard.press(name);
+      }
+      await settle(page);
+    };
+    const first = await digest(page);
+    assert.equal(await page.locator('.levels').count(), 0);
+
+    await key('l');
+    assert.equal((await state(page)).hint, strings['hint.levels']);
+    const rim = await place(page, 500, 90);
+    await hand.stroke([rim, rim]);
+    await page.waitForSelector('.levels:not([hidden])');
+    assert.ok(asked.includes('/levels.js') && asked.includes('/levels.css'));
+    assert.equal(await rows(page).count(), 0);
+
+    // Taken apart: shown before it is done, the numbers live; Esc and Enter.
+    await key('Shift+L');
+    assert.equal((await state(page)).hint, strings['hint.apart']);
+    const suggested = await rows(page).count();
+    assert.ok(suggested >= 3);
+    await page.locator('#strip-apart-levels').locator('xpath=preceding-sibling::button').click();
+    await settle(page);
+    assert.equal(await rows(page).count(), suggested - 1);
+    await page.locator('#strip-apart-points').fill('9');
+    await page.locator('#strip-apart-points').press('Enter');
+    await settle(page);
+    assert.match(await rows(page).last().textContent(), /Base.*9 points/);
+    await shot('apart');
+    assert.equal(await digest(page), first);
+    await key('Escape');
+    assert.equal(await rows(page).count(), 0);
+    await page.getByRole('button', { name: strings['command.take-apart'], exact: true }).last().click();
+    await settle(page);
+    await page.locator('#strip-apart-levels').fill('3');
+    await page.locator('#strip-apart-levels').press('Enter');
+    await page.locator('#strip-apart-points').fill('9');
+    await page.locator('#strip-apart-points').press('Enter');
+    await page.locator('#stage').focus();
+    await key('Enter');
+    assert.equal(await rows(page).count(), 4);
+    const [leaf] = await objects(page);
+    assert.equal(leaf.kind, 'shape');
+    const apart = await digest(page);
+
+    // The sweep, dragged: what is under the pen follows, the scales ride along, one step.
+    const grip = await place(page, 505, 87);
+    await hand.stroke([grip, [grip[0] + 30, grip[1] - 50]], {
+      step: 2,
+      during: async () => {
+        await shot('sweep');
+        assert.notEqual(await digest(page), apart);
+      },
+    });
+    const details = (object) => JSON.stringify(object.curves[0].levels.map((level) => level.details));
+    const swept = (await objects(page))[0];
+    assert.equal(details(swept), details(leaf));
+    assert.notEqual(JSON.stringify(swept.curves[0].base), JSON.stringify(leaf.curves[0].base));
+    await key('Control+z');
+    assert.equal(await digest(page), apart);
+    await key('Control+Shift+z');
+
+    // A fader: by keys, then by the pointer, live and one step.
+    const fader = page.getByRole('slider', { name: 'Gain of level 3' });
+    await fader.focus();
+    await fader.press('ArrowRight');
+    await settle(page);
+    assert.equal((await objects(page))[0].curves[0].levels[2].gain, 1.01);
+    await key('Control+z');
+    const before = await digest(page);
+    const box = await fader.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * 0.75, box.y + box.height / 2, { steps: 6 });
+    await page.mouse.move(box.x + box.width - 1, box.y + box.height / 2, { steps: 6 });
+    await settle(page);
+    await shot('fader');
+    await page.mouse.up();
+    await settle(page);
+    assert.ok((await objects(page))[0].curves[0].levels[2].gain > 1.9);
+    await page.locator('#stage').focus();
+    await key('Control+z');
+    assert.equal(await digest(page), before);
+
+    // Mute and solo.
+    await page.getByRole('button', { name: 'Mute level 2' }).click();
+    await settle(page);
+    assert.equal((await objects(page))[0].curves[0].levels[1].muted, true);
+    await page.getByRole('button', { name: 'Mute level 2' }).click();
+    await page.getByRole('button', { name: 'Solo up to level 0' }).click();
+    await settle(page);
+    assert.equal((await objects(page))[0].curves[0].levels.filter((level) => level.muted).length, 3);
+    await shot('solo');
+    await page.getByRole('button', { name: 'Solo up to level 0' }).click();
+    await settle(page);
+    assert.equal((await objects(page))[0].curves[0].levels.filter((level) => level.muted).length, 0);
+
+    // Levels by keys; all of them shown, with their frames.
+    await page.locator('#stage').focus();
+    await key(']');
+    assert.ok(await page.getByRole('radio', { name: /^Level 1/ }).isChecked());
+    await key('[');
+    await page.locator('#strip-show-levels').check();
+    await page.locator('#strip-show-frames').check();
+    await settle(page);
+    await shot('frames-rmf');
+    await page.locator('#strip-frame-rule').selectOption({ label: 'Frenet' });
+    await settle(page);
+    assert.equal((await objects(page))[0].curves[0].frame, 'frenet');
+    await shot('frames-frenet');
+    await page.locator('#strip-frame-rule').selectOption({ label: 'Least turning' });
+    await page.locator('#strip-show-frames').uncheck();
+    await page.locator('#stage').focus();
+
+    // Detail to the arch.
+    await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).last().click();
+    await settle(page);
+    assert.equal((await state(page)).hint, strings['hint.copy-to']);
+    const arch = await place(page, 500, 550);
+    await hand.stroke([arch, arch]);
+    const copied = (await objects(page))[1];
+    assert.equal(copied.kind, 'shape');
+    assert.equal(copied.curves[0].levels.length, 3);
+    await shot('copied');
+
+    const axe = await import('axe-core');
+    await page.evaluate(axe.default.source);
+    const found = await page.evaluate(() => globalThis.axe.run());
+    assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0].html}`), []);
+    assert.equal((await state(page)).check, '');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
