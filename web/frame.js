@@ -68,6 +68,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     selected: word('frame.selected'),
     layer: word('frame.layer'),
     levels: word('frame.levels'),
+    first: word('frame.first'),
   };
 }
 

@@ -407,6 +407,10 @@ export class Panel {
 
   /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
   #fillPending() {
+    part('first').querySelector('button')?.addEventListener('click', () => {
+      this.engine.set('first-hints', 3);
+      this.wake();
+    });
     for (const name of ['accept', 'cancel']) {
       part('pending').append(this.wordButton(name));
     }
@@ -441,7 +445,7 @@ export class Panel {
       .map((label) => label.text).join(', ');
     const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
       frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
-      frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
+      frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
     if (shown === this.shown) {
       return;
     }
@@ -454,6 +458,10 @@ export class Panel {
     if (values !== null) {
       part('values').textContent = values;
     }
+    part('first').hidden = frame.first === 0;
+    part('first').querySelectorAll('p').forEach((hint, i) => {
+      hint.hidden = !(frame.first >> i & 1);
+    });
     this.#able('undo', frame.canUndo);
     this.#able('redo', frame.canRedo);
     this.tables.tools.forEach((tool, index) => {

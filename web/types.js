@@ -69,6 +69,7 @@
  * @property {number} selected
  * @property {number} layer the active one; 0: none
  * @property {number} levels another number when the level strip shows something else; 0: no strip
+ * @property {number} first bits: hints to be shown
  * @property {number} requests
  * @property {boolean} unsaved
  * @property {boolean} canUndo

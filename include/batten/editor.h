@@ -282,6 +282,7 @@ typedef struct bat_frame {
     uint32_t selected;       /* objects in it */
     uint32_t layer;          /* the active one; 0: none */
     uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
+    uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;
 
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */

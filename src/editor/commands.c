@@ -76,8 +76,9 @@ static bat_status tell_step(bat_editor *editor, bat_status status, bat_string do
 static bat_status undo(bat_editor *editor, bool down) {
     (void)down;
     if (drop_uncommitted(editor)) return BAT_OK;
-    return tell_step(editor, step(editor, "undo", bat_history_undo, bat_history_redo),
-                     BAT_STRING_NOTICE_UNDONE, BAT_STRING_NOTICE_NOTHING_TO_UNDO);
+    bat_status status = step(editor, "undo", bat_history_undo, bat_history_redo);
+    if (status == BAT_OK) bat_first_follow(editor, BAT_FIRST_UNDO);
+    return tell_step(editor, status, BAT_STRING_NOTICE_UNDONE, BAT_STRING_NOTICE_NOTHING_TO_UNDO);
 }
 
 static bat_status redo(bat_editor *editor, bool down) {
@@ -232,6 +233,7 @@ static bat_status choose(bat_editor *editor, bat_tool_id tool) {
     const bat_tool *before = bat_editor_tool(editor);
     if (before->leave) before->leave(editor);
     editor->tool = tool;
+    if (tool == BAT_TOOL_POINTS) bat_first_follow(editor, BAT_FIRST_POINTS);
     return BAT_OK;
 }
 static bat_status tool_select(bat_editor *editor, bool down) {

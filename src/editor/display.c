@@ -102,7 +102,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .selection = editor->selection.version,
                          .selected = (uint32_t)editor->selection.count,
                          .layer = (uint32_t)editor->layer,
-                         .levels = bat_leveling_version(editor)};
+                         .levels = bat_leveling_version(editor),
+                         .first = bat_first_shown(editor)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     drawing(editor, frame);

@@ -122,5 +122,6 @@ bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *
     else
         bat_transaction_cancel(editor);
     bat_text_free(&line);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_first_follow(editor, BAT_FIRST_DRAW);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "document/picture.h"
 #include "editor/brushing.h"
 #include "editor/contacts.h"
+#include "editor/first.h"
 #include "editor/guides.h"
 #include "editor/insight.h"
 #include "editor/isolate.h"
@@ -73,6 +74,7 @@ struct bat_editor {
     bat_taps taps;
     uint32_t modifiers;
     double time;
+    uint32_t followed; /* of the first hints, bits */
     bool holding_pan, pen_seen;
     double pen_time; /* of the last event of a pen */
     bool pen_near;   /* a pointer is over the drawing */

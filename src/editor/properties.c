@@ -19,6 +19,7 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
         return bat_styling_set(editor, shown == id ? 1 : 2, values);
     }
     if (bat_tracing_is(id)) return bat_tracing_set(editor, id, value);
+    if (id == BAT_PROPERTY_FIRST_HINTS) editor->followed = 0;
     editor->values[id] = value;
     return bat_leveling_is(id) ? bat_leveling_set(editor, id, value) : BAT_OK;
 }

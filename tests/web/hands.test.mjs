@@ -199,3 +199,53 @@ test('the pressure curve is drawn as the engine has it', async () => {
   assert.ok((await heights()).every((height) => height === 1));
   await context.close();
 });
+
+for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
+  for (const colorScheme of ['light', 'dark']) {
+    test(`the first minute: hints go as they are followed, and stay away; ${screen}, ${colorScheme}`, async () => {
+      const { page, hand, faults, context } = await open(browser, server.address, { ...options, colorScheme });
+      const hints = () => page.$$eval('#first p', (list) => list.filter((hint) => hint.checkVisibility()).length);
+      assert.equal(await hints(), 3);
+      assert.equal(await page.locator('dialog[open], :popover-open').count(), 0, 'no dialog stands in the way');
+      await shot(page, `first-${screen}-${colorScheme}`);
+      const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+      await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
+      assert.equal(await hints(), 2);
+      await hand.tap(2);
+      assert.equal(await hints(), 1);
+      await page.click('[data-name=tool-points]');
+      await settle(page);
+      assert.equal(await page.isVisible('#first'), false);
+      await page.waitForTimeout(500);
+      await page.reload();
+      await page.waitForSelector('html[data-ready=yes]');
+      await settle(page);
+      assert.equal(await page.isVisible('#first'), false, 'they do not come back');
+      assert.deepEqual(faults, []);
+      await context.close();
+    });
+  }
+}
+
+test('the first hints: sent away at once, drawn through, and none over an empty page', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const { x, y, width, height } = await page.locator('#first').boundingBox();
+  const plain = (await state(page)).digest;
+  await hand.stroke([[x + 10, y + height / 2], [x + width / 2, y + height - 8], [x + width + 90, y + 20]]);
+  assert.notEqual((await state(page)).digest, plain, 'the pen draws through them');
+  await page.click('#first button');
+  await settle(page);
+  assert.equal(await page.isVisible('#first'), false);
+  await page.waitForTimeout(500);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=yes]');
+  await settle(page);
+  assert.equal(await page.isVisible('#first'), false);
+  await context.close();
+  const empty = await serve();
+  const other = await open(browser, empty.address);
+  assert.equal(await other.page.isVisible('#first'), false);
+  assert.equal(await other.page.isVisible('#welcome'), true);
+  await other.context.close();
+  empty.close();
+});

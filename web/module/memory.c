@@ -88,6 +88,7 @@ const module_field *module_layout(void) {
         {"frame.selected", offsetof(bat_frame, selected)},
         {"frame.layer", offsetof(bat_frame, layer)},
         {"frame.levels", offsetof(bat_frame, levels)},
+        {"frame.first", offsetof(bat_frame, first)},
         {"problem.size", sizeof(bat_problem)},
         {"problem.place", offsetof(bat_problem, place)},
         {"problem.message", offsetof(bat_problem, message)},
