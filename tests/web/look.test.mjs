@@ -111,7 +111,7 @@ test('a drawing in black shows on the dark ground, and its file keeps its colour
 test('all of it can be reached by the keyboard, with a visible focus', async () => {
   const { page, context } = await open(browser, server.address);
   const reached = new Set();
-  for (let i = 0; i < 20; i++) {
+  for (let i = 0; i < 40; i++) {
     await page.keyboard.press('Tab');
     reached.add(await page.evaluate(() => {
       const element = document.activeElement;
@@ -144,7 +144,8 @@ test('every command and every property of the engine is in the page', async () =
       if (!document.querySelector(`[data-property="${row.name}"]`)) lost.push(row.name);
     }
     for (const row of tools) {
-      if (!document.querySelector(`#rail [data-name="${row.command}"]`)) lost.push(row.name);
+      const shown = `#rail [data-name="${row.command}"], #pictures [data-text="command.${row.command}"]`;
+      if (!document.querySelector(shown)) lost.push(row.name);
     }
     return lost;
   });
