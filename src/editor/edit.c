@@ -14,6 +14,7 @@ static const struct {
     [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
     [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
     [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
+    [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
 };
 
 const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
@@ -39,6 +40,13 @@ static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_cu
     if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
     const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
     if (!target) return BAT_ARGUMENT;
+    if (edit->kind == BAT_EDIT_LEVEL) {
+        bat_shape *shape = NULL;
+        bat_status status = bat_edit_shape(editor, edit, &shape);
+        if (status == BAT_OK) status = bat_curve_copy(bat_shape_curve(shape, bat_shape_levels(shape)), out);
+        bat_shape_free(shape);
+        return status;
+    }
     if (edit->kind == BAT_EDIT_REDRAW) return bat_sketch(target, &stroke, &edit->options, out, report);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
     const bat_curve *other = bat_edit_target(document, edit->other, edit->other_curve);
@@ -73,6 +81,14 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
         for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
     free(curves);
     return status;
+}
+
+/* The curve is only what has been shown of it. */
+static bat_status put_level(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    bat_shape *shape = NULL;
+    bat_curve_free(curve);
+    bat_status status = bat_edit_shape(editor, edit, &shape);
+    return status == BAT_OK ? bat_leveling_put_at(editor, edit->object, edit->curve, shape) : status;
 }
 
 /* Takes the curve over, whatever it returns. */
@@ -112,6 +128,8 @@ bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *
         bat_curve_free(curve);
     else if (edit->kind == BAT_EDIT_NEW)
         status = insert_new(editor, edit, curve);
+    else if (edit->kind == BAT_EDIT_LEVEL)
+        status = put_level(editor, edit, curve);
     else
         status = bat_put_curve(editor, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */

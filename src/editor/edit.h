@@ -15,6 +15,7 @@ typedef enum bat_edit_kind {
     BAT_EDIT_REDRAW,
     BAT_EDIT_SMOOTH,
     BAT_EDIT_JOIN,
+    BAT_EDIT_LEVEL,
     BAT_EDIT_COUNT
 } bat_edit_kind;
 
@@ -22,6 +23,7 @@ typedef struct bat_edit {
     bat_edit_kind kind;
     bat_id object; /* the object changed; NEW: the id it gets */
     int curve;
+    int level;    /* LEVEL: the one redrawn; -1: the coarsest that comes within the tolerance */
     bat_id other; /* JOIN: the object joined to it */
     int other_curve;
     bat_view view; /* the stroke's samples are view pixels of this view */
@@ -44,6 +46,8 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
  */
 bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report);
+/* The shape that a LEVEL edit makes. */
+bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out);
 /* Puts the curve into the document as one step of the history and one line of the journal, or changes
  * nothing. Takes the curve over, whatever it returns. */
 bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve);

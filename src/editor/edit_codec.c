@@ -62,6 +62,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     bat_text_string(line, "\"");
     number(line, "object", (double)edit->object);
     if (edit->kind != BAT_EDIT_NEW) number(line, "curve", edit->curve);
+    if (edit->kind == BAT_EDIT_LEVEL) number(line, "level", edit->level);
     if (edit->kind == BAT_EDIT_JOIN) {
         number(line, "other", (double)edit->other);
         number(line, "other_curve", edit->other_curve);
@@ -243,6 +244,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     const double ids = 2147483647;
     out->object = (bat_id)read_whole(&r, "object", 1, ids);
     if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
+    if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", -1, BAT_LEVELS_MAX);
     if (out->kind == BAT_EDIT_JOIN) {
         out->other = (bat_id)read_whole(&r, "other", 1, ids);
         out->other_curve = read_whole(&r, "other_curve", 0, ids);

@@ -90,8 +90,13 @@ static void refresh_preview(bat_editor *editor) {
     drop_preview(s);
     bat_sketch_preview_info info = {0};
     bat_curve *curve = NULL;
-    bat_status status = feed(editor);
-    if (status == BAT_OK) status = bat_sketch_preview(s->live, &curve, &info);
+    bat_status status;
+    if (s->edit.kind == BAT_EDIT_LEVEL) {
+        status = bat_edit_compute(editor, &s->edit, NULL, &curve, &info.report);
+    } else {
+        status = feed(editor);
+        if (status == BAT_OK) status = bat_sketch_preview(s->live, &curve, &info);
+    }
     s->preview.status = status;
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
@@ -128,7 +133,7 @@ static void end_stroke(bat_sketching *s) {
 static void start_smoothing(bat_sketching *s) {
     if (s->smoothing) return;
     s->smoothing = true;
-    if (s->edit.kind == BAT_EDIT_REDRAW) s->edit.kind = BAT_EDIT_SMOOTH;
+    if (s->edit.kind == BAT_EDIT_REDRAW || s->edit.kind == BAT_EDIT_LEVEL) s->edit.kind = BAT_EDIT_SMOOTH;
     drop_session(s);
     s->preview_due = true;
 }
@@ -159,6 +164,18 @@ static void give_up(bat_editor *editor, bat_status status) {
     bat_editor_notice_failure(editor, status);
 }
 
+/* A curve with levels is redrawn at one of them: the active one when it is the chosen curve. */
+static bool meant_level(const bat_editor *editor, const bat_pick *pick, int *level) {
+    const bat_leveling *l = &editor->leveling;
+    int at = bat_document_find(editor->document, pick->object);
+    const bat_shape *shape = at < 0 ? NULL
+                                    : bat_object_shape(bat_document_at(editor->document, at), pick->curve);
+    if (!shape) return false;
+    bool chosen = l->object == pick->object && l->curve == pick->curve;
+    *level = chosen && l->level <= bat_shape_levels(shape) ? l->level : -1;
+    return true;
+}
+
 /* pick: the curve that is meant. */
 static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
     bat_sketching *s = &editor->sketching;
@@ -172,6 +189,7 @@ static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
                          .options = options(editor),
                          .style = bat_editor_new_style(editor),
                          .samples = samples};
+    if (meant_level(editor, &pick, &s->edit.level)) s->edit.kind = BAT_EDIT_LEVEL;
     s->state = BAT_SKETCHING_DRAWING;
     s->steady = bat_steady_begin(editor->values[BAT_PROPERTY_STABILISER], pixel);
     s->device = event->device;
@@ -259,12 +277,13 @@ static bat_status make(bat_editor *editor, bat_curve **curve, bat_sketch_report 
         if (status == BAT_OK || status == BAT_TOLERANCE || status == BAT_MEMORY) return status;
         edit->kind = BAT_EDIT_REDRAW;
     }
-    bat_status status = feed(editor);
+    bool level = edit->kind == BAT_EDIT_LEVEL;
+    bat_status status = level ? BAT_OK : feed(editor);
     if (status != BAT_OK) return status;
     bat_sketch_live *live = s->live;
     s->live = NULL;
     status = bat_edit_compute(editor, edit, live, curve, report);
-    if (status != BAT_FAR || edit->kind != BAT_EDIT_REDRAW) return status;
+    if (status != BAT_FAR || (edit->kind != BAT_EDIT_REDRAW && !level)) return status;
     edit->kind = BAT_EDIT_NEW;
     *strayed = true;
     return bat_edit_compute(editor, edit, NULL, curve, report);
@@ -331,6 +350,8 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         }
     } else if (status == BAT_DOT) {
         bat_editor_notice(editor, BAT_STRING_NOTICE_DOT);
+    } else if (status == BAT_STATE && s->edit.kind == BAT_EDIT_LEVEL) {
+        bat_editor_notice(editor, BAT_STRING_NOTICE_MUTED);
     } else {
         bat_editor_notice_failure(editor, status);
     }
@@ -535,11 +556,14 @@ static bat_string hint(const bat_editor *editor) {
         if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
         if (s->join.object) return BAT_STRING_HINT_JOINING;
         if (s->preview.status == BAT_FAR) return BAT_STRING_HINT_STRAYED;
-        if (s->edit.kind == BAT_EDIT_REDRAW) return BAT_STRING_HINT_REDRAWING;
+        if (s->edit.kind == BAT_EDIT_REDRAW || s->edit.kind == BAT_EDIT_LEVEL)
+            return BAT_STRING_HINT_REDRAWING;
         return s->closing ? BAT_STRING_HINT_CLOSING : BAT_STRING_HINT_DRAWING;
     }
     if (editor->modifiers & BAT_ALT)
         return s->pick.object ? BAT_STRING_HINT_SMOOTH : BAT_STRING_HINT_SMOOTH_NOTHING;
+    int level = -1;
+    if (meant_level(editor, &s->pick, &level) && level >= 0) return BAT_STRING_HINT_LEVEL_SKETCH;
     return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
 

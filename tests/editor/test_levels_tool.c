@@ -314,6 +314,62 @@ static void keys_step_levels(void **state) {
     bat_editor_free(editor);
 }
 
+/* A stroke over the chosen curve redraws the active level; the others keep their details. Over another curve with
+ * levels the coarsest level that can follow the stroke does. */
+static void a_level_is_redrawn(void **state) {
+    (void)state;
+    for (int other = 0; other < 2; other++) {
+        pen p;
+        bat_editor *editor = apart_editor(&p);
+        bat_shape *before = NULL;
+        bat_shape_copy(shape_at(editor, 0), &before);
+        if (other) bat_editor_command(editor, "deselect");
+        bat_editor_command(editor, "tool-sketch");
+        double from[2], to[2], now[2], middle[2];
+        on_curve(editor, 0, 0.3, from);
+        on_curve(editor, 0, 0.7, to);
+        pen_event(&p, BAT_POINTER_HOVER, from[0], from[1]);
+        assert_string_equal(
+            bat_editor_frame(editor)->hint,
+            other ? "Draw over to redraw this curve"
+                  : "Draw over to redraw the active level of this curve. [ and ] change the level");
+        pen_begin(&p, pen_arch, (double[]){from[0], from[1], to[0], to[1], -60}, 60);
+        check(editor);
+        assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+        pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
+        check(editor);
+        const bat_shape *after = shape_at(editor, 0);
+        assert_non_null(after);
+        int changed[4] = {!bat_curve_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0))}, all = 0;
+        for (int l = 1; l <= 3; l++)
+            for (int i = 0; i < 3 * bat_curve_count(bat_shape_curve(after, l)); i++)
+                changed[l] |= bat_shape_details(before, l)[i] != bat_shape_details(after, l)[i];
+        for (int l = 0; l <= 3; l++) all += changed[l];
+        assert_int_equal(all, 1);
+        if (!other) assert_int_equal(changed[0], 1);
+        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], -60}, middle);
+        on_curve(editor, 0, 0.5, now);
+        assert_true(fabs(now[1] - middle[1]) < 20); /* the sweep went there; the waves are six high */
+        bat_shape_free(before);
+        round_trip(editor, plain_digest(), 2);
+    }
+    /* A silent level is not redrawn, and says so. */
+    pen p;
+    bat_editor *editor = apart_editor(&p);
+    double from[2], to[2];
+    assert_int_equal(bat_editor_level(editor, BAT_LEVEL_CHOOSE, 3, 0, true), BAT_OK);
+    assert_int_equal(bat_editor_level(editor, BAT_LEVEL_MUTE, 3, 1, true), BAT_OK);
+    uint64_t silent = digest(editor);
+    bat_editor_command(editor, "tool-sketch");
+    on_curve(editor, 0, 0.3, from);
+    on_curve(editor, 0, 0.7, to);
+    pen_line(&p, from[0], from[1], to[0], to[1], 10);
+    check(editor);
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is silent: nothing changed");
+    assert_true(digest(editor) == silent);
+    bat_editor_free(editor);
+}
+
 static void rules_copies_and_flattening(void **state) {
     (void)state;
     pen p;
@@ -456,10 +512,15 @@ static void wild(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(taken_apart_when_accepted), cmocka_unit_test(a_level_is_dragged),
-        cmocka_unit_test(points_of_a_level),         cmocka_unit_test(faders),
-        cmocka_unit_test(keys_step_levels),          cmocka_unit_test(rules_copies_and_flattening),
-        cmocka_unit_test(a_spline_becomes_a_base),   cmocka_unit_test(wild),
+        cmocka_unit_test(taken_apart_when_accepted),
+        cmocka_unit_test(a_level_is_dragged),
+        cmocka_unit_test(points_of_a_level),
+        cmocka_unit_test(faders),
+        cmocka_unit_test(keys_step_levels),
+        cmocka_unit_test(a_level_is_redrawn),
+        cmocka_unit_test(rules_copies_and_flattening),
+        cmocka_unit_test(a_spline_becomes_a_base),
+        cmocka_unit_test(wild),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -162,6 +162,21 @@ for (const colorScheme of ['light', 'dark']) {
     await page.locator('#strip-show-frames').uncheck();
     await page.locator('#stage').focus();
 
+    // The sweep, redrawn by a stroke over the leaf's lower rim; the strip stays in sight.
+    await key('n');
+    const [near, ...over] = await Promise.all([[500, 426.6], [540, 445], [600, 450], [660, 420], [720, 380]].map(
+      ([x, y]) => place(page, x, y)));
+    await hand.hover(near);
+    assert.equal((await state(page)).hint, strings['hint.level-sketch']);
+    const drawn = details((await objects(page))[0]);
+    await hand.stroke([near, ...over], { during: () => shot('sketch') });
+    const redrawn = (await objects(page))[0];
+    assert.equal(redrawn.kind, 'shape');
+    assert.equal(details(redrawn), drawn);
+    await shot('sketched');
+    assert.ok(await page.locator('.levels').isVisible());
+    await key('Control+z', 'l');
+
     // Detail to the arch.
     await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).last().click();
     await settle(page);
