@@ -1,5 +1,5 @@
 # words.<language>.json beside the module: all strings of one language, made of the table by the preprocessor. The page
-# fetches them when it needs them; the module carries English alone, without what only explains.
+# fetches them when it needs them; the module carries English alone, and nothing of what only explains.
 # A language: its column of strings.def, here and below, and a choice of the property "language".
 set(LANGUAGES en ko)
 

@@ -160,13 +160,17 @@ export class Input {
     if (event.isComposing || (down && belongsToControl(event))) {
       return;
     }
+    // A shortcut's letter is where it is on a Latin keyboard, whatever script is being typed. AltGr types a sign.
+    const key = /^Key[A-Z]$/.test(event.code) && (event.key > '~' || event.key === 'Process') ? event.code[3] : event.key;
     if (down) {
-      this.held.add(event.key);
+      this.held.add(key);
     } else {
-      this.held.delete(event.key);
+      this.held.delete(key);
     }
-    const used = this.engine.key(event.key, down, modifiersOf(event), event.timeStamp);
-    if (used || event.key === 'Alt') { // Alt alone would open the browser's menu
+    const modifiers = event.getModifierState('AltGraph') ? modifiersOf(event) & ~(Modifier.CTRL | Modifier.ALT) :
+      modifiersOf(event);
+    const used = this.engine.key(key, down, modifiers, event.timeStamp);
+    if (used || key === 'Alt') { // Alt alone would open the browser's menu
       event.preventDefault();
     }
     this.wake();

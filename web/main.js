@@ -45,6 +45,8 @@ class Shell {
     this.clipboard = null;
     this.due = false;
     this.noticeVersion = 0;
+    /** @type {import('./commands.js').CommandSheet | undefined} */
+    this.commands = undefined;
     /** Frames painted and the time they took, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
     this.#connect();
@@ -58,7 +60,11 @@ class Shell {
       this.painter.retheme();
       this.wake();
     };
-    this.words.onchange = (tables) => this.panel.retold(tables);
+    this.words.onchange = (tables) => {
+      this.panel.retold(tables);
+      this.commands?.fill();
+    };
+    part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
     this.theme.onchange = () => {
       this.painter.retheme();
       this.wake();
@@ -236,6 +242,22 @@ class Shell {
     this.wake();
   }
 
+  /** The sheet of commands, made when it is first wanted. */
+  async #commandSheet() {
+    const { CommandSheet } = await import('./commands.js');
+    this.commands ??= new CommandSheet(part('menu'), this.words, this.settings, (command) => {
+      this.engine.command(command);
+      this.wake();
+    });
+    return this.commands;
+  }
+
+  async #showShortcuts() {
+    const sheet = await this.#commandSheet();
+    sheet.sheet.showPopover();
+    sheet.search.focus();
+  }
+
   /** What the engine asks of its host. @param {number} requests */
   #grant(requests) {
     if (requests & Ask.SAVE) {
@@ -255,6 +277,9 @@ class Shell {
     }
     if (requests & Ask.SPAN) {
       this.panel.ask('picture-span');
+    }
+    if (requests & Ask.SHORTCUTS) {
+      void this.#showShortcuts();
     }
     if (requests & Ask.OPEN) {
       this.files.pick();

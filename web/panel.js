@@ -3,7 +3,7 @@
 
 import { LayersSheet } from './layers.js';
 import { ROLE_RULER } from './paint.js';
-import { keyName, tell, word } from './words.js';
+import { tell, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./types.js').Frame} Frame */
@@ -68,7 +68,6 @@ export class Panel {
     this.#fillBar();
     this.#fillSettings();
     this.#fillLayers();
-    this.#fillMenu();
     this.#fillReadouts();
     this.#fillPending();
   }
@@ -223,36 +222,6 @@ export class Panel {
     button.type = 'button';
     button.addEventListener('click', () => this.#run(command));
     return button;
-  }
-
-  #fillMenu() {
-    const sheet = part('menu');
-    const list = document.createElement('ul');
-    list.className = 'commands';
-    for (const row of this.tables.commands) {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.title = row.help;
-      button.dataset.command = row.name;
-      const label = document.createElement('span');
-      label.textContent = row.label;
-      const keys = document.createElement('span');
-      keys.className = 'keys';
-      for (const key of row.keys) {
-        const cap = document.createElement('kbd');
-        cap.textContent = keyName(key);
-        keys.append(cap);
-      }
-      button.append(label, keys);
-      button.addEventListener('click', () => {
-        sheet.hidePopover();
-        this.#run(row.name);
-      });
-      const entry = document.createElement('li');
-      entry.append(button);
-      list.append(entry);
-    }
-    sheet.replaceChildren(this.#heading('menu'), list);
   }
 
   /** @param {string} name */
@@ -420,7 +389,6 @@ export class Panel {
   retold(tables) {
     this.tables = tables;
     this.shown = '';
-    this.#fillMenu();
     this.wake();
   }
 

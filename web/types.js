@@ -93,6 +93,7 @@
  * @property {string} label
  * @property {string} help
  * @property {string[]} keys
+ * @property {string} section key of its word
  *
  * @typedef {object} PropertyRow
  * @property {string} name

@@ -8,6 +8,8 @@ const MAC = /Mac|iP(hone|ad)/.test(navigator.platform);
 
 /** @type {Record<string, string>} */
 let strings = {};
+/** What was fetched: all of a language, of which the engine keeps what it says itself. @type {Record<string, string>} */
+let fetched = {};
 /** First shortcut of each command. @type {Record<string, string>} */
 let shortcuts = {};
 
@@ -62,7 +64,7 @@ export function tell(element, keys) {
 
 /** Says everything anew: the words or the shortcuts are others. @param {Tables} tables */
 export function retell(tables) {
-  strings = tables.strings;
+  strings = { ...tables.strings, ...fetched };
   shortcuts = Object.fromEntries(tables.commands.map((row) => [row.name, row.keys[0]]));
   document.documentElement.lang = word('language.code');
   document.documentElement.dir = word('language.direction');
@@ -84,6 +86,8 @@ export class Words {
     this.engine = engine;
     this.choice = -1;
     this.language = '';
+    /** @type {Tables} */
+    this.tables = engine.tables();
     /** Other words are on the page. @type {(tables: Tables) => void} */
     this.onchange = () => {};
   }
@@ -101,7 +105,7 @@ export class Words {
     this.choice = choice;
     this.language = languageOf(this.engine);
     if (first && this.language === 'en') {
-      this.#retell();
+      this.retell();
     } else {
       await this.load();
     }
@@ -114,17 +118,19 @@ export class Words {
       const response = await fetch(`words.${language}.json`);
       const bytes = new Uint8Array(await response.arrayBuffer());
       if (response.ok && language === this.language) {
+        fetched = JSON.parse(new TextDecoder().decode(bytes));
         this.engine.speak(bytes);
       }
     } catch (error) {
       console.warn(error); // English then
     }
-    this.#retell();
+    this.retell();
   }
 
-  #retell() {
-    const tables = this.engine.tables();
-    retell(tables);
-    this.onchange(tables);
+  /** Other words or shortcuts. */
+  retell() {
+    this.tables = this.engine.tables();
+    retell(this.tables);
+    this.onchange(this.tables);
   }
 }

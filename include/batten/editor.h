@@ -70,9 +70,9 @@ BAT_API double bat_editor_pressure(const bat_editor *editor, double pressure);
 BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys);
 /*
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
- * {"commands":[{"name","label","help","keys":[...],"hold"}], "properties":[{"name","label","help","type",
+ * {"commands":[{"name","label","help","keys":[...],"section":key of its word,"hold"}], "properties":[{"name","label","help","type",
  *  "default","low","high","step","unit","choices":[keys of their words, of type choice only]}],
- *  "tools":[{"name","label","help","command","keys":[...]}], "strings":{key:text}}.
+ *  "tools":[{"name","label","help","command","keys":[...]}], "strings":{key:text}}. The browser's module has no helps.
  * Owned by the editor, valid until the next call of it; NULL when out of memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);
@@ -249,7 +249,8 @@ enum {
     BAT_ASK_CUT = 32, /* the clipboard: bat_editor_copy, bat_editor_paste */
     BAT_ASK_COPY = 64,
     BAT_ASK_PASTE = 128,
-    BAT_ASK_SPAN = 256 /* let the property picture-span be typed */
+    BAT_ASK_SPAN = 256, /* let the property picture-span be typed */
+    BAT_ASK_SHORTCUTS = 512 /* a list of all commands with their shortcuts */
 };
 
 typedef struct bat_frame {

@@ -143,6 +143,11 @@ static bat_status paste_in_place(bat_editor *editor, bool down) {
     return ask(editor, BAT_ASK_PASTE);
 }
 
+static bat_status shortcuts(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_SHORTCUTS);
+}
+
 static bat_status view_fit(bat_editor *editor, bool down) {
     (void)down;
     return bat_editor_fit(editor) ? BAT_OK : BAT_STATE;

@@ -7,6 +7,14 @@ static const bat_command_row commands[BAT_COMMAND_COUNT] = {
 #include "editor/commands.def"
 };
 
+static const struct {
+    int first;
+    bat_string word;
+} sections[] = {
+#define SECTION(id) {BAT_SECTION_##id, BAT_STRING_SHELL_##id},
+#include "editor/commands.def"
+};
+
 static const bat_property_row properties[BAT_PROPERTY_COUNT] = {
 #define PROPERTY(id, name, type, standard, low, high, step, unit)                                            \
     {name,                                                                                                   \
@@ -29,6 +37,9 @@ static const bat_tool_row tools[BAT_TOOL_COUNT] = {
 
 static const char *const keys_of_texts[BAT_STRING_COUNT] = {
 #define TEXT(id, key, english, korean) key,
+#ifdef BAT_HELP_APART /* the browser's module: its page takes what explains from words.<language>.json */
+#define HELP(id, key, english, korean) "",
+#endif
 #include "editor/strings.def"
 };
 
@@ -41,6 +52,11 @@ static const char *const english_texts[BAT_STRING_COUNT] = {
 };
 
 const bat_command_row *bat_command_at(bat_command_id id) { return &commands[id]; }
+bat_string bat_command_section(bat_command_id id) {
+    size_t i = sizeof sections / sizeof *sections;
+    while (i && sections[i - 1].first > (int)id) i--;
+    return i ? sections[i - 1].word : BAT_STRING_SHELL_EDIT;
+}
 const bat_property_row *bat_property_at(bat_property_id id) { return &properties[id]; }
 const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }
 const char *bat_string_key(bat_string id) { return keys_of_texts[id]; }

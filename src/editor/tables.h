@@ -12,6 +12,8 @@ typedef enum bat_string {
 
 typedef enum bat_command_id {
 #define COMMAND(id, name, keys, when, hold, function) BAT_COMMAND_##id,
+/* A section is numbered as the first command in it, which then has the same number. */
+#define SECTION(id) BAT_SECTION_##id, BAT_SECTION_##id##_AGAIN = BAT_SECTION_##id - 1,
 #include "editor/commands.def"
     BAT_COMMAND_COUNT
 } bat_command_id;
@@ -58,6 +60,7 @@ typedef struct bat_tool_row {
 } bat_tool_row;
 
 const bat_command_row *bat_command_at(bat_command_id id);
+bat_string bat_command_section(bat_command_id id); /* the word that it stands under */
 const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
 /* The text of a key (size bytes); BAT_STRING_COUNT: none. */

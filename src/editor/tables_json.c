@@ -50,6 +50,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
                   bat_editor_text(editor, row->help));
         list_of(&line, ",\"keys\":[", editor->keys[i]);
+        field(&line, "section", bat_string_key(bat_command_section((bat_command_id)i)));
         bat_text_string(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
     }
     bat_text_string(&line, "],\"properties\":[");
@@ -84,6 +85,7 @@ const char *bat_editor_tables(bat_editor *editor) {
     }
     bat_text_string(&line, "],\"strings\":{");
     for (int i = 0; i < BAT_STRING_COUNT; i++) {
+        if (!*bat_string_key((bat_string)i)) continue; /* kept apart */
         if (i) bat_text_string(&line, ",");
         bat_text_json_string(&line, bat_string_key((bat_string)i));
         bat_text_string(&line, ":");

@@ -27,9 +27,7 @@ bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
         char *room = (char *)(words + BAT_STRING_COUNT);
         for (int i = 0; i < BAT_STRING_COUNT; i++) {
             const char *word = bat_json_text(&json, bat_json_member(&json, 1, bat_string_key((bat_string)i)));
-            const char *english = bat_string_english(
-                (bat_string)i); /* "": a help, of which the module has none */
-            if (!word || (*english && holes(word) != holes(english))) continue;
+            if (!word || holes(word) != holes(bat_string_english((bat_string)i))) continue;
             words[i] = strcpy(room, word);
             room += strlen(word) + 1;
         }

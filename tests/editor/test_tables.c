@@ -14,6 +14,11 @@ static void names_differ_and_defaults_fit(void **state) {
         const bat_command_row *row = bat_command_at((bat_command_id)i);
         assert_int_equal(bat_command_named(row->name), i);
         assert_true(bat_keys_valid(row->keys));
+        /* sections are runs of commands: each word comes up once */
+        bat_string word = bat_command_section((bat_command_id)i);
+        assert_memory_equal(bat_string_key(word), "shell.", 6);
+        for (int j = 0; i && word != bat_command_section((bat_command_id)(i - 1)) && j < i; j++)
+            assert_int_not_equal(bat_command_section((bat_command_id)j), word);
     }
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);

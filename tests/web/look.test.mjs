@@ -134,6 +134,8 @@ test('all of it can be reached by the keyboard, with a visible focus', async () 
 
 test('every command and every property of the engine is in the page', async () => {
   const { page, context } = await open(browser, server.address);
+  await page.click('[data-name=menu]');
+  await page.waitForSelector('#menu [data-command]');
   const missing = await page.evaluate(() => {
     const { commands, properties, tools } = batten.panel.tables;
     const lost = [];

@@ -1,0 +1,146 @@
+// The sheet of commands: opened by its key, searched, commands run from it, keys given, taken away, told when others
+// have them too, brought back, and kept over a reload. All by the keyboard.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch, open, ready, SCREENSHOTS, settle } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `shortcuts-${name}.png`) });
+const shown = (page) => page.$$eval('#menu .command > [data-command]', (all) =>
+  all.filter((one) => one.checkVisibility()).map((one) => one.dataset.command));
+const keys = (page, command) => page.evaluate((name) =>
+  batten.engine.tables().commands.find((row) => row.name === name).keys, command);
+const tool = (page) => page.evaluate(() => batten.panel.tables.tools[batten.engine.frame().tool].name);
+const type = async (page, key) => {
+  await page.keyboard.press(key);
+  await settle(page);
+};
+const wanted = (page, text) => page.waitForFunction((words) => document.querySelector('#menu').textContent.includes(words), text);
+
+async function sheet(page, key = '?') {
+  await type(page, key);
+  await page.waitForSelector('#menu .search');
+  await page.waitForFunction(() => document.activeElement?.classList.contains('search'));
+}
+
+for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko']]) {
+  test(`the sheet holds every command under its section, and finds them; ${colorScheme}, ${locale}`, async () => {
+    const { page, faults, context } = await open(browser, server.address, { colorScheme, locale });
+    await sheet(page, locale === 'en' ? '?' : 'F1');
+    const all = await page.evaluate(() => batten.panel.tables.commands.map((row) => row.name));
+    assert.deepEqual(await shown(page), all);
+    assert.ok((await page.$$('#menu h3')).length >= 10);
+    await shot(page, `${colorScheme}-${locale}`);
+    await page.evaluate(AXE);
+    const violations = async () => (await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] })))
+      .violations.map(({ id, nodes }) => `${id} ${nodes.map((node) => node.html)}`);
+    assert.deepEqual(await violations(), []);
+    await page.keyboard.type(locale === 'en' ? 'zoom in' : '확대');
+    await settle(page);
+    assert.ok((await shown(page)).includes('zoom-in'));
+    assert.ok((await shown(page)).length <= 5);
+    await page.fill('#menu .search', 'ctrl+shift+z');
+    assert.deepEqual(await shown(page), ['redo']);
+    await page.click('#menu [data-focus=redo]');
+    await settle(page);
+    await shot(page, `${colorScheme}-${locale}-change`);
+    assert.deepEqual(await violations(), []);
+    await type(page, 'Escape'); // ends the change
+    assert.equal(await page.isVisible('#menu'), true);
+    await type(page, 'Escape');
+    assert.equal(await page.isVisible('#menu'), false);
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
+test('a key is given, told to be another command\'s too, taken there, kept, and brought back', async () => {
+  const { page, faults, context } = await open(browser, server.address);
+  await page.mouse.move(400, 300); // what explains is fetched
+  await page.waitForFunction(() => batten.engine.words);
+  assert.equal(await tool(page), 'sketch');
+  await type(page, 'h');
+  assert.equal(await tool(page), 'pan');
+  await type(page, 'n');
+
+  await sheet(page);
+  await page.focus('#menu [data-focus=tool-pan]');
+  await type(page, 'Enter'); // change its keys
+  await type(page, 'q');
+  assert.deepEqual(await keys(page, 'tool-pan'), ['H', 'Q']);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.focus), 'tool-pan', 'the focus stays');
+  await type(page, 'a');
+  assert.deepEqual(await keys(page, 'tool-pan'), ['H', 'Q', 'A']);
+  await wanted(page, 'Also on: Points tool.');
+  await shot(page, 'conflict');
+  await page.click('#menu button:text("Use it only here")');
+  assert.deepEqual(await keys(page, 'tool-points'), []);
+  await page.click('#menu .rebinding button:has(kbd:text-is("H"))');
+  assert.deepEqual(await keys(page, 'tool-pan'), ['Q', 'A']);
+  await page.focus('#menu [data-focus=tool-pan]');
+  await type(page, 'Control+Shift+ArrowLeft');
+  await wanted(page, 'Also on: Rotate left.');
+  await type(page, '"'); // no key that a table can hold
+  await wanted(page, '" cannot be used.');
+  assert.deepEqual(await keys(page, 'tool-pan'), ['Q', 'A', 'Ctrl+Shift+ArrowLeft']);
+  await type(page, 'Escape');
+  await type(page, 'Escape');
+
+  for (const [key, name] of [['q', 'pan'], ['n', 'sketch'], ['a', 'pan'], ['n', 'sketch'], ['h', 'sketch']]) {
+    await type(page, key);
+    assert.equal(await tool(page), name, key);
+  }
+  assert.match(await page.getAttribute('[data-name=tool-pan]', 'title'), /\(Q\)$/);
+
+  await page.waitForTimeout(500);
+  await page.reload();
+  await ready(page);
+  await type(page, 'q');
+  assert.equal(await tool(page), 'pan');
+  await type(page, 'n');
+  await sheet(page, 'F1');
+  await wanted(page, 'All keys back to the default');
+  await page.focus('#menu [data-focus=tool-pan]');
+  await type(page, 'Enter');
+  await page.click('#menu button:text-is("Back to the default")');
+  assert.deepEqual(await keys(page, 'tool-pan'), ['H']);
+  assert.deepEqual(await keys(page, 'tool-points'), []);
+  await page.click('#menu button:text-is("All keys back to the default")');
+  assert.deepEqual(await keys(page, 'tool-points'), ['A']);
+  assert.equal(await page.evaluate(() => Object.keys(batten.settings.kept.keys).length), 0);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('letters work while Hangul is typed', async () => {
+  const { page, client, context } = await open(browser, server.address);
+  await page.focus('#stage');
+  const press = async (key, code, modifiers = 0) => {
+    for (const kind of ['keyDown', 'keyUp']) {
+      await client.send('Input.dispatchKeyEvent', { type: kind, key, code, modifiers });
+    }
+    await settle(page);
+  };
+  await press('ㅗ', 'KeyH');
+  assert.equal(await tool(page), 'pan');
+  await press('ㅜ', 'KeyN');
+  assert.equal(await tool(page), 'sketch');
+  await context.close();
+});
