@@ -1,5 +1,5 @@
-# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE and WORDS, of
-# build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and
+# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE, its
+# parts, and WORDS, of build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and
 # spaces, else as they are. sw.js is told the version, a digest of all other files, and what these are; index.html is
 # served as "/", with a token put in, and as it is.
 cmake_minimum_required(VERSION 3.23)
@@ -13,7 +13,8 @@ set(type_json "application/json")
 set(type_wasm "application/wasm")
 
 string(REPLACE "|" ";" files "${FILES}")
-string(REPLACE "|" ";" words "${WORDS}")
+string(REPLACE "|" ";" built "${WORDS}|${MODULE}")
+list(REMOVE_ITEM built "")
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/types\\.js$")
 set(text "#include \"web_files.h\"\n\n")
 set(table "")
@@ -21,7 +22,7 @@ set(number 0)
 set(names "")
 set(digests "")
 list(REMOVE_ITEM files ${ROOT}/sw.js)
-foreach(file ${files} ${words} ${MODULE} ${ROOT}/sw.js)
+foreach(file ${files} ${built} ${ROOT}/sw.js)
   set(content ${file})
   if(MINIFY AND file MATCHES "\\.(js|css)$")
     set(content ${OUT}.minified)
@@ -45,7 +46,7 @@ foreach(file ${files} ${words} ${MODULE} ${ROOT}/sw.js)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
   string(APPEND text "static const unsigned char data_${number}[] = {\n${hex}0};\n\n")
   string(REGEX REPLACE ".*\\." "" extension ${file})
-  if(file IN_LIST words OR "${file}" STREQUAL "${MODULE}")
+  if(file IN_LIST built)
     get_filename_component(path ${file} NAME)
     string(PREPEND path "/")
   else()

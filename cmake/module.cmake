@@ -1,6 +1,7 @@
-# build/wasm/batten.wasm: the library and the glue of the browser shell (web/module) in one module.
+# build/wasm/batten.wasm, batten-later.wasm: the library and the glue of the browser shell (web/module), in two parts.
 # build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
-find_program(WASM_OPT wasm-opt)
+find_program(WASM_OPT wasm-opt REQUIRED)
+find_program(WASM_SPLIT wasm-split REQUIRED)
 include(cmake/words.cmake)
 
 # Where the time of a stroke goes: compiled for speed, the rest for size.
@@ -15,13 +16,15 @@ function(add_module target name)
   # Stack first: an overflow traps instead of writing over data; the default of 64 KB is too small.
   target_link_options(${target} PRIVATE -mexec-model=reactor -Wl,--strip-debug -Wl,--stack-first
     -Wl,-z,stack-size=1048576)
-  if(WASM_OPT)
-    add_custom_command(TARGET ${target} POST_BUILD VERBATIM
-      COMMAND ${WASM_OPT} -Oz --converge --low-memory-unused --strip-producers --strip-debug --enable-simd --enable-bulk-memory
-              $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}>)
-  endif()
 endfunction()
 
 file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
 add_module(batten_module batten ${MODULE_SOURCES})
+target_link_options(batten_module PRIVATE -Wl,-Map,batten.map)
+set(later ${CMAKE_CURRENT_SOURCE_DIR}/web/module/later.txt)
+set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${later};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake")
+add_custom_command(TARGET batten_module POST_BUILD VERBATIM
+  COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DLATER=${later}
+    -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=--enable-simd --enable-bulk-memory"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake)
 add_module(parity_module parity tests/wasm/parity.c tests/wasm/parity_module.c)

@@ -2,12 +2,13 @@
 # The module is built in its own tree, build/wasm, with its own preset; without a WASM compiler it is left out.
 find_program(BATTEN_CLANG clang)
 if(BATTEN_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
-  set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm)
+  set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm ${PROJECT_SOURCE_DIR}/build/wasm/batten-later.wasm)
   file(GLOB_RECURSE MODULE_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.[ch] ${PROJECT_SOURCE_DIR}/src/*.def
-    ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch])
+    ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch] ${PROJECT_SOURCE_DIR}/web/module/later.txt)
   set(BATTEN_WORDS ${PROJECT_SOURCE_DIR}/build/wasm/words.en.json ${PROJECT_SOURCE_DIR}/build/wasm/words.ko.json)
   add_custom_command(OUTPUT ${BATTEN_MODULE} ${BATTEN_WORDS} VERBATIM COMMENT "The WASM module, in build/wasm"
     DEPENDS ${MODULE_INPUTS} ${PROJECT_SOURCE_DIR}/cmake/wasm.cmake ${PROJECT_SOURCE_DIR}/cmake/module.cmake
+      ${PROJECT_SOURCE_DIR}/cmake/split_module.cmake
       ${PROJECT_SOURCE_DIR}/cmake/words.cmake ${PROJECT_SOURCE_DIR}/src/editor/words.in
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${CMAKE_COMMAND} --preset wasm --log-level=WARNING
@@ -28,8 +29,9 @@ endif()
 set(BATTEN_WEB_FILES ${CMAKE_CURRENT_BINARY_DIR}/web_files.c)
 list(JOIN WEB_INPUTS "|" WEB_LIST)
 list(JOIN BATTEN_WORDS "|" WORDS_LIST)
+list(JOIN BATTEN_MODULE "|" MODULE_LIST)
 add_custom_command(OUTPUT ${BATTEN_WEB_FILES} VERBATIM COMMENT "The shell's files as C"
   DEPENDS ${WEB_INPUTS} ${BATTEN_MODULE} ${BATTEN_WORDS} ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
-  COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" "-DMINIFY=${BATTEN_ESBUILD}" -DMODULE=${BATTEN_MODULE}
+  COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" "-DMINIFY=${BATTEN_ESBUILD}" "-DMODULE=${MODULE_LIST}"
           "-DWORDS=${WORDS_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web
           -DOUT=${BATTEN_WEB_FILES} -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake)

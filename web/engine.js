@@ -33,21 +33,9 @@ export class Refusal extends Error {}
 /** A check inside the module failed. */
 class Panic extends Error {}
 
-/**
- * @param {string} url
- * @returns {Promise<WebAssembly.Module>}
- */
-export async function loadModule(url) {
-  const response = await fetch(url);
-  if (!response.ok) {
-    throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  }
-  return WebAssembly.compileStreaming(response);
-}
-
 export class Engine {
   /**
-   * @param {WebAssembly.Module} module
+   * @param {import('./module.js').Module} module
    */
   constructor(module) {
     this.module = module;
@@ -88,7 +76,7 @@ export class Engine {
         throw new Panic(`${this.#string(file)}:${line}: ${this.#string(text)}`);
       },
     };
-    const instance = new WebAssembly.Instance(this.module, { host });
+    const instance = this.module.instantiate(host);
     this.wasm = /** @type {any} */ (instance.exports);
     this.wasm._initialize?.();
     this.layout = this.#readLayout();

@@ -1,9 +1,10 @@
 // The page: ties engine, input, painting, files and panel together, one frame at a time.
 
-import { Ask, Engine, loadModule } from './engine.js';
+import { Ask, Engine } from './engine.js';
 import { Files } from './files.js';
 import { Input } from './input.js';
 import { Keeper } from './keep.js';
+import { Module } from './module.js';
 import { Notice } from './notice.js';
 import { Painter, ROLE_GRID } from './paint.js';
 import { loadIcons, Panel } from './panel.js';
@@ -289,7 +290,7 @@ class Shell {
 
 async function start() {
   try {
-    const [module] = await Promise.all([loadModule('batten.wasm'), loadIcons()]);
+    const [module] = await Promise.all([Module.load('batten.wasm', 'batten-later.wasm'), loadIcons()]);
     const engine = new Engine(module);
     const settings = new Settings(engine);
     const words = new Words(engine);
@@ -313,12 +314,13 @@ async function start() {
     }
     const { Clipboard } = await import('./clipboard.js');
     shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
-    // What explains is fetched when somebody is there.
+    // What explains, and what is seldom called, is fetched when somebody is there.
     const seen = new AbortController();
-    for (const event of engine.words ? [] : ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
+    for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
       addEventListener(event, () => {
         seen.abort();
-        void words.load();
+        module.complete().catch(() => {}); // it is asked for again when it is called
+        void (engine.words ?? words.load());
       }, { signal: seen.signal });
     }
   } catch (error) {

@@ -4,10 +4,16 @@ import fs from 'node:fs';
 
 const bytes = fs.readFileSync(process.argv[2]);
 const module = await WebAssembly.compile(bytes);
-for (const need of WebAssembly.Module.imports(module))
-  assert.deepEqual(need, { module: 'host', name: 'panic', kind: 'function' });
 const panic = () => { throw new Error('panic'); };
-const { exports } = await WebAssembly.instantiate(module, { host: { panic } });
+const placeholder = {}; // for functions of the other part: web/module.js
+for (const need of WebAssembly.Module.imports(module))
+  if (need.module === 'placeholder') placeholder[need.name] = panic;
+  else assert.deepEqual(need, { module: 'host', name: 'panic', kind: 'function' });
+const { exports } = await WebAssembly.instantiate(module, { host: { panic }, placeholder });
+
+const second = await WebAssembly.compile(fs.readFileSync(process.argv[2].replace('.wasm', '-later.wasm')));
+assert.ok(WebAssembly.Module.imports(second).every((need) => need.module === 'primary' && need.name in exports));
+await WebAssembly.instantiate(second, { primary: exports });
 exports._initialize();
 
 const memory = new Uint8Array(exports.memory.buffer, exports.module_version());

@@ -52,7 +52,7 @@ export async function serve(document, lasting = false) {
       answerDocument(request, response);
       return;
     }
-    const built = /^\/words\.\w+\.json$/.test(where) ? path.join(path.dirname(MODULE), where) :
+    const built = /^\/(words\.\w+\.json|batten-later\.wasm)$/.test(where) ? path.join(path.dirname(MODULE), where) :
       where === '/batten.wasm' ? MODULE : '';
     const file = built || path.join(WEB, where === '/' ? 'index.html' : where);
     if (!built && !file.startsWith(WEB) || !fs.existsSync(file)) {
