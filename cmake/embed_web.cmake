@@ -1,7 +1,7 @@
-# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE, its
-# parts, and WORDS, of build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments and
-# spaces, else as they are. sw.js is told the version, a digest of all other files, and what these are; index.html is
-# served as "/", with a token put in, and as it is.
+# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE, its parts, and
+# WORDS, of build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments
+# and spaces, else as they are. sw.js is told the version, a digest of all other files, and what these are; index.html
+# is served as "/", with a token put in, and as it is.
 cmake_minimum_required(VERSION 3.23)
 set(type_html "text/html; charset=utf-8")
 set(type_js "text/javascript; charset=utf-8")

@@ -30,7 +30,8 @@ const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-
 /** What the program would have embedded. */
 function shellFiles() {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
-  return [...files.filter((file) => !['sw.js', 'types.js'].includes(file)), 'words.en.json', 'words.ko.json', 'batten.wasm'];
+  return [...files.filter((file) => !['sw.js', 'types.js'].includes(file)), 'words.en.json', 'words.ko.json', 'batten.wasm',
+    'batten-later.wasm'];
 }
 
 const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
