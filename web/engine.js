@@ -21,6 +21,7 @@ export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4,
 const SCRATCH = 1024; // bytes for what a call hands back
 const EVENTS = 64; // pointer events sent in one call
 const OK = 0;
+const LONG = 8 << 20; // bytes of a journal that is to be made short
 const HOPELESS = 3; // traps in a row after which the journal is given up
 const DEAD = 6;
 
@@ -45,6 +46,8 @@ export class Engine {
     this.journal = new Uint8Array(0);
     /** Counts the journals there have been: each begins anew. */
     this.session = 0;
+    /** How long the journal may become. */
+    this.long = LONG;
     /** The journal as it was when the module last trapped: what a report needs. @type {Uint8Array} */
     this.broken = new Uint8Array(0);
     /** Traps since the last frame that was made. */
@@ -586,6 +589,16 @@ export class Engine {
     const size = this.#view().getUint32(this.scratch, true);
     if (size === this.journal.length || !address) {
       return;
+    }
+    if (size > this.long) {
+      const done = this.wasm.editor_compact(this.editor) === OK;
+      this.long = 2 * size;
+      if (done) {
+        this.#begun(new Uint8Array(0));
+        this.#keepJournal();
+        this.long = Math.max(LONG, 2 * this.journal.length);
+        return;
+      }
     }
     this.journal = new Uint8Array(this.wasm.memory.buffer).slice(address, address + size);
   }

@@ -293,6 +293,10 @@ BAT_API const bat_frame *bat_editor_frame(bat_editor *editor);
 
 /* The journal so far: JSON lines (docs/journal.md). A snapshot of the document, then every committed command. */
 BAT_API const char *bat_editor_journal(const bat_editor *editor, size_t *size);
+/* Makes the journal short, where a long session has made it long: the document as it was 250 steps ago, then these
+ * steps as changes. Replayed, it gives the same document with that much to undo. BAT_STATE: a stroke or a drag is
+ * under way. On failure the journal stays as it was. Cost: that of writing the document and these steps. */
+BAT_API bat_status bat_editor_compact(bat_editor *editor);
 /* Runs a journal from its first line (a snapshot, or an empty document). check: compare the digests noted in it
  * and the document's invariants after every entry. */
 BAT_API bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,

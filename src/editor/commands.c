@@ -37,11 +37,8 @@ static bat_status step(bat_editor *editor, const char *name, bat_status (*go)(ba
     bat_text line = {0};
     bat_text_string(&line, "{\"do\":\"");
     bat_text_string(&line, name);
-    bat_text_string(&line, "\",\"digest\":");
-    bat_line_digest(&line, bat_document_digest(editor->document));
-    bat_text_string(&line, "}");
-    status = bat_journal_append(&editor->journal, line.data, line.size, line.failed);
-    bat_text_free(&line);
+    bat_text_string(&line, "\"");
+    status = bat_editor_log(editor, &line, editor->document);
     if (status != BAT_OK) back(&editor->history, editor->document);
     editor->revision++;
     if (status == BAT_OK) follow(editor, go == bat_history_undo);

@@ -136,7 +136,7 @@ const bat_document *bat_editor_document(const bat_editor *editor) { return edito
 
 /* The journal's first line: the document as it is when the journal begins. JSON may be broken over lines; a
  * journal's line may not, and outside strings a line's end is as good as a space. */
-static bat_status begin_journal(const bat_document *document, const char *name, bat_journal *journal) {
+static bat_status write_head(const bat_document *document, const char *name, bat_journal *journal) {
     char *text = NULL;
     size_t size = 0;
     bat_status status = bat_document_write(document, &text, &size);
@@ -158,17 +158,32 @@ static bat_status begin_journal(const bat_document *document, const char *name, 
     return status;
 }
 
+bat_status bat_editor_begin_journal(const bat_document *document, const char *name, bat_journal *journal,
+                                    bat_pictures *pictures) {
+    bat_status status = write_head(document, name, journal);
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
+        if (picture) status = bat_pictures_add(pictures, picture);
+    }
+    return status;
+}
+
+bat_status bat_editor_log(bat_editor *editor, bat_text *line, const bat_document *document) {
+    bat_text_string(line, ",\"digest\":");
+    bat_line_digest(line, bat_document_digest(document));
+    bat_text_string(line, "}");
+    bat_status status = bat_journal_append(&editor->journal, line->data, line->size, line->failed);
+    bat_text_free(line);
+    return status;
+}
+
 bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name) {
     if (!document) return BAT_ARGUMENT;
     if (!name) name = "";
     char *own_name = malloc(strlen(name) + 1);
     bat_journal journal = {0};
     bat_pictures pictures = {0};
-    bat_status status = own_name ? begin_journal(document, name, &journal) : BAT_MEMORY;
-    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
-        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
-        if (picture) status = bat_pictures_add(&pictures, picture);
-    }
+    bat_status status = own_name ? bat_editor_begin_journal(document, name, &journal, &pictures) : BAT_MEMORY;
     if (status != BAT_OK) {
         free(own_name);
         bat_journal_free(&journal);

@@ -113,6 +113,11 @@ bat_style bat_editor_new_style(const bat_editor *editor);
 /* After a step: what is gone is no longer selected, nor the active layer. */
 void bat_editor_follow(bat_editor *editor);
 /* Sees to it that the journal holds the picture's bytes, as a line of their own. What bat_pictures_add says. */
+/* A journal's first line, and the pictures it holds. On failure the caller frees both. */
+bat_status bat_editor_begin_journal(const bat_document *document, const char *name, bat_journal *journal,
+                                    bat_pictures *pictures);
+/* A journal's line, given without the digest and the closing brace; frees it. document: as it is after it. */
+bat_status bat_editor_log(bat_editor *editor, bat_text *line, const bat_document *document);
 bat_status bat_editor_keep_picture(bat_editor *editor, const bat_picture *picture);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);

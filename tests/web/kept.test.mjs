@@ -220,3 +220,43 @@ test('a journal that broke off in the middle of a line, or was never finished, i
   assert.equal((await state(next.page)).digest, before.digest);
   await context.close();
 });
+
+test('a long journal is made short aside; what it leads to and its undo stay', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, client, context } = await open(browser, server.address);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+A');
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press('ArrowRight');
+  }
+  await settle(page);
+  const [long, session] = await page.evaluate(() => {
+    const { engine } = batten;
+    engine.long = 1000; // as if this were long
+    return [engine.journal.length, engine.session];
+  });
+  await page.keyboard.press('ArrowDown');
+  await settle(page);
+  assert.equal(await page.evaluate(() => batten.engine.session), session + 1);
+  assert.ok(Math.abs(await page.evaluate(() => batten.engine.journal.length) - long) < long / 2, 'all steps are there');
+  await page.keyboard.press('ArrowDown');
+  await settle(page);
+  const before = await state(page);
+  await kept(page);
+  await crash(page, client);
+  await page.close();
+  const next = await again(context, server.address);
+  assert.equal((await state(next.page)).digest, before.digest);
+  const first = await next.page.evaluate(async () => {
+    const { engine } = batten;
+    while (engine.frame().canUndo) {
+      engine.key('z', true, 2, 0);
+    }
+    return engine.digest();
+  });
+  const { digest } = await state((await open(browser, server.address)).page);
+  assert.equal(first, digest);
+  await context.close();
+});

@@ -32,6 +32,7 @@ MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
 MODULE_EXPORT(editor_read_only) void editor_read_only(bat_editor *editor, int on);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
+MODULE_EXPORT(editor_compact) int editor_compact(bat_editor *editor);
 MODULE_EXPORT(editor_replay)
 int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem);
 MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
@@ -164,6 +165,11 @@ const char *editor_journal(const bat_editor *editor, size_t *size) {
 int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem) {
     MODULE_CHECK(editor);
     return (int)bat_editor_replay(editor, text, size, check != 0, problem);
+}
+
+int editor_compact(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_compact(editor);
 }
 
 const char *editor_check(const bat_editor *editor) {
