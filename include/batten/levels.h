@@ -96,6 +96,13 @@ BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, c
  * with a loop). options NULL: defaults. */
 BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
                                            const bat_sketch_options *options);
+/* A pen stroke over the base, or over what it looks like, free: the base is redrawn as bat_sketch does it, its knots
+ * change there. Details ride along; beyond the interval that was replaced they stay where they were, on it they are
+ * kept, spread evenly, or dropped. Bases of degree 1 and 2 become cubics, and details are then taken at the nodes.
+ * report may be NULL. BAT_DOT, BAT_FAR, BAT_TOLERANCE (*out is handed over) as bat_sketch. */
+BAT_API bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke,
+                                    const bat_sketch_options *options, bool drop, bat_shape **out,
+                                    bat_sketch_report *report);
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
  */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);

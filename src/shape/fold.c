@@ -97,8 +97,7 @@ bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out) {
     return BAT_OK;
 }
 
-/* Details in `old` frames, said in `fresh` ones that differ by a turn about t. */
-static bool turn_back(const bat_triad *old, const bat_triad *fresh, double *d) {
+bool bat_triad_turn_back(const bat_triad *old, const bat_triad *fresh, double *d) {
     if (memcmp(old, fresh, sizeof *old) == 0) return false;
     double c = vec_dot(fresh->s, old->s), s = vec_dot(fresh->r, old->s), n = bat_hypot(c, s);
     if (!(n > 0)) return false;
@@ -118,7 +117,7 @@ bat_status bat_shape_fold(bat_shape *shape, bool near) {
         if (!near) shape->holonomy[l - 1] = 0;
         bat_status status = bat_shape_frames_of(shape, l, fresh);
         for (int i = 0; i < at->count && status == BAT_OK; i++)
-            moved = turn_back(&at->frames[i], &fresh[i], at->details + 3 * i) || moved;
+            moved = bat_triad_turn_back(&at->frames[i], &fresh[i], at->details + 3 * i) || moved;
         if (status == BAT_OK) memcpy(at->frames, fresh, (size_t)at->count * sizeof *fresh);
         free(fresh);
         if (status == BAT_OK && moved) status = bat_level_build(at, bat_shape_curve(shape, l - 1));

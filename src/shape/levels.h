@@ -94,6 +94,19 @@ bool bat_touch_fits(const bat_touch *touch, int level, int first, int count);
 void bat_touch_run(const bat_touch *touch, int level, int *first, int *count); /* what changes of C^level */
 void bat_touch_free(bat_touch *touch);
 
+/* Where the parameters of one base lie on another: linear between count breakpoints; on a closed base these make
+ * one period. Piece `drawn` (-1: none) was drawn anew; drop: details on it go. */
+typedef struct bat_knot_map {
+    int count, drawn;
+    bool closed, drop;
+    double from[4], to[4];
+} bat_knot_map;
+double bat_knot_map_at(const bat_knot_map *map, double u);
+bat_status bat_shape_copy_mapped(const bat_shape *from, const bat_curve *onto,
+                                 const bat_shape_options *options, const bat_knot_map *map, bat_shape **out);
+
+/* Details in `old` frames, said in `fresh` ones that differ by a turn about t. False: these are the same. */
+bool bat_triad_turn_back(const bat_triad *old, const bat_triad *fresh, double *details);
 static inline vec bat_triad_to_world(const bat_triad *f, const double *d) {
     return vec_add(vec_add(vec_scale(f->t, d[0]), vec_scale(f->s, d[1])), vec_scale(f->r, d[2]));
 }
