@@ -32,7 +32,7 @@ class Page(html.parser.HTMLParser):
         for name, value in attributes:
             if name in ("aria-label", "title", "placeholder", "alt") and value != "Batten":
                 faults.append(f"web/index.html: {tag} {name}={value!r}")
-            if name in ("data-text", "data-label", "data-help"):
+            if value and name in ("data-text", "data-label", "data-help"):
                 asked.add(value)
 
     def handle_endtag(self, tag):
