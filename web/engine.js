@@ -297,6 +297,17 @@ export class Engine {
     return this.#guard(() => this.wasm.editor_pressure(this.editor, pressure), 1);
   }
 
+  /** Enters a number of what is chosen, or a property, as text. @param {string} name @param {string} text @returns {boolean} it was taken */
+  enter(name, text) {
+    return this.#guard(() => this.#lend(name, (number) => this.#lend(text, (words) =>
+      this.wasm.editor_enter(this.editor, number, words))) === OK, false);
+  }
+
+  /** That number as it is, in the unit in force; '' when there is none. @param {string} name @returns {string} */
+  number(name) {
+    return this.#guard(() => this.#string(this.#lend(name, (text) => this.wasm.editor_number(this.editor, text))), '');
+  }
+
   /** @returns {import('./layers.js').Layers} */
   layers() {
     return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_layers(this.editor))),

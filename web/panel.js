@@ -96,7 +96,7 @@ export class Panel {
     }
     const own = this.#group(bar, 'window');
     this.themeButton = this.#plainButton('theme', 'shell.theme');
-    own.append(...['style', 'layers', 'settings', 'menu'].map((sheet) => this.#sheetButton(sheet)), this.themeButton);
+    own.append(...['numbers', 'style', 'layers', 'settings', 'menu'].map((sheet) => this.#sheetButton(sheet)), this.themeButton);
   }
 
   /** @param {HTMLElement} bar @param {string} name */
@@ -172,6 +172,14 @@ export class Panel {
       one.addEventListener('toggle', () => this.refresh());
     }
     sheet.addEventListener('toggle', () => this.#drawPressure(), { once: true });
+    part('numbers').addEventListener('toggle', () => this.#fillNumbers(), { once: true });
+  }
+
+  async #fillNumbers() {
+    const { NumbersSheet } = await import('./numbers.js');
+    const sheet = part('numbers');
+    sheet.append(this.#heading('numbers'));
+    this.numbers = new NumbersSheet(this.engine, this.wake, sheet, this.tables.numbers);
   }
 
   async #drawPressure() {
@@ -250,7 +258,8 @@ export class Panel {
     const input = document.createElement('input');
     input.id = `${kind}-${row.name}`;
     input.dataset.property = row.name;
-    input.type = row.type === 'switch' ? 'checkbox' : row.type === 'colour' ? 'color' : 'number';
+    const length = row.unit === 'unit'; // as text, in the unit in force
+    input.type = row.type === 'switch' ? 'checkbox' : row.type === 'colour' ? 'color' : length ? 'text' : 'number';
     if (row.type === 'number') {
       input.min = String(row.low);
       input.max = String(row.high);
@@ -266,6 +275,12 @@ export class Panel {
       });
     }
     const write = () => {
+      if (length) {
+        this.engine.enter(row.name, input.value);
+        this.refresh();
+        this.wake();
+        return;
+      }
       const value = row.type === 'switch' ? Number(input.checked) :
         row.type === 'colour' ? Number.parseInt(`${input.value.slice(1)}ff`, 16) : input.valueAsNumber;
       this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)));
@@ -274,6 +289,10 @@ export class Panel {
     };
     input.addEventListener(row.type === 'switch' ? 'input' : 'change', write);
     this.controls.push(() => {
+      if (length) {
+        input.value = this.engine.number(row.name);
+        return;
+      }
       const value = this.engine.get(row.name);
       if (row.type === 'switch') {
         input.checked = value !== 0;
@@ -285,10 +304,7 @@ export class Panel {
     });
     const unit = document.createElement('span');
     unit.className = 'unit';
-    unit.textContent = row.unit;
-    if (row.unit === 'unit') {
-      tell(unit, { text: 'shell.units' });
-    }
+    unit.textContent = length ? '' : row.unit;
     box.append(this.#label(row, input), input, unit);
     return box;
   }
@@ -406,6 +422,9 @@ export class Panel {
       this.levels = frame.levels;
       void this.#showLevels();
     }
+    if (part('numbers').matches(':popover-open')) {
+      this.numbers?.show();
+    }
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     // Values that the canvas shows, for those who do not see it; not while they still run.
@@ -442,7 +461,7 @@ export class Panel {
     /** @type {HTMLElement} */ (knots.closest('div')).hidden = !drawing;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     knots.textContent = `${before}${frame.knotsAfter}`;
-    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${short(frame.tolerance)} ${word('shell.units')}`;
+    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${this.engine.number('tolerance')}`;
     /** @type {HTMLElement} */ (this.zoom).textContent = [`${short(frame.zoom * 100)} %`,
       ...(frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
     this.refresh();

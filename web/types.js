@@ -119,6 +119,7 @@
  * @property {CommandRow[]} commands
  * @property {PropertyRow[]} properties
  * @property {ToolRow[]} tools
+ * @property {string[]} numbers names of what can be entered
  * @property {Record<string, string>} strings
  */
 

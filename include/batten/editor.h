@@ -62,6 +62,13 @@ BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, 
 BAT_API bat_status bat_editor_command(bat_editor *editor, const char *name);
 BAT_API bat_status bat_editor_set(bat_editor *editor, const char *property, double value);
 BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value);
+/* Numbers as text, in the unit in force: of what is chosen (the table's numbers), or a property. What is entered may
+ * be an expression ("1in + 3mm"); a number of what is chosen is a step of the history. BAT_SYNTAX: no such expression;
+ * BAT_STATE: there is nothing it could change now, or a drag is under way; else as bat_editor_set. */
+BAT_API bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text);
+/* The number as it is now ("12.5 mm"), "" when there is none; valid until the next call. A property in view pixels is
+ * told as the length that it has in the drawing. */
+BAT_API const char *bat_editor_number(bat_editor *editor, const char *name);
 /* What a pen's pressure (0..1) counts as with the properties as they are: the share of a brush's reach, 0.25..1; it
  * never falls as the pressure rises. 1 when pressure is switched off. */
 BAT_API double bat_editor_pressure(const bat_editor *editor, double pressure);
@@ -72,7 +79,8 @@ BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, cons
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
  * {"commands":[{"name","label","help","keys":[...],"section":key of its word,"hold"}], "properties":[{"name","label","help","type",
  *  "default","low","high","step","unit","choices":[keys of their words, of type choice only]}],
- *  "tools":[{"name","label","help","command","keys":[...]}], "strings":{key:text}}. The browser's module has no helps.
+ *  "tools":[{"name","label","help","command","keys":[...]}], "numbers":[names], "strings":{key:text}}. The browser's
+ *  module has no helps.
  * Owned by the editor, valid until the next call of it; NULL when out of memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);

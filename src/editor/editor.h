@@ -92,6 +92,7 @@ struct bat_editor {
     char notice_text[BAT_NOTICE_ROOM];
     bool read_only, refused; /* refused: this event would have changed something, which the user is told */
     bool freed; /* this event has made a free curve of a spline, which the user is told before all else */
+    char number_text[BAT_UNIT_ROOM]; /* what bat_editor_number hands out */
     uint32_t notice_version;
     bat_frame frame;
     bat_told told;

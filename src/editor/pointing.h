@@ -26,4 +26,8 @@ typedef struct bat_pointing {
     double tap[2], tap_time;
 } bat_pointing;
 
+/* The place of the chosen control point or knot; false: none is chosen. Moving it is a step. */
+bool bat_pointing_chosen(bat_editor *editor, double place[2]);
+bat_status bat_pointing_shift(bat_editor *editor, const double delta[2]);
+
 #endif

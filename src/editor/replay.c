@@ -163,6 +163,11 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
         return status == BAT_OK ? status
                                 : say(problem, status, "no such property, or its value is out of range");
     }
+    if ((text = bat_json_text(json, bat_json_member(json, 1, "enter")))) {
+        const char *number = bat_json_text(json, bat_json_member(json, 1, "text"));
+        status = bat_editor_enter(editor, text, number);
+        return status == BAT_UNSUPPORTED ? say(problem, status, "no such number") : BAT_OK;
+    }
     if ((text = bat_json_text(json, bat_json_member(json, 1, "command")))) {
         status = bat_editor_command(editor, text);
         /* A command that finds nothing to do is part of a session like any other event. */

@@ -29,6 +29,11 @@ static const bat_property_row properties[BAT_PROPERTY_COUNT] = {
 #include "editor/commands.def"
 };
 
+static const char *const numbers[BAT_NUMBER_COUNT] = {
+#define NUMBER(id, name) name,
+#include "editor/commands.def"
+};
+
 static const bat_tool_row tools[BAT_TOOL_COUNT] = {
 #define TOOL(id, name, command, behaviour)                                                                   \
     {name, BAT_COMMAND_##command, BAT_STRING_TOOL_##id, BAT_STRING_TOOL_##id##_HELP},
@@ -78,4 +83,12 @@ bat_property_id bat_property_named(const char *name) {
     int i = 0;
     while (i < BAT_PROPERTY_COUNT && (!name || strcmp(properties[i].name, name))) i++;
     return (bat_property_id)i;
+}
+
+const char *bat_number_name(bat_number_id id) { return numbers[id]; }
+
+bat_number_id bat_number_named(const char *name) {
+    int i = 0;
+    while (i < BAT_NUMBER_COUNT && (!name || strcmp(numbers[i], name))) i++;
+    return (bat_number_id)i;
 }

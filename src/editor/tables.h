@@ -24,6 +24,12 @@ typedef enum bat_property_id {
     BAT_PROPERTY_COUNT
 } bat_property_id;
 
+typedef enum bat_number_id {
+#define NUMBER(id, name) BAT_NUMBER_##id,
+#include "editor/commands.def"
+    BAT_NUMBER_COUNT
+} bat_number_id;
+
 typedef enum bat_tool_id {
 #define TOOL(id, name, command, behaviour) BAT_TOOL_##id,
 #include "editor/commands.def"
@@ -68,6 +74,8 @@ bat_string bat_string_named(const char *key, size_t size);
 /* The id of a name; the count when there is none. */
 bat_command_id bat_command_named(const char *name);
 bat_property_id bat_property_named(const char *name);
+bat_number_id bat_number_named(const char *name);
+const char *bat_number_name(bat_number_id id);
 
 const char *bat_string_key(bat_string id);
 const char *bat_string_english(bat_string id);

@@ -83,6 +83,11 @@ const char *bat_editor_tables(bat_editor *editor) {
         list_of(&line, ",\"keys\":[", editor->keys[row->command]);
         bat_text_string(&line, "}");
     }
+    bat_text_string(&line, "],\"numbers\":[");
+    for (int i = 0; i < BAT_NUMBER_COUNT; i++) {
+        if (i) bat_text_string(&line, ",");
+        bat_text_json_string(&line, bat_number_name((bat_number_id)i));
+    }
     bat_text_string(&line, "],\"strings\":{");
     for (int i = 0; i < BAT_STRING_COUNT; i++) {
         if (!*bat_string_key((bat_string)i)) continue; /* kept apart */

@@ -463,12 +463,18 @@ static bat_status step_knot(bat_editor *editor, int direction) {
     return BAT_OK;
 }
 
-static bat_status nudge(bat_editor *editor, double x, double y) {
+bool bat_pointing_chosen(bat_editor *editor, double place[2]) {
+    settle(editor);
+    const bat_curve *curve = chosen_curve(editor);
+    if (!curve || !editor->pointing.chosen.kind) return false;
+    bat_handle_place(curve, &editor->pointing.chosen, place);
+    return true;
+}
+
+bat_status bat_pointing_shift(bat_editor *editor, const double delta[2]) {
     bat_pointing *p = &editor->pointing;
     const bat_curve *curve = chosen_curve(editor);
     if (!curve || !p->chosen.kind) return BAT_STATE;
-    double far = (editor->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(&editor->view);
-    double delta[2] = {x * far, y * far};
     bat_curve *after = NULL;
     bat_status status = moved(editor, curve, &p->chosen, delta, &after);
     if (status == BAT_OK)
@@ -476,6 +482,11 @@ static bat_status nudge(bat_editor *editor, double x, double y) {
                                   p->chosen.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
                                                                      : BAT_STRING_STEP_PULL);
     return done(editor, status);
+}
+
+static bat_status nudge(bat_editor *editor, double x, double y) {
+    double far = (editor->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(&editor->view);
+    return bat_pointing_shift(editor, (double[]){x * far, y * far});
 }
 
 static bat_status command(bat_editor *editor, bat_command_id id) {

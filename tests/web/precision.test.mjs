@@ -73,3 +73,53 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await context.close();
   });
 }
+
+test('numbers of the selection and of the grid, in the unit in force', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const fresh = await state(page);
+    await page.focus('#stage');
+    await page.keyboard.press('v');
+    await page.click('[data-name="numbers"]');
+    await page.waitForSelector('#number-x', { state: 'attached' });
+    assert.equal(await page.locator('#numbers .control:visible').count(), 0);
+    const at = await place(page, 592, 103.5);
+    await hand.stroke([at, at], { pointerType: 'mouse' });
+    assert.equal(await page.locator('#numbers .control:visible').count(), 5);
+    await page.fill('#number-x', '1in + 3mm');
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.equal(await page.inputValue('#number-x'), '107.339 px');
+    await page.evaluate(() => batten.engine.set('unit', 1));
+    await page.fill('#number-width', '150');
+    await page.keyboard.press('Tab');
+    await settle(page);
+    assert.equal(await page.inputValue('#number-width'), '150 mm');
+    assert.equal(await page.inputValue('#number-x'), '28.4 mm');
+    await page.fill('#number-y', 'up');
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.equal(await page.getAttribute('#number-y', 'aria-invalid'), 'true');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-numbers.png`) });
+    await page.keyboard.press('Escape');
+    assert.match(await page.inputValue('#number-y'), /^[0-9.]+ mm$/);
+    await page.focus('#stage');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    assert.equal((await state(page)).digest, fresh.digest);
+    await page.click('[data-name="numbers"]');
+    assert.equal(await page.isVisible('#numbers'), false);
+    await page.click('[data-name="settings"]');
+    await page.fill('#setting-grid-spacing', '1/4in');
+    await page.keyboard.press('Tab');
+    await settle(page);
+    assert.equal(await page.evaluate(() => batten.engine.get('grid-spacing')), 24);
+    assert.equal(await page.inputValue('#setting-grid-spacing'), '6.35 mm');
+    assert.match(await page.textContent('#readouts'), /= [0-9.]+ mm/);
+    await page.locator('#setting-unit').scrollIntoViewIfNeeded();
+    await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-settings.png`) });
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});

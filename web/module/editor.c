@@ -17,6 +17,8 @@ MODULE_EXPORT(editor_command) int editor_command(bat_editor *editor, const char 
 MODULE_EXPORT(editor_set) int editor_set(bat_editor *editor, const char *property, double value);
 MODULE_EXPORT(editor_get) double editor_get(const bat_editor *editor, const char *property);
 MODULE_EXPORT(editor_pressure) double editor_pressure(const bat_editor *editor, double pressure);
+MODULE_EXPORT(editor_enter) int editor_enter(bat_editor *editor, const char *name, const char *text);
+MODULE_EXPORT(editor_number) const char *editor_number(bat_editor *editor, const char *name);
 MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
 MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
@@ -89,6 +91,16 @@ double editor_get(const bat_editor *editor, const char *property) {
     MODULE_CHECK(editor);
     double value;
     return bat_editor_get(editor, property, &value) == BAT_OK ? value : (double)NAN;
+}
+
+int editor_enter(bat_editor *editor, const char *name, const char *text) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_enter(editor, name, text);
+}
+
+const char *editor_number(bat_editor *editor, const char *name) {
+    MODULE_CHECK(editor);
+    return bat_editor_number(editor, name);
 }
 
 const char *editor_layers(bat_editor *editor) {
