@@ -24,6 +24,9 @@ export class NumbersSheet {
       const label = tell(document.createElement('label'), { text: `number.${name}` });
       label.htmlFor = input.id;
       input.addEventListener('change', () => {
+        if (input.value === this.engine.number(name)) {
+          return; // what is shown is rounded: entering it would move things by what it leaves out
+        }
         const taken = this.engine.enter(name, input.value);
         input.setAttribute('aria-invalid', String(!taken));
         if (taken) {

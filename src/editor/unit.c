@@ -49,10 +49,9 @@ typedef struct reading {
     bool wrong;
 } reading;
 
-/* A number, or a length in document units. */
+/* A number, or a length in document units; then the unit that it was written in. */
 typedef struct quantity {
-    double value;
-    bool length;
+    double value, unit; /* 0: a number */
 } quantity;
 
 static quantity sum(reading *r);
@@ -79,7 +78,7 @@ static quantity number(reading *r) {
     for (; size < sizeof text - 1 && ((*r->at >= '0' && *r->at <= '9') || *r->at == '.' || *r->at == ',');
          size++)
         text[size] = (char)(*r->at == ',' ? '.' : *r->at), r->at++;
-    quantity found = {0, false};
+    quantity found = {0, 0};
     if (bat_number_scan(text, text + size, &found.value) != text + size) r->wrong = true;
     peek(r);
     if (r->angle) {
@@ -89,7 +88,7 @@ static quantity number(reading *r) {
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (!strncmp(r->at, units[i].name, strlen(units[i].name))) {
             r->at += strlen(units[i].name);
-            return (quantity){found.value * units[i].size, true};
+            return (quantity){found.value * units[i].size, units[i].size};
         }
     return found;
 }
@@ -100,7 +99,7 @@ static quantity factor(reading *r) {
     quantity found;
     if (take(r, '(')) {
         if (++r->depth > DEEPEST) r->wrong = true;
-        found = r->wrong ? (quantity){0, false} : sum(r);
+        found = r->wrong ? (quantity){0, 0} : sum(r);
         if (!take(r, ')')) r->wrong = true;
         r->depth--;
     } else {
@@ -116,16 +115,22 @@ static quantity product(reading *r) {
         bool times = take(r, '*');
         if (!times && !take(r, '/')) break;
         quantity right = factor(r);
-        if (right.length && (times ? left.length : !left.length)) r->wrong = true;
-        left.value = times ? left.value * right.value : left.value / right.value;
-        left.length = times ? left.length || right.length : left.length && !right.length;
+        if (times) {
+            if (left.unit > 0 && right.unit > 0) r->wrong = true;
+            left = (quantity){left.value * right.value, fmax(left.unit, right.unit)};
+        } else if (right.unit > 0 && left.unit == 0) { /* "1/4in" is a quarter of one */
+            left = (quantity){left.value / (right.value / right.unit) * right.unit, right.unit};
+        } else {
+            left = (quantity){left.value / right.value, right.unit > 0 ? 0 : left.unit};
+        }
     }
     return left;
 }
 
 static void as_length(const reading *r, quantity *q) {
-    if (!q->length) q->value *= r->unit;
-    q->length = true;
+    if (q->unit > 0) return;
+    q->value *= r->unit;
+    q->unit = r->unit;
 }
 
 static quantity sum(reading *r) {
@@ -134,7 +139,7 @@ static quantity sum(reading *r) {
         bool plus = take(r, '+');
         if (!plus && !take(r, '-')) break;
         quantity right = product(r);
-        if (left.length || right.length) {
+        if (left.unit > 0 || right.unit > 0) {
             as_length(r, &left);
             as_length(r, &right);
         }

@@ -333,11 +333,25 @@ static void units_are_read_and_written(void **state) {
                 {"72pt", 2, 96},
                 {"1\"", 1, 96},
                 {"--4", 0, 4},
+                {"1/4in", 0, 24},
+                {"1in - 1/4in", 1, 72},
                 {"10mm - 1", 1, 9 * 96 / 25.4}};
-    static const char *const bad[] = {
-        "",     " ",   "mm",  "1 2", "2mm*3mm", "3/2mm", "1+",
-        "(1",   "1)",  "1e5", "x",   "1..2",    "1/",    "((((((((((((((((((((1))))))))))))))))))))",
-        "0x10", "nan", "inf"};
+    static const char *const bad[] = {"",
+                                      " ",
+                                      "mm",
+                                      "1 2",
+                                      "2mm*3mm",
+                                      "1+",
+                                      "(1",
+                                      "1)",
+                                      "1e5",
+                                      "x",
+                                      "1..2",
+                                      "1/",
+                                      "((((((((((((((((((((1))))))))))))))))))))",
+                                      "0x10",
+                                      "nan",
+                                      "inf"};
     double value = 7;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         bat_editor_set(editor, "unit", good[i].unit);
