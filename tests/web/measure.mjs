@@ -1,16 +1,22 @@
-// Measures, in Chromium, what a user feels: the cost of an event and of a frame with 1,000 curves in the drawing, and
-// the first load. Nothing is asserted; ./test does not run it. node tests/web/measure.mjs
+// Measures, in Chromium, what a user feels, with 10, 1,000 and 5,000 curves in the drawing, and prints it as a table; with
+// --write into docs/benchmarks.md. Nothing is asserted; ./test does not run it. node tests/web/measure.mjs [--write]
 import fs from 'node:fs';
 import zlib from 'node:zlib';
-import { bezier, launch, open, place, settle } from './page.mjs';
-import { MODULE, serve } from './server.mjs';
+import { launch, open, place, settle } from './page.mjs';
+import { edit } from './server.mjs';
 
-/** 1,000 wavy lines of 20 segments on a page of 4000 x 2500. */
-function drawing() {
+const COUNTS = [10, 1000, 5000];
+const PAGE = new URL('../../docs/benchmarks.md', import.meta.url);
+
+const columnsOf = (count) => Math.max(2, Math.round(Math.sqrt(count / 2.5)));
+
+/** Wavy lines of 20 segments in columns of 198 x rows of 49, on a page of their size. */
+function drawing(count) {
+  const columns = columnsOf(count);
   const paths = [];
-  for (let i = 0; i < 1000; i++) {
-    const x = 20 + (i % 20) * 198;
-    const y = 30 + Math.floor(i / 20) * 49;
+  for (let i = 0; i < count; i++) {
+    const x = 20 + (i % columns) * 198;
+    const y = 30 + Math.floor(i / columns) * 49;
     let d = `M${x} ${y}`;
     for (let k = 0; k < 20; k++) {
       const up = (((i * 7 + k * 13) % 11) - 5) * 2;
@@ -18,90 +24,153 @@ function drawing() {
     }
     paths.push(`<path d="${d}"/>`);
   }
-  return Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4000 2500" fill="none" stroke="#223344">
+  const size = `${columns * 198 + 40} ${Math.ceil(count / columns) * 49 + 40}`;
+  return Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${size}" fill="none" stroke="#223344">
     ${paths.join('\n')}</svg>`);
 }
 
-const reset = (page) => page.evaluate(() => {
-  batten.cost = { frames: 0, engine: 0, paint: 0 };
-  batten.input.cost = { samples: 0, milliseconds: 0 };
+/** Times every call of the engine from here on: [what, milliseconds, samples]. */
+const watch = (page) => page.evaluate(() => {
+  const { engine } = globalThis.batten;
+  globalThis.calls = [];
+  for (const name of ['pointer', 'frame', 'command']) {
+    const call = Object.getPrototypeOf(engine)[name];
+    engine[name] = function timed(...values) {
+      const start = performance.now();
+      const result = call.apply(this, values);
+      const phase = name === 'pointer' ? values[0].at(-1).phase : -1;
+      globalThis.calls.push([name, performance.now() - start, name === 'pointer' ? values[0].length : 0, phase]);
+      return result;
+    };
+  }
 });
-const read = (page) => page.evaluate(() => ({ ...batten.cost, ...batten.input.cost }));
-const say = (what, value, unit) => console.log(`${what.padEnd(58)} ${value.toFixed(3).padStart(9)} ${unit}`);
+const take = (page) => page.evaluate(() => globalThis.calls.splice(0));
+const sum = (list) => list.reduce((a, b) => a + b, 0);
+const middle = (list) => list.slice().sort((a, b) => a - b)[Math.floor(list.length / 2)] ?? NaN;
 
-const browser = await launch();
-const server = await serve({ name: 'thousand.svg', bytes: drawing() });
-const { page, hand, context } = await open(browser, server.address, {});
-say('curves', await page.evaluate(() => batten.painter.list.length - 1), '');
-
-for (const [name, points] of [
-  ['a new curve', bezier([300, 22], [1200, 32], [2200, 14], [3600, 24])],
-  ['redrawing a curve', bezier([1030, 1250], [1060, 1262], [1110, 1240], [1160, 1250])],
-]) {
-  const path = await Promise.all(points.map(([x, y]) => place(page, x, y)));
-  await reset(page);
-  await hand.stroke(path, { step: 0.5, lift: false });
-  const cost = await read(page);
-  say(`${name}: samples`, cost.samples, '');
-  say(`${name}: engine, an event`, (cost.milliseconds / cost.samples) * 1000, 'us');
-  say(`${name}: engine, a frame`, cost.engine / cost.frames, 'ms');
-  say(`${name}: painting calls, a frame`, cost.paint / cost.frames, 'ms');
-  await page.evaluate(() => globalThis.batten.engine.command('cancel'));
-  await hand.client.send('Input.dispatchMouseEvent', { type: 'mouseReleased', x: path[0][0], y: path[0][1],
-    button: 'left', pointerType: 'pen' });
-  await settle(page);
+/** A way over the page, wavy, of about so many samples of 0.5 px. */
+function way(samples, [x, y]) {
+  return Array.from({ length: 60 }, (_, i) => [x + (samples * 0.5 * i) / 59, y + 12 * Math.sin(i / 4)]);
 }
 
-// Canvas calls are recorded and drawn later: reading a pixel back makes the drawing itself part of the time.
-const full = await page.evaluate(() => {
-  const { painter, engine } = batten;
-  const times = [];
-  for (let i = 0; i < 5; i++) {
-    painter.retheme();
-    const frame = engine.frame();
-    const start = performance.now();
-    painter.paint(frame);
-    painter.stillContext.getImageData(0, 0, 1, 1);
-    times.push(performance.now() - start);
+async function strokes(page, hand, rows, name, path) {
+  await hand.hover(path[0]);
+  await take(page);
+  await page.evaluate(() => { batten.cost = { frames: 0, engine: 0, paint: 0 }; });
+  await hand.stroke(path, { step: 0.5, lift: false });
+  const calls = await take(page);
+  const cost = await page.evaluate(() => ({ ...batten.cost }));
+  const told = calls.filter(([what, , , phase]) => what === 'pointer' && phase === 2);
+  const frames = calls.filter(([what]) => what === 'frame').map(([, time]) => time);
+  rows.push([`${name}: samples`, sum(told.map(([, , count]) => count)), 0]);
+  rows.push([`${name}: engine, an event, us`, (sum(told.map(([, time]) => time)) / sum(told.map(([, , count]) => count))) * 1000, 1]);
+  rows.push([`${name}: engine, a frame, mean, ms`, sum(frames) / frames.length, 2]);
+  rows.push([`${name}: engine, a frame, longest, ms`, Math.max(...frames), 2]);
+  rows.push([`${name}: paint, a frame, mean, ms`, cost.paint / cost.frames, 2]);
+  const up = performance.now();
+  await hand.client.send('Input.dispatchMouseEvent', { type: 'mouseReleased', x: path.at(-1)[0], y: path.at(-1)[1],
+    button: 'left', pointerType: 'pen' });
+  await page.waitForFunction(() => batten.keeper.writes === 0 && batten.keeper.length === batten.engine.journal.length,
+    null, { polling: 5 });
+  rows.push([`${name}: pen up to journal kept, with the test's own way there, ms`, performance.now() - up, 0]);
+  await settle(page);
+  const lifted = await take(page);
+  rows.push([`${name}: commit, engine, ms`, sum(lifted.filter(([, , , phase]) => phase === 3).map(([, time]) => time)), 2]);
+}
+
+async function measure(browser, count) {
+  const rows = [];
+  const program = await edit(drawing(count), 'lines.svg');
+  const { page, hand, context } = await open(browser, program.address, {});
+  await page.mouse.move(300, 300);
+  await page.waitForTimeout(500);
+  await watch(page);
+  rows.push(['curves', count, 0]);
+  await page.evaluate(() => batten.engine.command('zoom-100'));
+  await page.waitForTimeout(1500); // all is painted
+  const box = await page.locator('#stage').boundingBox();
+  await strokes(page, hand, rows, 'a new curve', way(2400, [box.x + 20, box.y + box.height - 22]).map(([x, y]) =>
+    [Math.min(x, box.x + box.width - 20), y]));
+  const shown = await page.evaluate(() => ({ ...batten.painter.painted }));
+  const columns = columnsOf(count); // a line that can be seen whole
+  const column = Math.min(columns - 1, Math.max(0, Math.ceil((shown.x + 80) / 198)));
+  const row = Math.min(Math.ceil(count / columns) - 1, Math.max(0, Math.ceil((shown.y + 80) / 49)));
+  const from = await place(page, 20 + column * 198 + 30, 30 + row * 49);
+  await strokes(page, hand, rows, 'redrawing a curve', [from, [from[0] + 50, from[1] - 8], [from[0] + 110, from[1]]]);
+  const undo = [];
+  for (let i = 0; i < 9; i++) {
+    await take(page);
+    await page.evaluate((name) => { batten.engine.command(name); batten.engine.frame(); }, i % 2 ? 'redo' : 'undo');
+    undo.push(sum((await take(page)).map(([, time]) => time)));
   }
-  return Math.min(...times);
-});
-say('all 1,000 curves painted anew, pixels included', full, 'ms');
-const commit = await page.evaluate(() => {
-  const { painter, engine } = batten;
-  const times = [];
-  for (let i = 0; i < 5; i++) {
-    const frame = engine.frame();
-    frame.dirty = [1010 - frame.originX, 1230 - frame.originY, 1200 - frame.originX, 1270 - frame.originY];
-    const start = performance.now();
-    for (let k = 0; k < 20; k++) {
+  rows.push(['undo or redo, and its frame, ms', middle(undo), 2]);
+  const paint = await page.evaluate(() => { // a pixel read back makes the drawing itself part of the time
+    const { painter, engine } = batten;
+    const times = [];
+    for (let i = 0; i < 5; i++) {
+      painter.retheme();
+      const frame = engine.frame();
+      const start = performance.now();
       painter.paint(frame);
       painter.stillContext.getImageData(0, 0, 1, 1);
+      times.push(performance.now() - start);
     }
-    times.push((performance.now() - start) / 20);
-  }
-  return Math.min(...times);
-});
-say('the rectangle of one curve painted anew, pixels included', commit, 'ms');
-const moves = await page.evaluate(async () => {
-  const start = performance.now();
-  const before = batten.painter.counts.moved;
-  for (let i = 0; i < 30; i++) {
-    batten.engine.wheel(640, 400, 3, 2, 0, performance.now());
-    batten.wake();
-    await new Promise((done) => requestAnimationFrame(done));
-  }
-  return [(performance.now() - start) / 30, batten.painter.counts.moved - before];
-});
-say('a frame while panning over it', moves[0], 'ms');
-say('of 30 frames, layers moved without painting', moves[1], '');
-await context.close();
-await browser.close();
-server.close();
+    return Math.min(...times);
+  });
+  rows.push(['all that is seen painted anew, pixels included, ms', paint, 1]);
+  const pan = await page.evaluate(async () => {
+    const start = performance.now();
+    for (let i = 0; i < 30; i++) {
+      batten.engine.wheel(640, 400, 3, 2, 0, performance.now());
+      batten.wake();
+      await new Promise((done) => requestAnimationFrame(done));
+    }
+    return (performance.now() - start) / 30;
+  });
+  rows.push(['a frame while panning, ms (16.7: none is missed)', pan, 1]);
+  const memory = await page.evaluate(() => [batten.engine.wasm.memory.buffer.byteLength,
+    performance.memory?.usedJSHeapSize ?? NaN]);
+  rows.push(["the module's memory, MB", memory[0] / 1e6, 1], ["the page's heap of scripts, MB", memory[1] / 1e6, 1]);
+  await context.close();
+  await program.close();
+  return rows;
+}
 
-const web = new URL('../../web/', import.meta.url);
-const shell = fs.readdirSync(web, { recursive: true }).filter((file) => /\.(html|js|css|svg)$/.test(file))
-  .map((file) => zlib.gzipSync(fs.readFileSync(new URL(file, web)), { level: 9 }).length).reduce((a, b) => a + b);
-const core = zlib.gzipSync(fs.readFileSync(MODULE), { level: 9 }).length;
-say('first load, gzip: shell', shell / 1000, 'kB');
-say('first load, gzip: module', core / 1000, 'kB');
+async function firstLoad(browser) {
+  const program = await edit(drawing(10), 'lines.svg');
+  const page = await browser.newPage();
+  const bodies = [];
+  page.on('response', (response) => {
+    if (response.ok() && response.url().startsWith('http') && !response.url().endsWith('/document')) {
+      bodies.push(response.body());
+    }
+  });
+  const start = performance.now();
+  await page.goto(program.address);
+  await page.waitForSelector('html[data-ready=yes]');
+  const time = performance.now() - start;
+  await page.waitForLoadState('networkidle');
+  const sizes = (await Promise.all(bodies)).map((body) => zlib.gzipSync(body, { level: 9 }).length);
+  await page.close();
+  await program.close();
+  return [sum(sizes) / 1000, time];
+}
+
+const browser = await launch();
+const tables = [];
+for (const count of COUNTS) {
+  tables.push(await measure(browser, count));
+}
+const [size, time] = await firstLoad(browser);
+await browser.close();
+const lines = ['| | ' + COUNTS.map((count) => count.toLocaleString('en')).join(' | ') + ' |', '|---|' + '---:|'.repeat(COUNTS.length)];
+tables[0].slice(1).forEach(([what]) => lines.push(`| ${what} | ` + tables.map((rows) => {
+  const row = rows.find(([other]) => other === what);
+  return row && Number.isFinite(row[1]) ? row[1].toFixed(row[2]) : '';
+}).join(' | ') + ' |'));
+lines.push('', `First load: ${size.toFixed(1)} kB gzip, ready after ${time.toFixed(0)} ms.`);
+console.log(lines.join('\n'));
+if (process.argv.includes('--write')) {
+  const page = fs.readFileSync(PAGE, 'utf8');
+  fs.writeFileSync(PAGE, page.replace(/(<!-- browser -->\n)[^]*?(<!-- end -->)/, (_, head, tail) => `${head}\n${lines.join('\n')}\n\n${tail}`));
+}
