@@ -73,15 +73,15 @@ int bat_tracing_count(const bat_document *document) {
  * meant then. */
 static bool meant(const bat_editor *editor, int index, bool all) {
     const bat_document *document = editor->document;
+    const bat_object *object = bat_document_at(document, index);
+    if (!is_picture(object)) return false; /* most are not, and looking at all others costs */
     bool chosen = false, last = true;
     for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        if (!is_picture(object)) continue;
-        if (bat_selection_has(&editor->selection, bat_object_id(object))) chosen = true;
+        const bat_object *other = bat_document_at(document, i);
+        if (!is_picture(other)) continue;
+        if (bat_selection_has(&editor->selection, bat_object_id(other))) chosen = true;
         if (i > index) last = false;
     }
-    const bat_object *object = bat_document_at(document, index);
-    if (!is_picture(object)) return false;
     return chosen ? bat_selection_has(&editor->selection, bat_object_id(object)) : all || last;
 }
 
