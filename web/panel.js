@@ -284,7 +284,10 @@ export class Panel {
       const value = row.type === 'switch' ? Number(input.checked) :
         row.type === 'colour' ? Number.parseInt(`${input.value.slice(1)}ff`, 16) : input.valueAsNumber;
       this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)));
-      this.refresh(); // refused, it is what it was
+      if (row.type === 'number') {
+        input.value = short(this.engine.get(row.name)); // refused, it is what it was
+      }
+      this.refresh();
       this.wake();
     };
     input.addEventListener(row.type === 'switch' ? 'input' : 'change', write);
@@ -298,7 +301,7 @@ export class Panel {
         input.checked = value !== 0;
       } else if (row.type === 'colour') {
         input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
-      } else if (document.activeElement !== input || input.valueAsNumber !== value) {
+      } else if (document.activeElement !== input) { // what is being typed stays
         input.value = short(value);
       }
     });
