@@ -165,7 +165,16 @@ class Shell {
       this.keeper.drop(this.files.name); // the user was asked
       await this.keeper.settled();
     }
-    return await this.tabs.claim(name) ? this.keeper.find(name) : null;
+    return await this.tabs.claim(name) ? this.#kept(name) : null;
+  }
+
+  /** What was kept of a drawing, and what it takes to replay it: a call in the midst of it cannot wait for a worker. */
+  async #kept(/** @type {string} */ name) {
+    const kept = await this.keeper.find(name);
+    if (kept) {
+      await this.engine.module.complete().catch(() => {});
+    }
+    return kept;
   }
 
   /** Says when another page has the drawing; it can be had from there. */
@@ -180,7 +189,7 @@ class Shell {
 
   async #takeOver() {
     await this.tabs.take();
-    const kept = await this.keeper.find(this.files.name);
+    const kept = await this.#kept(this.files.name);
     await this.files.reopen();
     this.resume(kept);
   }
