@@ -1,6 +1,7 @@
 /* The chain: a walk over the whole curve, kept (math 2.1 to 2.3). */
 #include "curve/frames.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -153,8 +154,10 @@ static void repeat(int count, vec v, double *rows) {
     for (int i = 0; i < count; i++) bat_rows_put(rows, i, v);
 }
 
-BAT_CLONES static void fill(int count, double v, double *row) {
-    for (int i = 0; i < count; i++) row[i] = v;
+/* The same vector in each of the rows. */
+BAT_CLONES static void fill(int count, double x, double y, double z, double *rows) {
+    for (int i = 0; i < count; i++)
+        rows[i] = x, rows[BAT_FRAME_ROOM + i] = y, rows[2 * BAT_FRAME_ROOM + i] = z;
 }
 
 static bool solve_quickly(const bat_frame_chain *chain, const bat_frame_span *piece, run *r) {
@@ -163,21 +166,9 @@ static bool solve_quickly(const bat_frame_chain *chain, const bat_frame_span *pi
     for (int k = 0, i = 0; k < r->parts; i = r->end[k++]) {
         const bat_frame_node *from = chain->nodes + r->node[k];
         int next = r->end[k];
-        if (next - i < 16) {
-            for (int j = i; j < next; j++) {
-                bat_rows_put(from_x, j, from->x);
-                bat_rows_put(from_t, j, from->t);
-                bat_rows_put(from_s, j, from->s);
-            }
-            continue;
-        }
-        const vec v[3] = {from->x, from->t, from->s};
-        double *rows[3] = {from_x + i, from_t + i, from_s + i};
-        for (int d = 0; d < 3; d++) {
-            fill(next - i, v[d].x, rows[d]);
-            fill(next - i, v[d].y, rows[d] + BAT_FRAME_ROOM);
-            fill(next - i, v[d].z, rows[d] + 2 * BAT_FRAME_ROOM);
-        }
+        fill(next - i, from->x.x, from->x.y, from->x.z, from_x + i);
+        fill(next - i, from->t.x, from->t.y, from->t.z, from_t + i);
+        fill(next - i, from->s.x, from->s.y, from->s.z, from_s + i);
     }
     return bat_frame_steps(piece, chain->curve->dimension, r->count, r->u, from_x, from_t, from_s, r->xs,
                            r->ts, r->ss);
@@ -282,11 +273,16 @@ void bat_frame_chain_at(const bat_frame_chain *chain, double u, bat_frame3 *out)
     evaluate(chain, 1, &u, &to);
 }
 
+BAT_CLONES static bool finite_all(size_t count, const double *u) {
+    long long fault = 0;
+    for (size_t i = 0; i < count; i++) fault |= !(fabs(u[i]) <= DBL_MAX);
+    return !fault;
+}
+
 bat_status bat_frame_chain_many(const bat_frame_chain *chain, size_t count, const double *u,
                                 const bat_frame_arrays *out) {
     if (!chain || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(u[i])) return BAT_NUMBER;
+    if (!finite_all(count, u)) return BAT_NUMBER;
     if (count == 0) return BAT_OK;
     const targets to = {out->point, out->t, out->s, out->r, 3};
     evaluate(chain, count, u, &to);
@@ -296,8 +292,7 @@ bat_status bat_frame_chain_many(const bat_frame_chain *chain, size_t count, cons
 bat_status bat_frames(const bat_curve *curve, const bat_frame_options *options, size_t count, const double *u,
                       bat_frame3 *out, double *holonomy) {
     if (!curve || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(u[i])) return BAT_NUMBER;
+    if (!finite_all(count, u)) return BAT_NUMBER;
     bat_frame_chain *chain;
     bat_status status = bat_frame_chain_create(curve, options, &chain);
     if (status != BAT_OK) return status;

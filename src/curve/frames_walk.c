@@ -133,7 +133,7 @@ static bool eval_span(const bat_frame_span *f, int count, const double *u, doubl
 }
 #endif
 
-/* One double reflection for each i: s0 at (x0, t0) goes to s1 at (x1, t1), close to a unit vector. False where
+/* One double reflection for each i: s0 at (x0, t0) goes to s1 at (x1, t1). False where
  * neither it nor a moderate least rotation is to be had. */
 BAT_CLONES static bool reflect_rows(int count, const double *restrict x0, const double *restrict t0,
                                     const double *restrict s0, const double *restrict x1,
@@ -151,27 +151,21 @@ BAT_CLONES static bool reflect_rows(int count, const double *restrict x0, const 
                wz = c1 * (bz - az) + 2 * vt * vz;
         double c2 = wx * wx + wy * wy + wz * wz;
         long long within = (c1 > 1e-90) & (c1 < 1e90), plain = within & (c2 > 1e-20 * (c1 * c1));
-        double d1 = plain ? c1 : 1, d2 = plain ? c2 : 1, one = 2 / (d1 * d2), k1 = vs * d2 * one;
+        double cosine = ax * bx + ay * by + az * bz;
+        double d1 = plain ? c1 : 1, d2 = plain ? c2 : 1 + cosine, one = 2 / (d1 * d2), k1 = vs * d2 * one;
         double lx = sx - k1 * vx, ly = sy - k1 * vy, lz = sz - k1 * vz;
         double k2 = (wx * lx + wy * ly + wz * lz) * d1 * one;
-        double cosine = ax * bx + ay * by + az * bz, k = -(sx * bx + sy * by + sz * bz) / (1 + cosine);
+        double k = -0.5 * one * (sx * bx + sy * by + sz * bz);
         fault |= (!plain & !(cosine > 0.5)) | !(within | (c1 == 0));
-        s1[i] = plain ? lx - k2 * wx : sx + k * (ax + bx);
-        s1[Y + i] = plain ? ly - k2 * wy : sy + k * (ay + by);
-        s1[Z + i] = plain ? lz - k2 * wz : sz + k * (az + bz);
+        double x = plain ? lx - k2 * wx : sx + k * (ax + bx), y = plain ? ly - k2 * wy : sy + k * (ay + by),
+               z = plain ? lz - k2 * wz : sz + k * (az + bz);
+        /* Exactly at right angles to t and of unit length: one step of Newton's for the root. */
+        double along = x * bx + y * by + z * bz;
+        x -= along * bx, y -= along * by, z -= along * bz;
+        double scale = 1.5 - 0.5 * (x * x + y * y + z * z);
+        s1[i] = x * scale, s1[Y + i] = y * scale, s1[Z + i] = z * scale;
     }
     return !fault;
-}
-
-/* Exactly at right angles to t and of unit length: one step of Newton's for the root. */
-BAT_CLONES static void tidy_rows(int count, const double *restrict t, double *restrict s) {
-    enum { Y = ROOM, Z = 2 * ROOM };
-    for (int i = 0; i < count; i++) {
-        double k = s[i] * t[i] + s[Y + i] * t[Y + i] + s[Z + i] * t[Z + i];
-        double x = s[i] - k * t[i], y = s[Y + i] - k * t[Y + i], z = s[Z + i] - k * t[Z + i];
-        double one = 1.5 - 0.5 * (x * x + y * y + z * z);
-        s[i] = x * one, s[Y + i] = y * one, s[Z + i] = z * one;
-    }
 }
 
 /* Some unit vector at right angles to each t, without a branch (Duff et al. 2017). */
@@ -220,9 +214,7 @@ bool bat_frame_steps(const bat_frame_span *piece, int dimension, int count, cons
         turn_left(count, ts, ss);
         return true;
     }
-    if (!reflect_rows(count, from_x, from_t, from_s, xs, ts, ss)) return false;
-    tidy_rows(count, ts, ss);
-    return true;
+    return reflect_rows(count, from_x, from_t, from_s, xs, ts, ss);
 }
 
 /* The frames of a run whose samples are known: products of turns. False: one at a time, then. */
@@ -243,7 +235,6 @@ static bool multiply(bat_frame_walk *walk, vec s) {
         b = a * y + b * x, a = next;
     }
     spread(n, walk->ts, e, re, im, walk->ss);
-    tidy_rows(n, walk->ts, walk->ss);
     return true;
 }
 
