@@ -116,6 +116,11 @@ static bat_status image_spline(const bat_object *object, const double *m, const 
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out) {
     if (bat_object_is_group(object)) return BAT_ARGUMENT;
+    double at;
+    int axis = bat_object_guide(object, &at);
+    if (axis >= 0) /* upright or level whatever turns */
+        return bat_object_create_guide(bat_object_id(object), axis, at * matrix[3 * axis] + matrix[4 + axis],
+                                       out);
     if (bat_object_picture(object)) {
         double placed[6];
         bat_svg_compose(matrix, bat_object_matrix(object), placed);

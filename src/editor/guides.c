@@ -60,9 +60,9 @@ static bat_status take_away(bat_editor *editor, bat_id id) {
 bat_status bat_guide_delete(bat_editor *editor, bool down) {
     (void)down;
     if (bat_guide_chosen(editor) < 0) return BAT_STATE;
-    bat_id id = editor->guiding.chosen;
-    editor->guiding.chosen = 0;
-    return take_away(editor, id);
+    bat_status status = take_away(editor, editor->guiding.chosen);
+    if (status == BAT_OK) editor->guiding.chosen = 0;
+    return status;
 }
 
 static bat_status add(bat_editor *editor, int axis) {

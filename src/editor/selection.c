@@ -67,7 +67,7 @@ void bat_selection_prune(bat_selection *selection, const bat_document *document)
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
-        if (level.hidden || level.locked) continue;
+        if (level.hidden || level.locked || level.kind == BAT_KIND_GUIDE) continue;
         bat_id id = bat_object_id(object);
         int low = 0, high = selection->count;
         while (low < high) {
@@ -95,7 +95,8 @@ bool bat_selection_holds(const bat_selection *selection, const bat_document *doc
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
-        if (!level.hidden && !level.locked) found += bat_selection_has(selection, bat_object_id(object));
+        if (!level.hidden && !level.locked && level.kind != BAT_KIND_GUIDE)
+            found += bat_selection_has(selection, bat_object_id(object));
     }
     return found == selection->count;
 }

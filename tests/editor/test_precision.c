@@ -6,9 +6,11 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "curve/real.h"
+#include "editor/affine.h"
 #include "editor/editor.h"
 #include "editor/ruler.h"
-#include "support/pen.h"
+#include "support/alloc_fail.h"
+#include "support/session.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
@@ -253,7 +255,20 @@ static void guides_by_hand(void **state) {
     bat_free(text);
     while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
     assert_true(digest(editor) == first);
-    bat_object *none = NULL;
+    bat_object *none = NULL, *guide = NULL, *moved = NULL;
+    assert_int_equal(bat_object_create_guide(5, 1, 40, &guide), BAT_OK);
+    assert_int_equal(bat_affine_object(guide, (double[]){2, 0, 0, 3, 10, -7}, false, &moved), BAT_OK);
+    assert_true(bat_object_guide(moved, &at) == 1 && at == 113);
+    bat_object_release(guide);
+    bat_object_release(moved);
+    /* A guide is never selected: not by what undo brings back, nor by its id. */
+    bat_editor_command(editor, "tool-select");
+    bat_guide_put(editor, 0, 0, 10);
+    bat_editor_command(editor, "undo");
+    bat_editor_command(editor, "redo");
+    bat_editor_select(editor, editor->guiding.chosen, false);
+    assert_int_equal(editor->selection.count, 0);
+    assert_null(bat_editor_check(editor));
     assert_int_equal(bat_object_create_guide(1, 0, NAN, &none), BAT_NUMBER);
     assert_int_equal(bat_object_create_guide(1, 2, 0, &none), BAT_ARGUMENT);
     assert_int_equal(bat_object_create_guide(0, 0, 0, &none), BAT_ARGUMENT);
@@ -561,6 +576,79 @@ static void outlines_are_thin(void **state) {
     bat_editor_free(editor);
 }
 
+/* Random sessions with all of it on: invariants after every event, undo to the first drawing, replay to the last. */
+static void wild_precision(void **state) {
+    (void)state;
+    static const char *const commands[] = {"tool-select",  "tool-points", "tool-tangents", "show-rulers",
+                                           "show-grid",    "isolate",     "outline",       "guide-level",
+                                           "guide-delete", "snap",        "select-all",    "guide-upright",
+                                           "undo",         "tool-select", "delete",        "duplicate"};
+    static const char *const names[] = {"x",       "y",       "width", "height", "turn",
+                                        "point-x", "point-y", "guide", "snap",   "grid-spacing"};
+    static const char *const texts[] = {"12", "3mm+4", "1/2in", "-7", "0", "1e", "90", "400"};
+    enum { SIZE = 1200 };
+    static uint8_t data[SIZE];
+    int with_guides = 0;
+    for (uint64_t seed = 1; seed <= 60; seed++) {
+        uint64_t mix = seed * 99991;
+        for (int i = 0; i < SIZE; i++) {
+            mix = mix * 6364136223846793005u + 1442695040888963407u;
+            data[i] = (uint8_t)(mix >> 56);
+        }
+        session_bytes bytes = {data, SIZE, 0};
+        bat_editor *editor = pen_editor();
+        uint64_t first = digest(editor);
+        double time = 0;
+        bat_editor_set(editor, "snap-curves", 1);
+        bat_editor_command(editor, "show-rulers");
+        while (bytes.at < bytes.size) {
+            if (session_byte(&bytes) < 100) {
+                bat_editor_command(editor, commands[session_byte(&bytes) % 16]);
+                bat_editor_enter(editor, names[session_byte(&bytes) % 10], texts[session_byte(&bytes) % 8]);
+                bat_editor_frame(editor);
+            }
+            session_event(editor, &bytes, &time);
+            const char *wrong = bat_editor_check(editor);
+            if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, bytes.at, wrong);
+        }
+        for (int i = 0; i < 4; i++) bat_editor_command(editor, "cancel");
+        double at;
+        with_guides += guides(editor, 0, &at) + guides(editor, 1, &at) > 0;
+        replays(editor);
+        while (bat_editor_command(editor, "redo") == BAT_OK) {
+        }
+        while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
+        assert_true(digest(editor) == first);
+        bat_editor_free(editor);
+    }
+    assert_true(with_guides > 20);
+}
+
+/* Without memory nothing changes, whatever of it fails. */
+static void without_memory_nothing_changes(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    bat_editor_select(editor, 1, false);
+    bat_editor_frame(editor);
+    for (int what = 0; what < 4; what++) {
+        uint64_t before = digest(editor);
+        bat_status status = BAT_MEMORY;
+        for (int n = 1; status == BAT_MEMORY; n++) {
+            assert_true(n < 200);
+            alloc_fail_at(n);
+            status = what == 0   ? bat_guide_put(editor, 0, 1, 55)
+                     : what == 1 ? bat_editor_enter(editor, "x", "17")
+                     : what == 2 ? bat_editor_command(editor, "isolate")
+                                 : bat_guide_delete(editor, true);
+            alloc_fail_reached();
+            if (status == BAT_MEMORY) assert_true(digest(editor) == before);
+            assert_null(bat_editor_check(editor));
+        }
+        assert_int_equal(status, BAT_OK);
+    }
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(snaps_to_known_places),
@@ -570,6 +658,8 @@ int main(void) {
         cmocka_unit_test(units_are_read_and_written),
         cmocka_unit_test(rulers_tell_places),
         cmocka_unit_test(numbers_are_entered),
+        cmocka_unit_test(wild_precision),
+        cmocka_unit_test(without_memory_nothing_changes),
         cmocka_unit_test(isolated_is_all_there_is),
         cmocka_unit_test(outlines_are_thin),
     };
