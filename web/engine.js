@@ -308,6 +308,16 @@ export class Engine {
     return this.#guard(() => this.#string(this.#lend(name, (text) => this.wasm.editor_number(this.editor, text))), '');
   }
 
+  /** Commands that the selection makes possible. @returns {string[]} */
+  actions() {
+    return this.#guard(() => this.#string(this.wasm.editor_actions(this.editor)).split(' ').filter(Boolean), []);
+  }
+
+  /** Moves a layer to the place of another. @param {number} id @param {number} target @returns {boolean} */
+  placeLayer(id, target) {
+    return this.#guard(() => this.wasm.editor_place_layer(this.editor, id, target) === OK, false);
+  }
+
   /** @returns {import('./layers.js').Layers} */
   layers() {
     return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_layers(this.editor))),

@@ -1,5 +1,6 @@
 // The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it.
 
+import { icon, loadIcons } from './icons.js';
 import { word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
@@ -33,7 +34,7 @@ export class LayersSheet {
     this.shown = '';
     this.list = document.createElement('ul');
     this.list.className = 'layer-list';
-    sheet.addEventListener('toggle', () => this.#fill());
+    sheet.addEventListener('toggle', () => void loadIcons('arrange').then(() => this.#fill()));
   }
 
   /** @param {Frame} frame */
@@ -57,7 +58,16 @@ export class LayersSheet {
     const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
     const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
     rows.unshift(this.#row(none, active === 0));
+    // The rows are others then; what had the focus has it again.
+    const held = document.activeElement?.closest('.layer-row');
+    const parts = (/** @type {HTMLElement} */ row) => /** @type {HTMLElement[]} */ ([...row.querySelectorAll('input, button')]);
+    const id = held instanceof HTMLElement && this.list.contains(held) ? held.dataset.id : null;
+    const index = id ? parts(/** @type {HTMLElement} */ (held)).indexOf(/** @type {HTMLElement} */ (document.activeElement)) : -1;
     this.list.replaceChildren(...rows);
+    const again = rows.find((row) => row.dataset.id === id);
+    if (again) {
+      parts(again)[index]?.focus();
+    }
   }
 
   /** @param {() => void} change */
@@ -72,6 +82,7 @@ export class LayersSheet {
     const row = document.createElement('li');
     row.className = 'layer-row';
     row.style.paddingInlineStart = `${layer.depth * 16}px`;
+    row.dataset.id = String(layer.id);
     const choose = document.createElement('input');
     choose.type = 'radio';
     choose.name = 'layer';
@@ -107,26 +118,72 @@ export class LayersSheet {
     row.append(members);
     if (layer.id !== 0) {
       row.append(
-        this.#toggle(word(layer.hidden ? 'shell.hidden' : 'shell.shown'), layer.hidden, word('shell.hide', layer.name),
+        this.#toggle(layer.hidden ? 'hidden' : 'shown', layer.hidden, word('shell.hide', layer.name),
           () => this.engine.setState(layer.id, !layer.hidden, layer.locked)),
-        this.#toggle(word(layer.locked ? 'shell.locked' : 'shell.free'), layer.locked, word('shell.lock', layer.name),
-          () => this.engine.setState(layer.id, layer.hidden, !layer.locked)));
+        this.#toggle(layer.locked ? 'locked' : 'free', layer.locked, word('shell.lock', layer.name),
+          () => this.engine.setState(layer.id, layer.hidden, !layer.locked)),
+        this.#grip(layer, row));
     }
     return row;
   }
 
   /**
-   * @param {string} text
+   * What the row is dragged by, or moved with the arrow keys.
+   * @param {Layer} layer
+   * @param {HTMLElement} row
+   */
+  #grip(layer, row) {
+    const grip = this.#iconButton('grip', word('shell.move-layer', layer.name), word('shell.move-layer', layer.name));
+    const rows = () => /** @type {HTMLElement[]} */ ([...this.list.children]).filter((one) => one.dataset.id !== '0');
+    /** @param {HTMLElement | undefined} target */
+    const place = (target) => {
+      if (target && target !== row) {
+        grip.focus();
+        this.#change(() => this.engine.placeLayer(layer.id, Number(target.dataset.id)));
+      }
+    };
+    /** @param {PointerEvent} event */
+    const under = (event) => rows().find((one) => event.clientY < one.getBoundingClientRect().bottom) ?? rows().at(-1);
+    grip.classList.add('grip');
+    grip.addEventListener('pointerdown', (event) => grip.setPointerCapture(event.pointerId));
+    grip.addEventListener('pointermove', (event) => {
+      if (grip.hasPointerCapture(event.pointerId)) {
+        rows().forEach((one) => one.classList.toggle('target', one === under(event) && one !== row));
+      }
+    });
+    grip.addEventListener('pointerup', (event) => place(under(event)));
+    grip.addEventListener('pointercancel', () => this.#fill());
+    grip.addEventListener('keydown', (event) => {
+      const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+      if (step) {
+        event.preventDefault();
+        event.stopPropagation();
+        place(rows()[rows().indexOf(row) + step]);
+      }
+    });
+    return grip;
+  }
+
+  /** @param {string} name @param {string} label @param {string} title */
+  #iconButton(name, label, title) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'tool';
+    button.append(icon(name) ?? '');
+    button.setAttribute('aria-label', label);
+    button.title = title;
+    return button;
+  }
+
+  /**
+   * @param {string} name of the icon, and of the word for it
    * @param {boolean} pressed
    * @param {string} label
    * @param {() => void} act
    */
-  #toggle(text, pressed, label, act) {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = text;
+  #toggle(name, pressed, label, act) {
+    const button = this.#iconButton(name, label, word(`shell.${name}`));
     button.setAttribute('aria-pressed', String(pressed));
-    button.setAttribute('aria-label', label);
     button.addEventListener('click', () => this.#change(act));
     return button;
   }

@@ -1,6 +1,7 @@
 // The toolbar, the sheets and the readouts, made from the engine's tables. There is no list of commands here: a tool
 // always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
 
+import { icon } from './icons.js';
 import { LayersSheet } from './layers.js';
 import { ROLE_RULER } from './paint.js';
 import { tell, word } from './words.js';
@@ -13,7 +14,6 @@ import { tell, word } from './words.js';
 
 /** Where the properties of a group are; the rest are settings. @type {Record<string, string>} */
 const SHEETS = { style: 'style', picture: 'pictures' };
-const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -21,28 +21,6 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 /** A length or number, short: three figures. @param {number} value */
 function short(value) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : '';
-}
-
-/** @param {string} name @returns {SVGSVGElement | null} null when the sprite has none */
-function icon(name) {
-  if (!document.getElementById(`icon-${name}`)) {
-    return null;
-  }
-  const picture = document.createElementNS(SVG_NAMESPACE, 'svg');
-  picture.setAttribute('class', 'icon');
-  picture.setAttribute('aria-hidden', 'true');
-  const use = document.createElementNS(SVG_NAMESPACE, 'use');
-  use.setAttribute('href', `#icon-${name}`);
-  picture.append(use);
-  return picture;
-}
-
-/** Puts the icons into the page, so that symbols can be used and asked for. */
-export async function loadIcons() {
-  const response = await fetch('icons/sprite.svg');
-  const sprite = new DOMParser().parseFromString(await response.text(), 'image/svg+xml').documentElement;
-  sprite.setAttribute('hidden', '');
-  document.body.append(sprite);
 }
 
 export class Panel {
@@ -62,6 +40,8 @@ export class Panel {
     this.levels = 0;
     /** @type {Promise<import('./levels.js').LevelStrip> | undefined} */
     this.strip = undefined;
+    /** The row of what the selection makes possible. @type {{ show(frame: Frame): void } | null} */
+    this.actions = null;
     this.controls.push(() => {
       document.documentElement.dataset.hand = this.engine.get('left-hand') ? 'left' : 'right';
     });
@@ -80,7 +60,7 @@ export class Panel {
       if (!document.getElementById(`icon-${tool.command}`)) {
         continue; // one for a moment only, chosen where it is wanted
       }
-      part('rail').append(this.#button(tool.command, `tool.${tool.name}`));
+      part('rail').append(this.button(tool.command, `tool.${tool.name}`));
     }
     const groups = new Map();
     for (const row of this.tables.commands) {
@@ -90,17 +70,17 @@ export class Panel {
         continue;
       }
       if (!groups.has(group)) {
-        groups.set(group, this.#group(bar, group.toLowerCase()));
+        groups.set(group, this.group(bar, group.toLowerCase()));
       }
-      groups.get(group).append(this.#button(row.name, `command.${row.name}`));
+      groups.get(group).append(this.button(row.name, `command.${row.name}`));
     }
-    const own = this.#group(bar, 'window');
+    const own = this.group(bar, 'window');
     this.themeButton = this.#plainButton('theme', 'shell.theme');
     own.append(...['numbers', 'style', 'layers', 'settings', 'menu'].map((sheet) => this.#sheetButton(sheet)), this.themeButton);
   }
 
-  /** @param {HTMLElement} bar @param {string} name */
-  #group(bar, name) {
+  /** A group of buttons. @param {HTMLElement} bar @param {string} name */
+  group(bar, name) {
     const group = tell(document.createElement('div'), { label: `shell.${name}` });
     group.className = 'group';
     group.setAttribute('role', 'group');
@@ -132,8 +112,8 @@ export class Panel {
     return button;
   }
 
-  /** @param {string} command @param {string} key of its words */
-  #button(command, key) {
+  /** A command's button. @param {string} command @param {string} key of its words */
+  button(command, key) {
     const button = this.#plainButton(command, key, { help: `${key}.help`, shortcut: command });
     button.addEventListener('click', () => this.#run(command));
     this.buttons.set(command, button);
@@ -274,6 +254,7 @@ export class Panel {
         }
       });
     }
+    const alpha = row.type === 'colour' ? this.#alpha(row) : null;
     const write = () => {
       if (length) {
         this.engine.enter(row.name, input.value);
@@ -282,7 +263,7 @@ export class Panel {
         return;
       }
       const value = row.type === 'switch' ? Number(input.checked) :
-        row.type === 'colour' ? Number.parseInt(`${input.value.slice(1)}ff`, 16) : input.valueAsNumber;
+        alpha ? Number.parseInt(input.value.slice(1), 16) * 256 + alpha.valueAsNumber : input.valueAsNumber;
       this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)));
       if (row.type === 'number') {
         input.value = short(this.engine.get(row.name)); // refused, it is what it was
@@ -299,8 +280,9 @@ export class Panel {
       const value = this.engine.get(row.name);
       if (row.type === 'switch') {
         input.checked = value !== 0;
-      } else if (row.type === 'colour') {
+      } else if (alpha) {
         input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
+        alpha.value = String(value & 255);
       } else if (document.activeElement !== input) { // what is being typed stays
         input.value = short(value);
       }
@@ -308,8 +290,16 @@ export class Panel {
     const unit = document.createElement('span');
     unit.className = 'unit';
     unit.textContent = length ? '' : row.unit;
-    box.append(this.#label(row, input), input, unit);
+    box.append(this.#label(row, input), input, alpha ?? unit);
+    alpha?.addEventListener('change', write);
     return box;
+  }
+
+  /** How much a colour covers, beside it. @param {PropertyRow} row */
+  #alpha(row) {
+    const input = tell(document.createElement('input'), { label: 'shell.alpha', value: `property.${row.name}` });
+    Object.assign(input, { type: 'range', min: '0', max: '255' });
+    return input;
   }
 
   /**
@@ -428,6 +418,14 @@ export class Panel {
     if (part('numbers').matches(':popover-open')) {
       this.numbers?.show();
     }
+    if (frame.selected > 0 && !this.actions) {
+      this.actions = { show: () => {} };
+      void import('./arrange.js').then(async ({ Actions }) => {
+        this.actions = await Actions.make(this);
+        this.wake();
+      });
+    }
+    this.actions?.show(frame);
     const drawing = frame.knotsBefore > 0 || frame.knotsAfter > 0;
     // Touching the page costs more than comparing a line of text.
     // Values that the canvas shows, for those who do not see it; not while they still run.

@@ -101,6 +101,13 @@ BAT_API void bat_editor_set_read_only(bat_editor *editor, bool read_only);
 /* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
  * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
+/* The commands that arrange or mend what is selected, as far as this selection makes them possible: names, with a
+ * space between. Only while the select tool is in force, which shows what is selected. Owned by the editor, valid until
+ * the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_actions(bat_editor *editor);
+/* Moves a layer to where another one beside it is: in front of it when it comes from behind, else behind it: a step of
+ * the history. BAT_ARGUMENT: they are no layers of one group. */
+BAT_API bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target);
 /* The layer that new curves go into; 0: none. */
 BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
 /* Steps of the history, of any object. BAT_STATE: a drag is under way. */

@@ -65,39 +65,48 @@ bat_status bat_do_layer_delete(bat_editor *editor, bool down) {
     return told(editor, apply(editor, &listing));
 }
 
-/* Past the sibling that stands next in front (or behind). */
-static bat_status shift(bat_editor *editor, bool forward) {
+/* Past as many siblings in front (or, steps < 0, behind) as there are, at most so many. */
+static bat_status shift(bat_editor *editor, int at, int steps) {
     const bat_document *document = editor->document;
-    int at = active(editor);
-    if (at < 0) return told(editor, BAT_STATE);
+    if (at < 0) return BAT_STATE;
     bat_id parent = bat_object_parent(bat_document_at(document, at));
-    int end = bat_document_end(document, at), from, to;
-    if (forward) {
-        bool last = end == bat_document_count(document) ||
-                    bat_object_parent(bat_document_at(document, end)) != parent;
-        from = end;
-        to = last ? end : bat_document_end(document, end);
-    } else {
-        from = to = at;
-        for (int i = 0; i < at; i++)
-            if (bat_object_parent(bat_document_at(document, i)) == parent) from = i;
+    int end = bat_document_end(document, at), from = at, to = end;
+    for (; steps > 0; steps--) {
+        bool last = to == bat_document_count(document) ||
+                    bat_object_parent(bat_document_at(document, to)) != parent;
+        if (last) break;
+        to = bat_document_end(document, to);
     }
-    if (from == to) return BAT_STATE;
+    for (; steps < 0; steps++) {
+        int before = from;
+        for (int i = 0; i < from; i++)
+            if (bat_object_parent(bat_document_at(document, i)) == parent) before = i;
+        if (before == from) break;
+        from = before;
+    }
+    if (from == at && to == end) return BAT_STATE;
     bat_listing listing = {0};
-    bat_listing_range(&listing, document, 0, forward ? at : from);
-    bat_listing_range(&listing, document, forward ? from : at, forward ? to : end);
-    bat_listing_range(&listing, document, forward ? at : from, forward ? end : to);
-    bat_listing_range(&listing, document, forward ? to : end, bat_document_count(document));
-    return told(editor, apply(editor, &listing));
+    bat_listing_range(&listing, document, 0, from);
+    bat_listing_range(&listing, document, end, to);
+    bat_listing_range(&listing, document, at, end);
+    bat_listing_range(&listing, document, from, at);
+    bat_listing_range(&listing, document, to, bat_document_count(document));
+    return apply(editor, &listing);
+}
+
+static bat_status shift_active(bat_editor *editor, int steps) {
+    int at = active(editor);
+    bat_status status = shift(editor, at, steps);
+    return at >= 0 && status == BAT_STATE ? status : told(editor, status); /* at the end already: no news */
 }
 
 bat_status bat_do_layer_up(bat_editor *editor, bool down) {
     (void)down;
-    return shift(editor, true);
+    return shift_active(editor, 1);
 }
 bat_status bat_do_layer_down(bat_editor *editor, bool down) {
     (void)down;
-    return shift(editor, false);
+    return shift_active(editor, -1);
 }
 
 bat_status bat_do_layer_take(bat_editor *editor, bool down) {
@@ -177,6 +186,20 @@ bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name) {
     if (bat_editor_busy(editor)) return BAT_STATE;
     bat_status status = bat_object_with_name(bat_document_at(editor->document, at), name, &after);
     return replace(editor, at, after, status, BAT_STRING_STEP_RENAME);
+}
+
+bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target) {
+    const bat_document *document = editor->document;
+    int at = bat_document_find(document, id), to = bat_document_find(document, target), steps = 0;
+    const bat_object *layer = bat_document_at(document, at), *other = bat_document_at(document, to);
+    if (!layer || !other || bat_object_kind(layer) != BAT_KIND_LAYER ||
+        bat_object_kind(other) != BAT_KIND_LAYER || bat_object_parent(layer) != bat_object_parent(other))
+        return BAT_ARGUMENT;
+    if (bat_editor_busy(editor) || at == to) return BAT_STATE;
+    for (int i = at < to ? at : to; i < (at < to ? to : at); i = bat_document_end(document, i)) steps++;
+    bat_status status = shift(editor, at, at < to ? steps : -steps);
+    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    return status;
 }
 
 bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked) {

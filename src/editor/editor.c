@@ -127,6 +127,7 @@ void bat_editor_free(bat_editor *editor) {
     free(editor->name);
     free(editor->tables);
     free(editor->layers);
+    free(editor->actions);
     free(editor->words);
     free(editor->outline);
     free(editor);

@@ -96,6 +96,7 @@ struct bat_editor {
     uint32_t notice_version;
     bat_frame frame;
     bat_told told;
+    char *actions;                   /* names, made when asked for */
     char *tables, *layers, *outline; /* JSON, made when asked for */
     const char *
         *words; /* of another language, by bat_string; NULL in it: English. One block with its texts */

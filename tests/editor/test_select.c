@@ -732,6 +732,94 @@ static void double_click_enters(void **state) {
     bat_editor_free(editor);
 }
 
+static bool offered(bat_editor *editor, const char *name) {
+    const char *list = bat_editor_actions(editor), *at = strstr(list, name);
+    return at && (at == list || at[-1] == ' ') && (at[strlen(name)] == ' ' || !at[strlen(name)]);
+}
+
+/* What is offered can be done, and what is not cannot. */
+static void actions_of_the_selection(void **state) {
+    (void)state;
+    static const char *const names[] = {"align-left", "distribute-across", "group",
+                                        "ungroup",    "curve-close",       "curve-open",
+                                        "curve-join", "curve-reverse",     "curve-split"};
+    bat_editor *editor = pen_editor();
+    bat_editor_command(editor, "select-all");
+    bat_editor_command(editor, "tool-points");
+    assert_string_equal(bat_editor_actions(editor), ""); /* the select tool is not in force */
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "deselect");
+    assert_string_equal(bat_editor_actions(editor), "");
+    bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+    assert_true(offered(editor, "order-front") && offered(editor, "align-left") &&
+                offered(editor, "curve-close"));
+    assert_false(offered(editor, "group") || offered(editor, "curve-open") || offered(editor, "curve-join"));
+    for (int round = 0; round < 4; round++) {
+        if (round == 1) bat_editor_command(editor, "select-all");
+        if (round == 2) bat_editor_command(editor, "group");
+        if (round == 3) bat_editor_command(editor, "curve-close");
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+            bool said = offered(editor, names[i]);
+            uint64_t before = digest(editor);
+            bat_status status = bat_editor_command(editor, names[i]);
+            /* One open curve alone is joined with itself: closed, which has its own button. */
+            bool closes = round == 0 && !strcmp(names[i], "curve-join");
+            if (said != (status == BAT_OK) && !closes) fail_msg("%d: %s", round, names[i]);
+            if (digest(editor) != before) bat_editor_command(editor, "undo");
+            bat_editor_command(editor, "deselect");
+            if (round == 0)
+                bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+            else
+                bat_editor_command(editor, "select-all");
+        }
+    }
+    bat_editor_free(editor);
+}
+
+/* Any layer to the place of any other: the order is as when it is taken out and put in there, whatever else lies
+ * between; undo brings the old one back. */
+static void layers_are_placed(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    bat_id order[5],
+        ids[4]; /* of the topmost objects in front of the loose one: layers, and a curve among them */
+    for (int i = 0; i < 4; i++) {
+        bat_editor_command(editor, "layer-add");
+        ids[i] = editor->layer;
+        bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+        if (i == 1) bat_editor_command(editor, "layer-take");
+        if (i == 2) bat_editor_command(editor, "order-front");
+    }
+    for (int i = 0, k = 0; i < bat_document_count(editor->document); i++)
+        if (!bat_object_parent(bat_document_at(editor->document, i)))
+            order[k++] = bat_object_id(bat_document_at(editor->document, i));
+    uint64_t before = digest(editor);
+    for (int from = 0; from < 4; from++)
+        for (int to = 0; to < 4; to++) {
+            bat_id expected[5], kept[5];
+            int place = 0, k = 0;
+            for (int i = 0; i < 5; i++) {
+                if (order[i] == ids[to]) place = i;
+                if (order[i] != ids[from]) kept[k++] = order[i];
+            }
+            for (int i = 0; i < 5; i++) expected[i] = i == place ? ids[from] : kept[i - (i > place)];
+            bat_status status = bat_editor_place_layer(editor, ids[from], ids[to]);
+            assert_int_equal(status, from == to ? BAT_STATE : BAT_OK);
+            k = 0;
+            for (int i = 0; i < bat_document_count(editor->document); i++) {
+                const bat_object *object = bat_document_at(editor->document, i);
+                if (!bat_object_parent(object)) assert_true(bat_object_id(object) == expected[k++]);
+            }
+            assert_int_equal(k, 5);
+            assert_null(bat_editor_check(editor));
+            if (status == BAT_OK) bat_editor_command(editor, "undo");
+            assert_true(digest(editor) == before);
+        }
+    assert_int_equal(bat_editor_place_layer(editor, ids[0], 999), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_place_layer(editor, 999, ids[0]), BAT_ARGUMENT);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clicks_select),
@@ -749,6 +837,8 @@ int main(void) {
         cmocka_unit_test(random_sessions),
         cmocka_unit_test(alt_drags_a_copy),
         cmocka_unit_test(double_click_enters),
+        cmocka_unit_test(actions_of_the_selection),
+        cmocka_unit_test(layers_are_placed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

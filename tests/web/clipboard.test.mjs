@@ -8,13 +8,16 @@ import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
 let server;
+let elsewhere; // another file: one that is open twice can only be looked at
 before(async () => {
   browser = await launch();
   server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  elsewhere = await serve({ name: 'other.svg', bytes: fs.readFileSync(EXAMPLE) });
 });
 after(async () => {
   await browser.close();
   server.close();
+  elsewhere.close();
 });
 
 /** Knots and points of the objects in front, from the native file. */
@@ -37,7 +40,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await state(page)).unsaved, false);
     const source = await page.evaluate(() => batten.engine.copy(false));
     const other = await context.newPage();
-    await other.goto(server.address);
+    await other.goto(elsewhere.address);
     await ready(other);
     await clipboardThere(other);
     await other.bringToFront();

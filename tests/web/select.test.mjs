@@ -91,3 +91,68 @@ for (const colorScheme of ['light', 'dark']) {
     await context.close();
   });
 }
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`buttons for the selection, layers dragged, a colour that lets through, ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const shown = () => page.locator('#actions button:visible').evaluateAll((list) => list.map((one) => one.dataset.name));
+    await page.focus('#stage');
+    await page.keyboard.press('v');
+    const at = await place(page, 592, 103.5);
+    await hand.stroke([at, at], { pointerType: 'mouse' });
+    await page.waitForSelector('#actions:not([hidden])');
+    const one = await shown();
+    assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions-one.png`) });
+    await page.focus('#stage');
+    await page.keyboard.press('Control+a');
+    await settle(page);
+    assert.ok((await shown()).includes('group'));
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions.png`) });
+    await page.click('#actions [data-name="group"]');
+    await settle(page);
+    assert.equal(await page.evaluate(() => batten.engine.frame().selected), 1);
+    assert.ok((await shown()).includes('ungroup'));
+    await page.keyboard.press('Control+Shift+a');
+    await settle(page);
+    assert.equal(await page.isVisible('#actions'), false);
+    // Three layers; the front one is dragged to the back, by its grip; then up again with the keyboard.
+    await page.click('[data-name="layers"]');
+    for (let i = 0; i < 3; i++) {
+      await page.click('#layers [data-text="command.layer-add"]');
+    }
+    await settle(page);
+    const names = () => page.evaluate(() => batten.engine.layers().layers.map((layer) => layer.name.at(-1)).join(''));
+    assert.equal(await names(), '123');
+    const middle = async (locator) => {
+      const box = await locator.boundingBox();
+      return [box.x + box.width / 2, box.y + box.height / 2];
+    };
+    const grips = page.locator('#layers .grip');
+    await page.mouse.move(...await middle(grips.nth(0)));
+    await page.mouse.down();
+    await page.mouse.move(...await middle(grips.nth(2)), { steps: 4 });
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-drag.png`) });
+    await page.mouse.up();
+    await settle(page);
+    assert.equal(await names(), '312');
+    await page.keyboard.press('ArrowUp');
+    assert.equal(await names(), '132');
+    await page.click('#layers [aria-label^="Hide"] >> nth=0');
+    await settle(page);
+    assert.equal(await page.evaluate(() => batten.engine.layers().layers.at(-1).hidden), true);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-icons.png`) });
+    // A new colour keeps what the old one let through, and that is set beside it.
+    await page.keyboard.press('Escape');
+    await page.click('[data-name="style"]');
+    await page.locator('#style input[type=range]').first().fill('128');
+    assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') & 255), 128);
+    await page.locator('#setting-stroke-colour').fill('#ff0000');
+    await page.locator('#setting-stroke-colour').dispatchEvent('change');
+    assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), 0xff000080);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-style-alpha.png`) });
+    assert.equal((await state(page)).check, '');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}

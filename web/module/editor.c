@@ -22,6 +22,8 @@ MODULE_EXPORT(editor_number) const char *editor_number(bat_editor *editor, const
 MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
 MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
+MODULE_EXPORT(editor_actions) const char *editor_actions(bat_editor *editor);
+MODULE_EXPORT(editor_place_layer) int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target);
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
@@ -101,6 +103,16 @@ int editor_enter(bat_editor *editor, const char *name, const char *text) {
 const char *editor_number(bat_editor *editor, const char *name) {
     MODULE_CHECK(editor);
     return bat_editor_number(editor, name);
+}
+
+const char *editor_actions(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_actions(editor);
+}
+
+int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_place_layer(editor, id, target);
 }
 
 const char *editor_layers(bat_editor *editor) {

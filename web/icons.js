@@ -1,0 +1,30 @@
+// Icons: symbols of a sprite that stands in the page, so that they take the colour of the words around them.
+
+const NAMESPACE = 'http://www.w3.org/2000/svg';
+/** @type {Map<string, Promise<void>>} */
+const sprites = new Map();
+
+/** Puts the icons of a sprite into the page, once. */
+export function loadIcons(sprite = 'sprite') {
+  const fetched = sprites.get(sprite) ?? fetch(`icons/${sprite}.svg`).then(async (response) => {
+    const root = new DOMParser().parseFromString(await response.text(), 'image/svg+xml').documentElement;
+    root.setAttribute('hidden', '');
+    document.body.append(root);
+  });
+  sprites.set(sprite, fetched);
+  return fetched;
+}
+
+/** @param {string} name @returns {SVGSVGElement | null} null when no sprite that is there has it */
+export function icon(name) {
+  if (!document.getElementById(`icon-${name}`)) {
+    return null;
+  }
+  const picture = document.createElementNS(NAMESPACE, 'svg');
+  picture.setAttribute('class', 'icon');
+  picture.setAttribute('aria-hidden', 'true');
+  const use = document.createElementNS(NAMESPACE, 'use');
+  use.setAttribute('href', `#icon-${name}`);
+  picture.append(use);
+  return picture;
+}
