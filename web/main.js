@@ -18,7 +18,7 @@ import { Words, word } from './words.js';
 /** @typedef {import('./keep.js').Kept} Kept */
 
 const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
-  'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize'];
+  'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize', 'zoom-in', 'zoom-out'];
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));

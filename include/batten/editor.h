@@ -251,7 +251,9 @@ typedef enum bat_cursor {
     BAT_CURSOR_RESIZE_EW,
     BAT_CURSOR_RESIZE_NS,
     BAT_CURSOR_RESIZE_NWSE,
-    BAT_CURSOR_RESIZE_NESW
+    BAT_CURSOR_RESIZE_NESW,
+    BAT_CURSOR_ZOOM_IN,
+    BAT_CURSOR_ZOOM_OUT
 } bat_cursor;
 
 /* Requests to the host, cleared once the frame has been taken. */

@@ -271,6 +271,10 @@ static bat_status tool_levels(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_LEVELS);
 }
+static bat_status tool_zoom(bat_editor *editor, bool down) {
+    (void)down;
+    return choose(editor, BAT_TOOL_ZOOM);
+}
 static bat_status tool_pan(bat_editor *editor, bool down) {
     (void)down;
     return choose(editor, BAT_TOOL_PAN);

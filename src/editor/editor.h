@@ -35,6 +35,12 @@
 
 enum { BAT_KEYS_ROOM = 64, BAT_FIT_MARGIN = 32, BAT_NOTICE_ROOM = 160 };
 
+/* The zoom tool between down and up; view pixels. */
+typedef struct bat_zooming {
+    bool down;
+    double start[2], at[2];
+} bat_zooming;
+
 struct bat_editor {
     bat_document *document;
     char *name;
@@ -59,6 +65,7 @@ struct bat_editor {
     bat_leveling leveling;
     bat_pointing pointing;
     bat_brushing brushing;
+    bat_zooming zooming;
     bat_insight insight;
     bat_selecting selecting;
     bat_spanning spanning;

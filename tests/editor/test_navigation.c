@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "editor/editor.h"
 #include "support/pen.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
@@ -22,6 +23,50 @@ static void expect_view(bat_editor *editor, double x, double y, double zoom) {
                  zoom);
     const char *wrong = bat_editor_check(editor);
     if (wrong) fail_msg("%s", wrong);
+}
+
+/* A click brings what is under it twice as near, Alt takes it back; a rectangle comes to fill the window, also in a
+ * view that is turned; Escape drops it; the document stays. */
+static void the_zoom_tool(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    uint64_t before = digest(editor);
+    assert_true(bat_editor_key(editor, "z", true, 0, 0));
+    assert_int_equal(bat_editor_frame(editor)->cursor, BAT_CURSOR_ZOOM_IN);
+    pen p = pen_for(editor);
+    drag(&p, 300, 200, 301, 201);
+    expect_view(editor, 301 - 301 / 2.0, 201 - 201 / 2.0, 2);
+    p.modifiers = BAT_ALT;
+    pen_event(&p, BAT_POINTER_HOVER, 301, 201);
+    assert_int_equal(bat_editor_frame(editor)->cursor, BAT_CURSOR_ZOOM_OUT);
+    drag(&p, 301, 201, 301, 201);
+    expect_view(editor, 0, 0, 1);
+    p.modifiers = 0;
+    /* 100 x 80 in a window of 1000 x 800, drawn from any corner */
+    drag(&p, 300, 280, 200, 200);
+    expect_view(editor, 200, 200, 10);
+    bat_editor_command(editor, "zoom-100");
+    bat_editor_command(editor, "view-left");
+    double middle[2] = {400, 300}, under[2], there[2];
+    bat_view_to_document(&editor->view, middle, under);
+    drag(&p, 350, 260, 450, 340);
+    assert_true(fabs(bat_editor_frame(editor)->view[2] - 10) < 1e-9);
+    bat_view_to_screen(&editor->view, under, there);
+    assert_true(fabs(there[0] - 500) < 1e-6 && fabs(there[1] - 400) < 1e-6);
+    /* dropped; and a line without width is no trap */
+    pen_event(&p, BAT_POINTER_DOWN, 100, 100);
+    pen_event(&p, BAT_POINTER_MOVE, 300, 300);
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
+    double zoom = editor->view.zoom;
+    bat_editor_key(editor, "Escape", true, 0, 0);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
+    pen_event(&p, BAT_POINTER_UP, 300, 300);
+    assert_true(editor->view.zoom == zoom);
+    drag(&p, 100, 100, 300, 100);
+    assert_true(isfinite(editor->view.x) && editor->view.zoom <= BAT_ZOOM_MAX);
+    assert_null(bat_editor_check(editor));
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
 }
 
 static void space_drag_pans(void **state) {
@@ -184,7 +229,7 @@ static void keys_come_from_the_table(void **state) {
     pen p = pen_for(editor);
     pen_line(&p, 350, 200, 650, 200, 30);
     assert_false(bat_editor_key(editor, "j", true, 0, 0));
-    assert_false(bat_editor_key(editor, "z", true, 0, 0));
+    assert_false(bat_editor_key(editor, "u", true, 0, 0));
     bat_editor_command(editor, "tool-pan");
     assert_false(bat_editor_key(editor, "Enter", true, 0, 0)); /* nothing to say yes to: the host's */
     bat_editor_command(editor, "tool-sketch");
@@ -211,6 +256,7 @@ static void keys_come_from_the_table(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_zoom_tool),
         cmocka_unit_test(space_drag_pans),
         cmocka_unit_test(middle_button_and_hand_pan),
         cmocka_unit_test(wheel_pans_and_zooms),

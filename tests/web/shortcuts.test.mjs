@@ -144,3 +144,27 @@ test('letters work while Hangul is typed', async () => {
   assert.equal(await tool(page), 'sketch');
   await context.close();
 });
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`Z: a click comes nearer, Alt goes away, a rectangle fills the window; ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const zoom = () => page.evaluate(() => batten.painter.painted.zoom);
+    await type(page, 'z');
+    assert.equal(await tool(page), 'zoom');
+    const before = await zoom();
+    const cursor = () => page.evaluate(() => getComputedStyle(document.getElementById('stage')).cursor);
+    await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse' });
+    await page.waitForTimeout(300);
+    assert.ok(Math.abs((await zoom()) / before - 2) < 1e-6);
+    assert.equal(await cursor(), 'zoom-in');
+    await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse', modifiers: 1 });
+    await page.waitForTimeout(300);
+    assert.ok(Math.abs((await zoom()) / before - 1) < 1e-6);
+    await hand.stroke([[560, 240], [800, 420]], { during: () => shot(page, `zoom-${colorScheme}`) });
+    await page.waitForTimeout(300);
+    assert.ok((await zoom()) / before > 3);
+    await shot(page, `zoomed-${colorScheme}`);
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
