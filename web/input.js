@@ -22,6 +22,9 @@ function belongsToControl(event) {
   if (!target) {
     return false;
   }
+  if (target.matches('input[type=range], input[type=radio], input[type=checkbox]')) {
+    return [' ', 'Enter', 'Tab', 'Home', 'End', 'PageUp', 'PageDown'].includes(event.key) || event.key.startsWith('Arrow');
+  }
   if (target.closest('input, select, textarea, dialog, [role=menu]')) {
     return true;
   }

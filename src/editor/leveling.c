@@ -6,6 +6,7 @@
 
 void bat_leveling_free(bat_leveling *l) {
     bat_shape_free(l->base);
+    bat_shape_live_cancel(l->live);
     bat_shape_free(l->apart);
     free(l->strip);
     *l = (bat_leveling){.chosen = -1, .version = l->version};

@@ -26,7 +26,8 @@ typedef struct bat_leveling {
     bat_handle grip;
     double start[2], at[2]; /* view pixels */
     bool fading;            /* a hand on a fader holds the transaction */
-    bat_shape *base;        /* the shape as the drag or the fader found it, owned */
+    bat_shape *base;        /* the shape as the fader found it, owned */
+    bat_shape_live *live;   /* the drag's session, owned */
 
     bat_shape *apart; /* the curve taken apart, shown until Enter or Esc; owned */
     uint64_t apart_revision;

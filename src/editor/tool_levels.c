@@ -61,22 +61,22 @@ static bat_handle find(bat_editor *editor, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
-static bat_status moved(const bat_editor *editor, bat_shape *shape, const bat_handle *grip,
+/* The session's shape with the grip moved by delta from where it was. */
+static bat_status moved(const bat_editor *editor, bat_shape_live *live, const bat_handle *grip,
                         const double delta[2]) {
-    int level = editor->leveling.level;
-    if (grip->kind == BAT_HANDLE_POINT) return bat_shape_move(shape, level, grip->index, delta);
-    bat_status status = bat_shape_drag_finest(shape, level, grip->u, delta,
-                                              CLOSE * bat_view_pixel(&editor->view), NULL);
+    if (grip->kind == BAT_HANDLE_POINT) return bat_shape_live_move(live, grip->index, 1, delta);
+    bat_status status = bat_shape_live_drag_finest(live, grip->u, delta,
+                                                   CLOSE * bat_view_pixel(&editor->view), NULL);
     /* Where the details turn faster than the sweep moves, the sweep alone follows. */
-    return status == BAT_TOLERANCE ? bat_shape_drag(shape, level, grip->u, delta) : status;
+    return status == BAT_TOLERANCE ? bat_shape_live_drag(live, grip->u, delta) : status;
 }
 
-/* The shape `from` with the grip moved; *out is the caller's. */
-static bat_status edited(const bat_editor *editor, const bat_shape *from, const bat_handle *grip,
+/* The same, as a shape of its own. */
+static bat_status edited(const bat_editor *editor, bat_shape_live *live, const bat_handle *grip,
                          const double delta[2], bat_shape **out) {
     bat_shape *shape = NULL;
-    bat_status status = bat_shape_copy(from, &shape);
-    if (status == BAT_OK) status = moved(editor, shape, grip, delta);
+    bat_status status = moved(editor, live, grip, delta);
+    if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
     if (status == BAT_OK) status = bat_shape_commit(shape);
     if (status != BAT_OK)
         bat_shape_free(shape);
@@ -93,8 +93,8 @@ static void tell(bat_editor *editor, bat_status status) {
 }
 
 static void release(bat_leveling *l) {
-    bat_shape_free(l->base);
-    l->base = NULL;
+    bat_shape_live_cancel(l->live);
+    l->live = NULL;
     l->pressed = l->dragging = l->due = false;
 }
 
@@ -119,7 +119,7 @@ static void drag(bat_editor *editor) {
         editor->snap.kind = BAT_SNAP_NONE;
     }
     bat_shape *shape = NULL;
-    bat_status status = edited(editor, l->base, &l->grip, delta, &shape);
+    bat_status status = edited(editor, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(editor, shape);
     if (status != BAT_OK) give_up(editor, status);
 }
@@ -135,7 +135,7 @@ static void begin_drag(bat_editor *editor) {
         bat_editor_notice(editor, BAT_STRING_NOTICE_NO_LEVELS);
         return;
     }
-    bat_status status = bat_shape_copy(shape, &l->base);
+    bat_status status = bat_shape_live_begin(shape, l->level, &l->live);
     if (status == BAT_OK) status = bat_transaction_begin(editor);
     if (status != BAT_OK) {
         release(l);
@@ -243,8 +243,11 @@ static bat_status nudge(bat_editor *editor, double x, double y) {
     double far = (editor->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(&editor->view);
     const double delta[2] = {x * far, y * far};
     const bat_handle grip = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
+    bat_shape_live *live = NULL;
     bat_shape *shape = NULL;
-    bat_status status = edited(editor, bat_leveling_shape(editor), &grip, delta, &shape);
+    bat_status status = bat_shape_live_begin(bat_leveling_shape(editor), l->level, &live);
+    if (status == BAT_OK) status = edited(editor, live, &grip, delta, &shape);
+    bat_shape_live_cancel(live);
     if (status == BAT_OK) status = bat_leveling_commit(editor, shape, BAT_STRING_STEP_LEVEL_POINT);
     tell(editor, status);
     return status == BAT_STATE ? BAT_OK : status; /* muted: said, and the view does not move instead */
@@ -384,7 +387,8 @@ static const char *check(const bat_editor *editor) {
     const bat_leveling *l = &editor->leveling;
     const bat_shape *shape = bat_leveling_shape(editor);
     if (l->dragging && !l->pressed) return "a drag without a press";
-    if ((l->dragging || l->fading) != (l->base != NULL)) return "a drag without its shape, or the reverse";
+    if (l->dragging != (l->live != NULL)) return "a drag without its session, or the reverse";
+    if (l->fading != (l->base != NULL)) return "a fader without its shape, or the reverse";
     if (l->dragging && !editor->transaction.open) return "a drag without a transaction";
     if (l->pressed && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a press without a pointer";
