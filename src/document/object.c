@@ -20,6 +20,7 @@ typedef struct part {
     const bat_curve *curve; /* owned, or the finest of the shape, which is */
     bat_shape *shape;
     double box[4];
+    uint64_t digest; /* of shape or curve: made once, since each step asks for that of the whole document */
 } part;
 
 struct bat_object {
@@ -63,10 +64,13 @@ static part *part_create(void) {
     return made;
 }
 
-static void part_fill(part *made, const bat_curve *curve) {
+static void part_fill(part *made, const bat_curve *curve, bat_shape *shape) {
     double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
     bat_curve_bounds(curve, low, high);
     made->curve = curve;
+    made->shape = shape;
+    made->digest = shape ? bat_kept_shape_digest(bat_digest_begin(), shape)
+                         : bat_digest_curve(bat_digest_begin(), curve);
     made->box[0] = low[0], made->box[1] = low[1], made->box[2] = high[0], made->box[3] = high[1];
 }
 
@@ -145,7 +149,7 @@ bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *
             return BAT_MEMORY;
         }
     }
-    for (int i = 0; i < curve_count; i++) part_fill(object->parts[i], curves[i]);
+    for (int i = 0; i < curve_count; i++) part_fill(object->parts[i], curves[i], NULL);
     measure(object);
     *out = object;
     return BAT_OK;
@@ -287,8 +291,7 @@ static bat_status with_part(const bat_object *object, int index, const bat_curve
         return BAT_MEMORY;
     }
     part_release(copy->parts[index]);
-    part_fill(made, curve);
-    made->shape = shape;
+    part_fill(made, curve, shape);
     copy->parts[index] = made;
     settle_kind(copy); /* nobody's points give this curve */
     measure(copy);
@@ -486,11 +489,7 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     digest = bat_digest_number(digest, (uint64_t)style->join);
     digest = bat_digest_double(digest, style->miter_limit);
     digest = bat_digest_number(digest, (uint64_t)object->count);
-    for (int i = 0; i < object->count; i++) {
-        const part *at = object->parts[i];
-        digest = at->shape ? bat_kept_shape_digest(digest, at->shape) : bat_digest_curve(digest, at->curve);
-    }
-    /* Objects of the plain kind have the digests they always had. */
+    for (int i = 0; i < object->count; i++) digest = bat_digest_number(digest, object->parts[i]->digest);
     if (object->parent) digest = bat_digest_number(digest, object->parent << 2 | 1);
     if (object->hidden) digest = bat_digest_number(digest, 2);
     if (object->locked) digest = bat_digest_number(digest, 3);
