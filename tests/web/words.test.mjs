@@ -35,7 +35,7 @@ const foreign = (page) => page.evaluate(() => {
       .map((node) => node.nodeValue);
     said.push(...own, element.getAttribute('aria-label') ?? '', element.title, element.getAttribute('placeholder') ?? '');
   }
-  const kept = /^(px|mm|in|English|Batten|Esc)$/;
+  const kept = /^([-=\d., ]*(px|mm|in)|English|Batten|Esc)$/;
   return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text));
 });
 
