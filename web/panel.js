@@ -431,7 +431,8 @@ export class Panel {
     // Values that the canvas shows, for those who do not see it; not while they still run.
     const values = frame.busy ? null : frame.labels.filter((label) => label.role !== ROLE_RULER)
       .map((label) => label.text).join(', ');
-    const shown = [values, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
+    const reach = this.engine.number('tolerance');
+    const shown = [values, reach, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
       frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
       frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
     if (shown === this.shown) {
@@ -462,7 +463,7 @@ export class Panel {
     /** @type {HTMLElement} */ (knots.closest('div')).hidden = !drawing;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     knots.textContent = `${before}${frame.knotsAfter}`;
-    /** @type {HTMLElement} */ (this.tolerance).textContent = `= ${this.engine.number('tolerance')}`;
+    /** @type {HTMLElement} */ (this.tolerance).textContent = word('shell.in-drawing', reach);
     /** @type {HTMLElement} */ (this.zoom).textContent = [`${short(frame.zoom * 100)} %`,
       ...(frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
     this.refresh();

@@ -231,7 +231,7 @@ test('the tolerance is shown in pixels and in units, and can be set', async () =
   await settle(page);
   assert.equal(await page.evaluate(() => batten.engine.get('tolerance')), 2.5);
   const { zoom } = await state(page);
-  assert.ok((await page.textContent('#readouts')).includes(`= ${Number((2.5 / zoom).toPrecision(3))} units`));
+  assert.ok((await page.textContent('#readouts')).includes(`= ${Number((2.5 / zoom).toFixed(3))} px in the drawing`));
   assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
   await page.press('#readout-tolerance', 'ArrowUp');
   assert.equal(await page.evaluate(() => batten.engine.get('tolerance')), 2.6);
