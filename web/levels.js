@@ -55,7 +55,7 @@ export class LevelStrip {
     this.tools = make('div', 'level-controls');
     this.study = make('div', 'level-controls');
     this.more = this.#commands(['level-add', 'levels-copy', 'levels-flatten']);
-    for (const name of ['show-levels', 'show-frames', 'frame-rule']) {
+    for (const name of ['show-levels', 'show-frames', 'frame-rule', 'level-sketch']) {
       this.study.append(this.#property(name));
     }
     this.tools.append(this.#commands(['take-apart']), this.more, this.study);

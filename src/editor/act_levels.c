@@ -178,8 +178,8 @@ bat_status bat_do_level_down(bat_editor *editor, bool down) {
 
 bool bat_leveling_is(bat_property_id id) {
     return id == BAT_PROPERTY_SHOW_LEVELS || id == BAT_PROPERTY_SHOW_FRAMES ||
-           id == BAT_PROPERTY_FRAME_RULE || id == BAT_PROPERTY_APART_LEVELS ||
-           id == BAT_PROPERTY_APART_POINTS;
+           id == BAT_PROPERTY_FRAME_RULE || id == BAT_PROPERTY_LEVEL_SKETCH ||
+           id == BAT_PROPERTY_APART_LEVELS || id == BAT_PROPERTY_APART_POINTS;
 }
 
 static bat_status set_rule(bat_editor *editor, bat_frame_rule rule) {

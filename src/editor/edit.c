@@ -42,10 +42,11 @@ static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_cu
     if (!target) return BAT_ARGUMENT;
     if (edit->kind == BAT_EDIT_LEVEL) {
         bat_shape *shape = NULL;
-        bat_status status = bat_edit_shape(editor, edit, &shape);
-        if (status == BAT_OK) status = bat_curve_copy(bat_shape_curve(shape, bat_shape_levels(shape)), out);
+        bat_status status = bat_edit_shape(editor, edit, &shape, report);
+        if (!shape) return status;
+        bat_status copied = bat_shape_flatten(shape, out);
         bat_shape_free(shape);
-        return status;
+        return copied == BAT_OK ? status : copied;
     }
     if (edit->kind == BAT_EDIT_REDRAW) return bat_sketch(target, &stroke, &edit->options, out, report);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
@@ -87,8 +88,9 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
 static bat_status put_level(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
     bat_shape *shape = NULL;
     bat_curve_free(curve);
-    bat_status status = bat_edit_shape(editor, edit, &shape);
-    return status == BAT_OK ? bat_leveling_put_at(editor, edit->object, edit->curve, shape) : status;
+    bat_sketch_report report = {0};
+    bat_status status = bat_edit_shape(editor, edit, &shape, &report);
+    return shape ? bat_leveling_put_at(editor, edit->object, edit->curve, shape) : status;
 }
 
 /* Takes the curve over, whatever it returns. */

@@ -19,11 +19,18 @@ typedef enum bat_edit_kind {
     BAT_EDIT_COUNT
 } bat_edit_kind;
 
+/* What a stroke over a curve with levels does when it does not name one. */
+typedef enum bat_level_choice {
+    BAT_LEVEL_AUTO = -1, /* the coarsest that comes within the tolerance follows it */
+    BAT_LEVEL_FREE = -2, /* the base is redrawn with its knots, details kept */
+    BAT_LEVEL_BARE = -3  /* the same, details under the stroke dropped */
+} bat_level_choice;
+
 typedef struct bat_edit {
     bat_edit_kind kind;
     bat_id object; /* the object changed; NEW: the id it gets */
     int curve;
-    int level;    /* LEVEL: the one redrawn; -1: the coarsest that comes within the tolerance */
+    int level;    /* LEVEL: the one redrawn, or a bat_level_choice */
     bat_id other; /* JOIN: the object joined to it */
     int other_curve;
     bat_view view; /* the stroke's samples are view pixels of this view */
@@ -46,8 +53,9 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
  */
 bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report);
-/* The shape that a LEVEL edit makes. */
-bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out);
+/* The shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
+bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+                          bat_sketch_report *report);
 /* Puts the curve into the document as one step of the history and one line of the journal, or changes
  * nothing. Takes the curve over, whatever it returns. */
 bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve);

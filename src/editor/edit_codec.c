@@ -244,7 +244,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     const double ids = 2147483647;
     out->object = (bat_id)read_whole(&r, "object", 1, ids);
     if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
-    if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", -1, BAT_LEVELS_MAX);
+    if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);
     if (out->kind == BAT_EDIT_JOIN) {
         out->other = (bat_id)read_whole(&r, "other", 1, ids);
         out->other_curve = read_whole(&r, "other_curve", 0, ids);

@@ -34,13 +34,31 @@ static bat_status at_level(const bat_shape *from, const bat_edit *edit, int leve
     return status;
 }
 
-bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out) {
+static bat_status freely(const bat_shape *from, const bat_edit *edit, bat_shape **out,
+                         bat_sketch_report *report) {
+    bat_shape *shape = NULL;
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    bat_status status = bat_shape_redraw(from, &stroke, &edit->options, edit->level == BAT_LEVEL_BARE, &shape,
+                                         report);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    bat_status done = bat_shape_commit(shape);
+    if (done != BAT_OK) {
+        bat_shape_free(shape);
+        return done;
+    }
+    *out = shape;
+    return status;
+}
+
+bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+                          bat_sketch_report *report) {
     const bat_object *object = bat_document_at(editor->document,
                                                bat_document_find(editor->document, edit->object));
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
     if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != 2) return BAT_ARGUMENT;
     int top = bat_shape_levels(from);
     if (edit->level >= 0) return edit->level <= top ? at_level(from, edit, edit->level, out) : BAT_ARGUMENT;
+    if (edit->level != BAT_LEVEL_AUTO) return freely(from, edit, out, report);
     bat_shape *best = NULL; /* the finest when none is near enough */
     bat_status status = BAT_STATE;
     for (int level = 0; level <= top; level++) {

@@ -106,9 +106,9 @@ uint32_t bat_leveling_version(bat_editor *editor) {
     const uint64_t parts[] = {l->object,  (uint64_t)l->curve, (uint64_t)l->level,
                               l->copying, editor->revision,   l->apart != NULL,
                               levels};
-    const bat_property_id values[] = {BAT_PROPERTY_SHOW_LEVELS, BAT_PROPERTY_SHOW_FRAMES,
-                                      BAT_PROPERTY_FRAME_RULE, BAT_PROPERTY_APART_LEVELS,
-                                      BAT_PROPERTY_APART_POINTS};
+    const bat_property_id values[] = {BAT_PROPERTY_SHOW_LEVELS,  BAT_PROPERTY_SHOW_FRAMES,
+                                      BAT_PROPERTY_FRAME_RULE,   BAT_PROPERTY_LEVEL_SKETCH,
+                                      BAT_PROPERTY_APART_LEVELS, BAT_PROPERTY_APART_POINTS};
     uint64_t shown = bat_digest_begin();
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) shown = bat_digest_number(shown, parts[i]);
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)

@@ -172,7 +172,11 @@ static bool meant_level(const bat_editor *editor, const bat_pick *pick, int *lev
                                     : bat_object_shape(bat_document_at(editor->document, at), pick->curve);
     if (!shape) return false;
     bool chosen = l->object == pick->object && l->curve == pick->curve;
-    *level = chosen && l->level <= bat_shape_levels(shape) ? l->level : -1;
+    int way = (int)editor->values[BAT_PROPERTY_LEVEL_SKETCH];
+    *level = way == 1                                        ? BAT_LEVEL_FREE
+             : way == 2                                      ? BAT_LEVEL_BARE
+             : chosen && l->level <= bat_shape_levels(shape) ? l->level
+                                                             : BAT_LEVEL_AUTO;
     return true;
 }
 

@@ -353,6 +353,29 @@ static void a_level_is_redrawn(void **state) {
         bat_shape_free(before);
         round_trip(editor, plain_digest(), 2);
     }
+    /* The base with its knots, details kept or dropped under the stroke: it goes where the pen went, all levels stay. */
+    for (int way = 1; way <= 2; way++) {
+        pen p;
+        bat_editor *editor = apart_editor(&p);
+        assert_int_equal(bat_editor_set(editor, "level-sketch", way), BAT_OK);
+        bat_editor_command(editor, "tool-sketch");
+        double from[2], to[2], middle[2];
+        bat_near near;
+        on_curve(editor, 0, 0.3, from);
+        on_curve(editor, 0, 0.7, to);
+        pen_line(&p, from[0], from[1], to[0], to[1], -60);
+        if (bat_editor_frame(editor)->pending) bat_editor_command(editor, "accept");
+        check(editor);
+        const bat_shape *after = shape_at(editor, 0);
+        assert_non_null(after);
+        assert_int_equal(bat_shape_levels(after), 3);
+        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], -60}, middle);
+        assert_int_equal(bat_curve_nearest(bat_shape_curve(after, 0), middle, &near), BAT_OK);
+        assert_true(near.distance < 2);
+        bat_curve_nearest(bat_shape_curve(after, 3), middle, &near);
+        assert_true(way == 1 || near.distance < 2); /* bare: nothing is left on it */
+        round_trip(editor, plain_digest(), 2);
+    }
     /* A silent level is not redrawn, and says so. */
     pen p;
     bat_editor *editor = apart_editor(&p);
@@ -456,8 +479,8 @@ static void wild(void **state) {
                                            "level-up",    "level-down",  "levels-copy", "levels-flatten",
                                            "point-next",  "nudge-left",  "undo",        "redo",
                                            "tool-sketch", "tool-levels", "accept",      "tool-points"};
-    static const char *const properties[] = {"apart-levels", "apart-points", "frame-rule", "show-frames",
-                                             "show-levels"};
+    static const char *const properties[] = {"apart-levels", "apart-points", "frame-rule",
+                                             "show-frames",  "show-levels",  "level-sketch"};
     enum { SIZE = 900 };
     static uint8_t data[SIZE];
     int steps = 0;
@@ -478,7 +501,7 @@ static void wild(void **state) {
                 bat_editor_command(editor, commands[session_byte(&bytes) % 16]);
                 bat_editor_frame(editor);
             } else if (what < 140) {
-                bat_editor_set(editor, properties[what % 5], session_byte(&bytes) % 30);
+                bat_editor_set(editor, properties[what % 6], session_byte(&bytes) % 30);
             } else if (what < 180) {
                 uint8_t more = session_byte(&bytes);
                 bat_editor_level(editor, (bat_level_act)(more % 4), more / 4 % 5, more / 32 * 0.5, more > 80);
