@@ -119,6 +119,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_scene_free(&editor->scene);
     free(editor->overlay.path.data);
     bat_selection_free(&editor->selection);
+    bat_selection_free(&editor->selecting.earlier);
     bat_selection_free(&editor->isolation.kept);
     bat_history_clear(&editor->history);
     bat_journal_free(&editor->journal);

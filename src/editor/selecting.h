@@ -2,6 +2,7 @@
 #ifndef BATTEN_SRC_SELECTING_H
 #define BATTEN_SRC_SELECTING_H
 
+#include "editor/selection.h"
 #include "editor/snap.h"
 
 typedef enum bat_selecting_state {
@@ -26,8 +27,11 @@ typedef struct bat_selecting {
 
     bat_id pressed;    /* 0: on nothing */
     bool was_selected; /* before the press: a click then selects it alone */
-    double box[4];     /* of the selection, when the drag began */
-    int *indices;      /* of the paths that the drag changes, and what they were */
+    bool replaced;     /* the press has begun another selection; `earlier` is the one before */
+    bat_selection earlier;
+    bat_id entered; /* before the press */
+    double box[4];  /* of the selection, when the drag began */
+    int *indices;   /* of the paths that the drag changes, and what they were */
     bat_object **before;
     int count;
     bat_id *originals; /* a drag of copies: what was selected before; else NULL */

@@ -58,6 +58,14 @@ void bat_selection_remove(bat_selection *selection, bat_id id) {
             (size_t)(selection->count - at) * sizeof *selection->ids);
 }
 
+void bat_selection_swap(bat_selection *a, bat_selection *b) {
+    bat_selection c = *a;
+    uint32_t version = a->version > b->version ? a->version : b->version;
+    *a = *b;
+    *b = c;
+    a->version = b->version = version + 1;
+}
+
 void bat_selection_prune(bat_selection *selection, const bat_document *document) {
     if (selection->count == 0) return;
     /* Those found are marked by the top bit, which no id has: one walk over the document, no memory. */

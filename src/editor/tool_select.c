@@ -94,12 +94,34 @@ static void forget_drag(bat_selecting *s) {
     s->handle = BAT_GRIP_NONE;
 }
 
-/* Takes the drag back; the copies are gone, what they were made of is selected again. */
+/* Begins another selection, without losing the one there is: a press may yet be cancelled. */
+static void replace_selection(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    bat_selection_swap(&editor->selection, &s->earlier);
+    bat_selection_clear(&editor->selection);
+    s->replaced = true;
+}
+
+/* What is selected is again what was before the press. */
+static void take_press_back(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    if (s->replaced)
+        bat_selection_swap(&editor->selection, &s->earlier);
+    else if (s->pressed && !s->was_selected)
+        bat_selection_remove(&editor->selection, s->pressed);
+    bat_selection_prune(&editor->selection, editor->document);
+    editor->entered = bat_document_find(editor->document, s->entered) < 0 ? 0 : s->entered;
+    s->replaced = false;
+    s->clicked_at = 0;
+}
+
+/* Takes the drag back; the copies are gone, what they were made of is selected as before the press. */
 static void take_back(bat_editor *editor) {
     bat_selecting *s = &editor->selecting;
     bat_transaction_cancel(editor);
     for (int i = 0; s->originals && i < s->original_count; i++)
         bat_selection_add(&editor->selection, s->originals[i]); /* there is room: they were in it */
+    take_press_back(editor);
     forget_drag(s);
 }
 
@@ -303,13 +325,13 @@ static void press(bat_editor *editor, const bat_pointer *event) {
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
-        if (!adds) bat_selection_clear(selection);
+        if (!adds) replace_selection(editor);
         s->state = BAT_SELECTING_MARQUEE;
         return;
     }
     s->state = BAT_SELECTING_PRESSED;
     if (s->was_selected) return;
-    if (!adds) bat_selection_clear(selection);
+    if (!adds) replace_selection(editor);
     bat_status status = bat_selection_add(selection, s->pressed);
     if (status != BAT_OK) give_up(editor, status);
 }
@@ -317,6 +339,9 @@ static void press(bat_editor *editor, const bat_pointer *event) {
 static void down(bat_editor *editor, const bat_pointer *event) {
     bat_selecting *s = &editor->selecting;
     forget_drag(s);
+    s->pressed = 0;
+    s->replaced = false;
+    s->entered = editor->entered;
     s->device = event->device;
     s->hovering = event->device != BAT_DEVICE_TOUCH;
     memcpy(s->start, (double[]){event->x, event->y}, sizeof s->start);
@@ -415,12 +440,10 @@ static void up(bat_editor *editor, const bat_pointer *event) {
 static bool cancel(bat_editor *editor) {
     bat_selecting *s = &editor->selecting;
     bool busy = s->state != BAT_SELECTING_IDLE;
-    if (dragging(s))
-        take_back(editor);
-    else
-        forget_drag(s);
-    if (busy) bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
-    return busy;
+    if (!busy) return false;
+    take_back(editor);
+    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+    return true;
 }
 
 static void modifiers(bat_editor *editor) {

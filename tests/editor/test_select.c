@@ -648,8 +648,13 @@ static void alt_drags_a_copy(void **state) {
     bat_object_bounds(bat_document_at(editor->document, 0), box);
     double from[2];
     bat_view_to_screen(&editor->view, (double[]){400, 200}, from);
-    for (int cancelled = 1; cancelled >= 0; cancelled--) {
+    for (int round = 0; round < 3; round++) { /* cancelled, cancelled of what was selected, let go */
+        bool cancelled = round < 2, chosen = round == 1;
         p.time += 1000;
+        if (chosen)
+            bat_selection_add(&editor->selection, id);
+        else
+            bat_selection_clear(&editor->selection);
         p.modifiers = BAT_ALT;
         pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
         pen_event(&p, BAT_POINTER_MOVE, from[0] + 20, from[1]);
@@ -660,8 +665,8 @@ static void alt_drags_a_copy(void **state) {
         assert_null(bat_editor_check(editor));
         pen_event(&p, cancelled ? BAT_POINTER_CANCEL : BAT_POINTER_UP, from[0] + 30, from[1] + 50);
         p.modifiers = 0;
-        assert_int_equal(editor->selection.count, 1);
-        assert_true(bat_selection_has(&editor->selection, id) == cancelled);
+        assert_int_equal(editor->selection.count, cancelled ? chosen : 1);
+        assert_true(bat_selection_has(&editor->selection, id) == chosen);
         assert_true((digest(editor) == fresh) == cancelled);
     }
     double pixel = bat_view_pixel(&editor->view);

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "editor/editor.h"
 #include "support/pen.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
@@ -100,6 +101,48 @@ static void a_cancelled_tap_is_none(void **state) {
     bat_editor_free(editor);
 }
 
+/* What two fingers come down on is not selected by that, nor is anything else forgotten: by a tap and by a pinch, on
+ * an object and beside all, with Shift, after the first finger has begun to drag. */
+static void fingers_leave_the_selection(void **state) {
+    (void)state;
+    static const struct {
+        double y, travel;
+        uint32_t modifiers;
+    } first[] = {{600, 0, 0}, {600, 12, 0}, {400, 0, 0}, {600, 0, BAT_SHIFT}, {200, 12, 0}};
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        for (int pinch = 0; pinch < 2; pinch++)
+            for (int chosen = 0; chosen < 2; chosen++) {
+                bat_editor *editor = pen_editor(); /* lines 1 (y = 200) and 2 (y = 600) */
+                uint64_t plain = digest(editor);
+                bat_editor_command(editor, "tool-select");
+                for (double time = 4000; chosen && time < 4100; time += 50)
+                    touch(editor, BAT_DEVICE_TOUCH, time < 4050 ? BAT_POINTER_DOWN : BAT_POINTER_UP, 9, 400,
+                          200, time);
+                assert_int_equal(editor->selection.count, chosen);
+                bat_pointer down = {.phase = BAT_POINTER_DOWN,
+                                    .device = BAT_DEVICE_TOUCH,
+                                    .contact = 1,
+                                    .buttons = 1,
+                                    .modifiers = first[i].modifiers,
+                                    .x = 400,
+                                    .y = first[i].y,
+                                    .time = 5000};
+                bat_editor_pointer(editor, &down, 1);
+                touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 1, 400 + first[i].travel, first[i].y, 5010);
+                bat_editor_frame(editor);
+                uint32_t version = editor->selection.version;
+                touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 500, first[i].y, 5020);
+                assert_true(editor->selection.version >= version);
+                if (pinch) touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 2, 540, first[i].y, 5030);
+                touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 400 + first[i].travel, first[i].y, 5100);
+                touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 2, 500, first[i].y, 5110);
+                assert_int_equal(editor->selection.count, chosen);
+                assert_true(!chosen || editor->selection.ids[0] == 1);
+                assert_true(digest(editor) == plain);
+                bat_editor_free(editor);
+            }
+}
+
 /* Fingers beside a pen that draws, or that is about, are a hand at rest: nothing is undone, the stroke goes on. */
 static void a_hand_beside_the_pen_is_none(void **state) {
     (void)state;
@@ -169,9 +212,10 @@ static void a_pending_fit_goes_first(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_undo_and_three_redo),          cmocka_unit_test(what_is_no_tap),
-        cmocka_unit_test(a_cancelled_tap_is_none),          cmocka_unit_test(a_hand_beside_the_pen_is_none),
-        cmocka_unit_test(a_stroke_is_never_ended_by_a_tap), cmocka_unit_test(a_pending_fit_goes_first),
+        cmocka_unit_test(two_undo_and_three_redo),       cmocka_unit_test(what_is_no_tap),
+        cmocka_unit_test(fingers_leave_the_selection),   cmocka_unit_test(a_cancelled_tap_is_none),
+        cmocka_unit_test(a_hand_beside_the_pen_is_none), cmocka_unit_test(a_stroke_is_never_ended_by_a_tap),
+        cmocka_unit_test(a_pending_fit_goes_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
