@@ -376,24 +376,29 @@ bat_status bat_object_with_spline(const bat_object *object, const bat_spline *sp
     return status;
 }
 
+/* The part without its levels. */
+static bat_status flatten(part **at) {
+    bat_curve *curve = NULL;
+    part *plain = part_create();
+    bat_status status = plain ? bat_curve_copy((*at)->curve, &curve) : BAT_MEMORY;
+    if (status != BAT_OK) {
+        free(plain);
+        return status;
+    }
+    part_fill(plain, curve, NULL);
+    part_release(*at);
+    *at = plain;
+    return BAT_OK;
+}
+
 bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
     if (!object || !out || (object->kind != BAT_KIND_SPLINE && object->kind != BAT_KIND_SHAPE))
         return BAT_ARGUMENT;
     bat_object *copy = share(object);
-    bat_status status = copy ? BAT_OK : BAT_MEMORY;
-    for (int i = 0; i < object->count && status == BAT_OK; i++) {
-        bat_curve *curve = NULL;
-        bat_object *next = NULL;
-        if (!copy->parts[i]->shape) continue;
-        status = bat_curve_copy(copy->parts[i]->curve, &curve);
-        if (status == BAT_OK) status = bat_object_with_curve(copy, i, curve, &next);
-        if (status != BAT_OK)
-            bat_curve_free(curve);
-        else
-            bat_object_release(copy);
-        if (status == BAT_OK) copy = next;
-    }
-    if (status != BAT_OK) {
+    if (!copy) return BAT_MEMORY;
+    for (int i = 0; i < copy->count; i++) {
+        bat_status status = copy->parts[i]->shape ? flatten(&copy->parts[i]) : BAT_OK;
+        if (status == BAT_OK) continue;
         bat_object_release(copy);
         return status;
     }
