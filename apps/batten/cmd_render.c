@@ -163,7 +163,9 @@ const cli_command command_render = {
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
     .details =
         "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
-        "pixels on the longer side. With --size the proportions are kept and the view is centred.",
+        "pixels on the longer side. With --size the proportions are kept and the view is centred. Pictures "
+        "to\n"
+        "trace are in an SVG, not in a PNG or PDF.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF"},

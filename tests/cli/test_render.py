@@ -1,5 +1,8 @@
 """render: PNG against librsvg's picture of the SVG, sizes, backgrounds, PDF."""
+import base64
+import io
 import json
+import pathlib
 import shutil
 import struct
 import subprocess
@@ -139,6 +142,33 @@ class Render(ProgramTest):
     def test_standard_output(self):
         data = self.done("render", "-", "-", "--to", "png", "--size", "20x10", stdin=json.dumps(CURVE))
         self.assertEqual(pixels(data).shape, (10, 20, 4))
+
+    def test_pictures_to_trace(self):
+        """Converted there and back they keep their bytes and their place; only an SVG shows them."""
+        red = io.BytesIO()
+        Image.new("RGB", (4, 2), (255, 0, 0)).save(red, "PNG")
+        data = base64.b64encode(red.getvalue()).decode()
+        line = '<path d="M10 25H90" stroke="#000" stroke-width="4" fill="none"/>'
+        head = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50" width="100" height="50">'
+        plain = self.file("plain.svg", f"{head}{line}</svg>")
+        traced = self.file("traced.svg", f'{head}<image width="100" height="50" '
+                           f'href="data:image/png;base64,{data}"/>{line}</svg>')
+        native, back = self.folder / "traced.batten", self.folder / "back.svg"
+        self.done("convert", traced, native)
+        self.done("convert", native, back)
+        drawing = json.loads(native.read_text())
+        self.assertEqual([one["data"] for one in drawing["pictures"]], [data])
+        self.assertEqual(drawing["objects"][0]["matrix"], [25, 0, 0, 25, 0, 0])
+        self.assertIn(data, back.read_text())
+        for source in traced, native, back:
+            self.assertTrue((self.png(source) == self.png(plain)).all(), source)
+            self.done("render", source, self.folder / "out.pdf")
+            self.assertNotIn(b"/Subtype /Image", (self.folder / "out.pdf").read_bytes())
+            self.done("render", source, self.folder / "out.svg")
+            self.assertIn(data, (self.folder / "out.svg").read_text())
+        # Without a page it counts for the size: the line alone is flat.
+        bare = self.file("bare.svg", pathlib.Path(traced).read_text().replace(' viewBox="0 0 100 50" width="100" height="50"', ""))
+        self.assertEqual(self.png(bare).shape[:2], (500, 1000))
 
 
 if __name__ == "__main__":
