@@ -6,11 +6,12 @@ import net from 'node:net';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { bezier, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, PROGRAM, serve } from './server.mjs';
 
 const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
-const WEB = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../../web');
+const WEB = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../web');
 
 let browser;
 before(async () => {
