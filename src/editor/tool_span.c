@@ -6,7 +6,7 @@
  */
 #include "curve/real.h"
 #include "editor/editor.h"
-#include <stdio.h>
+#include "editor/unit.h"
 #include <string.h>
 
 static const double REACH = 10, REACH_TOUCH = 22, CROSS = 7; /* px */
@@ -62,10 +62,10 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     double pixel = bat_view_pixel(&editor->view);
     if (s->count == 2) {
         double middle[2] = {s->at[0][0] / 2 + s->at[1][0] / 2, s->at[0][1] / 2 + s->at[1][1] / 2};
-        char text[40];
+        char text[BAT_UNIT_ROOM];
         bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
         bat_overlay_polyline(list, 2, s->at[0]);
-        snprintf(text, sizeof text, "%.5g", bat_tracing_value(editor, BAT_PROPERTY_PICTURE_SPAN));
+        bat_unit_write(editor, bat_tracing_value(editor, BAT_PROPERTY_PICTURE_SPAN), text);
         bat_overlay_label(list, BAT_ROLE_VALUE, middle, 0, -16, text);
     }
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED, 1.5F);

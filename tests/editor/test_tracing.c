@@ -197,6 +197,11 @@ static void scaled_by_two_points(void **unused) {
     bat_editor_get(editor, "picture-span", &now);
     assert_true(fabs(now - 250) < 1e-9);
     assert_true(bat_object_locked(last(editor)));
+    for (int i = 0; i < 3; i++) { /* 96 units an inch */
+        assert_int_equal(bat_editor_set(editor, "unit", i), BAT_OK);
+        frame = bat_editor_frame(editor);
+        assert_string_equal(frame->labels[0].text, ((const char *[]){"250 px", "66.146 mm", "2.604 in"})[i]);
+    }
     for (int i = 0; i < 3; i++)
         assert_int_not_equal(bat_editor_set(editor, "picture-span", (double[]){0, NAN, -1}[i]), BAT_OK);
     replays(editor);

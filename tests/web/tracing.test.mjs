@@ -139,6 +139,47 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+for (const colorScheme of ['light', 'dark']) {
+  test(`pasted by the keyboard, scaled by two points in millimetres, ${colorScheme}`, async () => {
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.evaluate(async (data) => {
+      const blob = new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], { type: 'image/png' });
+      await navigator.clipboard.write([new ClipboardItem({ 'image/png': blob })]);
+    }, twoHalves(400, 200));
+    await page.focus('#stage');
+    await page.keyboard.press('Control+v');
+    await shownPictures(page, 1);
+    await settle(page);
+    assert.match((await state(page)).notice, /Picture placed/);
+    const [x, y] = await middle(page);
+    assert.ok((await colourAt(page, x - 100, y))[0] > 240);
+    await page.evaluate(() => batten.engine.set('unit', 1));
+    await page.click('[data-name="layers"]');
+    await page.click('#pictures [data-text="command.tool-span"]');
+    await page.keyboard.press('Escape');
+    for (const at of [[x - 150, y], [x + 150, y]]) {
+      await hand.stroke([at, at], { pointerType: 'mouse' });
+    }
+    await page.waitForSelector('#setting-picture-span:focus');
+    const label = () => page.evaluate(() => batten.engine.frame().labels.map(({ text }) => text).join());
+    const span = (300 / await page.evaluate(() => batten.painter.painted.zoom)) * (25.4 / 96);
+    assert.equal(await label(), `${Number(span.toFixed(3))} mm`);
+    assert.equal(await page.inputValue('#setting-picture-span'), await label());
+    await page.keyboard.type('120');
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.equal(await label(), '120 mm');
+    assert.equal(await page.textContent('#values'), '120 mm'); // for those who do not see the canvas
+    const { matrix } = await page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0]);
+    assert.ok(Math.abs(matrix[0] - (120 * 96 / 25.4) / 300) < 1e-9, String(matrix));
+    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-millimetres.png`) });
+    assert.equal((await state(page)).check, '');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
 test('a crash of the module brings the picture back from the journal', async () => {
   const { page, context } = await open(browser, server.address);
   await give(page, 'drop', 'image/png', twoHalves(100, 100));
