@@ -16,7 +16,7 @@ export const Phase = Object.freeze({ HOVER: 0, DOWN: 1, MOVE: 2, UP: 3, CANCEL: 
 export const Device = Object.freeze({ MOUSE: 0, PEN: 1, TOUCH: 2 });
 export const Modifier = Object.freeze({ SHIFT: 1, CTRL: 2, ALT: 4, META: 8 });
 export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16,
-  CUT: 32, COPY: 64, PASTE: 128, SPAN: 256, SHORTCUTS: 512 });
+  CUT: 32, COPY: 64, PASTE: 128, SPAN: 256, SHORTCUTS: 512, REGION: 1024, REGION_BACK: 2048 });
 
 const SCRATCH = 1024; // bytes for what a call hands back
 const EVENTS = 64; // pointer events sent in one call
@@ -316,6 +316,19 @@ export class Engine {
   /** Moves a layer to the place of another. @param {number} id @param {number} target @returns {boolean} */
   placeLayer(id, target) {
     return this.#guard(() => this.wasm.editor_place_layer(this.editor, id, target) === OK, false);
+  }
+
+  /** A text that the engine makes. @param {string} name of the export @param {...number} numbers @returns {string} */
+  ask(name, ...numbers) {
+    return this.#guard(() => {
+      const address = this.wasm[name](this.editor, ...numbers);
+      return address ? this.#string(address) : '';
+    }, '');
+  }
+
+  /** @param {string} name of the export @param {...number} numbers @returns {boolean} it could be done */
+  act(name, ...numbers) {
+    return this.#guard(() => this.wasm[name](this.editor, ...numbers) === OK, false);
   }
 
   /** @returns {import('./layers.js').Layers} */

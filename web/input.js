@@ -22,13 +22,20 @@ function belongsToControl(event) {
   if (!target) {
     return false;
   }
+  if (/^F\d+$/.test(event.key)) {
+    return false;
+  }
+  // The Tab key walks through the drawing only where that has the focus.
+  if (event.key === 'Tab' && !target.closest('#stage')) {
+    return true;
+  }
   if (target.matches('input[type=range], input[type=radio], input[type=checkbox]')) {
     return [' ', 'Enter', 'Tab', 'Home', 'End', 'PageUp', 'PageDown'].includes(event.key) || event.key.startsWith('Arrow');
   }
   if (target.closest('input, select, textarea, dialog, [role=menu]')) {
     return true;
   }
-  return target.closest('button, a, summary') !== null && [' ', 'Enter', 'Tab'].includes(event.key);
+  return target.closest('button, a, summary') !== null && [' ', 'Enter'].includes(event.key);
 }
 
 export class Input {

@@ -49,6 +49,8 @@ class Shell {
     this.noticeVersion = 0;
     /** @type {import('./commands.js').CommandSheet | undefined} */
     this.commands = undefined;
+    /** @type {import('./mirror.js').Mirror | undefined} */
+    this.mirror = undefined;
     /** Frames painted and the time they took, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
     this.#connect();
@@ -143,6 +145,7 @@ class Shell {
       this.notice.say(frame.notice);
     }
     this.noticeVersion = frame.noticeVersion;
+    this.mirror?.show(frame);
     this.settings.note();
     void this.words.follow();
     this.cost.frames++;
@@ -292,6 +295,9 @@ class Shell {
     if (requests & Ask.SHORTCUTS) {
       void this.#showShortcuts();
     }
+    if (requests & (Ask.REGION | Ask.REGION_BACK)) {
+      void import('./regions.js').then(({ walk }) => walk(requests & Ask.REGION ? 1 : -1));
+    }
     if (requests & Ask.OPEN) {
       this.files.pick();
     }
@@ -324,6 +330,9 @@ async function start() {
     }
     const { Clipboard } = await import('./clipboard.js');
     shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
+    void import('./regions.js');
+    const { Mirror } = await import('./mirror.js');
+    shell.mirror = new Mirror(engine, shell.stage, shell.wake);
     // What explains, and what is seldom called, is fetched when somebody is there.
     const seen = new AbortController();
     for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {

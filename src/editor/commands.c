@@ -145,6 +145,15 @@ static bat_status shortcuts(bat_editor *editor, bool down) {
     return ask(editor, BAT_ASK_SHORTCUTS);
 }
 
+static bat_status region_next(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_REGION);
+}
+static bat_status region_previous(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_REGION_BACK);
+}
+
 static bat_status view_fit(bat_editor *editor, bool down) {
     (void)down;
     return bat_editor_fit(editor) ? BAT_OK : BAT_STATE;

@@ -92,8 +92,8 @@ void bat_outline_words(const bat_editor *editor, const bat_object *object, bat_t
     const char *name = bat_object_name(object);
     int curves = bat_object_curve_count(object), points = points_of(object);
     bat_text_string(text, name);
-    if (*name) bat_text_string(text, ", ");
-    bat_text_string(text, bat_editor_text(editor, kinds[bat_object_kind(object)]));
+    if (*name && curves < 2) bat_text_string(text, ", ");
+    if (!*name || curves < 2) bat_text_string(text, bat_editor_text(editor, kinds[bat_object_kind(object)]));
     if (!*name) { /* by its number: it has to be called something */
         bat_text_string(text, " ");
         bat_text_integer(text, bat_object_id(object));

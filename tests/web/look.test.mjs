@@ -110,18 +110,26 @@ test('a drawing in black shows on the dark ground, and its file keeps its colour
 
 test('all of it can be reached by the keyboard, with a visible focus', async () => {
   const { page, context } = await open(browser, server.address);
+  await page.waitForSelector('#mirror', { state: 'attached' });
   const reached = new Set();
-  for (let i = 0; i < 40; i++) {
+  const note = async () => reached.add(await page.evaluate(() => {
+    const element = document.activeElement;
+    const { outlineStyle, outlineWidth } = getComputedStyle(element);
+    const seen = outlineStyle !== 'none' && outlineWidth !== '0px';
+    const stop = document.getElementById('mirror').contains(element) ? 'mirror' : element.dataset.name ?? element.id;
+    return `${stop}${seen || element === document.body ? '' : ' without a ring'}`;
+  }));
+  for (let i = 0; i < 12; i++) {
     await page.keyboard.press('Tab');
-    reached.add(await page.evaluate(() => {
-      const element = document.activeElement;
-      const { outlineStyle, outlineWidth } = getComputedStyle(element);
-      const seen = outlineStyle !== 'none' && outlineWidth !== '0px';
-      return `${element.dataset.name ?? element.id}${seen || element === document.body ? '' : ' without a ring'}`;
-    }));
+    await note();
+    // A toolbar is one stop; the arrows go on.
+    for (let k = 0; k < 14 && await page.evaluate(() => document.activeElement.closest('[role=toolbar]')); k++) {
+      await page.keyboard.press('ArrowRight');
+      await note();
+    }
   }
   assert.deepEqual([...reached].filter((name) => name.endsWith('ring')), []);
-  for (const name of ['tool-sketch', 'tool-pan', 'save', 'settings', 'menu', 'theme', 'stage', 'readout-tolerance']) {
+  for (const name of ['tool-sketch', 'tool-pan', 'save', 'settings', 'menu', 'theme', 'stage', 'mirror', 'readout-tolerance']) {
     assert.ok(reached.has(name), name);
   }
   await page.focus('[data-name=menu]');

@@ -28,6 +28,11 @@ MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
 int editor_level(bat_editor *editor, int act, int level, double value, int done);
+MODULE_EXPORT(editor_outline) const char *editor_outline(bat_editor *editor, int first, int count);
+MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
+MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
+MODULE_EXPORT(editor_select) int editor_select(bat_editor *editor, uint32_t id, int add);
+MODULE_EXPORT(editor_said) const char *editor_said(bat_editor *editor);
 MODULE_EXPORT(editor_activate_layer) int editor_activate_layer(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_rename) int editor_rename(bat_editor *editor, uint32_t id, const char *name);
 MODULE_EXPORT(editor_set_state)
@@ -128,6 +133,31 @@ const char *editor_levels(bat_editor *editor) {
 int editor_level(bat_editor *editor, int act, int level, double value, int done) {
     MODULE_CHECK(editor);
     return (int)bat_editor_level(editor, (bat_level_act)act, level, value, done != 0);
+}
+
+const char *editor_outline(bat_editor *editor, int first, int count) {
+    MODULE_CHECK(editor);
+    return bat_editor_outline(editor, first, count);
+}
+
+const char *editor_outline_points(bat_editor *editor, uint32_t id) {
+    MODULE_CHECK(editor);
+    return bat_editor_outline_points(editor, id);
+}
+
+int editor_choose(bat_editor *editor, uint32_t id, int point) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_choose(editor, id, point);
+}
+
+int editor_select(bat_editor *editor, uint32_t id, int add) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_select(editor, id, add != 0);
+}
+
+const char *editor_said(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_said(editor);
 }
 
 int editor_activate_layer(bat_editor *editor, uint32_t id) {

@@ -1,0 +1,198 @@
+// Contrast measured over the colour tokens, focus, forced colours, reduced motion, and axe-core over the states that a
+// keyboard brings about.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch, open, SCREENSHOTS, settle } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+async function violations(page) {
+  await page.evaluate(AXE); // the page's own rules keep foreign scripts out; the debugger may
+  const { violations: found } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
+}
+
+/** All colour tokens as the browser has them: red, green, blue 0..255, alpha 0..1. */
+function tokens(page) {
+  return page.evaluate(() => {
+    const names = [];
+    for (const sheet of document.styleSheets) {
+      for (const rule of sheet.cssRules) {
+        if (rule.selectorText === ':root') {
+          names.push(...[...rule.style].filter((name) => /light-dark/.test(rule.style.getPropertyValue(name))));
+        }
+      }
+    }
+    const probe = document.body.appendChild(document.createElement('i'));
+    const canvas = document.createElement('canvas').getContext('2d');
+    const found = {};
+    for (const name of names) {
+      probe.style.color = '';
+      probe.style.color = `var(${name})`;
+      canvas.clearRect(0, 0, 1, 1);
+      const [r, g, b, a = 1] = getComputedStyle(probe).color.match(/[\d.]+/g).map(Number);
+      found[name.slice(2)] = [r, g, b, a];
+    }
+    probe.remove();
+    return found;
+  });
+}
+
+const linear = (value) => (value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4);
+const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+/** WCAG 2.2's contrast of a colour, laid over a ground. */
+function contrast(colour, ground) {
+  const over = colour.slice(0, 3).map((value, i) => value * colour[3] + ground[i] * (1 - colour[3]));
+  const [low, high] = [luminance(over), luminance(ground)].sort((a, b) => a - b);
+  return (high + 0.05) / (low + 0.05);
+}
+
+/** Words on what lies behind them: 4.5 : 1. */
+const WORDS = [
+  ['words', ['surface', 'ground', 'hover', 'accent-soft']],
+  ['words-soft', ['surface', 'ground', 'hover']],
+  ['accent', ['surface', 'accent-soft', 'hover']],
+  ['on-accent', ['accent']],
+  ['role-value', ['role-page-fill', 'ground']],
+];
+/** What has to be seen to be used: 3 : 1 (WCAG 1.4.11). */
+const SHAPES = [
+  ['field', ['surface']],
+  ...['object', 'highlight', 'ink', 'fit', 'knot', 'knot-fill', 'pending', 'selection', 'handle', 'marquee', 'point',
+    'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased']
+    .map((role) => [`role-${role}`, ['role-page-fill', 'ground']]),
+];
+/** What only accompanies: the line that goes, areas, what lies ahead of the pen. */
+const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|chosen$|.*-fill$)|^(shadow|edge|ground|surface|hover|accent-soft)$/;
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`contrast of every token, ${colorScheme}`, async () => {
+    const { page, context } = await open(browser, server.address, { colorScheme });
+    const all = await tokens(page);
+    assert.ok(Object.keys(all).length > 30);
+    const faint = [];
+    const measured = new Set();
+    for (const [pairs, least] of [[WORDS, 4.5], [SHAPES, 3]]) {
+      for (const [name, grounds] of pairs) {
+        measured.add(name);
+        for (const ground of grounds) {
+          const value = contrast(all[name], all[ground]);
+          if (!(value >= least)) {
+            faint.push(`${name} on ${ground}: ${value.toFixed(2)}`);
+          }
+        }
+      }
+    }
+    assert.deepEqual(faint, []);
+    const unknown = Object.keys(all).filter((name) => !measured.has(name) && !BESIDE.test(name));
+    assert.deepEqual(unknown, [], 'a token that nobody has measured');
+    await context.close();
+  });
+}
+
+test('contrast is computed as WCAG says', () => {
+  assert.ok(Math.abs(contrast([0, 0, 0, 1], [255, 255, 255, 1]) - 21) < 1e-9);
+  assert.ok(Math.abs(contrast([118, 118, 118, 1], [255, 255, 255, 1]) - 4.54) < 0.01);
+  assert.ok(Math.abs(contrast([0, 0, 0, 0], [255, 255, 255, 1]) - 1) < 1e-9);
+});
+
+const STATES = [
+  ['the list', ['F6', 'F6', 'F6', 'F6', 'End', 'ArrowRight']],
+  ['a range', ['F6', 'F6', 'F6', 'r']],
+  ['waypoints', ['F6', 'F6', 'F6', 'r', 'Enter']],
+  ['points', ['F6', 'F6', 'F6', 'a', 'Tab']],
+  ['the selection', ['F6', 'F6', 'F6', 'v', 'Tab']],
+];
+for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colorScheme: 'light', forcedColors: 'active' },
+  { colorScheme: 'dark', locale: 'ko-KR' }]) {
+  const name = [options.colorScheme, options.forcedColors ? 'forced' : '', options.locale ?? ''].filter(Boolean).join('-');
+  test(`axe-core finds nothing, state by state: ${name}`, async () => {
+    const { page, faults, context } = await open(browser, server.address, options);
+    await page.waitForSelector('#mirror', { state: 'attached' });
+    for (const [state, keys] of STATES) {
+      for (const key of keys) {
+        await page.keyboard.press(key);
+      }
+      await settle(page);
+      await page.waitForTimeout(200);
+      assert.deepEqual(await violations(page), [], state);
+      await page.screenshot({ path: path.join(SCREENSHOTS, `access-${name}-${state.replace(/\W/g, '')}.png`) });
+      for (let i = 0; i < 4; i++) {
+        await page.keyboard.press('Escape');
+      }
+      await page.evaluate(() => document.activeElement.blur());
+    }
+    for (const sheet of ['style', 'layers', 'settings', 'menu']) {
+      await page.focus(`[data-name=${sheet}]`);
+      await page.keyboard.press('Enter');
+      await settle(page);
+      assert.equal(await page.isVisible(`#${sheet}`), true);
+      assert.deepEqual(await violations(page), [], sheet);
+      await page.keyboard.press('Escape');
+    }
+    await page.evaluate(() => document.getElementById('question').showModal());
+    assert.deepEqual(await violations(page), [], 'question');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}
+
+test('forced colours: what is drawn wears the system\'s, and the focus shows', async () => {
+  const { page, context } = await open(browser, server.address, { forcedColors: 'active', colorScheme: 'dark' });
+  const roles = await page.evaluate(() => batten.theme.roles.map(({ stroke }) => stroke));
+  const system = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement('i'));
+    return ['Canvas', 'CanvasText', 'Highlight', 'GrayText', 'HighlightText', 'LinkText'].map((name) => {
+      probe.style.color = name;
+      return getComputedStyle(probe).color;
+    });
+  });
+  const own = roles.filter((colour, i) => i > 0 && !system.includes(colour) && !/, 0\)$/.test(colour));
+  assert.deepEqual(own, []);
+  for (const target of ['#stage', '[data-name=menu]', '#settings']) {
+    if (target === '#settings') {
+      continue;
+    }
+    await page.focus(target);
+    await page.keyboard.press('Shift');
+    const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+    assert.notEqual(outline, 'none', target);
+  }
+  await context.close();
+});
+
+test('reduced motion: nothing moves by itself', async () => {
+  const { page, context } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const moving = () => page.evaluate(() => [...document.querySelectorAll('*')].filter((element) => {
+    const { transitionDuration, animationName, scrollBehavior } = getComputedStyle(element);
+    return animationName !== 'none' || scrollBehavior === 'smooth' || parseFloat(transitionDuration) > 0;
+  }).map((element) => element.outerHTML).concat(document.getAnimations().map(String)));
+  assert.deepEqual(await moving(), []);
+  await page.click('[data-name=menu]');
+  assert.deepEqual(await moving(), []);
+  // The view jumps: one frame, and it is where it will be.
+  await page.keyboard.press('Escape');
+  await page.focus('#stage');
+  await page.keyboard.press('+');
+  await settle(page);
+  const zoom = await page.evaluate(() => batten.painter.painted.zoom);
+  await page.waitForTimeout(300);
+  assert.equal(await page.evaluate(() => batten.painter.painted.zoom), zoom);
+  await context.close();
+});

@@ -1,0 +1,67 @@
+// The keyboard's way through the page: from region to region, and with the arrows within a toolbar, which is one stop
+// of the Tab key. Fetched once the page is there.
+
+/** In the order of the page. */
+const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '.foot', '.sheet:popover-open', '#notice', '#pending'];
+const STOPS = 'button, input, select, textarea, [tabindex]';
+
+/** @param {Element} element */
+const usable = (element) => element.checkVisibility() && !element.matches(':disabled');
+
+/** What the focus goes to in a region. @param {string} region @returns {HTMLElement | undefined} */
+function stop(region) {
+  const root = /** @type {HTMLElement | null} */ (document.querySelector(region));
+  if (!root || (region !== '#mirror' && !root.checkVisibility())) {
+    return undefined;
+  }
+  const all = /** @type {HTMLElement[]} */ (root.tabIndex === 0 ? [root] : [...root.querySelectorAll(STOPS)]);
+  return all.find((element) => element.tabIndex === 0 && (region === '#mirror' || usable(element)));
+}
+
+/** The focus goes to the next region. @param {number} step 1 or -1 */
+export function walk(step) {
+  const there = REGIONS.filter(stop);
+  const now = there.findIndex((region) => document.querySelector(region)?.contains(document.activeElement));
+  const start = now < 0 && step < 0 ? 0 : now;
+  const next = there[(start + step + there.length) % there.length];
+  stop(next)?.focus();
+}
+
+/** Makes a toolbar one stop, with arrows inside. @param {HTMLElement} bar */
+function rove(bar) {
+  const buttons = () => [...bar.querySelectorAll('button')].filter(usable);
+  const settle = () => {
+    const there = buttons();
+    const now = there.find((button) => button === document.activeElement) ??
+      there.find((button) => button.tabIndex === 0 && bar.dataset.roving) ?? there[0];
+    bar.dataset.roving = 'yes';
+    for (const button of bar.querySelectorAll('button')) {
+      const index = button === now ? 0 : -1;
+      if (button.tabIndex !== index) {
+        button.tabIndex = index;
+      }
+    }
+  };
+  bar.addEventListener('focusin', settle);
+  bar.addEventListener('keydown', (event) => {
+    const there = buttons();
+    const at = there.indexOf(/** @type {HTMLButtonElement} */ (document.activeElement));
+    const back = getComputedStyle(bar).direction === 'rtl' ? 'ArrowRight' : 'ArrowLeft';
+    const step = event.key === 'ArrowUp' || event.key === back ? -1 : 1;
+    const next = event.key === 'Home' ? 0 : event.key === 'End' ? there.length - 1 :
+      event.key.startsWith('Arrow') ? (at + step + there.length) % there.length : -1;
+    if (next < 0 || at < 0 || event.ctrlKey || event.altKey || event.metaKey) {
+      return;
+    }
+    there[next].focus();
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  // Buttons come, go, and cannot be pressed now.
+  new MutationObserver(settle).observe(bar, { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden'] });
+  settle();
+}
+
+for (const bar of document.querySelectorAll('[role=toolbar]')) {
+  rove(/** @type {HTMLElement} */ (bar));
+}
