@@ -48,6 +48,8 @@ export class Mirror {
     this.shown = '';
     this.active = '';
     this.timer = 0;
+    /** The focus is being moved by the tree itself. */
+    this.own = false;
     this.tree = tell(document.createElement('div'), { label: 'outline' });
     this.tree.id = 'mirror';
     this.tree.className = 'mirror';
@@ -80,11 +82,12 @@ export class Mirror {
 
   // ---- the tree ----
 
-  /** Brings the tree up to date. */
-  #follow() {
+  /** Brings the tree up to date. @param {boolean} [entered] the focus has just come in */
+  #follow(entered = false) {
     let outline = this.#outline();
     const focused = this.tree.contains(document.activeElement);
-    if (!focused && outline.at >= 0 && (outline.at < this.first || outline.at >= this.first + WINDOW)) {
+    const led = entered || !focused; // by the drawing
+    if (led && outline.at >= 0 && (outline.at < this.first || outline.at >= this.first + WINDOW)) {
       this.first = Math.max(0, outline.at - WINDOW / 2);
       outline = this.#outline();
     }
@@ -110,14 +113,14 @@ export class Mirror {
         }
       }
     }
-    if (chosen && !focused) {
+    if (chosen && led) {
       this.active = chosen;
     }
     if (!items.some((item) => item.key === this.active)) {
       this.active = items[0]?.key ?? '';
     }
     const now = JSON.stringify([items, this.active]);
-    if (now !== this.shown) {
+    if (now !== this.shown || entered) {
       this.shown = now;
       this.#fill(items, focused);
     }
@@ -164,13 +167,15 @@ export class Mirror {
     }
     this.tree.hidden = items.length === 0;
     if (focused) {
-      this.#line(this.active)?.focus();
+      this.#focus(this.active);
     }
   }
 
-  /** @param {string} key @returns {HTMLElement | null} */
-  #line(key) {
-    return this.tree.querySelector(`[data-key="${key}"]`);
+  /** @param {string} key */
+  #focus(key) {
+    this.own = true; // lines that had the focus may be gone
+    /** @type {HTMLElement | null} */ (this.tree.querySelector(`[data-key="${key}"]`))?.focus();
+    this.own = false;
   }
 
   // ---- hands ----
@@ -183,6 +188,11 @@ export class Mirror {
 
   /** What has the focus is what the engine works on. @param {Event} event */
   #focused(event) {
+    const from = event instanceof FocusEvent && !this.own ? event.relatedTarget : this.tree;
+    if (!this.tree.contains(/** @type {Node | null} */ (from))) {
+      this.#follow(true); // to where the drawing is
+      return;
+    }
     const item = this.#item(event);
     if (!item || (item.key === this.active && item.selected)) {
       return;
@@ -257,7 +267,7 @@ export class Mirror {
     } else if (index < 0 && this.first > 0) {
       this.#jump(this.first - 1);
     } else if (this.items[index]) {
-      this.#line(this.items[index].key)?.focus();
+      this.#focus(this.items[index].key);
     }
   }
 
@@ -269,6 +279,6 @@ export class Mirror {
       this.#follow();
     }
     const objects = this.items.filter((item) => item.point < 0);
-    this.#line(objects[object - this.first]?.key ?? '')?.focus();
+    this.#focus(objects[object - this.first]?.key ?? '');
   }
 }

@@ -266,9 +266,9 @@ enum {
     BAT_ASK_CUT = 32, /* the clipboard: bat_editor_copy, bat_editor_paste */
     BAT_ASK_COPY = 64,
     BAT_ASK_PASTE = 128,
-    BAT_ASK_SPAN = 256,     /* let the property picture-span be typed */
+    BAT_ASK_SPAN = 256,      /* let the property picture-span be typed */
     BAT_ASK_SHORTCUTS = 512, /* a list of all commands with their shortcuts */
-    BAT_ASK_REGION = 1024, /* the keyboard goes on to the next part of the window, or back */
+    BAT_ASK_REGION = 1024,   /* the keyboard goes on to the next part of the window, or back */
     BAT_ASK_REGION_BACK = 2048
 };
 

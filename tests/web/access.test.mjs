@@ -128,6 +128,7 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
     for (const [state, keys] of STATES) {
       for (const key of keys) {
         await page.keyboard.press(key);
+        await settle(page);
       }
       await settle(page);
       await page.waitForTimeout(200);
@@ -158,19 +159,16 @@ test('forced colours: what is drawn wears the system\'s, and the focus shows', a
   const roles = await page.evaluate(() => batten.theme.roles.map(({ stroke }) => stroke));
   const system = await page.evaluate(() => {
     const probe = document.body.appendChild(document.createElement('i'));
-    return ['Canvas', 'CanvasText', 'Highlight', 'GrayText', 'HighlightText', 'LinkText'].map((name) => {
+    return ['Canvas', 'CanvasText', 'Highlight', 'GrayText', 'LinkText', 'ActiveText'].map((name) => {
       probe.style.color = name;
       return getComputedStyle(probe).color;
     });
   });
   const own = roles.filter((colour, i) => i > 0 && !system.includes(colour) && !/, 0\)$/.test(colour));
   assert.deepEqual(own, []);
-  for (const target of ['#stage', '[data-name=menu]', '#settings']) {
-    if (target === '#settings') {
-      continue;
-    }
+  await page.keyboard.press('Tab'); // a hand on the keyboard
+  for (const target of ['#stage', '[data-name=menu]', '#mirror [tabindex="0"]']) {
     await page.focus(target);
-    await page.keyboard.press('Shift');
     const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
     assert.notEqual(outline, 'none', target);
   }

@@ -19,6 +19,9 @@ async function press(page, ...keys) {
     const [, times, name] = /^(?:(\d+) x )?(.*)$/.exec(key);
     for (let i = 0; i < Number(times ?? 1); i++) {
       await page.keyboard.press(name);
+      if (name.endsWith('F6')) {
+        await settle(page); // the page answers once a frame
+      }
     }
   }
   await settle(page);
@@ -208,9 +211,9 @@ test('the list mirrors the drawing, and the drawing the list', async () => {
   server.close();
 });
 
-test('of five thousand curves the list has a window, and walks through all', async () => {
-  const paths = Array.from({ length: 5000 }, (_, i) => `<path d="M${i % 100} ${Math.floor(i / 100)}h.5"/>`);
-  const server = await serve({ name: 'many.svg', bytes: Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50"
+test('of a thousand curves the list has a window, and walks through all', async () => {
+  const paths = Array.from({ length: 1000 }, (_, i) => `<path d="M${i % 100} ${Math.floor(i / 100)}h.5"/>`);
+  const server = await serve({ name: 'many.svg', bytes: Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 10"
     fill="none" stroke="#000" stroke-width=".1">${paths.join('')}</svg>`) });
   const { page, context } = await open(browser, server.address);
   await loaded(page);
@@ -220,13 +223,13 @@ test('of five thousand curves the list has a window, and walks through all', asy
   await calm(page);
   const place = () => page.evaluate(() => [document.activeElement.getAttribute('aria-posinset'),
     document.activeElement.getAttribute('aria-setsize')]);
-  assert.deepEqual(await place(), ['5000', '5000']);
-  await press(page, '250 x ArrowUp');
+  assert.deepEqual(await place(), ['1000', '1000']);
+  await press(page, '205 x ArrowUp');
   await calm(page);
-  assert.deepEqual(await place(), ['4750', '5000']);
+  assert.deepEqual(await place(), ['795', '1000']);
   await press(page, 'Home', '205 x ArrowDown');
   await calm(page);
-  assert.deepEqual(await place(), ['206', '5000']);
+  assert.deepEqual(await place(), ['206', '1000']);
   await context.close();
   server.close();
 });
