@@ -20,6 +20,8 @@ import { Words, word } from './words.js';
 const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
   'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize', 'zoom-in', 'zoom-out'];
 
+const UNTOUCHED = 3000; // milliseconds after which the page readies itself for those who do not see it
+
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 /** @param {string} id */
@@ -51,6 +53,7 @@ class Shell {
     this.commands = undefined;
     /** @type {import('./mirror.js').Mirror | undefined} */
     this.mirror = undefined;
+    this.mirroring = false;
     /** Frames painted and the time they took, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
     this.#connect();
@@ -272,6 +275,20 @@ class Shell {
     sheet.search.focus();
   }
 
+  /** The list of objects, and the keyboard's ways. @param {{ complete: () => Promise<unknown> }} module */
+  async mirrorDrawing(module) {
+    if (this.mirroring) {
+      return;
+    }
+    this.mirroring = true;
+    try {
+      const [{ Mirror }] = await Promise.all([import('./mirror.js'), import('./regions.js'), module.complete()]);
+      this.mirror = new Mirror(this.engine, this.stage, this.wake);
+    } catch {
+      this.mirroring = false; // no network now
+    }
+  }
+
   /** What the engine asks of its host. @param {number} requests */
   #grant(requests) {
     if (requests & Ask.SAVE) {
@@ -330,9 +347,6 @@ async function start() {
     }
     const { Clipboard } = await import('./clipboard.js');
     shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
-    void import('./regions.js');
-    const { Mirror } = await import('./mirror.js');
-    shell.mirror = new Mirror(engine, shell.stage, shell.wake);
     // What explains, and what is seldom called, is fetched when somebody is there.
     const seen = new AbortController();
     for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
@@ -340,8 +354,11 @@ async function start() {
         seen.abort();
         module.complete().catch(() => {}); // it is asked for again when it is called
         void (engine.words ?? words.load());
+        void shell.mirrorDrawing(module);
       }, { signal: seen.signal });
     }
+    // A screen reader may read without touching anything.
+    setTimeout(() => void shell.mirrorDrawing(module), UNTOUCHED);
   } catch (error) {
     console.error(error);
     part('failed').hidden = false;

@@ -38,6 +38,7 @@ const focus = (page) => page.evaluate(() => document.activeElement.id || documen
   document.activeElement.textContent);
 
 async function loaded(page) {
+  await page.keyboard.press('Shift'); // somebody is there
   await page.waitForSelector('#mirror', { state: 'attached' });
   // Not a single pointer event may come from now on.
   await page.evaluate(() => {
