@@ -70,16 +70,17 @@ const WORDS = [
   ['accent', ['surface', 'accent-soft', 'hover']],
   ['on-accent', ['accent']],
   ['role-value', ['role-page-fill', 'ground']],
+  ['role-ruler', ['role-ruler-fill']],
 ];
 /** What has to be seen to be used: 3 : 1 (WCAG 1.4.11). */
 const SHAPES = [
   ['field', ['surface']],
   ...['object', 'highlight', 'ink', 'fit', 'knot', 'knot-fill', 'pending', 'selection', 'handle', 'marquee', 'point',
-    'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased']
+    'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased', 'guideline']
     .map((role) => [`role-${role}`, ['role-page-fill', 'ground']]),
 ];
 /** What only accompanies: the line that goes, areas, what lies ahead of the pen. */
-const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|chosen$|.*-fill$)|^(shadow|edge|ground|surface|hover|accent-soft)$/;
+const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|grid|grid-strong|chosen$|.*-fill$)|^(shadow|edge|ground|surface|hover|accent-soft)$/;
 
 for (const colorScheme of ['light', 'dark']) {
   test(`contrast of every token, ${colorScheme}`, async () => {
