@@ -63,6 +63,8 @@ export class Mirror {
     this.tree.addEventListener('keydown', (event) => this.#key(event));
     this.tree.addEventListener('focusin', (event) => this.#focused(event));
     this.tree.addEventListener('click', (event) => this.#focused(event));
+    new MutationObserver(() => this.#follow()) // in another language
+      .observe(document.documentElement, { attributeFilter: ['lang'] });
     this.engine.ask('editor_said'); // what was before is no news
     this.#follow();
   }
