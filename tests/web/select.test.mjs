@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import axe from 'axe-core';
 import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
@@ -92,6 +93,35 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+/** What axe finds. */
+async function violations(page) {
+  await page.evaluate(axe.source);
+  const { violations: found } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
+}
+
+// Whatever the width, and the lines that the bar takes: the drawing's rulers are 22 px wide.
+for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
+  ['tablet', 0, { viewport: { width: 700, height: 800 }, hasTouch: true, colorScheme: 'dark' }],
+  ['phone', 1, { viewport: { width: 420, height: 800 }, hasTouch: true }]]) {
+  test(`the row of actions lies off the bar, the tools and the rulers, ${name}`, async () => {
+    const { page, context } = await open(browser, server.address, options);
+    await page.evaluate((value) => batten.engine.set('left-hand', value), hand);
+    await page.focus('#stage');
+    for (const keys of ['v', 'Shift+R', 'Control+a']) {
+      await page.keyboard.press(keys);
+    }
+    await page.waitForSelector('#actions:not([hidden])');
+    await settle(page);
+    const row = await page.locator('#actions').boundingBox();
+    const stage = await page.locator('#stage').boundingBox();
+    await page.screenshot({ path: path.join(SCREENSHOTS, `select-actions-${name}.png`) });
+    assert.ok(row.y >= stage.y + 22 && row.x >= stage.x + 22, JSON.stringify([row, stage]));
+    assert.ok(row.x + row.width <= stage.x + stage.width, JSON.stringify([row, stage]));
+    await context.close();
+  });
+}
+
 for (const colorScheme of ['light', 'dark']) {
   test(`buttons for the selection, layers dragged, a colour that lets through, ${colorScheme}`, async () => {
     const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
@@ -109,6 +139,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.ok((await shown()).includes('group'));
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions.png`) });
+    assert.deepEqual(await violations(page), [], 'the row of actions');
     await page.click('#actions [data-name="group"]');
     await settle(page);
     assert.equal(await page.evaluate(() => batten.engine.frame().selected), 1);
@@ -129,6 +160,7 @@ for (const colorScheme of ['light', 'dark']) {
       return [box.x + box.width / 2, box.y + box.height / 2];
     };
     const grips = page.locator('#layers .grip');
+    assert.deepEqual(await violations(page), [], 'layers with grips');
     await page.mouse.move(...await middle(grips.nth(0)));
     await page.mouse.down();
     await page.mouse.move(...await middle(grips.nth(2)), { steps: 4 });
