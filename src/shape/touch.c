@@ -21,7 +21,8 @@ typedef struct stretch {
 /* A node whose frame changes. */
 typedef struct rider {
     int index;     /* of the control point */
-    double re, im; /* its s, against the carried frame as it was */
+    vec t;         /* the tangent as it was, */
+    double re, im; /* and its s, against the carried frame as it was */
     double weight; /* how much of the turn is taken back here */
 } rider;
 
@@ -243,6 +244,7 @@ static bool read_riders(bat_touch *touch, int l) {
         for (int k = 0; k < g->count; k++) {
             rider *r = &at->rider[g->first + k];
             vec s = level->frames[r->index].s;
+            r->t = touch->t[k];
             r->re = vec_dot(s, touch->s[k]);
             r->im = vec_dot(s, vec_cross(touch->t[k], touch->s[k]));
         }
@@ -324,8 +326,22 @@ void bat_touch_revert(bat_touch *touch) {
 
 /* ---- the edit ---- */
 
-/* The frames of a level after the curves below have changed. `widest`: of the turns taken back. */
-static bool turn_riders(bat_touch *touch, int l, double *widest) {
+/* About the area that the tangents sweep on the unit sphere; there and back it is the same number. The chain comes out
+ * turned by no more (Gauss-Bonnet). */
+static double swept_by(const bat_touch *touch, const part *at, const group *g) {
+    double area = 0;
+    for (int k = 1; k < g->count; k++) {
+        const rider *r = &at->rider[g->first + k];
+        vec t = touch->t[k], before = touch->t[k - 1];
+        double across = vec_norm(vec_sub(t, r->t)) + vec_norm(vec_sub(before, r[-1].t)),
+               along = vec_norm(vec_sub(t, before)) + vec_norm(vec_sub(r->t, r[-1].t));
+        area += across * along / 4;
+    }
+    return area;
+}
+
+/* The frames of a level after the curves below have changed. */
+static bool turn_riders(bat_touch *touch, int l, double *swept) {
     part *at = &touch->parts[l];
     bat_level *level = &touch->shape->levels[l - 1];
     for (int from = touch->level; from < l; from++) {
@@ -336,7 +352,7 @@ static bool turn_riders(bat_touch *touch, int l, double *widest) {
             vec t, s = come_out(touch, from, &t);
             double turn = bat_atan2(vec_dot(vec_cross(g->end, s), t), vec_dot(g->end, s));
             g->turn = turn + 2 * BAT_PI * rint((g->turn - turn) / (2 * BAT_PI));
-            *widest = fmax(*widest, fabs(g->turn));
+            *swept = fmax(*swept, swept_by(touch, at, g));
         }
         for (int k = 0; k < g->count; k++) {
             const rider *r = &at->rider[g->first + k];
@@ -364,16 +380,16 @@ static bool within(const bat_curve *curve, const part *at) {
 }
 
 /* A part of the deltas, from the state at the beginning; turns are followed from those of the part before. */
-static bat_status apply(bat_touch *touch, const double *deltas, double factor, double *widest) {
+static bat_status apply(bat_touch *touch, const double *deltas, double factor, double *swept) {
     bat_shape *shape = touch->shape;
-    *widest = 0;
+    *swept = 0;
     bat_touch_revert(touch);
     const part *edited = &touch->parts[touch->level];
     bat_status status = bat_level_add(shape, touch->level, edited->first, edited->count, deltas, factor);
     for (int l = touch->level; l <= shape->count && status == BAT_OK; l++) {
         part *at = &touch->parts[l];
         if (at->count == 0) break;
-        if (l > touch->level && !turn_riders(touch, l, widest)) status = BAT_NUMBER;
+        if (l > touch->level && !turn_riders(touch, l, swept)) status = BAT_NUMBER;
         if (l > 0)
             bat_level_build_some(&shape->levels[l - 1], bat_shape_curve(shape, l - 1), at->first, at->count);
         if (!within(bat_shape_curve(shape, l), at)) status = BAT_NUMBER;
@@ -383,18 +399,18 @@ static bat_status apply(bat_touch *touch, const double *deltas, double factor, d
     return status;
 }
 
-/* Turns are told modulo a whole one. Where one is wide it is followed from nothing in small parts of the edit, so
- * that what comes out depends on the edit alone, not on the path that the pen took. */
+/* Turns are told modulo a whole one. Where much is swept they are followed from nothing in small parts of the edit, so
+ * that what comes out depends on the edit alone, not on the path that the pen took; and the way back is the same. */
 bat_status bat_touch_apply(bat_touch *touch, const double *deltas) {
     enum { PARTS = 8 };
-    double widest;
-    for (int l = 0; l <= BAT_LEVELS_MAX; l++)
-        for (int from = 0; from < BAT_LEVELS_MAX; from++) touch->parts[l].groups[from].turn = 0;
-    bat_status status = apply(touch, deltas, 1, &widest);
-    if (status != BAT_OK || widest < BAT_PI / 2) return status;
-    for (int l = 0; l <= BAT_LEVELS_MAX; l++)
-        for (int from = 0; from < BAT_LEVELS_MAX; from++) touch->parts[l].groups[from].turn = 0;
-    for (int k = 1; k <= PARTS && status == BAT_OK; k++)
-        status = apply(touch, deltas, (double)k / PARTS, &widest);
+    bat_status status = BAT_OK;
+    double swept = 0;
+    for (int parts = 1; parts <= PARTS; parts += PARTS - 1) {
+        for (int l = 0; l <= BAT_LEVELS_MAX; l++)
+            for (int from = 0; from < BAT_LEVELS_MAX; from++) touch->parts[l].groups[from].turn = 0;
+        for (int k = 1; k <= parts && status == BAT_OK; k++)
+            status = apply(touch, deltas, (double)k / parts, &swept);
+        if (status != BAT_OK || swept < BAT_PI / 2) break;
+    }
     return status;
 }

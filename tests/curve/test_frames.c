@@ -184,7 +184,7 @@ static void closed_loops_meet(void **state) {
         double ends[2] = {domain[0], nextafter(domain[1], 0)};
         bat_frame3 f[2];
         assert_int_equal(bat_frames(curve, NULL, 2, ends, f, &phi), BAT_OK);
-        for (int d = 0; d < 3; d++) assert_true(fabs(f[0].s[d] - f[1].s[d]) < 1e-9);
+        for (int d = 0; d < 3; d++) assert_true(fabs(f[0].s[d] - f[1].s[d]) < 1e-12);
         double area = 0, pole[3] = {0, 0, 1}, previous[3];
         for (int i = 0; i <= 20000; i++) {
             double at[6], t[3];
