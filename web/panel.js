@@ -140,9 +140,14 @@ export class Panel {
     sheet.append(this.#heading('settings'));
     const style = part('style');
     style.append(this.#heading('style'));
+    let subject = '';
     for (const row of this.tables.properties) {
       if (row.group === 'levels') {
         continue; // in the strip, once it is seen
+      }
+      if (row.group === '' && row.subject !== subject) {
+        subject = row.subject;
+        sheet.append(tell(document.createElement('h3'), { text: subject }));
       }
       part(SHEETS[row.group] ?? 'settings').append(this.control(row, 'setting'));
     }

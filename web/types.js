@@ -99,6 +99,7 @@
  * @property {string} name
  * @property {'number' | 'switch' | 'colour' | 'choice'} type
  * @property {string} group
+ * @property {string} subject the key of the word that it stands under
  * @property {string[]} [choices]
  * @property {string} label
  * @property {string} help

@@ -7,11 +7,18 @@ static const bat_command_row commands[BAT_COMMAND_COUNT] = {
 #include "editor/commands.def"
 };
 
-static const struct {
+typedef struct heading {
     int first;
     bat_string word;
-} sections[] = {
+} heading;
+
+static const heading sections[] = {
 #define SECTION(id) {BAT_SECTION_##id, BAT_STRING_SHELL_##id},
+#include "editor/commands.def"
+};
+
+static const heading subjects[] = {
+#define SUBJECT(id) {BAT_SUBJECT_##id, BAT_STRING_SHELL_##id},
 #include "editor/commands.def"
 };
 
@@ -57,10 +64,18 @@ static const char *const english_texts[BAT_STRING_COUNT] = {
 };
 
 const bat_command_row *bat_command_at(bat_command_id id) { return &commands[id]; }
+
+/* The last heading at or before a row; the first row has one. */
+static bat_string above(const heading *headings, size_t count, int row) {
+    while (count > 1 && headings[count - 1].first > row) count--;
+    return headings[count - 1].word;
+}
+
 bat_string bat_command_section(bat_command_id id) {
-    size_t i = sizeof sections / sizeof *sections;
-    while (i && sections[i - 1].first > (int)id) i--;
-    return i ? sections[i - 1].word : BAT_STRING_SHELL_EDIT;
+    return above(sections, sizeof sections / sizeof *sections, (int)id);
+}
+bat_string bat_property_subject(bat_property_id id) {
+    return above(subjects, sizeof subjects / sizeof *subjects, (int)id);
 }
 const bat_property_row *bat_property_at(bat_property_id id) { return &properties[id]; }
 const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }

@@ -20,6 +20,7 @@ typedef enum bat_command_id {
 
 typedef enum bat_property_id {
 #define PROPERTY(id, name, type, standard, low, high, step, unit) BAT_PROPERTY_##id,
+#define SUBJECT(id) BAT_SUBJECT_##id, BAT_SUBJECT_##id##_AGAIN = BAT_SUBJECT_##id - 1,
 #include "editor/commands.def"
     BAT_PROPERTY_COUNT
 } bat_property_id;
@@ -67,6 +68,7 @@ typedef struct bat_tool_row {
 
 const bat_command_row *bat_command_at(bat_command_id id);
 bat_string bat_command_section(bat_command_id id); /* the word that it stands under */
+bat_string bat_property_subject(bat_property_id id);
 const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
 /* The text of a key (size bytes); BAT_STRING_COUNT: none. */

@@ -68,6 +68,7 @@ const char *bat_editor_tables(bat_editor *editor) {
               : bat_tracing_is((bat_property_id)i)  ? "picture"
               : bat_leveling_is((bat_property_id)i) ? "levels"
                                                     : "");
+        field(&line, "subject", bat_string_key(bat_property_subject((bat_property_id)i)));
         if (row->type == BAT_PROPERTY_CHOICE)
             list_of(&line, ",\"unit\":\"\",\"choices\":[", row->unit);
         else

@@ -144,6 +144,11 @@ test('every command and every property of the engine is in the page', async () =
   const { page, context } = await open(browser, server.address);
   await page.click('[data-name=menu]');
   await page.waitForSelector('#menu [data-command]');
+  await page.keyboard.press('Escape');
+  await page.click('[data-name=tool-levels]');
+  const [x, y] = await place(page, 592, 103.5);
+  await page.mouse.click(x, y);
+  await page.waitForSelector('.levels:not([hidden])'); // the strip has controls, too
   const missing = await page.evaluate(() => {
     const { commands, properties, tools } = batten.panel.tables;
     const lost = [];

@@ -10,8 +10,9 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
 
-test('the first load is small', async () => {
+test('the first load is small', async (t) => {
   const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close()); // also when it fails: the runner waits for what is open
   const page = await browser.newPage();
   const answers = [];
   page.on('response', (response) => {
@@ -34,6 +35,4 @@ test('the first load is small', async () => {
   assert.ok((await coming).ok());
   assert.ok(sizes.length > 5 && sizes.some(([path]) => path === '/batten.wasm'));
   assert.ok(total < 200000);
-  await page.close();
-  await program.close();
 });
