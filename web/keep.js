@@ -91,7 +91,7 @@ export class Keeper {
     }
   }
 
-  /** The names of all drawings kept, the latest first. @returns {Promise<string[]>} */
+  /** All drawings kept, the latest first; of their journals the beginning. @returns {Promise<Kept[]>} */
   async list() {
     /** @type {Kept[]} */
     const list = [];
@@ -105,7 +105,7 @@ export class Keeper {
     } catch {
       // Nothing can be kept here, so nothing is.
     }
-    return list.sort((a, b) => b.time - a.time).map(({ name }) => name);
+    return list.sort((a, b) => b.time - a.time);
   }
 
   /** @param {string} name */

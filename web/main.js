@@ -51,6 +51,8 @@ class Shell {
     this.noticeVersion = 0;
     /** @type {import('./commands.js').CommandSheet | undefined} */
     this.commands = undefined;
+    /** @type {import('./kept.js').KeptSheet | undefined} */
+    this.keptSheet = undefined;
     /** @type {import('./mirror.js').Mirror | undefined} */
     this.mirror = undefined;
     this.mirroring = false;
@@ -203,7 +205,7 @@ class Shell {
 
   /** Without a file: the drawing kept last that no other page has, else an empty one. */
   async openLast() {
-    for (const name of await this.keeper.list()) {
+    for (const { name } of await this.keeper.list()) {
       const kept = await this.admit(name);
       if (kept) {
         this.files.name = name;
@@ -219,18 +221,45 @@ class Shell {
 
   /** An empty drawing; what was there before stays kept. */
   async openNew() {
-    const taken = await this.keeper.list();
-    this.keeper.session = -1;
-    this.keeper.unsaved = this.files.unsaved = false;
+    const taken = (await this.keeper.list()).map((kept) => kept.name);
+    this.#leave();
     let name = 'drawing.svg';
     for (let number = 2; taken.includes(name) || !(await this.tabs.claim(name)); number++) {
       name = `drawing ${number}.svg`;
     }
+    this.#become(name);
+    await this.files.reopen();
+    this.#showOwner();
+  }
+
+  /** A drawing that is kept, in place of this one, which stays kept. @param {string} name */
+  async openKept(name) {
+    await this.keeper.settled();
+    this.#leave();
+    const kept = await this.admit(name);
+    if (!kept) {
+      await this.tabs.claim(this.files.name);
+      this.notice.say(word('shell.kept-not.help', name));
+    } else {
+      this.#become(name);
+      if (!this.engine.replay(kept.journal)) {
+        this.#lost(kept);
+      }
+    }
+    this.#showOwner();
+  }
+
+  /** What there is goes from the page, not from what is kept. */
+  #leave() {
+    this.keeper.session = -1;
+    this.keeper.unsaved = this.files.unsaved = false;
+  }
+
+  /** No file is behind it. @param {string} name */
+  #become(name) {
     this.files.name = name;
     this.files.bound = false;
     this.files.opened = new Uint8Array(0);
-    await this.files.reopen();
-    this.#showOwner();
   }
 
   /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
@@ -252,11 +281,22 @@ class Shell {
     if (this.engine.replay(kept.journal)) {
       this.notice.say(this.text('brought-back'), { label: this.text('without'), run: () => void this.files.reopen() });
     } else {
-      void this.files.reopen();
-      this.notice.say(this.text('lost'), {
-        label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) });
+      this.#lost(kept);
     }
     this.wake();
+  }
+
+  /** What was kept leads nowhere. @param {Kept} kept */
+  #lost(kept) {
+    void this.files.reopen();
+    this.notice.say(this.text('lost'), {
+      label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) });
+  }
+
+  async #showKept() {
+    const { KeptSheet } = await import('./kept.js');
+    this.keptSheet ??= new KeptSheet(this);
+    await this.keptSheet.show();
   }
 
   /** The sheet of commands, made when it is first wanted. */
@@ -314,6 +354,9 @@ class Shell {
     }
     if (requests & (Ask.REGION | Ask.REGION_BACK)) {
       void import('./regions.js').then(({ walk }) => walk(requests & Ask.REGION ? 1 : -1));
+    }
+    if (requests & Ask.KEPT) {
+      void this.#showKept();
     }
     if (requests & Ask.OPEN) {
       this.files.pick();

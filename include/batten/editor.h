@@ -269,7 +269,8 @@ enum {
     BAT_ASK_SPAN = 256,      /* let the property picture-span be typed */
     BAT_ASK_SHORTCUTS = 512, /* a list of all commands with their shortcuts */
     BAT_ASK_REGION = 1024,   /* the keyboard goes on to the next part of the window, or back */
-    BAT_ASK_REGION_BACK = 2048
+    BAT_ASK_REGION_BACK = 2048,
+    BAT_ASK_KEPT = 4096 /* the drawings that the host keeps, to choose from */
 };
 
 typedef struct bat_frame {

@@ -104,6 +104,10 @@ static bat_status open(bat_editor *editor, bool down) {
     (void)down;
     return ask(editor, BAT_ASK_OPEN);
 }
+static bat_status open_kept(bat_editor *editor, bool down) {
+    (void)down;
+    return ask(editor, BAT_ASK_KEPT);
+}
 static bat_status save(bat_editor *editor, bool down) {
     (void)down;
     return bat_editor_refuses(editor) ? BAT_OK : ask(editor, BAT_ASK_SAVE);

@@ -260,3 +260,82 @@ test('a long journal is made short aside; what it leads to and its undo stay', a
   assert.equal(first, digest);
   await context.close();
 });
+
+for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
+  test(`the drawings kept are listed, opened and deleted by keys alone, ${colorScheme}, ${locale}`, async (t) => {
+    const server = await serve();
+    t.after(() => server.close());
+    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme, locale });
+    const rows = () => page.locator('#kept li bdi').allTextContents();
+    const list = async () => {
+      await page.keyboard.press('F1');
+      await page.waitForSelector('#menu .search:focus');
+      await page.keyboard.type(locale === 'en' ? 'kept drawings' : '보관된');
+      await page.keyboard.press('Tab');
+      await page.keyboard.press('Enter');
+      await page.waitForSelector('#kept button:focus');
+    };
+    const become = (name) => page.waitForFunction((wanted) => batten.files.name === wanted && batten.tabs.held, name);
+    await page.focus('#stage');
+    await hand.stroke([[300, 300], [500, 250], [700, 300]]);
+    const first = await state(page);
+    await list();
+    assert.deepEqual(await rows(), ['drawing.svg']);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Enter'); // a new one
+    await become('drawing 2.svg');
+    await settle(page);
+    await page.focus('#stage');
+    await hand.stroke([[300, 500], [500, 450], [700, 500]]);
+    const second = await state(page);
+    assert.notEqual(second.digest, first.digest);
+    await list();
+    assert.deepEqual(await rows(), ['drawing 2.svg', 'drawing.svg']);
+    assert.equal(await page.getAttribute('#kept button:focus', 'aria-current'), 'true');
+    await page.evaluate((await import('axe-core')).default.source);
+    const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `kept-${colorScheme}.png`) });
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Enter');
+    await become('drawing.svg');
+    await settle(page);
+    assert.equal((await state(page)).digest, first.digest);
+    await hand.stroke([[300, 600], [500, 650], [700, 600]]); // it goes on, and is kept
+    const more = await state(page);
+    // What another tab has is not opened, nor does it go.
+    const other = await again(context, server.address);
+    await other.page.waitForFunction(() => batten.files.name === 'drawing 2.svg' && batten.tabs.held);
+    assert.equal((await state(other.page)).digest, second.digest);
+    await list();
+    await page.click('#kept li >> text=drawing 2.svg');
+    await page.waitForFunction((text) => document.getElementById('notice-text').textContent.includes(text),
+      locale === 'en' ? 'open in another tab' : '다른 탭에');
+    await become('drawing.svg');
+    assert.equal((await state(page)).digest, more.digest);
+    await other.page.close();
+    await page.waitForFunction(async () => (await navigator.locks.query()).held.length === 1);
+    // Deleted, by two presses; the first alone does nothing.
+    await page.focus('#stage');
+    await list();
+    const at = (await rows()).indexOf('drawing 2.svg');
+    const remove = page.locator('#kept li').nth(at).locator('.keys');
+    await remove.focus();
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.equal((await rows()).length, 2);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `kept-${colorScheme}-sure.png`) });
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelectorAll('#kept bdi').length === 1);
+    assert.ok(await page.locator('#kept button:focus').count());
+    await page.keyboard.press('Escape');
+    await settle(page);
+    assert.ok(await kept(page, 'drawing.svg') > 0, 'what is shown is kept as before');
+    await page.reload();
+    await ready(page);
+    assert.equal((await state(page)).digest, more.digest);
+    assert.equal((await state(page)).check, '');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+}

@@ -137,6 +137,6 @@ test('without a server the last drawing opens as it was left, and another tab be
   await fourth.page.waitForFunction(() => document.getElementById('name').textContent === 'drawing 3.svg');
   await settle(fourth.page);
   assert.equal(await fourth.page.isVisible('#welcome'), true);
-  assert.deepEqual((await fourth.page.evaluate(() => batten.keeper.list())).sort(), ['drawing 2.svg', 'drawing.svg']);
+  assert.deepEqual((await fourth.page.evaluate(() => batten.keeper.list())).map(({ name }) => name).sort(), ['drawing 2.svg', 'drawing.svg']);
   await first.context.close();
 });
