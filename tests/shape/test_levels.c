@@ -165,7 +165,7 @@ static void transforms(void **state) {
         bat_curve *expected;
         assert_int_equal(bat_curve_transform(finest(shape), m, &expected), BAT_OK);
         assert_int_equal(bat_shape_transform(shape, m), BAT_OK);
-        assert_true(worst_between(expected, finest(shape)) < 1e-11 * bat_curve_size(expected));
+        assert_true(worst_between(expected, finest(shape)) < 1e-12 * bat_curve_size(expected));
         bat_curve_free(expected);
         bat_shape_free(shape);
     }

@@ -1,0 +1,236 @@
+/*
+ * Levels against independent computation over random knots, also with multiple ones: nodes and least-norm weights by
+ * Cox and de Boor's recursion in extended precision, sketching at a level by dense elimination.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include <batten/levels.h>
+
+#include "shape/levels.h"
+
+static uint64_t seed;
+static double uniform(double low, double high) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(seed >> 11) / 9007199254740992.0;
+}
+
+/* Knots of one width or many, some double where the degree allows it. */
+static bat_curve *random_curve(int round, int degree, int dimension, bool closed, int count) {
+    double points[120], knots[60], t = uniform(-5, 5);
+    int total = closed ? count + 1 : count + degree + 1;
+    for (int i = 0; i < count * dimension; i++) points[i] = 50.0 * (i / dimension) + uniform(-60, 60);
+    for (int i = 0; i < total; i++) {
+        knots[i] = t;
+        bool twice = degree > 2 && round % 3 == 0 && uniform(0, 1) < 0.2 && i > degree && i < count - 2 &&
+                     knots[i - 1] < t;
+        if ((closed || (i >= degree && i < count)) && !twice) t += round % 2 ? 1 : uniform(0.01, 3);
+    }
+    bat_curve *curve;
+    assert_int_equal(bat_curve_create(degree, dimension, closed, count, knots, points, &curve), BAT_OK);
+    return curve;
+}
+
+/* Knot i of the unrolled line. */
+static long double knot(const bat_curve *curve, int i) {
+    const double *t = bat_curve_knots(curve);
+    int n = bat_curve_count(curve), turns = 0;
+    if (!bat_curve_closed(curve)) return t[i];
+    while (i < 0) i += n, turns--;
+    while (i >= n) i -= n, turns++;
+    return (long double)t[i] + turns * ((long double)t[n] - t[0]);
+}
+
+/* N_i of a degree at u, from the right. */
+static long double basis(const bat_curve *curve, int i, int degree, long double u) {
+    if (degree == 0) return knot(curve, i) <= u && u < knot(curve, i + 1);
+    long double a = knot(curve, i + degree) - knot(curve, i),
+                b = knot(curve, i + degree + 1) - knot(curve, i + 1), sum = 0;
+    if (a > 0) sum += (u - knot(curve, i)) / a * basis(curve, i, degree - 1, u);
+    if (b > 0) sum += (knot(curve, i + degree + 1) - u) / b * basis(curve, i + 1, degree - 1, u);
+    return sum;
+}
+
+static long double slope(const bat_curve *curve, int i, long double u) {
+    int p = bat_curve_degree(curve);
+    long double a = knot(curve, i + p) - knot(curve, i), b = knot(curve, i + p + 1) - knot(curve, i + 1);
+    return (a > 0 ? p / a * basis(curve, i, p - 1, u) : 0) -
+           (b > 0 ? p / b * basis(curve, i + 1, p - 1, u) : 0);
+}
+
+/* Greville abscissae are means; N_i rises just before its argmax and falls just behind it, or the domain ends there. */
+static void nodes(void **state) {
+    (void)state;
+    seed = 41;
+    for (int round = 0; round < 140; round++) {
+        int p = 1 + round % 7;
+        bat_curve *curve = random_curve(round, p, 2, round % 4 > 1, 9 + round % 9);
+        double domain[2], out[40];
+        bat_curve_domain(curve, domain);
+        double period = domain[1] - domain[0], near = 1e-12 * period;
+        for (int rule = 0; rule < 2; rule++) {
+            assert_int_equal(bat_nodes(curve, (bat_node_rule)rule, out), BAT_OK);
+            for (int i = 0; i < bat_curve_count(curve); i++) {
+                assert_true(out[i] >= domain[0] && out[i] <= domain[1]);
+                long double mean = 0, low = knot(curve, i), high = knot(curve, i + p + 1), u = out[i];
+                if (rule == BAT_NODES_GREVILLE) {
+                    for (int k = 1; k <= p; k++) mean += knot(curve, i + k) / p;
+                    long double miss = mean - u;
+                    if (bat_curve_closed(curve)) miss = remainderl(miss, period);
+                    assert_true(fabsl(miss) < near);
+                    continue;
+                }
+                if (bat_curve_closed(curve)) /* the turn in which the support lies */
+                    while (u < low) u += period;
+                else
+                    low = fmaxl(low, domain[0]), high = fminl(high, domain[1]);
+                assert_true(u >= low - near && u <= high + near);
+                assert_true(u - near <= low || slope(curve, i, u - near) > 0);
+                assert_true(u + near >= high || slope(curve, i, u + near) < 0);
+            }
+        }
+        bat_curve_free(curve);
+    }
+}
+
+/* A drag changes each control point by N_i / sum N^2 of it, at any level. */
+static void least_norm_weights(void **state) {
+    (void)state;
+    seed = 42;
+    for (int round = 0; round < 84; round++) {
+        int p = 1 + round % 7, size = 2 + round % 2;
+        bat_curve *base = random_curve(round, p, size, round % 4 > 1, 16);
+        bat_shape *shape, *after;
+        assert_int_equal(bat_shape_create(base, NULL, &shape), BAT_OK);
+        assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
+        int level = round / 4 % 2;
+        const bat_curve *curve = bat_shape_curve(shape, level);
+        double domain[2], delta[3] = {uniform(-30, 30), uniform(-30, 30), uniform(-30, 30)};
+        bat_curve_domain(curve, domain);
+        double u = uniform(domain[0], domain[1]);
+        assert_int_equal(bat_shape_copy(shape, &after), BAT_OK);
+        assert_int_equal(bat_shape_drag(after, level, u, delta), BAT_OK);
+        long double weight[60], square = 0;
+        int n = bat_curve_count(curve);
+        for (int i = 0; i < n; i++) {
+            long double v = u;
+            if (bat_curve_closed(curve))
+                while (v < knot(curve, i)) v += domain[1] - domain[0];
+            weight[i] = basis(curve, i, p, v);
+            square += weight[i] * weight[i];
+        }
+        for (int i = 0; i < n; i++)
+            for (int d = 0; d < size; d++) {
+                double moved = bat_curve_points(bat_shape_curve(after, level))[i * size + d] -
+                               bat_curve_points(curve)[i * size + d];
+                assert_true(fabs(moved - (double)(weight[i] / square) * delta[d]) <
+                            1e-12 * bat_curve_size(curve));
+            }
+        bat_shape_free(after);
+        bat_shape_free(shape);
+        bat_curve_free(base);
+    }
+}
+
+/* Gauss with pivots; b is the solution. */
+static void eliminate(int n, long double *a, long double *b, int columns) {
+    for (int k = 0; k < n; k++) {
+        int best = k;
+        for (int i = k + 1; i < n; i++)
+            if (fabsl(a[i * n + k]) > fabsl(a[best * n + k])) best = i;
+        for (int j = 0; j < n + columns; j++) {
+            long double *x = j < n ? &a[k * n + j] : &b[k * columns + j - n],
+                        *y = j < n ? &a[best * n + j] : &b[best * columns + j - n], kept = *x;
+            *x = *y, *y = kept;
+        }
+        for (int i = 0; i < n; i++) {
+            long double f = i == k ? 0 : a[i * n + k] / a[k * n + k];
+            for (int j = k; j < n && f != 0; j++) a[i * n + j] -= f * a[k * n + j];
+            for (int j = 0; j < columns && f != 0; j++) b[i * columns + j] -= f * b[k * columns + j];
+        }
+    }
+    for (int i = 0; i < n * columns; i++) b[i] /= a[i / columns * n + i / columns];
+}
+
+/* (N'N + mu I + nu D2'D2) D = N'(Q - C), of the control points that the stroke meets. */
+static void sketch_solves_the_normal_equations(void **state) {
+    (void)state;
+    enum { SAMPLES = 50, MOST = 60 };
+    seed = 43;
+    for (int round = 0; round < 42; round++) {
+        int p = 1 + round % 7, size = 2 + round % 2;
+        bool closed = round % 4 > 1;
+        bat_curve *base = random_curve(round, p, size, closed, 16);
+        bat_shape *shape, *after;
+        assert_int_equal(bat_shape_create(base, NULL, &shape), BAT_OK);
+        assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
+        int level = round / 4 % 2;
+        const bat_curve *curve = bat_shape_curve(shape, level);
+        int n = bat_curve_count(curve), met = 0, place[MOST];
+        double domain[2], u[SAMPLES], q[3 * SAMPLES], x[3];
+        long double rows[SAMPLES][MOST], a[MOST * MOST] = {0}, b[3 * MOST] = {0};
+        bat_curve_domain(curve, domain);
+        double from = uniform(0, closed ? 0.9 : 0.5), width = domain[1] - domain[0];
+        for (int k = 0; k < SAMPLES; k++) { /* loops: perhaps around the seam */
+            double w = from + 0.3 * k / SAMPLES;
+            u[k] = domain[0] + width * (w - floor(w));
+            bat_curve_eval(curve, u[k], 0, x);
+            for (int d = 0; d < size; d++) q[k * size + d] = x[d] + uniform(-9, 9);
+        }
+        for (int i = 0; i < n; i++) {
+            bool meets = false;
+            for (int k = 0; k < SAMPLES; k++) {
+                long double v = u[k];
+                if (closed)
+                    while (v < knot(curve, i)) v += width;
+                rows[k][i] = basis(curve, i, p, v);
+                meets = meets || rows[k][i] > 0;
+            }
+            place[i] = meets ? met++ : -1;
+        }
+        for (int k = 0; k < SAMPLES; k++) {
+            bat_curve_eval(curve, u[k], 0, x);
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < n && place[i] >= 0; j++)
+                    if (place[j] >= 0) a[place[i] * met + place[j]] += rows[k][i] * rows[k][j];
+            for (int i = 0; i < n; i++)
+                for (int d = 0; d < size && place[i] >= 0; d++)
+                    b[place[i] * size + d] += rows[k][i] * ((long double)q[k * size + d] - x[d]);
+        }
+        for (int i = 0; i < met; i++) a[i * met + i] += 1e-6L;
+        const int second[3] = {1, -2, 1};
+        for (int i = 0; i < (closed ? n : n - 2); i++)
+            for (int r = 0; r < 3; r++)
+                for (int s = 0; s < 3; s++) {
+                    int row = place[(i + r) % n], column = place[(i + s) % n];
+                    if (row >= 0 && column >= 0) a[row * met + column] += 1e-3L * second[r] * second[s];
+                }
+        eliminate(met, a, b, size);
+        assert_int_equal(bat_shape_copy(shape, &after), BAT_OK);
+        assert_int_equal(bat_shape_sketch(after, level, SAMPLES, u, q), BAT_OK);
+        for (int i = 0; i < n; i++)
+            for (int d = 0; d < size; d++) {
+                double moved = bat_curve_points(bat_shape_curve(after, level))[i * size + d] -
+                               bat_curve_points(curve)[i * size + d];
+                double expected = place[i] < 0 ? 0 : (double)b[place[i] * size + d];
+                assert_true(fabs(moved - expected) < 1e-10 * bat_curve_size(curve));
+            }
+        bat_shape_free(after);
+        bat_shape_free(shape);
+        bat_curve_free(base);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes),
+        cmocka_unit_test(least_norm_weights),
+        cmocka_unit_test(sketch_solves_the_normal_equations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
