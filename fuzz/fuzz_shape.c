@@ -135,10 +135,47 @@ static bat_shape *session(source *s, bat_shape *shape) {
     return after;
 }
 
+/* A free stroke over the base. What comes out is finite and reads back; what went in is as it was. */
+static bat_shape *redraw(source *s, bat_shape *shape) {
+    enum { MOST = 24 };
+    const bat_curve *base = bat_shape_curve(shape, 0);
+    int dimension = bat_curve_dimension(base), count = byte(s) % MOST, way = byte(s);
+    double points[3 * MOST], domain[2];
+    bat_curve_domain(base, domain);
+    double u = domain[0] + (domain[1] - domain[0]) * byte(s) / 255,
+           step = (domain[1] - domain[0]) * (way - 100) / 4000;
+    for (int i = 0; i < count; i++, u += step) {
+        bat_curve_eval(base, u, 0, points + i * dimension);
+        for (int d = 0; d < dimension; d++) points[i * dimension + d] += (byte(s) - 128) / 32.0;
+    }
+    bat_stroke stroke = {dimension, (size_t)count, points, NULL, NULL};
+    bat_sketch_options options = bat_sketch_defaults();
+    options.pixel = fmax(bat_curve_size(base) / 50, 1e-9); /* fine fits are fuzz_sketch's, and slow */
+    bat_shape *before, *out = NULL;
+    if (bat_shape_copy(shape, &before) != BAT_OK) abort();
+    bat_status status = bat_shape_redraw(shape, &stroke, &options, way % 2, &out, NULL);
+    if (!same(before, shape)) abort();
+    bat_shape_free(before);
+    if (status != BAT_OK && status != BAT_TOLERANCE) {
+        if (out) abort();
+        return shape;
+    }
+    if (bat_shape_commit(out) != BAT_OK) abort();
+    check_finite(out);
+    if (bat_curve_count(bat_shape_curve(out, bat_shape_levels(out))) > 300) { /* large ones are slow */
+        bat_shape_free(out);
+        return shape;
+    }
+    bat_shape_free(shape);
+    check_file(out);
+    return out;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s = {data, size};
     bat_shape *shape = make(&s);
     if (!shape) return 0;
+    bool drawn = false;
     for (int k = 0; k < 8 && s.size > 0; k++) {
         switch (byte(&s) % 8) {
         case 0:
@@ -158,6 +195,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;
         }
+        case 2: /* costs more than all else: once */
+            if (!drawn) shape = redraw(&s, shape);
+            drawn = true;
+            break;
         default: shape = session(&s, shape);
         }
         check_finite(shape);
