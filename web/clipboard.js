@@ -77,6 +77,11 @@ export class Clipboard {
     event.preventDefault();
     event.clipboardData?.setData(TEXT, text);
     event.clipboardData?.setData(SVG, text);
+    // The event's own SVG stays within the browser; this one other programs find, where the browser lets it through.
+    if (/** @type {any} */ (globalThis.ClipboardItem)?.supports?.(SVG)) {
+      const parts = [TEXT, SVG].map((type) => [type, new Blob([text], { type })]);
+      navigator.clipboard.write([new ClipboardItem(Object.fromEntries(parts))]).catch(() => {});
+    }
   }
 
   /** @param {ClipboardEvent} event */

@@ -144,3 +144,22 @@ test('the commands of the menu ask the browser', async () => {
   assert.equal(await size(page), 2 * before);
   await context.close();
 });
+
+test('other programs get it as SVG, too', async () => {
+  const { page, context } = await open(browser, server.address, { permissions: ['clipboard-read', 'clipboard-write'] });
+  await clipboardThere(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Control+c');
+  const found = await page.waitForFunction(async () => {
+    const [item] = await navigator.clipboard.read();
+    return item.types.includes('image/svg+xml') && Promise.all(item.types.map(async (type) => [type,
+      await (await item.getType(type)).text()]));
+  }).then((handle) => handle.jsonValue());
+  const { 'text/plain': text, 'image/svg+xml': svg } = Object.fromEntries(found);
+  assert.equal(text, await page.evaluate(() => batten.engine.copy(false)), 'with every knot');
+  const paths = (source) => source.match(/ d="[^"]+"/g);
+  assert.deepEqual(paths(svg), paths(text));
+  await context.close();
+});
