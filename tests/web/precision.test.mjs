@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import axe from 'axe-core';
 import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
@@ -101,6 +102,9 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     await settle(page);
     assert.equal(await page.getAttribute('#number-y', 'aria-invalid'), 'true');
     await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-numbers.png`) });
+    await page.evaluate(axe.source);
+    const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
     await page.keyboard.press('Escape');
     assert.match(await page.inputValue('#number-y'), /^[0-9.]+ mm$/);
     await page.focus('#stage');
