@@ -60,6 +60,12 @@ void bat_editor_sync(bat_editor *editor) {
         bat_editor_notice(editor, BAT_STRING_NOTICE_MEMORY);
 }
 
+bool bat_editor_out_of_reach(const bat_editor *editor, int at) {
+    const bat_scene *scene = &editor->scene;
+    if (scene->revision != editor->revision || at >= scene->count) return false;
+    return scene->entries[at].hidden || scene->entries[at].locked;
+}
+
 void bat_editor_interrupt(bat_editor *editor) {
     bat_leveling_let_go(editor);
     bat_range_end(editor);

@@ -130,6 +130,8 @@ bat_status bat_editor_log(bat_editor *editor, bat_text *line, const bat_document
 bat_status bat_editor_keep_picture(bat_editor *editor, const bat_picture *picture);
 /* Brings the scene up to date before it is asked something. */
 void bat_editor_sync(bat_editor *editor);
+/* Hidden and locked objects, as the last picture had them, are not for tools. */
+bool bat_editor_out_of_reach(const bat_editor *editor, int at);
 /* Ends every contact and whatever the tool has under way. */
 void bat_editor_interrupt(bat_editor *editor);
 /* The document is read-only, and the user is told: whatever the event has to say besides. */

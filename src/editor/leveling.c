@@ -32,7 +32,8 @@ void bat_leveling_settle(bat_editor *editor) {
         l->curve = 0;
         l->chosen = -1;
     }
-    if (!bat_leveling_curve(editor)) {
+    int at = bat_document_find(editor->document, l->object);
+    if (!bat_leveling_curve(editor) || bat_editor_out_of_reach(editor, at)) {
         l->object = 0;
         l->copying = false;
     }

@@ -18,18 +18,12 @@ void bat_splining_free(bat_splining *s) {
     *s = (bat_splining){.point = -1, .near = -1};
 }
 
-/* Hidden and locked objects, as the last picture had them, are not for tools. */
-static bool out_of_reach(const bat_editor *editor, int at) {
-    const bat_scene *scene = &editor->scene;
-    if (scene->revision != editor->revision || at >= scene->count) return false;
-    return scene->entries[at].hidden || scene->entries[at].locked;
-}
-
 const bat_spline *bat_splining_spline(bat_editor *editor) {
     bat_splining *s = &editor->splining;
     int at = s->object ? bat_document_find(editor->document, s->object) : -1;
-    const bat_object *object = at < 0 || out_of_reach(editor, at) ? NULL
-                                                                  : bat_document_at(editor->document, at);
+    const bat_object *object = at < 0 || bat_editor_out_of_reach(editor, at)
+                                   ? NULL
+                                   : bat_document_at(editor->document, at);
     const bat_spline *spline = object ? bat_object_spline(object) : NULL;
     if (!spline || spline->dimension != 2) {
         if (s->object)

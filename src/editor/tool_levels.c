@@ -224,11 +224,12 @@ static bool cancel(bat_editor *editor) {
 
 static bat_status step(bat_editor *editor, int direction) {
     bat_leveling *l = &editor->leveling;
-    if (!l->object) /* the first curve there is */
-        for (int i = 0; i < bat_document_count(editor->document) && !l->object; i++) {
-            bat_id id = bat_object_id(bat_document_at(editor->document, i));
-            if (bat_edit_target(editor->document, id, 0)) bat_leveling_choose(editor, id, 0);
-        }
+    bat_editor_sync(editor);
+    for (int i = 0; i < bat_document_count(editor->document) && !l->object; i++) { /* the first there is */
+        bat_id id = bat_object_id(bat_document_at(editor->document, i));
+        if (bat_edit_target(editor->document, id, 0) && !bat_editor_out_of_reach(editor, i))
+            bat_leveling_choose(editor, id, 0);
+    }
     const bat_curve *polygon = active(editor);
     if (!polygon) return l->object ? BAT_OK : BAT_STATE;
     int count = bat_curve_count(polygon), at = l->chosen + direction;

@@ -53,7 +53,7 @@ static void settle(bat_editor *editor) {
     bat_pointing *p = &editor->pointing;
     adopt(editor);
     const bat_curve *curve = chosen_curve(editor);
-    if (!curve) {
+    if (!curve || bat_editor_out_of_reach(editor, bat_document_find(editor->document, p->object))) {
         p->object = 0;
         choose_nothing(p);
         return;
@@ -425,10 +425,12 @@ static bat_status step(bat_editor *editor, int direction) {
     bat_pointing *p = &editor->pointing;
     const bat_curve *curve = chosen_curve(editor);
     if (!curve) { /* what is selected, else the first curve there is */
+        bat_editor_sync(editor);
         for (int pass = 0; pass < 2 && !curve; pass++)
             for (int i = 0; i < bat_document_count(editor->document) && !curve; i++) {
                 bat_id id = bat_object_id(bat_document_at(editor->document, i));
                 if (pass == 0 && !bat_selection_has(&editor->selection, id)) continue;
+                if (bat_editor_out_of_reach(editor, i)) continue;
                 if (!(curve = bat_edit_target(editor->document, id, 0))) continue;
                 choose_curve(editor, id, 0);
             }

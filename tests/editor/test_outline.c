@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "editor/editor.h"
 #include "support/pen.h"
 
 static void key(bat_editor *editor, const char *name, uint32_t modifiers) {
@@ -51,7 +52,39 @@ static void the_outline_is_the_document(void **state) {
     assert_int_equal(occurrences(bat_editor_outline(editor, 7, 3), "\"id\""), 0);
     assert_int_equal(occurrences(bat_editor_outline(editor, -5, -3), "\"id\""), 0);
     assert_int_equal(occurrences(bat_editor_outline(editor, -2147483647, 2147483647), "\"id\""), 3);
+    bat_editor_command(editor, "guide-level");
+    has(bat_editor_outline(editor, 0, 9), "guide 4");
     bat_editor_free(editor);
+}
+
+/* Tab and Shift+Tab in the tools that move points find no curve that is locked, hidden or not isolated, and let go of
+ * one that becomes so. */
+static void keys_reach_no_locked_curve(void **state) {
+    (void)state;
+    static const char *const tools[] = {"tool-points", "tool-levels"};
+    for (int which = 0; which < 2; which++)
+        for (int hidden = 0; hidden < 2; hidden++)
+            for (int back = 0; back < 2; back++) {
+                const char *next = back ? "point-previous" : "point-next";
+                bat_editor *editor = pen_editor();
+                bat_editor_set_state(editor, 1, hidden, !hidden);
+                bat_editor_set_state(editor, 2, !hidden, hidden);
+                bat_editor_command(editor, tools[which]);
+                assert_int_equal(bat_editor_command(editor, next), BAT_STATE);
+                assert_null(bat_editor_check(editor));
+                bat_editor_set_state(editor, 2, false, false);
+                if (which == 0) assert_int_equal(bat_editor_command(editor, next), BAT_OK);
+                if (which == 1) bat_editor_command(editor, next);
+                assert_true(editor->selection.count == 1 && editor->selection.ids[0] == 2);
+                bat_editor_set_state(editor, 2, hidden, !hidden);
+                bat_editor_frame(editor);
+                uint64_t before = bat_document_digest(editor->document);
+                assert_int_equal(bat_editor_command(editor, next), BAT_STATE);
+                bat_editor_command(editor, "nudge-up");
+                assert_true(bat_document_digest(editor->document) == before);
+                assert_null(bat_editor_check(editor));
+                bat_editor_free(editor);
+            }
 }
 
 static void points_are_chosen_from_the_outline_and_told_to_it(void **state) {
@@ -163,6 +196,7 @@ static void long_names_are_cut(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_outline_is_the_document),
+        cmocka_unit_test(keys_reach_no_locked_curve),
         cmocka_unit_test(points_are_chosen_from_the_outline_and_told_to_it),
         cmocka_unit_test(a_splines_points_are_its_own),
         cmocka_unit_test(what_happens_is_said_once),

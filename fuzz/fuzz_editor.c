@@ -1,0 +1,51 @@
+/* Bytes become a session with all that the editor can do. The invariants hold after each event; the journal replays to
+ * the same drawing; undoing everything gives the first drawing back, redoing the last. */
+#include "support/wild.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void demand(bool holds, const char *what) {
+    if (holds) return;
+    fprintf(stderr, "%s\n", what);
+    abort();
+}
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void replays(const bat_editor *editor) {
+    bat_editor *again = NULL;
+    bat_problem problem = {"", ""};
+    size_t size = 0;
+    const char *text = bat_editor_journal(editor, &size);
+    demand(bat_editor_create(&again) == BAT_OK, "no memory");
+    bool replayed = bat_editor_replay(again, text, size, true, &problem) == BAT_OK;
+    if (!replayed) fprintf(stderr, "%s: %s\n", problem.place, problem.message);
+    demand(replayed && digest(again) == digest(editor), "the journal does not replay");
+    bat_editor_free(again);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    session_bytes bytes = {data, size < 1500 ? size : 1500, 0};
+    bat_editor *editor = pen_editor();
+    uint64_t first = digest(editor);
+    double time = 0;
+    while (bytes.at < bytes.size) {
+        wild_event(editor, &bytes, &time);
+        const char *wrong = bat_editor_check(editor);
+        demand(!wrong, wrong);
+    }
+    wild_settle(editor);
+    replays(editor);
+    while (bat_editor_command(editor, "redo") == BAT_OK) {
+    }
+    uint64_t top = digest(editor);
+    int steps = 0;
+    while (bat_editor_command(editor, "undo") == BAT_OK) steps++;
+    /* A journal made short keeps 250 steps. */
+    demand(steps >= 250 || digest(editor) == first, "undoing everything does not give the first drawing");
+    while (bat_editor_command(editor, "redo") == BAT_OK) {
+    }
+    demand(digest(editor) == top, "redoing everything does not give the last drawing");
+    bat_editor_free(editor);
+    return 0;
+}

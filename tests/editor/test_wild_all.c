@@ -1,0 +1,70 @@
+/* label: slow. Long random sessions with all that the editor can do, every command and property of the table among it:
+ * the invariants hold after every event, the journal replays to the same drawing and the same journal, undoing leads
+ * back to the first drawing and redoing to the last. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/wild.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void wild_sessions(void **state) {
+    (void)state;
+    enum { SIZE = 3000, SESSIONS = 40 };
+    static uint8_t data[SIZE];
+    int undone = 0, shapes = 0, images = 0, guides = 0;
+    for (uint64_t seed = 1; seed <= SESSIONS; seed++) {
+        uint64_t mix = seed * 31337;
+        for (int i = 0; i < SIZE; i++) {
+            mix = mix * 6364136223846793005u + 1442695040888963407u;
+            data[i] = (uint8_t)(mix >> 56);
+        }
+        session_bytes bytes = {data, SIZE, 0};
+        bat_editor *editor = pen_editor();
+        uint64_t first = digest(editor);
+        double time = 0;
+        while (bytes.at < bytes.size) {
+            size_t at = bytes.at;
+            wild_event(editor, &bytes, &time);
+            const char *wrong = bat_editor_check(editor);
+            if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, at, wrong);
+        }
+        wild_settle(editor);
+        uint64_t last = digest(editor);
+        size_t size = 0, size_again = 0;
+        const char *text = bat_editor_journal(editor, &size);
+        shapes += strstr(text, "\"kind\":\"shape\"") != NULL;
+        images += strstr(text, "\"kind\":\"image\"") != NULL;
+        guides += strstr(text, "\"kind\":\"guide\"") != NULL;
+        bat_editor *again = NULL;
+        bat_problem problem = {"", ""};
+        assert_int_equal(bat_editor_create(&again), BAT_OK);
+        if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+            fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
+        assert_true(digest(again) == last);
+        const char *text_again = bat_editor_journal(again, &size_again);
+        assert_true(size == size_again && !memcmp(text, text_again, size));
+        bat_editor_free(again);
+
+        while (bat_editor_command(editor, "redo") == BAT_OK) {
+        }
+        uint64_t top = digest(editor);
+        int steps = 0;
+        for (; bat_editor_command(editor, "undo") == BAT_OK; steps++) assert_null(bat_editor_check(editor));
+        if (steps < 250) assert_true(digest(editor) == first); /* as many as a journal made short keeps */
+        while (bat_editor_command(editor, "redo") == BAT_OK) assert_null(bat_editor_check(editor));
+        assert_true(digest(editor) == top);
+        undone += steps;
+        bat_editor_free(editor);
+    }
+    /* Sessions that do something, of every kind. */
+    if (undone < 20 * SESSIONS || shapes < 3 || images < SESSIONS / 2 || guides < SESSIONS / 2)
+        fail_msg("%d steps; sessions with levels %d, pictures %d, guides %d", undone, shapes, images, guides);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wild_sessions)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,129 @@
+/* Wild sessions with all that the editor can do: every command and every property of the table, numbers entered,
+ * levels, layers, the list of objects, pictures and the clipboard, besides the events of session.h. */
+#ifndef BATTEN_TESTS_WILD_H
+#define BATTEN_TESTS_WILD_H
+
+#include "support/pictures.h"
+#include "support/session.h"
+#include "support/xml.h"
+#include <stdio.h>
+
+/* SVG with numbers as they come: open, closed, crowded, of no length, in a group, under a transform. */
+static inline void wild_paste(bat_editor *editor, session_bytes *bytes) {
+    char text[400];
+    int n[8];
+    for (int i = 0; i < 8; i++) n[i] = session_byte(bytes) * 4 - 20;
+    snprintf(text, sizeof text,
+             "<svg xmlns='http://www.w3.org/2000/svg'><g transform='rotate(%d) scale(%g)' stroke='red'>"
+             "<path d='M%d %dC%d %d %d %d %d %d%sL%d %d'/><ellipse cx='%d' rx='%d' ry='7'/></g></svg>",
+             n[0], n[1] / 100.0, n[2], n[3], n[4], n[5], n[6], n[7], n[2], n[3], n[0] & 4 ? "Z" : "", n[1],
+             n[1], n[6], n[7]);
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_problem problem;
+    if (xml_read(text, NULL, &document, &report, &problem) == BAT_OK)
+        bat_editor_paste(editor, document, n[0] & 8);
+    bat_document_free(document);
+}
+
+static inline void wild_copy(bat_editor *editor, bool cut, bool own) {
+    char *text = NULL;
+    size_t size = 0;
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_problem problem;
+    if (bat_editor_copy(editor, cut, &text, &size) == BAT_OK &&
+        xml_read(text, NULL, &document, &report, &problem) == BAT_OK)
+        bat_editor_paste(editor, document, own);
+    bat_document_free(document);
+    bat_free(text);
+}
+
+/* A property within its range, most often; at its ends, beyond them, or no number. */
+static inline void wild_property(bat_editor *editor, session_bytes *bytes) {
+    static const struct {
+        const char *name;
+        double low, high;
+    } properties[] = {
+#define PROPERTY(id, name, type, standard, low, high, step, unit) {name, low, high},
+#include "editor/commands.def"
+    };
+    unsigned which = session_byte(bytes) % (unsigned)(sizeof properties / sizeof *properties);
+    double low = properties[which].low, high = fmin(properties[which].high, low + 300);
+    uint8_t share = session_byte(bytes);
+    double value = share == 255   ? NAN
+                   : share == 254 ? 1e300
+                   : share == 253 ? -1
+                                  : low + (high - low) * (share % 16) / 15;
+    bat_editor_set(editor, properties[which].name, value);
+}
+
+static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
+    const bat_document *document = bat_editor_document(editor);
+    int count = bat_document_count(document), which = session_byte(bytes);
+    return which == 255 || count == 0 ? 77 : bat_object_id(bat_document_at(document, which % count));
+}
+
+static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *time) {
+    static const char *const commands[] = {
+#define COMMAND(id, name, keys, when, hold, function) name,
+#include "editor/commands.def"
+    };
+    static const char *const numbers[] = {
+#define NUMBER(id, name) name,
+#include "editor/commands.def"
+    };
+    static const char *const texts[] = {"12", "3mm+4", "1/2in", "-7",    "0",      "1e",
+                                        "90", "400",   "",      "1e300", "-1e-300"};
+    unsigned what = session_byte(bytes), count = sizeof commands / sizeof *commands;
+    if (what < 96) {
+        bat_editor_command(editor, commands[session_byte(bytes) % count]);
+    } else if (what < 112) {
+        wild_property(editor, bytes);
+    } else if (what < 120) {
+        unsigned number = session_byte(bytes) % (unsigned)(sizeof numbers / sizeof *numbers);
+        bat_editor_enter(editor, numbers[number], texts[session_byte(bytes) % 11]);
+        bat_editor_number(editor, numbers[number]);
+    } else if (what < 128) {
+        uint8_t more = session_byte(bytes);
+        bat_editor_level(editor, (bat_level_act)(more % 4), more / 4 % 5, more / 32 * 0.5, more > 80);
+        bat_editor_levels(editor);
+    } else if (what < 134) {
+        bat_editor_select(editor, wild_id(editor, bytes), what & 1);
+    } else if (what < 138) {
+        bat_editor_choose(editor, wild_id(editor, bytes), session_byte(bytes) % 20);
+        bat_editor_outline(editor, what == 134 ? 0 : session_byte(bytes), 40);
+        bat_editor_outline_points(editor, wild_id(editor, bytes));
+        bat_editor_said(editor);
+    } else if (what < 141) {
+        bat_editor_set_state(editor, wild_id(editor, bytes), what == 138, what == 139);
+    } else if (what < 144) {
+        bat_editor_place_layer(editor, wild_id(editor, bytes), wild_id(editor, bytes));
+        bat_editor_activate_layer(editor, wild_id(editor, bytes));
+        bat_editor_layers(editor);
+        bat_editor_actions(editor);
+    } else if (what < 148) {
+        wild_paste(editor, bytes);
+    } else if (what < 150) {
+        wild_copy(editor, what & 1, session_byte(bytes) & 1);
+    } else if (what < 152) {
+        unsigned char head[HEAD_ROOM];
+        size_t size = head_png(head, session_byte(bytes), session_byte(bytes));
+        bat_editor_add_picture(editor, head, size, NULL);
+    } else if (what < 153) {
+        bat_editor_compact(editor);
+    } else if (what < 154) {
+        bat_editor_set_read_only(editor, session_byte(bytes) & 1);
+    } else {
+        session_event(editor, bytes, time);
+    }
+}
+
+/* What begins and may stand open is ended. */
+static inline void wild_settle(bat_editor *editor) {
+    bat_editor_set_read_only(editor, false);
+    for (int i = 0; i < 6; i++) bat_editor_command(editor, "cancel");
+    bat_editor_frame(editor);
+}
+
+#endif
