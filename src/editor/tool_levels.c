@@ -213,9 +213,12 @@ static bool undo(bat_editor *editor) {
 /* What is chosen stays chosen for the other tools; the command then deselects it. */
 static bool cancel(bat_editor *editor) {
     bat_leveling *l = &editor->leveling;
+    if (l->pressed && !l->dragging) { /* a finger of a pinch, say: what waits for a yes goes on waiting */
+        release(l);
+        return true;
+    }
     if (undo(editor)) return true;
-    bool any = l->pressed || l->copying;
-    release(l);
+    bool any = l->copying;
     l->copying = false;
     return any;
 }

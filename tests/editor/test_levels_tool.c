@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "editor/editor.h"
 #include "support/session.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
@@ -473,6 +474,34 @@ static void a_spline_becomes_a_base(void **state) {
     round_trip(editor, first, 1);
 }
 
+/* A press that is taken away, by the system or for a pinch, leaves neither itself nor ends what waits for a yes. */
+static void a_press_taken_away_keeps_the_choice(void **state) {
+    (void)state;
+    for (int pinch = 0; pinch < 2; pinch++) {
+        pen p;
+        bat_editor *editor = apart_editor(&p);
+        assert_int_equal(bat_editor_command(editor, "take-apart"), BAT_OK);
+        int levels = editor->leveling.apart ? bat_shape_levels(editor->leveling.apart) : 0;
+        assert_true(levels > 0);
+        pen first = p, second = p;
+        first.device = second.device = BAT_DEVICE_TOUCH;
+        first.contact = 8;
+        second.contact = 9;
+        editor->pen_seen = false;
+        pen_event(&first, BAT_POINTER_DOWN, 500, 500);
+        if (pinch) pen_event(&second, BAT_POINTER_DOWN, 600, 500);
+        check(editor);
+        pen_event(&first, BAT_POINTER_CANCEL, 500, 500);
+        if (pinch) pen_event(&second, BAT_POINTER_CANCEL, 600, 500);
+        check(editor);
+        assert_true(!bat_editor_busy(editor));
+        assert_true(editor->leveling.apart && bat_shape_levels(editor->leveling.apart) == levels);
+        assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+        assert_null(editor->leveling.apart);
+        bat_editor_free(editor);
+    }
+}
+
 static void wild(void **state) {
     (void)state;
     static const char *const commands[] = {"tool-levels", "take-apart",  "accept",      "level-add",
@@ -543,6 +572,7 @@ int main(void) {
         cmocka_unit_test(a_level_is_redrawn),
         cmocka_unit_test(rules_copies_and_flattening),
         cmocka_unit_test(a_spline_becomes_a_base),
+        cmocka_unit_test(a_press_taken_away_keeps_the_choice),
         cmocka_unit_test(wild),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
