@@ -119,8 +119,9 @@ BAT_API bat_status bat_shape_commit(bat_shape *shape);
  * it was at the beginning, so that what comes out depends on the last call alone, bit for bit what the one-shot
  * call and bat_shape_commit give; a call of nothing gives the shape as it was, bit for bit. Cost: what the edit
  * touches at its level and above (math 3.4), some microseconds, however large the shape, for as long as the same
- * control points move (in space, where tangents sweep much, nine times that); the first call of a run, and edits that touch everything (a base of few points; Frenet
- * frames and plain propagation in space), cost more. On failure: the shape as it was at the beginning.
+ * control points move (in space, where tangents sweep much, nine times that); the first call of a run, and edits
+ * that touch everything (a base of few points; Frenet frames and plain propagation in space), cost more. On
+ * failure: the shape as it was at the beginning.
  */
 typedef struct bat_shape_live bat_shape_live;
 BAT_API bat_status bat_shape_live_begin(const bat_shape *shape, int level, bat_shape_live **out);
