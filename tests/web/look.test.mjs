@@ -140,6 +140,31 @@ test('all of it can be reached by the keyboard, with a visible focus', async () 
   await context.close();
 });
 
+for (const width of [390, 620, 820]) {
+  test(`under a finger, ${width} wide: sheets open below the bar, and what is said covers neither hints nor foot`, async () => {
+    const { page, context } = await open(browser, server.address, { viewport: { width, height: 844 }, hasTouch: true,
+      isMobile: true });
+    const box = (name) => page.locator(name).boundingBox();
+    const bar = await box('#bar');
+    for (const sheet of ['style', 'settings', 'layers']) {
+      await page.click(`[data-name=${sheet}]`);
+      await settle(page);
+      const { x, y, width: wide, height } = await box(`#${sheet}`);
+      assert.ok(y >= bar.y + bar.height && y + height <= 844 && x >= 0 && x + wide <= width, sheet);
+      await page.keyboard.press('Escape');
+    }
+    await page.evaluate(() => batten.notice.say('The file changed on disk since it was opened. It was not touched.',
+      { label: 'Download a copy', run: () => {} }));
+    const [first, notice, foot] = [await box('#first'), await box('#notice'), await box('.foot')];
+    assert.ok(first.y + first.height <= notice.y && notice.y + notice.height <= foot.y);
+    const [hint, readouts] = [await box('#hint'), await box('#readouts')];
+    assert.ok(hint.y + hint.height <= readouts.y);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `narrow-${width}.png`) });
+    await context.close();
+  });
+}
+
 test('every command and every property of the engine is in the page', async () => {
   const { page, context } = await open(browser, server.address);
   await page.click('[data-name=menu]');
