@@ -4,7 +4,7 @@
  * is chosen stays where it is then. A double tap inserts a knot, Delete removes one.
  *
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
- * which chooses. cancel: a drag is taken back; else nothing is chosen.
+ * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
  */
 #include "editor/editor.h"
 #include "curve/real.h"
@@ -409,8 +409,11 @@ static bool cancel(bat_editor *editor) {
         bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
         return true;
     }
-    bool any = p->pressed || p->object || p->chosen.kind;
-    release(p);
+    if (p->pressed) { /* it has chosen nothing yet: a tap does when it is lifted */
+        release(p);
+        return true;
+    }
+    bool any = p->object || p->chosen.kind;
     p->object = 0;
     choose_nothing(p);
     return any;

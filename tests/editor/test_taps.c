@@ -144,6 +144,27 @@ static void fingers_leave_the_selection(void **state) {
 }
 
 /* Fingers beside a pen that draws, or that is about, are a hand at rest: nothing is undone, the stroke goes on. */
+/* The same with a control point that is chosen. */
+static void fingers_leave_the_chosen_point(void **state) {
+    (void)state;
+    for (int pinch = 0; pinch < 2; pinch++) {
+        bat_editor *editor = pen_editor();
+        bat_editor_command(editor, "tool-points");
+        assert_int_equal(bat_editor_command(editor, "point-next"), BAT_OK);
+        const bat_handle chosen = editor->pointing.chosen;
+        assert_int_equal(chosen.kind, BAT_HANDLE_POINT);
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 1, 400, 500, 5000);
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 500, 500, 5020);
+        if (pinch) touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 2, 540, 500, 5030);
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 400, 500, 5100);
+        touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 2, 500, 500, 5110);
+        assert_int_equal(editor->pointing.chosen.kind, chosen.kind);
+        assert_int_equal(editor->pointing.chosen.index, chosen.index);
+        assert_false(editor->pointing.pressed);
+        bat_editor_free(editor);
+    }
+}
+
 static void a_hand_beside_the_pen_is_none(void **state) {
     (void)state;
     uint64_t drawn, plain;
@@ -212,10 +233,10 @@ static void a_pending_fit_goes_first(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_undo_and_three_redo),       cmocka_unit_test(what_is_no_tap),
-        cmocka_unit_test(fingers_leave_the_selection),   cmocka_unit_test(a_cancelled_tap_is_none),
-        cmocka_unit_test(a_hand_beside_the_pen_is_none), cmocka_unit_test(a_stroke_is_never_ended_by_a_tap),
-        cmocka_unit_test(a_pending_fit_goes_first),
+        cmocka_unit_test(two_undo_and_three_redo),          cmocka_unit_test(what_is_no_tap),
+        cmocka_unit_test(fingers_leave_the_selection),      cmocka_unit_test(fingers_leave_the_chosen_point),
+        cmocka_unit_test(a_cancelled_tap_is_none),          cmocka_unit_test(a_hand_beside_the_pen_is_none),
+        cmocka_unit_test(a_stroke_is_never_ended_by_a_tap), cmocka_unit_test(a_pending_fit_goes_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
