@@ -7,10 +7,11 @@ import pathlib
 import re
 import sys
 
+from sources import sources
+
 root = pathlib.Path(sys.argv[1])
 folders = ("include", "src", "apps", "web/module", "tests", "fuzz", "bench", "examples")
-headers = [path for folder in folders for path in sorted((root / folder).rglob("*.h"))
-           if "node_modules" not in path.parts]
+headers = sources(root, folders, (".h",))
 faults, owners = [], {}
 for path in headers:
     place = path.relative_to(root)

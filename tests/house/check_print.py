@@ -7,13 +7,15 @@ import pathlib
 import re
 import sys
 
+from sources import sources
+
 CALL = re.compile(r"v?snprintf\s*\((.*?)\);", re.S)
 TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"')
 KNOWN = re.compile(r"%(?:%|0?\d*(?:\.(?:\*|\d+))?(?:s|c|[lz]?[dux]|[efg]))")
 
 root = pathlib.Path(sys.argv[1])
 faults, formats = [], 0
-for path in sorted([*root.glob("src/*/*.c"), *root.glob("web/module/*.c")]):
+for path in sources(root, ["src", "web/module"], (".c",)):
     for call in CALL.finditer(path.read_text(encoding="utf-8")):
         text = "".join(TEXT.findall(call[1]))
         formats += 1

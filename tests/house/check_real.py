@@ -9,13 +9,15 @@ import pathlib
 import re
 import sys
 
+from sources import sources
+
 INEXACT = ("hypot sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 expm1 log log2 log10 log1p pow cbrt "
            "erf tgamma lgamma fma sqrtf powf").split()
 CALL = re.compile(r"(?<![\w.>])(" + "|".join(INEXACT) + r"|qsort)\s*\(")
 
 root = pathlib.Path(sys.argv[1])
 faults, files = [], 0
-for path in sorted(root.glob("src/*/*.[ch]")):
+for path in sources(root, ["src"], (".c", ".h")):
     files += 1
     text = re.sub(r"/\*.*?\*/", lambda found: re.sub(r"[^\n]", " ", found[0]) if "no ties" not in found[0]
                   else found[0], path.read_text(encoding="utf-8"), flags=re.S)

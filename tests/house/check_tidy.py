@@ -10,6 +10,8 @@ import pathlib
 import subprocess
 import sys
 
+from sources import sources
+
 ROOT = pathlib.Path(sys.argv[1])
 CLEAN = pathlib.Path("tidy")
 FLAGS = ["-std=c17", f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}/apps/batten", "-D_POSIX_C_SOURCE=200809L"]
@@ -35,8 +37,7 @@ def check(path):
 
 
 CLEAN.mkdir(exist_ok=True)
-files = [path for pattern in ("src/*/*.c", "apps/batten/*.c", "web/module/*.c") for path in
-         sorted(ROOT.glob(pattern))]
+files = sources(ROOT, ["src", "apps/batten", "web/module"], (".c",))
 with concurrent.futures.ThreadPoolExecutor(2) as pool:
     results = list(pool.map(check, files))
 faulty = [(path, text) for path, text, _ in results if text]

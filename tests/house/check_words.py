@@ -10,6 +10,8 @@ import pathlib
 import re
 import sys
 
+from sources import sources
+
 root = pathlib.Path(sys.argv[1])
 faults = []
 keys = set(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)"', (root / "src/editor/strings.def").read_text("utf-8"), re.M))
@@ -48,7 +50,7 @@ Page().feed((root / "web/index.html").read_text("utf-8"))
 LITERAL = re.compile(r"'((?:[^'\\\n]|\\.)*)'|`((?:[^`\\]|\\.)*)`")
 TOLD = re.compile(r"(textContent|innerText|\.title|\.placeholder|'aria-label'|'title')\s*(=|,)\s*$")
 sprite = (root / "web/icons/sprite.svg").read_text("utf-8")
-files = sorted(root.glob("web/*.js"))
+files = sources(root, ["web"], (".js",))
 for path in files:
     text = path.read_text("utf-8")
     text = re.sub(r"/\*.*?\*/", lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.S)
@@ -59,7 +61,7 @@ for path in files:
         sentence = re.match(r"[^\w]*[A-Z][a-z]+[ ,]", spoken) or re.search(r"[a-z] [a-z]+\.$", spoken)
         given = TOLD.search(text[max(0, found.start() - 30):found.start()]) and re.search(r"[A-Za-z]{2}", spoken.replace("Batten", ""))
         if sentence or given:
-            faults.append(f"web/{path.name}: {words!r}")
+            faults.append(f"{path.relative_to(root)}: {words!r}")
     asked |= set(re.findall(r"'(shell\.[a-z0-9-]+)'", text))
     asked |= {f"shell.{key}" for key in re.findall(r"\.text\('([a-z-]+)'\)", text)}
     if "`shell.${" in text:  # by the names of sheets and of the groups of the bar
