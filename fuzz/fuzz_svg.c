@@ -3,7 +3,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 
-#include "document/utf8.h"
+#include "text/utf8.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* The words of the command line, read as a subcommand's table of options says. */
 #include "program.h"
 
-#include "format/number.h"
+#include "text/number.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "program.h"
 #include "results.h"
 
-#include "format/number.h"
+#include "text/number.h"
 
 #include <batten/measure.h>
 

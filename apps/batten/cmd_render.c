@@ -4,8 +4,8 @@
 #include "paint_cairo.h"
 #include "program.h"
 
-#include "format/number.h"
-#include "format/text.h"
+#include "text/number.h"
+#include "text/text.h"
 
 #include <stdlib.h>
 #include <string.h>

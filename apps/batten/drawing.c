@@ -4,7 +4,7 @@
 #include "program.h"
 #include "xml.h"
 
-#include "format/json.h"
+#include "text/json.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* --at and --samples. */
 #include "parameters.h"
 
-#include "format/number.h"
+#include "text/number.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 #include "results.h"
 
-#include "format/number.h"
+#include "text/number.h"
 
 #include "io.h"
 #include "program.h"

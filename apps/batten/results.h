@@ -2,7 +2,7 @@
 #ifndef BATTEN_APPS_RESULTS_H
 #define BATTEN_APPS_RESULTS_H
 
-#include "format/text.h"
+#include "text/text.h"
 
 #include <batten/bezier.h>
 #include <batten/format.h>

@@ -1,6 +1,6 @@
 /* Spans, parameters and the B-spline basis functions (de Boor 1972, P&T 2.5). */
 #include "curve/curve.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* The curve as a value: made, checked, read, copied, compared, transformed. */
 #include "curve/curve.h"
-#include "curve/vector.h"
-#include "curve/real.h"
+#include "base/lanes.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>

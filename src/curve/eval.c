@@ -1,6 +1,6 @@
 /* Position and derivatives at one parameter. */
 #include "curve/curve.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 #include <math.h>
 #include <string.h>

@@ -11,7 +11,7 @@
 
 #include "curve/banded.h"
 #include "curve/lsq.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <float.h>
 #include <math.h>

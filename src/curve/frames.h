@@ -6,7 +6,7 @@
 #include <batten/frames.h>
 
 #include "curve/piece.h"
-#include "curve/vec.h"
+#include "base/vec.h"
 
 enum { BAT_FRAME_ROOM = 64 };
 

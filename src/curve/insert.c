@@ -3,7 +3,7 @@
  * points copied bitwise.
  */
 #include "curve/curve.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 #include <batten/refine.h>
 

@@ -1,6 +1,6 @@
 /* The rules that every knot vector obeys (include/batten/curve.h, top). */
 #include "curve/curve.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * sum w s^k X, so that the work a sample is a handful of multiply-adds whatever the basis. The coordinate s
  * runs from -1 to 1, which keeps the moments well scaled up to degree 7. */
 #include "curve/lsq.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 #include <math.h>
 #include <string.h>

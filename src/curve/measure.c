@@ -3,7 +3,7 @@
 
 #include <batten/nearest.h>
 #include "curve/lsq.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "curve/roots.h"
 
 #include <float.h>

@@ -13,7 +13,7 @@
 #include <batten/nearest.h>
 
 #include "curve/lsq.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <float.h>
 #include <math.h>

@@ -4,7 +4,7 @@
 #define BATTEN_SRC_PIECE_H
 
 #include "curve/curve.h"
-#include "curve/vector.h"
+#include "base/lanes.h"
 
 /* c[k * dimension + d]: coefficient of (u - middle)^k. */
 typedef struct bat_piece {

@@ -1,6 +1,6 @@
 /* Points as plain arrays: distances and angles that do not overflow. */
 #include "curve/curve.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 double bat_distance(const double *a, const double *b, int size) {
     double d = 0;

@@ -6,7 +6,7 @@
 #include "document/picture.h"
 #include "document/shape.h"
 #include "document/spline.h"
-#include "document/utf8.h"
+#include "text/utf8.h"
 
 #include <batten/measure.h>
 

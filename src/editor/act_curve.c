@@ -2,7 +2,7 @@
 #include "editor/act.h"
 #include "editor/arrange.h"
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/refine.h>
 #include <math.h>
 #include <stdlib.h>

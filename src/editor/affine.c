@@ -1,5 +1,5 @@
 #include "editor/affine.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "format/svg.h"
 #include <math.h>
 #include <stdlib.h>

@@ -14,8 +14,8 @@
 
 #include "document/history.h"
 #include "editor/tables.h"
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 #include <batten/editor.h>
 
 /* Without the digest and the closing brace. */

@@ -3,8 +3,8 @@
 #define BATTEN_SRC_EDIT_CODEC_H
 
 #include "editor/edit.h"
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 
 /* The line without its digest and closing brace. */
 void bat_edit_write(const bat_edit *edit, bat_text *line);

@@ -1,5 +1,5 @@
 #include "editor/erase.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <batten/refine.h>

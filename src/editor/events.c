@@ -1,7 +1,7 @@
 /* Events come in here: bad numbers are kept out, and every contact gets its duty. */
 #include "editor/editor.h"
 #include "editor/ruler.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "editor/handles.h"
 #include "curve/curve.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 
 static const double POINT_RADIUS = 3, KNOT_RADIUS = 3.5, RING_STEP = 3, ONE_RADIUS = 5.5; /* px */

@@ -1,6 +1,6 @@
 #include "editor/insight.h"
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/handles.h"
 #include "editor/pick.h"
 #include <batten/bezier.h>

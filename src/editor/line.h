@@ -2,7 +2,7 @@
 #ifndef BATTEN_SRC_LINE_H
 #define BATTEN_SRC_LINE_H
 
-#include "format/text.h"
+#include "text/text.h"
 
 /* A number that reads back bit for bit; finite. Up to four decimals are written fast: a stroke has thousands.
  */

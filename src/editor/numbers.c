@@ -1,5 +1,5 @@
 #include "editor/numbers.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/affine.h"
 #include "editor/arrange.h"
 #include "editor/editor.h"

@@ -3,7 +3,7 @@
 #define BATTEN_SRC_OUTLINE_H
 
 #include "editor/tables.h"
-#include "format/text.h"
+#include "text/text.h"
 #include <batten/editor.h>
 
 enum { BAT_SAID_ROOM = 240 };

@@ -1,5 +1,5 @@
 #include "editor/overlay.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/refine.h>
 #include <math.h>
 #include <stdio.h>

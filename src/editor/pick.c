@@ -1,5 +1,5 @@
 #include "editor/pick.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Picking by area: fills under a point, drawings in a box. On the scene's float paths, flattened. */
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/pick.h"
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* What a pen's pressure counts as. It scales the reach of the smooth brush and of the eraser. */
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/editor.h"
 #include <math.h>
 

@@ -1,5 +1,5 @@
 #include "editor/pull.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/drag.h>
 #include <batten/refine.h>
 #include <math.h>

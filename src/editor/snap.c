@@ -1,5 +1,5 @@
 #include "editor/snap.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/editor.h"
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What the tangents tool knows of its spline, and how it shows it. */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* The tangents tool: what of its spline, or which other one, lies under the pen. */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/pick.h"
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* The tangents tool by the keyboard: its commands. */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 #include <string.h>
 

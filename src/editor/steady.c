@@ -1,5 +1,5 @@
 #include "editor/steady.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <string.h>
 
 static const double STEP = 3; /* px: as dense as a pen's own samples */

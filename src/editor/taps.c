@@ -1,4 +1,4 @@
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/editor.h"
 
 static const double TAP_TIME = 250; /* ms from the first finger down to the last one up */

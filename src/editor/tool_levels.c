@@ -8,7 +8,7 @@
  * tap. cancel: a drag is taken back, else taking apart or copying dropped.
  */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/pick.h"
 #include <batten/measure.h>
 #include <math.h>

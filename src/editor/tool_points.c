@@ -7,7 +7,7 @@
  * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
  */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/pick.h"
 #include "editor/pull.h"
 #include "editor/put.h"

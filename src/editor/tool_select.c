@@ -10,7 +10,7 @@
 #include "editor/affine.h"
 #include "editor/arrange.h"
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * what is lit.
  */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/calm.h"
 #include "editor/pick.h"
 #include "editor/put.h"

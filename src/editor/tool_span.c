@@ -4,7 +4,7 @@
  * IDLE --down near a place, or where there is room for one--> HELD --up--> IDLE; with two places the host is asked to
  * let the distance be typed. A third press begins anew.
  */
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/editor.h"
 #include "editor/unit.h"
 #include <string.h>

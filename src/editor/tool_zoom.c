@@ -1,7 +1,7 @@
 /* The zoom tool: a click comes nearer, with Alt goes away; a rectangle drawn fills the window. Documents never
  * change by it. */
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 
 #define CLICK 5.0 /* pixels of travel that are still a click */

@@ -1,6 +1,6 @@
 /* Pictures to trace: images behind the drawing. */
 #include "editor/tracing.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/affine.h"
 #include "editor/editor.h"
 #include <math.h>

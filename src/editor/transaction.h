@@ -8,7 +8,7 @@
 
 #include "document/history.h"
 #include "editor/tables.h"
-#include "format/text.h"
+#include "text/text.h"
 #include <batten/editor.h>
 
 typedef struct bat_transaction {

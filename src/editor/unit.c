@@ -1,6 +1,6 @@
 #include "editor/unit.h"
 #include "editor/editor.h"
-#include "format/number.h"
+#include "text/number.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

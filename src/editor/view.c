@@ -1,5 +1,5 @@
 #include "editor/view.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <math.h>
 
 static double clamp(double value, double low, double high) { return fmin(fmax(value, low), high); }

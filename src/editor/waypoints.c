@@ -1,6 +1,6 @@
 #include "editor/waypoints.h"
 #include "editor/editor.h"
-#include "curve/real.h"
+#include "base/real.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <math.h>

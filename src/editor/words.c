@@ -1,6 +1,6 @@
 /* The words of another language than English. */
 #include "editor/editor.h"
-#include "format/json.h"
+#include "text/json.h"
 #include <stdlib.h>
 #include <string.h>
 

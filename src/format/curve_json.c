@@ -1,6 +1,6 @@
 /* CURVE as JSON: {"degree":3, "closed":false, "knots":[...], "points":[[x,y],...]}. */
 #include "format/curve_json.h"
-#include "format/number.h"
+#include "text/number.h"
 
 #include <math.h>
 #include <stdio.h>

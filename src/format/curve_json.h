@@ -2,8 +2,8 @@
 #ifndef BATTEN_SRC_CURVE_JSON_H
 #define BATTEN_SRC_CURVE_JSON_H
 
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 
 bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem);
 /* indent: spaces before the members, for people; 0: all on one line. */

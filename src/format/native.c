@@ -3,9 +3,9 @@
 
 #include "document/digest.h"
 #include "document/document.h"
-#include "format/base64.h"
+#include "text/base64.h"
 #include "format/curve_json.h"
-#include "format/json.h"
+#include "text/json.h"
 #include "format/shape_json.h"
 #include "format/spline_json.h"
 

@@ -3,8 +3,8 @@
 #define BATTEN_SRC_NATIVE_H
 
 #include "document/picture.h"
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 
 #include <batten/document.h>
 

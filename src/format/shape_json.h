@@ -2,8 +2,8 @@
 #ifndef BATTEN_SRC_SHAPE_JSON_H
 #define BATTEN_SRC_SHAPE_JSON_H
 
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 
 #include <batten/levels.h>
 

@@ -2,8 +2,8 @@
 #ifndef BATTEN_SRC_SPLINE_JSON_H
 #define BATTEN_SRC_SPLINE_JSON_H
 
-#include "format/json.h"
-#include "format/text.h"
+#include "text/json.h"
+#include "text/text.h"
 
 /* *spline's arrays lie in one block: bat_free(*block). Its tangents are never NULL. options: what "mode" and
  * "default" say; left alone where they are not there; NULL: not looked at. */

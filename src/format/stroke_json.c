@@ -1,7 +1,7 @@
 /* STROKE: JSON {"points":[[x,y],...], "pressure":[...], "time":[...]}, or CSV with a header
  * x,y[,pressure][,time]. */
 #include "format/curve_json.h"
-#include "format/number.h"
+#include "text/number.h"
 #include "format/stroke_json.h"
 
 #include <math.h>

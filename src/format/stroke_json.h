@@ -2,7 +2,7 @@
 #ifndef BATTEN_SRC_STROKE_JSON_H
 #define BATTEN_SRC_STROKE_JSON_H
 
-#include "format/json.h"
+#include "text/json.h"
 
 /* As bat_stroke_read; node 0: nothing there, told as such. */
 bat_status bat_stroke_from_json(const bat_json *json, uint32_t node, bat_stroke *stroke, void **block,

@@ -1,5 +1,5 @@
 /* Colours as CSS Color 4 writes them: names, hexadecimal, rgb(), hsl(). */
-#include "format/number.h"
+#include "text/number.h"
 #include "format/svg_style.h"
 
 #include <math.h>

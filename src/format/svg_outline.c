@@ -1,6 +1,6 @@
 #include "format/svg_outline.h"
 
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Path data (SVG 2, 9.3). */
-#include "format/number.h"
+#include "text/number.h"
 #include "format/svg.h"
 
 #include <math.h>

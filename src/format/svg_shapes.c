@@ -1,5 +1,5 @@
 /* Basic shapes as outlines (SVG 2, 10): where each begins and which way it runs is as the standard says. */
-#include "format/number.h"
+#include "text/number.h"
 #include "format/svg.h"
 
 #include <math.h>

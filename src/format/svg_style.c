@@ -1,7 +1,7 @@
 /* Properties of stroke and fill, and what is inherited (SVG 2, 13; CSS). */
 #include "format/svg_style.h"
 
-#include "format/number.h"
+#include "text/number.h"
 #include "format/svg.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* transform, viewBox, preserveAspectRatio and lengths (SVG 2, 8; CSS Values 6). */
-#include "curve/real.h"
-#include "format/number.h"
+#include "base/real.h"
+#include "text/number.h"
 #include "format/svg.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef BATTEN_SRC_SVG_TREE_H
 #define BATTEN_SRC_SVG_TREE_H
 
-#include "format/text.h"
+#include "text/text.h"
 
 enum { BAT_SVG_DEPTH = 256, BAT_SVG_ELEMENTS_MAX = 1 << 22 };
 

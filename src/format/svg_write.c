@@ -1,12 +1,12 @@
 /* SVG out: every curve as exact cubic Béziers, and the native document as text in the metadata. */
 #include "document/digest.h"
 #include "document/nesting.h"
-#include "format/base64.h"
+#include "text/base64.h"
 #include "format/native.h"
 #include "format/svg.h"
 #include "format/svg_digest.h"
 #include "format/svg_tree.h"
-#include "format/text.h"
+#include "text/text.h"
 
 #include <batten/bezier.h>
 #include <batten/format.h>

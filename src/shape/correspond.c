@@ -1,5 +1,5 @@
 #include "shape/correspond.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* What becomes of the two ends of a stroke (docs/math sketch 5.4). */
 #include "shape/plan.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 

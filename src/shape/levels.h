@@ -4,7 +4,7 @@
 
 #include <batten/levels.h>
 
-#include "curve/vec.h"
+#include "base/vec.h"
 
 typedef struct bat_triad {
     vec t, s, r;

@@ -2,7 +2,7 @@
  * permits, with the same cuts and the same fit as a redraw. */
 #include "shape/sketch.h"
 #include "shape/whittaker.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>

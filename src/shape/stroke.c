@@ -1,6 +1,6 @@
 #include "shape/stroke.h"
 #include "shape/whittaker.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include <batten/tangents.h>
 
 #include "curve/curve.h"
-#include "curve/vec.h"
+#include "base/vec.h"
 
 #include <math.h>
 #include <stdlib.h>

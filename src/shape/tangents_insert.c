@@ -6,7 +6,7 @@
 #include <batten/bezier.h>
 #include <batten/tangents.h>
 
-#include "curve/vec.h"
+#include "base/vec.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* From the curve to the stroke (docs/math sketch 5.5): the old curve plus a quintic that carries offset,
  * direction and curvature, or a quintic Hermite piece where that would curl. */
 #include "shape/plan.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "shape/whittaker.h"
 #include "curve/banded.h"
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <string.h>

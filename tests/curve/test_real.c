@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include "curve/real.h"
+#include "base/real.h"
 
 static uint64_t seed = 42;
 static double uniform(double low, double high) {

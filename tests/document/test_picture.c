@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "document/picture.h"
-#include "format/base64.h"
+#include "text/base64.h"
 #include "support/alloc_fail.h"
 #include "support/pictures.h"
 #include "support/xml.h"

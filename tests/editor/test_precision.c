@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <cmocka.h>
-#include "curve/real.h"
+#include "base/real.h"
 #include "editor/affine.h"
 #include "editor/editor.h"
 #include "editor/ruler.h"

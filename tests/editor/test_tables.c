@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "format/json.h"
+#include "text/json.h"
 #include "support/pen.h"
 
 static void names_differ_and_defaults_fit(void **state) {

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../web/module/print.c"
-#include "format/number.h"
+#include "text/number.h"
 
 static uint64_t state = 88172645463325252u;
 

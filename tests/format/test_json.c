@@ -11,8 +11,8 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
-#include "format/json.h"
-#include "format/number.h"
+#include "text/json.h"
+#include "text/number.h"
 #include "support/random_curve.h"
 
 static double from_bits(uint64_t bits) {

@@ -5,7 +5,7 @@
 
 #include <batten/format.h>
 
-#include "document/utf8.h"
+#include "text/utf8.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <batten/batten.h>
-#include "curve/real.h"
+#include "base/real.h"
 #include "support/random_curve.h"
 
 static void put(parity_sink *sink, double value) {

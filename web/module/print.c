@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "format/digits.h"
+#include "text/digits.h"
 
 typedef struct sink {
     char *out;

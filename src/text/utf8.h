@@ -1,6 +1,6 @@
 /* UTF-8 as Unicode 15 table 3-7 defines it: no overlong forms, no surrogates, nothing above U+10FFFF. */
-#ifndef BATTEN_SRC_UTF8_H
-#define BATTEN_SRC_UTF8_H
+#ifndef BATTEN_TEXT_UTF8_H
+#define BATTEN_TEXT_UTF8_H
 
 #include <batten/base.h>
 

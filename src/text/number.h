@@ -1,6 +1,6 @@
 /* Numbers as text: decimal point always '.', whatever the program's locale says. */
-#ifndef BATTEN_SRC_NUMBER_H
-#define BATTEN_SRC_NUMBER_H
+#ifndef BATTEN_TEXT_NUMBER_H
+#define BATTEN_TEXT_NUMBER_H
 
 #include <batten/base.h>
 

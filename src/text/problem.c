@@ -1,4 +1,4 @@
-#include "format/json.h"
+#include "text/json.h"
 
 #include <stdio.h>
 

@@ -8,8 +8,8 @@
  * Special values (NaN, infinities, signed zeros, domain errors) are as in C17 annex F. Errors are measured in
  * units in the last place against long double by tests/curve/test_real.c.
  */
-#ifndef BATTEN_SRC_REAL_H
-#define BATTEN_SRC_REAL_H
+#ifndef BATTEN_BASE_REAL_H
+#define BATTEN_BASE_REAL_H
 
 #define BAT_PI 3.14159265358979323846
 

@@ -1,4 +1,4 @@
-#include "format/digits.h"
+#include "text/digits.h"
 
 #include <float.h>
 #include <math.h>

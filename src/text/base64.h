@@ -1,9 +1,9 @@
 /* Base 64 (RFC 4648, section 4): how text carries pictures. */
-#ifndef BATTEN_SRC_BASE64_H
-#define BATTEN_SRC_BASE64_H
+#ifndef BATTEN_TEXT_BASE64_H
+#define BATTEN_TEXT_BASE64_H
 
 #include "document/picture.h"
-#include "format/text.h"
+#include "text/text.h"
 
 void bat_base64_write(bat_text *text, const void *bytes, size_t size);
 /* The picture that the text holds; white space is passed over, as in data URIs of many lines. BAT_SYNTAX: it is not

@@ -1,8 +1,8 @@
 /* Inside the library: vectors in space; planar ones have z = 0. */
-#ifndef BATTEN_SRC_VEC_H
-#define BATTEN_SRC_VEC_H
+#ifndef BATTEN_BASE_VEC_H
+#define BATTEN_BASE_VEC_H
 
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
-#include "format/json.h"
+#include "text/json.h"
 
-#include "document/utf8.h"
-#include "format/number.h"
+#include "text/utf8.h"
+#include "text/number.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* Between a double and its decimal digits, exactly rounded both ways; no locale, no printf, no strtod. */
-#ifndef BATTEN_SRC_DIGITS_H
-#define BATTEN_SRC_DIGITS_H
+#ifndef BATTEN_TEXT_DIGITS_H
+#define BATTEN_TEXT_DIGITS_H
 
 /* The `count` leading digits ('0' to '9', not terminated) of value > 0, finite: d.ddd * 10^power, rounded half to even. A count
  * of more than 17 gives 17. places: as `count`, but so many digits behind the point; returns how many digits that

@@ -1,4 +1,4 @@
-#include "format/base64.h"
+#include "text/base64.h"
 
 #include <stdlib.h>
 

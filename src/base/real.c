@@ -1,6 +1,6 @@
 /* Elementary functions from + - * / and sqrt: range reduction, then a Taylor series cut where its next term
  * is below half a unit in the last place (Muller, Elementary Functions, 3rd ed., ch. 3 and 11). */
-#include "curve/real.h"
+#include "base/real.h"
 
 #include <math.h>
 

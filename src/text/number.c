@@ -1,6 +1,6 @@
-#include "format/number.h"
+#include "text/number.h"
 
-#include "format/digits.h"
+#include "text/digits.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Inside the kernel: hints for loops that compilers should turn into vector code. Contraction is off
  * everywhere, so every instruction set gives the same bits. */
-#ifndef BATTEN_SRC_VECTOR_H
-#define BATTEN_SRC_VECTOR_H
+#ifndef BATTEN_BASE_LANES_H
+#define BATTEN_BASE_LANES_H
 
 #include <stddef.h> /* defines __GLIBC__ where there is one, by way of features.h */
 #include <stdlib.h>

@@ -1,7 +1,7 @@
-#include "format/text.h"
+#include "text/text.h"
 
-#include "document/utf8.h"
-#include "format/number.h"
+#include "text/utf8.h"
+#include "text/number.h"
 
 #include <stdio.h>
 #include <stdlib.h>

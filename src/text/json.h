@@ -1,7 +1,7 @@
 /* JSON (RFC 8259), read into a compact tree. Texts are UTF-8 without U+0000; numbers are correctly rounded
  * and finite; of members with one name the last counts. Written by the bat_text calls. */
-#ifndef BATTEN_SRC_JSON_H
-#define BATTEN_SRC_JSON_H
+#ifndef BATTEN_TEXT_JSON_H
+#define BATTEN_TEXT_JSON_H
 
 #include <batten/format.h>
 

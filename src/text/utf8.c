@@ -1,4 +1,4 @@
-#include "document/utf8.h"
+#include "text/utf8.h"
 
 int bat_utf8_decode(const char *text, size_t size, uint32_t *code) {
     const unsigned char *s = (const unsigned char *)text;

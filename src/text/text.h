@@ -1,6 +1,6 @@
 /* A growing text. Failure sticks: check once, at the end. */
-#ifndef BATTEN_SRC_TEXT_H
-#define BATTEN_SRC_TEXT_H
+#ifndef BATTEN_TEXT_TEXT_H
+#define BATTEN_TEXT_TEXT_H
 
 #include <batten/base.h>
 
