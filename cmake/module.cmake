@@ -5,7 +5,7 @@ find_program(WASM_SPLIT wasm-split REQUIRED)
 include(cmake/words.cmake)
 
 # Where the time of a stroke goes: compiled for speed, the rest for size.
-set_source_files_properties(src/curve/lsq.c src/shape/whittaker.c src/shape/stroke.c
+set_source_files_properties(src/curve/lsq.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
 
 function(add_module target name)

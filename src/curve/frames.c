@@ -1,5 +1,5 @@
 /* The chain: a walk over the whole curve, kept (math 2.1 to 2.3). */
-#include "curve/frames.h"
+#include "curve/frames_walk.h"
 
 #include <float.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * of its own tangent, a step from one sample to the next is then a unit complex number, and the frames are a
  * running product (math 2.1, 2.4). Steps are independent, so compilers turn them into vector code.
  */
-#include "curve/frames.h"
+#include "curve/frames_walk.h"
 
 #include <string.h>
 

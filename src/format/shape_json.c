@@ -9,7 +9,7 @@
 #include "format/stroke_json.h"
 
 #include "format/shape_json.h"
-#include "shape/levels.h"
+#include "hands/levels/shape.h"
 
 #include <batten/bezier.h>
 

@@ -9,7 +9,7 @@
 
 #include "support/sketch_cases.h"
 
-#include "shape/correspond.h"
+#include "hands/sketch/correspond.h"
 
 static bat_curve *eight(void) {
     double points[2 * 24], knots[25];

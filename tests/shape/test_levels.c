@@ -13,7 +13,7 @@
 #include <batten/levels.h>
 #include <batten/refine.h>
 
-#include "shape/levels.h"
+#include "hands/levels/shape.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include <batten/levels.h>
 
-#include "shape/levels.h"
+#include "hands/levels/shape.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {

@@ -1,0 +1,332 @@
+/* Edits of a shape: each is made on a copy, which takes the shape's place when all has gone well. */
+#include "hands/levels/shape.h"
+
+#include "curve/banded.h"
+#include "curve/frames_walk.h"
+#include "curve/lsq.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double MU = 1e-6, NU = 1e-3; /* math 3.6 */
+
+static bool finite_all(const double *v, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(v[i]) <= BAT_COORDINATE_MAX)) return false;
+    return true;
+}
+
+static bat_status check(const bat_shape *shape, int level) {
+    return !shape || level < 0 || level > shape->count ? BAT_ARGUMENT : BAT_OK;
+}
+
+static bool nothing(const double *v, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        if (v[i] != 0) return false;
+    return true;
+}
+
+bat_status bat_level_add(bat_shape *shape, int level, int first, int count, const double *deltas,
+                         double factor) {
+    int size = shape->base->dimension, n = bat_shape_curve(shape, level)->count;
+    bat_level *at = level > 0 ? &shape->levels[level - 1] : NULL;
+    double gain = at ? bat_level_gain(at) : 1;
+    if (gain == 0) return BAT_STATE; /* a muted level shows no change */
+    for (int i = 0; i < count; i++) {
+        int k = (first + i) % n;
+        vec v = vec_scale(vec_load(deltas + i * size, size), factor);
+        double local[3], *to = at ? at->details + 3 * k : bat_curve_own_points(shape->base) + k * size;
+        if (at)
+            bat_triad_to_local(&at->frames[k], vec_scale(v, 1 / gain), local);
+        else
+            vec_store(v, local);
+        for (int d = 0; d < (at ? 3 : size); d++) to[d] += local[d];
+    }
+    if (!at) bat_curve_unroll(shape->base);
+    return BAT_OK;
+}
+
+bat_status bat_shape_move_all(bat_shape *shape, int level, int first, int count, const double *deltas) {
+    bat_shape *edited;
+    bat_status status = bat_shape_copy(shape, &edited);
+    if (status != BAT_OK) return status;
+    if (edited->turned) status = bat_shape_fold(edited, true);
+    if (status == BAT_OK) status = bat_level_add(edited, level, first, count, deltas, 1);
+    if (status == BAT_OK) status = bat_points_check(edited->base);
+    if (status == BAT_OK) status = bat_shape_rebuild(edited, level);
+    if (status == BAT_OK)
+        bat_shape_adopt(shape, edited);
+    else
+        bat_shape_free(edited);
+    return status;
+}
+
+bat_status bat_level_check(const bat_shape *shape, int level, int first, int count, const double *deltas,
+                           bool *idle) {
+    bat_status status = check(shape, level);
+    if (status != BAT_OK) return status;
+    const bat_curve *curve = bat_shape_curve(shape, level);
+    if (!deltas || first < 0 || first >= curve->count || count < 1 || count > curve->count ||
+        (!curve->closed && first + count > curve->count))
+        return BAT_ARGUMENT;
+    size_t numbers = (size_t)count * (size_t)curve->dimension;
+    if (!finite_all(deltas, numbers)) return BAT_NUMBER;
+    if (level > 0 && bat_level_gain(&shape->levels[level - 1]) == 0) return BAT_STATE;
+    *idle = nothing(deltas, numbers);
+    return BAT_OK;
+}
+
+bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count, const double *deltas) {
+    bool idle;
+    bat_touch *touch;
+    bat_status status = bat_level_check(shape, level, first, count, deltas, &idle);
+    if (status != BAT_OK || idle) return status;
+    status = bat_touch_begin(shape, level, first, count, &touch);
+    if (status != BAT_OK) return status;
+    status = touch ? bat_touch_apply(touch, deltas) : bat_shape_move_all(shape, level, first, count, deltas);
+    bat_touch_free(touch);
+    return status;
+}
+
+bat_status bat_shape_move(bat_shape *shape, int level, int index, const double *delta) {
+    return bat_shape_move_many(shape, level, index, 1, delta);
+}
+
+bat_status bat_level_pull(const bat_shape *shape, int level, double u, const double *delta, int *first,
+                          int *count, double *deltas) {
+    bat_status status = check(shape, level);
+    if (status != BAT_OK) return status;
+    if (!delta) return BAT_ARGUMENT;
+    const bat_curve *curve = bat_shape_curve(shape, level);
+    int p = curve->degree, size = curve->dimension, n = curve->count;
+    if (!isfinite(u) || !finite_all(delta, (size_t)size)) return BAT_NUMBER;
+    double basis[BAT_DEGREE_MAX + 1], weight[BAT_DEGREE_MAX + 1] = {0}, square = 0;
+    bat_curve_basis(curve, u, first, basis);
+    /* A closed curve of few points meets one of them more than once. */
+    *count = p + 1 < n ? p + 1 : n;
+    for (int i = 0; i <= p; i++) weight[i % *count] += basis[i];
+    for (int i = 0; i < *count; i++) square += weight[i] * weight[i];
+    for (int i = 0; i < *count; i++)
+        for (int d = 0; d < size; d++) deltas[i * size + d] = weight[i] / square * delta[d];
+    return BAT_OK;
+}
+
+bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *delta) {
+    double deltas[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    int first, count;
+    bat_status status = bat_level_pull(shape, level, u, delta, &first, &count, deltas);
+    return status == BAT_OK ? bat_shape_move_many(shape, level, first, count, deltas) : status;
+}
+
+static bat_status set_level(bat_shape *shape, int level, double gain, bool muted) {
+    bat_shape *edited;
+    bat_status status = bat_shape_copy(shape, &edited);
+    if (status != BAT_OK) return status;
+    if (edited->turned) status = bat_shape_fold(edited, true);
+    edited->levels[level - 1].gain = gain;
+    edited->levels[level - 1].muted = muted;
+    if (status == BAT_OK) status = bat_shape_rebuild(edited, level);
+    if (status == BAT_OK)
+        bat_shape_adopt(shape, edited);
+    else
+        bat_shape_free(edited);
+    return status;
+}
+
+bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain) {
+    if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
+    if (!(fabs(gain) <= 1e6)) return BAT_NUMBER;
+    return set_level(shape, level, gain, shape->levels[level - 1].muted);
+}
+
+bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted) {
+    if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
+    return set_level(shape, level, shape->levels[level - 1].gain, muted);
+}
+
+/* ---- sketch at a level (math 3.6) ---- */
+
+/* Adds w (sum_k c_k x_{at_k})^2 to a banded matrix of unknowns in ascending order (cyclic: modulo n). */
+static void add_row(double *a, int band, int n, bool closed, int first, int terms, const double *c,
+                    double w) {
+    for (int r = 0; r < terms; r++)
+        for (int s = 0; s <= r; s++) {
+            int row = closed ? (first + r) % n : first + r;
+            a[row * (band + 1) + r - s] += w * c[r] * c[s];
+        }
+}
+
+bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
+                            const double *targets) {
+    bat_status status = check(shape, level);
+    if (status != BAT_OK) return status;
+    if (!u || !targets || count < 1 || count > BAT_POINTS_MAX) return BAT_ARGUMENT;
+    const bat_curve *curve = bat_shape_curve(shape, level);
+    int p = curve->degree, size = curve->dimension, n = curve->count;
+    if (!finite_all(targets, count * (size_t)size)) return BAT_NUMBER;
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(u[i])) return BAT_NUMBER;
+
+    int band = p > 2 ? p : 2; /* second differences reach two neighbours */
+    size_t cells = (size_t)n * (size_t)(band + 1);
+    double *a = calloc(cells, sizeof(double)), *b = calloc((size_t)(n * size), sizeof(double));
+    double *border = malloc((bat_cyclic_room(n, band) + 1) * sizeof(double));
+    bool *met = calloc((size_t)n, sizeof(bool));
+    status = a && b && border && met ? BAT_OK : BAT_MEMORY;
+    if (status == BAT_OK) {
+        for (size_t i = 0; i < count; i++) {
+            double basis[BAT_DEGREE_MAX + 1], at[3];
+            int first;
+            bat_curve_basis(curve, u[i], &first, basis);
+            bat_curve_eval(curve, u[i], 0, at);
+            add_row(a, band, n, curve->closed, first, p + 1, basis, 1);
+            for (int k = 0; k <= p; k++) {
+                int row = (first + k) % n;
+                if (basis[k] != 0) met[row] = true;
+                for (int d = 0; d < size; d++)
+                    b[row * size + d] += basis[k] * (targets[i * (size_t)size + (size_t)d] - at[d]);
+            }
+        }
+        const double second[3] = {1, -2, 1};
+        for (int i = 0; i < (curve->closed ? n : n - 2); i++)
+            add_row(a, band, n, curve->closed, i, 3, second, NU);
+        for (int i = 0; i < n; i++) a[i * (band + 1)] += MU;
+        /* What the stroke misses stays exactly: its row and column become the identity. */
+        for (int i = 0; i < n; i++) {
+            if (met[i]) continue;
+            for (int d = 0; d < size; d++) b[i * size + d] = 0;
+            for (int k = 1; k <= band; k++) {
+                a[i * (band + 1) + k] = 0;
+                int right = curve->closed ? (i + k) % n : i + k;
+                if (right < n) a[right * (band + 1) + k] = 0;
+            }
+            a[i * (band + 1)] = 1;
+        }
+        status = curve->closed ? bat_cyclic_factor(a, n, band, border) : bat_banded_factor(a, n, band);
+    }
+    if (status == BAT_OK) {
+        if (curve->closed)
+            bat_cyclic_solve(a, n, band, border, b, size);
+        else
+            bat_banded_solve(a, n, band, b, size);
+        /* The shortest run that holds all that moves; on a closed curve it begins behind the longest gap. */
+        int first = 0, moved = n;
+        if (!curve->closed) {
+            while (first < n && !met[first]) first++;
+            while (moved > 0 && !met[moved - 1]) moved--;
+            moved -= first;
+        } else {
+            int gap = 0, best = 0;
+            for (int i = 0; i < 2 * n; i++) {
+                gap = met[i % n] ? 0 : gap + 1;
+                if (gap > best && gap < n) best = gap, first = (i + 1) % n;
+            }
+            moved = n - best;
+        }
+        double *deltas = malloc((size_t)(moved * size) * sizeof(double));
+        if (deltas) {
+            for (int i = 0; i < moved; i++)
+                memcpy(deltas + i * size, b + ((first + i) % n) * size, (size_t)size * sizeof(double));
+            status = bat_shape_move_many(shape, level, first, moved, deltas);
+            free(deltas);
+        } else {
+            status = BAT_MEMORY;
+        }
+    }
+    free(a);
+    free(b);
+    free(border);
+    free(met);
+    return status;
+}
+
+/* ---- whole-curve transforms ---- */
+
+double bat_affine_determinant(const double *m, int size) {
+    if (size == 2) return m[0] * m[4] - m[1] * m[3];
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
+           m[2] * (m[4] * m[9] - m[5] * m[8]);
+}
+
+vec bat_affine_turn(const double *m, int size, vec v) {
+    if (size == 2) return (vec){m[0] * v.x + m[1] * v.y, m[3] * v.x + m[4] * v.y, v.z};
+    return (vec){m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
+                 m[8] * v.x + m[9] * v.y + m[10] * v.z};
+}
+
+static void turn_reference(bat_shape_options *o, const double *m, int size) {
+    double *vectors[3] = {o->first, o->reference_t, o->reference_s};
+    for (int i = 0; i < 3; i++)
+        vec_store(vec_unit(bat_affine_turn(m, size, vec_load(vectors[i], 3))), vectors[i]);
+}
+
+bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
+    if (!shape || !matrix) return BAT_ARGUMENT;
+    int size = shape->base->dimension;
+    if (!finite_all(matrix, (size_t)(size * (size + 1)))) return BAT_NUMBER;
+    double det = bat_affine_determinant(matrix, size);
+    if (!(fabs(det) > 0)) return BAT_SINGULAR;
+    double factor = size == 2 ? sqrt(fabs(det)) : bat_exp(bat_log(fabs(det)) / 3);
+    bat_shape *edited;
+    bat_status status = bat_shape_copy(shape, &edited);
+    if (status != BAT_OK) return status;
+    bat_curve *base;
+    if (edited->turned) status = bat_shape_fold(edited, true);
+    if (status == BAT_OK) status = bat_curve_transform(edited->base, matrix, &base);
+    if (status == BAT_OK) {
+        bat_curve_free(edited->base);
+        edited->base = base;
+        turn_reference(&edited->options, matrix, size);
+        bat_frame_rule rule = edited->options.frame;
+        for (int l = 0; l < edited->count; l++)
+            for (int i = 0; i < edited->levels[l].count; i++) {
+                double *d = edited->levels[l].details + 3 * i;
+                if (rule == BAT_FRAMES_FIXED) { /* the world's axes do not turn: the detail does */
+                    vec_store(bat_affine_turn(matrix, size, vec_load(d, 3)), d);
+                    continue;
+                }
+                for (int k = 0; k < 3; k++) d[k] *= factor;
+                /* A mirror image: r = t x s changes sides; in the plane s = t turned left does. */
+                if (det < 0) {
+                    if (size == 3)
+                        d[2] = -d[2];
+                    else if (rule == BAT_FRAMES_RMF)
+                        d[1] = -d[1];
+                }
+            }
+        for (int l = 0; l < BAT_LEVELS_MAX && det < 0; l++) edited->holonomy[l] = -edited->holonomy[l];
+        status = bat_shape_rebuild(edited, 0);
+    }
+    if (status == BAT_OK)
+        bat_shape_adopt(shape, edited);
+    else
+        bat_shape_free(edited);
+    return status;
+}
+
+bat_status bat_shape_commit(bat_shape *shape) {
+    if (!shape) return BAT_ARGUMENT;
+    bat_shape_options options = shape->options;
+    bool anew = false;
+    if (options.has_reference && shape->base->dimension == 3) {
+        vec t = bat_frame_tangent(shape->base,
+                                  bat_span(shape->base, shape->base->knots[shape->base->degree], -1), false);
+        if (vec_dot(t, vec_unit(vec_load(options.reference_t, 3))) < -0.5) {
+            bat_frame_options frames = bat_shape_frame_options(&options, 0);
+            vec_store(bat_frame_first(&frames, 3, t), options.reference_s);
+            vec_store(t, options.reference_t);
+            anew = true;
+        }
+    }
+    if (!anew && !shape->turned) return BAT_OK;
+    bat_shape *edited;
+    bat_status status = bat_shape_copy(shape, &edited);
+    if (status != BAT_OK) return status;
+    edited->options = options;
+    status = bat_shape_fold(edited, false);
+    if (status == BAT_OK)
+        bat_shape_adopt(shape, edited);
+    else
+        bat_shape_free(edited);
+    return status;
+}

@@ -1,0 +1,156 @@
+/* What becomes of the two ends of a stroke (docs/math sketch 5.4). */
+#include "hands/sketch/plan.h"
+#include "base/real.h"
+
+#include <math.h>
+
+static const double shortest_stub = 2, corner_reach = 8;
+
+static double angle_between(const double *a, const double *b, size_t m) {
+    double dot = 0;
+    for (size_t c = 0; c < m; c++) dot += a[c] * b[c];
+    return bat_acos(dot > 1 ? 1 : dot < -1 ? -1 : dot);
+}
+
+bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
+    const bat_clean *stroke = plan->stroke;
+    const size_t m = (size_t)plan->dimension;
+    const double far = fmax(40, 0.25 * stroke->length);
+    if (fmin(found->offset[0], found->offset[1]) > far) return BAT_FAR;
+    for (int side = 0; side < 2; side++) {
+        bat_end *e = &plan->end[side];
+        e->s = side == 0 ? found->start : found->end;
+        e->offset = found->offset[side];
+        double direction[BAT_DIMENSION_MAX], tangent[BAT_DIMENSION_MAX];
+        bat_clean_frame(stroke, side == 0 ? 0 : stroke->length, 12, NULL, direction, NULL);
+        bat_track_tangent(e->track, bat_track_u(e->track, e->s), tangent);
+        e->angle = angle_between(direction, tangent, m);
+        e->kind = BAT_END_KEPT;
+        e->corner = false;
+        if (plan->closed) continue;
+        const double stub = side == 0 ? e->s : e->track->length - e->s;
+        if (stub < fmax(e->offset, shortest_stub) || e->offset > far) e->kind = BAT_END_FREE;
+    }
+    return BAT_OK;
+}
+
+/* The knot of full multiplicity nearest to the stroke within the transition, or -1. */
+static int corner_in(const bat_end *e, int side, double reach) {
+    const bat_curve *curve = e->curve;
+    const int p = curve->degree;
+    const double *t = curve->knots;
+    const bool closed = curve->closed;
+    int best = -1;
+    double nearest = reach;
+    for (int i = p + (closed ? 0 : 1); i < curve->spread; i++) {
+        if (t[i] == t[i - 1] || i + p - 1 >= curve->spread + (closed ? p : 0) || t[i + p - 1] != t[i])
+            continue;
+        if (!closed && (t[i] <= e->track->start || t[i] >= e->track->end)) continue;
+        double away = (e->s - bat_track_s(e->track, t[i])) * (side == 0 ? 1 : -1);
+        if (closed) away -= floor((away + corner_reach) / e->track->length) * e->track->length;
+        if (away >= -corner_reach && away <= nearest) nearest = away, best = i;
+    }
+    return best;
+}
+
+/* Cuts exactly at a knot where the curve is only C0 (or at its end). */
+static void stop_at(bat_end *e, int side, double u, bool corner) {
+    const double sign = side == 0 ? -1 : 1;
+    double s = bat_track_s(e->track, u);
+    if (e->curve->closed) { /* the period that lies nearest to the stroke's end */
+        const double turns = floor((e->s - s) / e->track->length + 0.5);
+        s += turns * e->track->length, u += turns * (e->track->end - e->track->start);
+    }
+    e->kind = BAT_END_POINT;
+    e->corner = corner;
+    e->lead = (s - e->s) * sign;
+    e->joint = s, e->joint_u = u, e->cut = u;
+}
+
+/* Where to cut: at the joint, or at a simple knot near it. */
+static void choose_cut(bat_end *e, int side, double room) {
+    const bat_curve *curve = e->curve;
+    const bat_track *k = e->track;
+    const int p = curve->degree;
+    const double sign = side == 0 ? -1 : 1;
+    const double snap = 6, reach = fmin(fmax(e->lead, 10), room);
+    const double period = k->end - k->start;
+    e->joint = e->s + sign * e->lead;
+    e->joint_u = bat_track_u(k, e->joint);
+    e->cut = e->joint_u;
+    double turns = 0, best = INFINITY, chosen = 0;
+    if (curve->closed) turns = floor((e->joint_u - k->start) / period);
+    bool snapped = false, sharp = false;
+    for (int lap = curve->closed ? -1 : 0; lap <= (curve->closed ? 1 : 0); lap++)
+        for (int i = p; i <= curve->spread; i++) {
+            const double knot = curve->knots[i] + (turns + lap) * period;
+            if (i > p && curve->knots[i] == curve->knots[i - 1]) continue;
+            if (!curve->closed && (knot <= k->start || knot >= k->end)) continue;
+            const double beyond = (bat_track_s(k, knot) - e->joint) * sign; /* > 0: on the kept side */
+            const bool corner = curve->knots[i + p - 1] == curve->knots[i];
+            const bool near = fabs(beyond) <= snap && e->lead + beyond >= 0.5 * e->lead && beyond <= room;
+            if (!near && (beyond <= snap || beyond > reach || corner)) continue;
+            if (fabs(beyond) >= best) continue;
+            best = fabs(beyond), chosen = knot, snapped = near, sharp = corner;
+        }
+    if (sharp) {
+        stop_at(e, side, chosen, true);
+    } else if (best < INFINITY) {
+        e->cut = chosen;
+        if (!snapped) return;
+        e->joint_u = chosen;
+        e->joint = bat_track_s(k, chosen);
+        e->lead = (e->joint - e->s) * sign;
+    }
+}
+
+void bat_plan_leads(bat_plan *plan) {
+    const double L = plan->stroke->length, gentle = plan->width / 3, rho = 20;
+    for (int side = 0; side < 2; side++) {
+        bat_end *e = &plan->end[side];
+        e->lead = e->blend = 0;
+        if (e->kind == BAT_END_FREE) continue;
+        e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)),
+                       fmax(rho * e->angle, 12));
+        e->blend = fmin(rho * e->angle, 0.2 * L);
+    }
+}
+
+void bat_plan_cuts(bat_plan *plan) {
+    const double L = plan->stroke->length;
+    double room[2] = {INFINITY, INFINITY};
+    if (plan->closed) {
+        const double around = plan->end[0].track->length;
+        const double free_arc = fmax(around - (plan->end[1].s - plan->end[0].s), 0.02 * around);
+        const double wanted = plan->end[0].lead + plan->end[1].lead;
+        if (wanted > 0.9 * free_arc)
+            for (int side = 0; side < 2; side++) plan->end[side].lead *= 0.9 * free_arc / wanted;
+        const double left = free_arc - plan->end[0].lead - plan->end[1].lead;
+        room[0] = room[1] = 0.4 * left;
+    }
+    for (int side = 0; side < 2; side++) {
+        bat_end *e = &plan->end[side];
+        if (e->kind == BAT_END_FREE) continue;
+        const bat_track *k = e->track;
+        if (plan->keep_corners) {
+            const int corner = corner_in(e, side, e->lead);
+            if (corner >= 0) {
+                stop_at(e, side, e->curve->knots[corner], true);
+                if (e->lead < corner_reach) { /* the stroke is meant to start there */
+                    e->lead = 0;
+                    e->blend = fmin(fmax(12, 3 * e->offset), 0.3 * L);
+                }
+                continue;
+            }
+        }
+        if (!e->curve->closed) {
+            const double stub = side == 0 ? e->s : k->length - e->s;
+            if (stub - e->lead < 6) {
+                stop_at(e, side, side == 0 ? k->start : k->end, false);
+                continue;
+            }
+            room[side] = stub - e->lead - 1;
+        }
+        choose_cut(e, side, room[side]);
+    }
+}

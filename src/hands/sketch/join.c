@@ -1,0 +1,144 @@
+/* Two open curves made one by a stroke from the one to the other (docs/math sketch 5.4). */
+#include "hands/sketch/sketch.h"
+#include <batten/refine.h>
+
+#include <math.h>
+#include <string.h>
+
+enum { CANDIDATES = 6 };
+
+/* Where on a curve the stroke's end belongs, and which way the curve must run: it comes in to the stroke's
+ * start (way 0) or leaves its end (way 1). What the join would cut off counts against a place. */
+typedef struct place {
+    double s, distance, score;
+    bool turned;
+} place;
+
+static place find_place(const bat_track *k, const double *point, const double *direction, int way) {
+    const size_t m = (size_t)k->curve->dimension;
+    bat_track_near near[CANDIDATES];
+    const int count = bat_track_candidates(k, point, 25, CANDIDATES, near);
+    place best = {.score = INFINITY};
+    for (int i = 0; i < count; i++)
+        for (int turned = 0; turned < 2; turned++) {
+            double tangent[BAT_DIMENSION_MAX], dot = 0;
+            bat_track_tangent(k, bat_track_u(k, near[i].s), tangent);
+            for (size_t c = 0; c < m; c++) dot += tangent[c] * direction[c];
+            const bool keeps_start = (way == 0) != (turned == 1);
+            const double lost = keeps_start ? k->length - near[i].s : near[i].s;
+            const double score = near[i].distance / 25 + 0.6 * (1 - (turned ? -dot : dot)) +
+                                 2.5 * lost / (k->length > 0 ? k->length : 1);
+            if (score < best.score)
+                best = (place){
+                    .s = near[i].s, .distance = near[i].distance, .score = score, .turned = turned == 1};
+        }
+    if (best.turned) best.s = k->length - best.s;
+    return best;
+}
+
+/* The curve raised to the degree, turned if asked, with parameters that run at `speed` (0: as they are). */
+static bat_status prepare(const bat_curve *curve, int degree, bool turned, double length, double speed,
+                          bat_curve **out) {
+    bat_curve *now, *next;
+    bat_status status = bat_curve_degree(curve) < degree ? bat_curve_elevate(curve, degree, &now)
+                                                         : bat_curve_copy(curve, &now);
+    if (status == BAT_OK && turned) {
+        status = bat_curve_reverse(now, &next);
+        bat_curve_free(now);
+        now = next;
+    }
+    if (status == BAT_OK && speed > 0 && length > 0) {
+        double domain[2];
+        bat_curve_domain(now, domain);
+        status = bat_curve_reparametrise(now, domain[0], domain[0] + length / speed, &next);
+        bat_curve_free(now);
+        now = next;
+    }
+    if (status == BAT_OK) *out = now;
+    return status;
+}
+
+bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
+                           const bat_sketch_options *given, bat_curve **out, bat_sketch_report *report) {
+    bat_sketch_options o;
+    if (!a || !b || !out) return BAT_ARGUMENT;
+    bat_status status = bat_sketch_check(stroke, given, &o);
+    if (status != BAT_OK) return status;
+    if (a->closed || b->closed) return BAT_ARGUMENT;
+    if (a->dimension != b->dimension || a->dimension != stroke->dimension) return BAT_DIMENSION;
+    double origin[BAT_DIMENSION_MAX];
+    bat_stroke_origin(stroke, origin);
+    const double tolerance = o.tolerance / o.pixel;
+    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners, NULL};
+    bat_clean clean;
+    status = bat_clean_stroke(stroke, &cleaning, &clean);
+    if (status != BAT_OK) return status;
+    const bat_curve *given_curve[2] = {a, b};
+    bat_canvas canvas[2];
+    memset(canvas, 0, sizeof canvas);
+    int degree = 3;
+    for (int side = 0; side < 2; side++)
+        if (given_curve[side]->degree > degree) degree = given_curve[side]->degree;
+    for (int side = 0; side < 2 && status == BAT_OK; side++)
+        status = bat_canvas_make(given_curve[side], origin, o.pixel, &canvas[side]);
+    bat_plan plan = {.degree = degree,
+                     .dimension = stroke->dimension,
+                     .pins = o.pins == 2 ? degree - 1 : degree,
+                     .tolerance = tolerance,
+                     .width = o.width,
+                     .keep_corners = o.keep_corners,
+                     .stroke = &clean};
+    bat_sketch_report facts = {.knots_before = bat_curve_knot_count(a) + bat_curve_knot_count(b)};
+    if (status == BAT_OK) {
+        double point[2][BAT_DIMENSION_MAX], direction[2][BAT_DIMENSION_MAX], distance[2][2];
+        for (int end = 0; end < 2; end++) {
+            bat_clean_frame(&clean, end == 0 ? 0 : clean.length, 12, point[end], direction[end], NULL);
+            for (int side = 0; side < 2; side++) {
+                bat_track_near near;
+                bat_track_candidates(&canvas[side].track, point[end], 0, 1, &near);
+                distance[side][end] = near.distance;
+            }
+        }
+        facts.reversed = distance[0][1] + distance[1][0] < distance[0][0] + distance[1][1];
+        if (facts.reversed) bat_clean_reverse(&clean);
+        place found[2];
+        for (int side = 0; side < 2; side++) {
+            bat_clean_frame(&clean, side == 0 ? 0 : clean.length, 12, point[0], direction[0], NULL);
+            found[side] = find_place(&canvas[side].track, point[0], direction[0], side);
+        }
+        const double far = fmax(40, 0.25 * clean.length);
+        if (found[0].distance > far || found[1].distance > far) status = BAT_FAR;
+        /* Both in one parameter: the second at the first one's mean speed (document units). */
+        const double speed = canvas[0].track.mean * o.pixel;
+        for (int side = 0; side < 2 && status == BAT_OK; side++) {
+            bat_curve *ready;
+            status = prepare(given_curve[side], degree, found[side].turned,
+                             canvas[side].track.length * o.pixel, side == 0 ? 0 : speed, &ready);
+            bat_canvas_free(&canvas[side]);
+            if (status != BAT_OK) break;
+            status = bat_canvas_make(ready, origin, o.pixel, &canvas[side]);
+            bat_curve_free(ready);
+        }
+        if (status == BAT_OK) {
+            bat_canvas_bind(&plan, &canvas[0]);
+            plan.end[1].curve = canvas[1].pixels, plan.end[1].original = canvas[1].original;
+            plan.end[1].track = &canvas[1].track;
+            const bat_correspondence meant = {
+                .start = found[0].s, .end = found[1].s, .offset = {found[0].distance, found[1].distance}};
+            status = bat_plan_ends(&plan, &meant);
+        }
+        if (status == BAT_OK) {
+            bat_plan_leads(&plan);
+            bat_plan_cuts(&plan);
+            for (int side = 0; side < 2; side++)
+                if (plan.end[side].kind != BAT_END_FREE) facts.changed[side] = plan.end[side].cut;
+            status = bat_plan_target(&plan);
+        }
+    }
+    if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, NULL, out, &facts);
+    if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
+    bat_plan_free(&plan);
+    for (int side = 0; side < 2; side++) bat_canvas_free(&canvas[side]);
+    bat_clean_free(&clean);
+    return status;
+}

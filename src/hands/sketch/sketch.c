@@ -1,0 +1,296 @@
+/* Draw over a curve (sketch-2005 sections 2 to 4, docs/math sketch 5). */
+#include "hands/sketch/sketch.h"
+#include <batten/refine.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bat_sketch_options bat_sketch_defaults(void) {
+    return (bat_sketch_options){.tolerance = 0, .pixel = 1, .pins = 3, .width = 3};
+}
+
+bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *given,
+                            bat_sketch_options *o) {
+    if (!stroke || !stroke->points) return BAT_ARGUMENT;
+    if (stroke->dimension < 2 || stroke->dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
+    if (stroke->count > BAT_POINTS_MAX) return BAT_COUNT;
+    *o = given ? *given : bat_sketch_defaults();
+    if (isnan(o->pixel) || isnan(o->tolerance) || isnan(o->width) || isnan(o->smooth_limit))
+        return BAT_NUMBER;
+    if (!(o->pixel > 1e-100 && o->pixel < 1e100) || o->tolerance < 0 || o->smooth_limit < 0)
+        return BAT_ARGUMENT;
+    if (o->pins != 2 && o->pins != 3) return BAT_ARGUMENT;
+    if (!(o->width >= 0 && o->width <= 100)) return BAT_ARGUMENT;
+    if (o->tolerance == 0) o->tolerance = o->pixel;
+    if (o->smooth_limit == 0) o->smooth_limit = 5 * o->pixel;
+    const double pixels = o->tolerance / o->pixel;
+    if (!(pixels >= 1e-3 && pixels <= 1e6)) return BAT_ARGUMENT;
+    return BAT_OK;
+}
+
+void bat_stroke_origin(const bat_stroke *stroke, double *origin) {
+    const size_t m = (size_t)stroke->dimension;
+    for (size_t i = 0; i < stroke->count; i++) {
+        bool finite = true;
+        for (size_t c = 0; c < m; c++) {
+            origin[c] = stroke->points[i * m + c];
+            finite = finite && fabs(origin[c]) < 1e150;
+        }
+        if (finite) return;
+    }
+    for (size_t c = 0; c < m; c++) origin[c] = 0;
+}
+
+bat_status bat_canvas_make(const bat_curve *curve, const double *origin, double pixel, bat_canvas *out) {
+    memset(out, 0, sizeof *out);
+    bat_status status = curve->degree < 3 ? bat_curve_elevate(curve, 3, &out->original)
+                                          : bat_curve_copy(curve, &out->original);
+    if (status == BAT_OK) status = bat_curve_copy(out->original, &out->pixels);
+    if (status == BAT_OK) {
+        const size_t m = (size_t)curve->dimension, count = (size_t)out->pixels->spread;
+        double *points = out->pixels->points;
+        for (size_t i = 0; i < count && status == BAT_OK; i++)
+            for (size_t c = 0; c < m; c++) {
+                points[i * m + c] = (points[i * m + c] - origin[c]) / pixel;
+                if (!(fabs(points[i * m + c]) < 1e120)) status = BAT_NUMBER;
+            }
+    }
+    if (status == BAT_OK) status = bat_track_create(out->pixels, &out->track);
+    if (status != BAT_OK) bat_canvas_free(out);
+    return status;
+}
+
+void bat_canvas_free(bat_canvas *canvas) {
+    bat_track_free(&canvas->track);
+    bat_curve_free(canvas->pixels);
+    bat_curve_free(canvas->original);
+    memset(canvas, 0, sizeof *canvas);
+}
+
+void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas) {
+    for (int side = 0; side < 2; side++) {
+        plan->end[side].curve = canvas->pixels;
+        plan->end[side].original = canvas->original;
+        plan->end[side].track = &canvas->track;
+    }
+    plan->speed = canvas->track.mean > 0 ? canvas->track.mean : 1;
+}
+
+/* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
+bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel) {
+    const int p = plan->degree;
+    const bat_track *k = &canvas->track;
+    const double period = k->end - k->start, from = plan->end[1].cut, to = plan->end[0].cut + period;
+    int inside = 0;
+    for (int lap = -1; lap <= 2; lap++)
+        for (int i = 0; i < canvas->original->count; i++) {
+            const double knot = bat_curve_knots(canvas->original)[i] + lap * period;
+            inside += knot > from && knot < to;
+        }
+    if (inside >= p - 1) return BAT_OK;
+    double more[BAT_DEGREE_MAX];
+    int count = 0;
+    for (int i = 1; i <= p; i++)
+        more[count++] = bat_curve_reduce(canvas->original, from + (to - from) * i / (p + 1));
+    for (int i = 1; i < count; i++)
+        for (int j = i; j > 0 && more[j - 1] > more[j]; j--) {
+            const double swap = more[j];
+            more[j] = more[j - 1], more[j - 1] = swap;
+        }
+    bat_curve *finer;
+    bat_status status = bat_curve_insert_knots(canvas->original, count, more, &finer);
+    if (status != BAT_OK) return status;
+    bat_canvas next;
+    status = bat_canvas_make(finer, origin, pixel, &next);
+    bat_curve_free(finer);
+    if (status != BAT_OK) return status;
+    bat_canvas_free(canvas);
+    *canvas = next;
+    bat_canvas_bind(plan, canvas);
+    return BAT_OK;
+}
+
+/* Vector area of a closed polyline; in the plane its last coordinate. */
+static void vector_area(size_t m, size_t count, const double *x, double *area) {
+    area[0] = area[1] = area[2] = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *p = x + i * m, *q = x + (i + 1 == count ? 0 : i + 1) * m;
+        double a[3] = {0}, b[3] = {0};
+        for (size_t c = 0; c < m; c++) a[c] = p[c] - x[c], b[c] = q[c] - x[c];
+        area[0] += a[1] * b[2] - a[2] * b[1];
+        area[1] += a[2] * b[0] - a[0] * b[2];
+        area[2] += a[0] * b[1] - a[1] * b[0];
+    }
+}
+
+/* Knots for a preview: those of the last one where the stroke has settled, even ones elsewhere. The settled
+ * stretch hangs on the cut where the pen began. */
+static bool warm_knots(const bat_plan *plan, bat_sketch_hints *hints, bat_local_problem *problem) {
+    const bat_sketch_hints *last = hints->last;
+    const int anchor = hints->turned ? 1 : 0;
+    const double margin = 40, move = anchor == 0 ? 0 : plan->target.end - last->end;
+    const bool kept = plan->end[anchor].kind != BAT_END_FREE;
+    double from = anchor == 0 ? 0 : last->settled[0] + margin + move;
+    double to = anchor == 0 ? last->settled[1] - margin : plan->target.end;
+    if ((kept && last->cut[anchor] != plan->end[anchor].cut) || last->turned != hints->turned || to <= from)
+        from = to = -1; /* nothing is as it was */
+    const size_t room = (size_t)hints->warm_count + (size_t)(plan->target.end / problem->span) + 8;
+    hints->mixed = malloc(room * sizeof *hints->mixed);
+    if (!hints->mixed) return false;
+    int count = 0, next = 0;
+    double w = 0;
+    while (count < (int)room) {
+        double candidate = w + problem->span;
+        if (w >= from && w < to) {
+            while (next < hints->warm_count && hints->warm[next] + move <= w + 1e-6) next++;
+            if (next < hints->warm_count && hints->warm[next] + move < to)
+                candidate = hints->warm[next] + move;
+        }
+        if (candidate > plan->target.end - 0.5 * problem->span) break;
+        hints->mixed[count++] = w = candidate;
+    }
+    problem->warm = hints->mixed, problem->warm_count = count;
+    return true;
+}
+
+bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
+                           bat_curve **out, bat_sketch_report *report) {
+    bat_local_problem problem;
+    bat_local_result fit;
+    const size_t m = (size_t)plan->dimension;
+    const bat_target *t = &plan->target;
+    if (t->count < 3 || !(t->end > 0)) return BAT_DOT;
+    bat_plan_problem(plan, &problem);
+    if (hints) {
+        problem.remove = hints->remove;
+        if (hints->warm && !warm_knots(plan, hints, &problem)) return BAT_MEMORY;
+        if (hints->want_target) {
+            hints->target = malloc(t->count * m * sizeof *hints->target);
+            if (!hints->target) {
+                free(hints->mixed);
+                hints->mixed = NULL;
+                return BAT_MEMORY;
+            }
+            for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
+            hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
+        }
+        hints->end = t->end;
+        hints->settled[0] = t->w[t->first], hints->settled[1] = t->w[t->last];
+        hints->cut[0] = plan->end[0].cut, hints->cut[1] = plan->end[1].cut;
+    }
+    bat_status status = bat_local_fit(&problem, &fit);
+    if (hints) {
+        free(hints->mixed);
+        hints->mixed = NULL;
+    }
+    if (status != BAT_OK) return status;
+    bat_curve *result;
+    double changed_new[2] = {0, 0};
+    status = bat_splice(plan, &problem, &fit, origin, pixel, &result, changed_new);
+    if (status == BAT_OK && hints && hints->want_target) {
+        int count = 0; /* corners are found afresh */
+        for (int i = 0; i < fit.interior; i++) {
+            bool corner = false;
+            for (int j = 0; j < problem.fixed_count; j++) corner = corner || fit.knots[i] == problem.fixed[j];
+            if (!corner) fit.knots[count++] = fit.knots[i];
+        }
+        hints->found = fit.knots, hints->found_count = count;
+        fit.knots = NULL;
+    }
+    if (status == BAT_OK) {
+        *out = result;
+        if (report) {
+            report->max_error = fit.max_error * pixel;
+            report->noise = plan->stroke ? plan->stroke->sigma * pixel : 0;
+            report->knots_after = bat_curve_knot_count(result);
+            report->solves = fit.solves;
+            for (int side = 0; side < 2; side++) {
+                report->changed_new[side] = changed_new[side];
+                report->transition[side] = plan->end[side].lead * pixel;
+                report->extended[side] = plan->end[side].kind == BAT_END_FREE && !plan->periodic;
+            }
+            report->replaced = plan->periodic || (report->extended[0] && report->extended[1]);
+            if (report->replaced) report->extended[0] = report->extended[1] = false;
+        }
+        if (!fit.met) status = BAT_TOLERANCE;
+    }
+    bat_local_result_free(&fit);
+    return status;
+}
+
+/* A stroke all round a closed curve. */
+static bat_status plan_ring(bat_plan *plan, const bat_canvas *canvas, bat_sketch_report *report) {
+    double mine[3], theirs[3];
+    const size_t m = (size_t)plan->dimension;
+    vector_area(m, plan->stroke->count, plan->stroke->points, mine);
+    vector_area(m, (size_t)canvas->track.count - 1, canvas->track.points, theirs);
+    report->reversed = mine[0] * theirs[0] + mine[1] * theirs[1] + mine[2] * theirs[2] < 0;
+    if (report->reversed) bat_clean_reverse(plan->stroke);
+    plan->periodic = true;
+    return bat_plan_ring(plan);
+}
+
+bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *given,
+                           bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report) {
+    bat_sketch_options o;
+    if (!curve || !out) return BAT_ARGUMENT;
+    bat_status status = bat_sketch_check(stroke, given, &o);
+    if (status != BAT_OK) return status;
+    if (stroke->dimension != curve->dimension) return BAT_DIMENSION;
+    double origin[BAT_DIMENSION_MAX];
+    bat_stroke_origin(stroke, origin);
+    bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve)};
+    const double tolerance = o.tolerance / o.pixel;
+    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners,
+                                        hints ? hints->memory : NULL};
+    bat_clean clean;
+    status = bat_clean_stroke(stroke, &cleaning, &clean);
+    if (status != BAT_OK) return status;
+    bat_canvas canvas;
+    status = bat_canvas_make(curve, origin, o.pixel, &canvas);
+    if (status != BAT_OK) {
+        bat_clean_free(&clean);
+        return status;
+    }
+    const int p = canvas.pixels->degree;
+    bat_plan plan = {.degree = p,
+                     .dimension = stroke->dimension,
+                     .pins = o.pins == 2 ? p - 1 : p,
+                     .tolerance = tolerance,
+                     .width = o.width,
+                     .keep_corners = o.keep_corners,
+                     .closed = curve->closed,
+                     .stroke = &clean};
+    bat_canvas_bind(&plan, &canvas);
+    const bat_correspondence found = bat_correspond(&canvas.track, &clean);
+    const bool all_round = curve->closed &&
+                           ((bat_clean_closes(&clean) && clean.length > 0.5 * canvas.track.length) ||
+                            found.end - found.start >= 0.98 * canvas.track.length);
+    if (!all_round && found.reversed) bat_clean_reverse(&clean);
+    facts.reversed = found.reversed;
+    if (hints) hints->turned = found.reversed;
+    status = bat_plan_ends(&plan, &found);
+    facts.changed[0] = canvas.track.start, facts.changed[1] = canvas.track.end;
+    if (status == BAT_OK && all_round) {
+        status = plan_ring(&plan, &canvas, &facts);
+    } else if (status == BAT_OK) {
+        bat_plan_leads(&plan);
+        bat_plan_cuts(&plan);
+        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o.pixel);
+        if (plan.end[0].kind != BAT_END_FREE) facts.changed[0] = plan.end[0].cut;
+        if (plan.end[1].kind != BAT_END_FREE) facts.changed[1] = plan.end[1].cut;
+        if (status == BAT_OK) status = bat_plan_target(&plan);
+    }
+    if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);
+    if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
+    bat_plan_free(&plan);
+    bat_canvas_free(&canvas);
+    bat_clean_free(&clean);
+    return status;
+}
+
+bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
+                      bat_curve **out, bat_sketch_report *report) {
+    return bat_sketch_with(curve, stroke, options, NULL, out, report);
+}

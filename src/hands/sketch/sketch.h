@@ -1,0 +1,58 @@
+/* Inside the sketch hand: what the one-shot calls, the join and the live session share. */
+#ifndef BATTEN_HANDS_SKETCH_SKETCH_H
+#define BATTEN_HANDS_SKETCH_SKETCH_H
+
+#include "hands/sketch/plan.h"
+
+/* A curve ready for work: degree 3 at least, with its image in pixels and its table. */
+typedef struct bat_canvas {
+    bat_curve *original, *pixels;
+    bat_track track;
+} bat_canvas;
+bat_status bat_canvas_make(const bat_curve *curve, const double *origin, double pixel, bat_canvas *out);
+void bat_canvas_free(bat_canvas *canvas);
+
+/* Options and stroke in range; fills defaults that 0 stands for. */
+bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *given,
+                            bat_sketch_options *options);
+/* First finite sample, or zero. */
+void bat_stroke_origin(const bat_stroke *stroke, double *origin);
+
+/* What a live session hands from one preview to the next. */
+typedef struct bat_sketch_hints {
+    bool remove; /* remove knots as the one-shot call does */
+    bool want_target;
+    const struct bat_sketch_hints *last; /* the preview before, whose knots are `warm`; or NULL */
+    const double *warm;
+    int warm_count;
+    bat_clean_memory *memory;
+    /* Results. */
+    double *target; /* points in document units; the caller frees it */
+    size_t target_count, stroke_first, stroke_last;
+    int found_count; /* w of the interior knots; the caller frees them */
+    double *found;
+    double end;        /* w ends here */
+    double settled[2]; /* w of the stroke proper */
+    double cut[2];
+    bool turned;   /* the stroke runs against the curve */
+    double *mixed; /* scratch */
+} bat_sketch_hints;
+
+void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas);
+/* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
+bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel);
+
+/* The last steps, the same for all: fit, splice, report. */
+bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
+                           bat_curve **out, bat_sketch_report *report);
+
+bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke,
+                           const bat_sketch_options *options, bat_sketch_hints *hints, bat_curve **out,
+                           bat_sketch_report *report);
+bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_options *options, bool force_closed,
+                               bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report);
+bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stroke,
+                                  const bat_sketch_options *options, bat_sketch_hints *hints, bat_curve **out,
+                                  bat_sketch_report *report);
+
+#endif

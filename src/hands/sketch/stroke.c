@@ -1,0 +1,430 @@
+#include "hands/sketch/stroke.h"
+#include "hands/sketch/whittaker.h"
+#include "base/real.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
+/* While the pen is down: samples that are smoothed again before those that are not settled, samples that the
+ * noise is judged by, and how finely the whole is resampled. */
+enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
+static const double dot_length = 8, hook_reach = 12, noise_cap = 1.5, noise_floor = 0.05;
+static const double corner_chord = 8, corner_turn = BAT_PI / 4;
+
+static double distance(const double *a, const double *b, size_t m) {
+    double sum = 0;
+    for (size_t c = 0; c < m; c++) sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sqrt(sum);
+}
+
+/* Angle between a - b and c - b continued: 0 when straight on. */
+static double turn_at(const double *a, const double *b, const double *c, size_t m) {
+    double dot = 0, p = 0, q = 0;
+    for (size_t k = 0; k < m; k++) {
+        const double x = b[k] - a[k], y = c[k] - b[k];
+        dot += x * y, p += x * x, q += y * y;
+    }
+    if (!(p > 0 && q > 0)) return 0;
+    const double cosine = dot / sqrt(p * q);
+    return bat_acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine);
+}
+
+static void measure(const double *points, size_t count, size_t m, double *arc) {
+    arc[0] = 0;
+    for (size_t i = 1; i < count; i++)
+        arc[i] = arc[i - 1] + distance(points + i * m, points + (i - 1) * m, m);
+}
+
+/* Index i with arc[i] <= s < arc[i + 1], 0..count - 2. */
+static size_t locate(const double *arc, size_t count, double s) {
+    size_t low = 0, high = count - 1;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (arc[middle] <= s)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void at(const double *points, const double *arc, size_t count, size_t m, double s, double *out) {
+    if (count < 2) {
+        memcpy(out, points, m * sizeof *out);
+        return;
+    }
+    const size_t i = locate(arc, count, s);
+    const double h = arc[i + 1] - arc[i];
+    double f = h > 0 ? (s - arc[i]) / h : 0;
+    f = f < 0 ? 0 : f > 1 ? 1 : f;
+    for (size_t c = 0; c < m; c++)
+        out[c] = points[i * m + c] + f * (points[(i + 1) * m + c] - points[i * m + c]);
+}
+
+/* Finite samples in pixels, repeats dropped; far too dense strokes averaged in groups. */
+static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, double *y) {
+    const size_t m = (size_t)stroke->dimension;
+    size_t count = 0;
+    for (size_t i = 0; i < stroke->count; i++) {
+        double *p = y + count * m;
+        bool finite = true;
+        for (size_t c = 0; c < m; c++) {
+            p[c] = (stroke->points[i * m + c] - o->origin[c]) * o->scale;
+            finite = finite && fabs(p[c]) < 1e100;
+        }
+        if (finite && (count == 0 || distance(p, p - m, m) > 1e-9)) count++;
+    }
+    if (count <= SMOOTH_MAX) return count;
+    double length = 0;
+    for (size_t i = 1; i < count; i++) length += distance(y + i * m, y + (i - 1) * m, m);
+    const double room = 2 / (length / (double)count); /* samples to two pixels of path */
+    size_t group = (count + SMOOTH_MAX - 1) / SMOOTH_MAX;
+    if (room < (double)group) group = room > 1 ? (size_t)room : 1;
+    if (group < 2) return count;
+    size_t kept = 1; /* both ends stay where they are */
+    for (size_t i = 1; i + 1 < count; i += group) {
+        const size_t end = i + group < count - 1 ? i + group : count - 1;
+        double sum[BAT_DIMENSION_MAX] = {0};
+        for (size_t j = i; j < end; j++)
+            for (size_t c = 0; c < m; c++) sum[c] += y[j * m + c];
+        for (size_t c = 0; c < m; c++) y[kept * m + c] = sum[c] / (double)(end - i);
+        kept++;
+    }
+    memmove(y + kept * m, y + (count - 1) * m, m * sizeof *y);
+    return kept + 1;
+}
+
+/* How much of the start is a hook: the arc length after the last sharp turn within reach. */
+static double hook(const double *z, const double *arc, size_t count, size_t m, bool at_end) {
+    const double total = arc[count - 1];
+    const double reach = fmin(hook_reach, 0.12 * total), chord = fmin(4, 0.06 * total);
+    double cut = 0;
+    for (double s = 0.5 * chord; s < reach; s += 0.5) {
+        double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
+        const double before = fmax(s - chord, 0), after = s + 1.5 * chord;
+        at(z, arc, count, m, at_end ? total - before : before, a);
+        at(z, arc, count, m, at_end ? total - s : s, b);
+        at(z, arc, count, m, at_end ? total - after : after, c);
+        if (turn_at(a, b, c, m) > 50 * BAT_PI / 180) cut = s + 0.5;
+    }
+    return cut;
+}
+
+static bool is_corner(const double *z, const double *arc, size_t count, size_t m, double s, double chord,
+                      double *turn) {
+    double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
+    at(z, arc, count, m, s - chord, a);
+    at(z, arc, count, m, s, b);
+    at(z, arc, count, m, s + chord, c);
+    *turn = turn_at(a, b, c, m);
+    return *turn > corner_turn;
+}
+
+/* Sample indices of corners: sharpest of each run of sharp turns, confirmed at half the chord, where a bow
+ * turns half as much and a corner as much as before. */
+static size_t find_corners(const double *z, const double *arc, size_t count, size_t m, double chord,
+                           size_t *corners) {
+    size_t found = 0, best = 0;
+    double best_turn = 0, run_end = 0;
+    const double total = arc[count - 1];
+    for (size_t i = 1; i + 1 < count; i++) {
+        if (arc[i] < chord || arc[i] > total - chord) continue;
+        double turn, half;
+        const bool sharp = is_corner(z, arc, count, m, arc[i], chord, &turn) &&
+                           is_corner(z, arc, count, m, arc[i], 0.5 * chord, &half) && half > 0.65 * turn;
+        if (best > 0 && arc[i] > run_end) {
+            corners[found++] = best;
+            best = 0, best_turn = 0;
+        }
+        if (sharp && turn > best_turn) best = i, best_turn = turn, run_end = arc[i] + chord;
+    }
+    if (best > 0) corners[found++] = best;
+    return found;
+}
+
+void bat_clean_free(bat_clean *clean) {
+    free(clean->points);
+    free(clean->arc);
+    free(clean->corners);
+    memset(clean, 0, sizeof *clean);
+}
+
+/* Resamples the smooth points evenly between the corners. */
+static bat_status resample(const double *z, const double *arc, size_t count, size_t m, size_t raw,
+                           const size_t *corners, size_t corner_count, double tolerance, size_t most,
+                           bat_clean *out) {
+    const double total = arc[count - 1];
+    double step = total / (double)(raw > 1 ? raw - 1 : 1);
+    step = fmax(fmin(step, fmax(2, 0.5 * tolerance)), fmin(0.5 * tolerance, 2));
+    step = fmax(step, total / (double)most);
+    const size_t room = (size_t)ceil(total / step) + corner_count + 8;
+    out->points = malloc(room * m * sizeof *out->points);
+    out->arc = malloc(room * sizeof *out->arc);
+    out->corners = malloc((corner_count + 1) * sizeof *out->corners);
+    if (!out->points || !out->arc || !out->corners) return BAT_MEMORY;
+    size_t n = 0;
+    for (size_t k = 0; k <= corner_count; k++) {
+        const double from = k == 0 ? 0 : arc[corners[k - 1]],
+                     to = k == corner_count ? total : arc[corners[k]];
+        size_t pieces = (size_t)ceil((to - from) / step);
+        if (pieces < 1) pieces = 1;
+        if (k == 0 && corner_count == 0 && pieces < 4) pieces = 4;
+        for (size_t i = k == 0 ? 0 : 1; i <= pieces; i++)
+            at(z, arc, count, m, from + (to - from) * (double)i / (double)pieces, out->points + n++ * m);
+        if (k < corner_count) out->corners[out->corner_count++] = n - 1;
+    }
+    out->count = n;
+    measure(out->points, n, m, out->arc);
+    out->length = out->arc[n - 1];
+    return BAT_OK;
+}
+
+/* Smooths each piece between corners by itself; a corner stays where the samples put it. */
+static bat_status smooth_pieces(const double *y, size_t count, size_t m, double lambda, const size_t *corners,
+                                size_t corner_count, double *work, double *z) {
+    for (size_t k = 0; k <= corner_count; k++) {
+        const size_t from = k == 0 ? 0 : corners[k - 1], to = k == corner_count ? count - 1 : corners[k];
+        double *weight = work + count * 4;
+        for (size_t i = from; i <= to; i++) weight[i - from] = 1;
+        if (k > 0) weight[0] = 1e3;
+        if (k < corner_count) weight[to - from] = 1e3;
+        bat_status status = bat_whittaker(to - from + 1, (int)m, y + from * m, weight, lambda, work,
+                                          z + from * m);
+        if (status != BAT_OK) return status;
+        if (k > 0) memcpy(z + from * m, y + from * m, m * sizeof *z);
+    }
+    return BAT_OK;
+}
+
+/* The filter over samples first.. of y; what is settled is taken from the memory but for a stretch that the
+ * rest hangs on, so that a preview costs what is new. */
+static bat_status smooth_rest(const bat_clean_memory *memory, const double *y, size_t first, size_t count,
+                              size_t m, double sigma, double *work, double *z, double *lambda) {
+    size_t done = 0;
+    if (memory && memory->count > first + LIVE_OVERLAP) done = memory->count - first - LIVE_OVERLAP;
+    if (done + 16 > count) done = count > 16 ? count - 16 : 0;
+    if (done > 0) memcpy(z, memory->points + first * m, done * m * sizeof *z);
+    return bat_whittaker_sigma(count - done, (int)m, y + (first + done) * m, sigma, work, z + done * m,
+                               lambda);
+}
+
+/* Puts settled samples back where they were shown, fades the difference out behind them, and settles more.
+ * z[0] is sample `first` of the stroke. */
+static bat_status remember(bat_clean_memory *memory, double *z, size_t first, size_t count, size_t m) {
+    enum { FADE = 16 };
+    const size_t total = first + count;
+    double step[BAT_DIMENSION_MAX] = {0};
+    for (size_t i = first; i < total; i++) {
+        double *p = z + (i - first) * m;
+        if (i < memory->count) {
+            for (size_t c = 0; c < m; c++) {
+                step[c] = memory->points[i * m + c] - p[c];
+                p[c] = memory->points[i * m + c];
+            }
+        } else if (i < memory->count + FADE) {
+            const double f = (double)(i - memory->count + 1) / (FADE + 1);
+            const double fade = 1 - f * f * (3 - 2 * f);
+            for (size_t c = 0; c < m; c++) p[c] += fade * step[c];
+        }
+    }
+    const size_t settled = total > memory->fresh ? total - memory->fresh : 0;
+    if (settled <= memory->count) return BAT_OK;
+    if (settled > memory->room) {
+        const size_t room = 2 * settled + 64;
+        double *points = realloc(memory->points, room * m * sizeof *points);
+        if (!points) return BAT_MEMORY;
+        memory->points = points, memory->room = room;
+    }
+    for (size_t i = memory->count; i < settled; i++) {
+        /* A hook that was cut off keeps a place, never used again. */
+        const size_t from = i < first ? 0 : i - first;
+        memcpy(memory->points + i * m, z + from * m, m * sizeof *z);
+    }
+    memory->count = settled;
+    return BAT_OK;
+}
+
+bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o, bat_clean *out) {
+    const size_t m = (size_t)stroke->dimension;
+    memset(out, 0, sizeof *out);
+    out->dimension = stroke->dimension;
+    if (stroke->count < 2) return BAT_DOT;
+    double *y = malloc(stroke->count * m * sizeof *y);
+    if (!y) return BAT_MEMORY;
+    size_t count = gather(stroke, o, y);
+    if (count < 2) {
+        free(y);
+        return BAT_DOT;
+    }
+    double *z = malloc(count * (m + 6) * sizeof *z), *work = z ? z + count * m : NULL;
+    double *arc = z ? work + count * 5 : NULL;
+    size_t *corners = malloc(count * sizeof *corners);
+    bat_status status = z && corners ? BAT_OK : BAT_MEMORY;
+    size_t corner_count = 0, first = 0;
+    double lambda = 0;
+    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
+    bat_clean_memory *memory = stroke->count <= SMOOTH_MAX ? o->memory : NULL;
+    if (status == BAT_OK) {
+        const size_t judged = memory && count > LIVE_NOISE ? LIVE_NOISE : count;
+        out->sigma = fmin(bat_noise(judged, stroke->dimension, y + (count - judged) * m, work), noise_cap);
+        /* Twice: hooks are found in the smoothed stroke and must not bend what follows them. */
+        for (int round = 0; round < 2 && status == BAT_OK; round++) {
+            lambda = 0;
+            memcpy(z, y + first * m, count * m * sizeof *z);
+            if (out->sigma >= noise_floor && count >= 16)
+                status = smooth_rest(memory, y, first, count, m, out->sigma, work, z, &lambda);
+            measure(z, count, m, arc);
+            if (round > 0 || arc[count - 1] < dot_length) break;
+            const double head = hook(z, arc, count, m, false), tail = hook(z, arc, count, m, true);
+            const double total = arc[count - 1];
+            if (head <= 0 && tail <= 0) break;
+            while (count > 4 && arc[count - 1] > total - tail) count--;
+            size_t drop = 0;
+            while (drop + 4 < count && arc[drop] < head) drop++;
+            first += drop, count -= drop;
+        }
+    }
+    if (status == BAT_OK && memory && count > 1) {
+        status = remember(memory, z, first, count, m);
+        measure(z, count, m, arc);
+    }
+    if (status == BAT_OK) {
+        double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
+        memcpy(low, z, m * sizeof *low);
+        memcpy(high, z, m * sizeof *high);
+        for (size_t i = 0; i < count; i++)
+            for (size_t c = 0; c < m; c++) {
+                low[c] = fmin(low[c], z[i * m + c]);
+                high[c] = fmax(high[c], z[i * m + c]);
+            }
+        /* A resting pen trembles along a path of any length, but stays in one place. */
+        if (arc[count - 1] < dot_length || distance(low, high, m) < fmax(4, 5 * out->sigma)) status = BAT_DOT;
+    }
+    if (status == BAT_OK && o->corners) {
+        /* The full smoothing rounds corners off before they could be seen: look at a light one. */
+        double *light = lambda > 0 ? malloc(count * (m + 1) * sizeof *light) : z;
+        if (!light) status = BAT_MEMORY;
+        if (status == BAT_OK && light != z) {
+            status = bat_whittaker(count, stroke->dimension, y + first * m, NULL, 2, work, light);
+            measure(light, count, m, light + count * m);
+        }
+        if (status == BAT_OK)
+            corner_count = find_corners(light, light != z ? light + count * m : arc, count, m,
+                                        fmax(corner_chord, 10 * out->sigma), corners);
+        if (light != z) free(light);
+        if (status == BAT_OK && corner_count > 0 && lambda > 0) {
+            status = smooth_pieces(y + first * m, count, m, lambda, corners, corner_count, work, z);
+            measure(z, count, m, arc);
+        }
+    }
+    if (status == BAT_OK)
+        status = resample(z, arc, count, m, count, corners, corner_count, o->tolerance,
+                          o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
+    free(y);
+    free(z);
+    free(corners);
+    if (status != BAT_OK) {
+        const double sigma = out->sigma;
+        bat_clean_free(out);
+        out->sigma = sigma;
+    }
+    return status;
+}
+
+void bat_clean_reverse(bat_clean *clean) {
+    const size_t m = (size_t)clean->dimension;
+    for (size_t i = 0, j = clean->count - 1; i < j; i++, j--)
+        for (size_t c = 0; c < m; c++) {
+            const double swap = clean->points[i * m + c];
+            clean->points[i * m + c] = clean->points[j * m + c];
+            clean->points[j * m + c] = swap;
+        }
+    for (size_t i = 0; i < clean->corner_count; i++) clean->corners[i] = clean->count - 1 - clean->corners[i];
+    for (size_t i = 0, j = clean->corner_count; i + 1 < j; i++) {
+        const size_t swap = clean->corners[i];
+        clean->corners[i] = clean->corners[--j];
+        clean->corners[j] = swap;
+    }
+    measure(clean->points, clean->count, m, clean->arc);
+}
+
+void bat_clean_at(const bat_clean *clean, double s, double *point) {
+    at(clean->points, clean->arc, clean->count, (size_t)clean->dimension, s, point);
+}
+
+void bat_clean_frame(const bat_clean *clean, double s, double window, double *point, double *direction,
+                     double *curvature) {
+    const size_t m = (size_t)clean->dimension;
+    double from = s - 0.5 * window, to = s + 0.5 * window;
+    if (from < 0) to = fmin(to - from, clean->length), from = 0;
+    if (to > clean->length) from = fmax(0, from - (to - clean->length)), to = clean->length;
+    /* Least squares of a + b t + c t^2, t = (arc - s) / window, at 17 even places: weights even out. */
+    double A[3][3] = {{0}}, b[3][BAT_DIMENSION_MAX] = {{0}};
+    const double width = fmax(to - from, 1e-6);
+    for (int i = 0; i <= 16; i++) {
+        const double where = from + width * i / 16, t = (where - s) / width;
+        double p[BAT_DIMENSION_MAX];
+        bat_clean_at(clean, where, p);
+        const double f[3] = {1, t, t * t};
+        for (int r = 0; r < 3; r++) {
+            for (int k = 0; k < 3; k++) A[r][k] += f[r] * f[k];
+            for (size_t c = 0; c < m; c++) b[r][c] += f[r] * p[c];
+        }
+    }
+    for (int k = 0; k < 3; k++) /* positive definite: no pivoting */
+        for (int r = k + 1; r < 3; r++) {
+            const double f = A[r][k] / A[k][k];
+            for (int j = k; j < 3; j++) A[r][j] -= f * A[k][j];
+            for (size_t c = 0; c < m; c++) b[r][c] -= f * b[k][c];
+        }
+    for (int k = 2; k >= 0; k--)
+        for (size_t c = 0; c < m; c++) {
+            for (int j = k + 1; j < 3; j++) b[k][c] -= A[k][j] * b[j][c];
+            b[k][c] /= A[k][k];
+        }
+    double speed = 0, along = 0;
+    for (size_t c = 0; c < m; c++) speed += b[1][c] * b[1][c];
+    speed = sqrt(speed);
+    if (point) bat_clean_at(clean, s, point);
+    for (size_t c = 0; c < m; c++) direction[c] = speed > 0 ? b[1][c] / speed : (c == 0);
+    if (!curvature) return;
+    for (size_t c = 0; c < m; c++) along += 2 * b[2][c] * direction[c];
+    for (size_t c = 0; c < m; c++)
+        curvature[c] = speed > 1e-9 ? (2 * b[2][c] - along * direction[c]) / (speed * speed) : 0;
+}
+
+double bat_clean_turning(const bat_clean *clean) {
+    const size_t m = (size_t)clean->dimension;
+    const double step = fmax(4, clean->length / 400);
+    double sum = 0;
+    for (double s = step; s + step <= clean->length; s += step) {
+        double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
+        bat_clean_at(clean, s - step, a);
+        bat_clean_at(clean, s, b);
+        bat_clean_at(clean, s + step, c);
+        sum += turn_at(a, b, c, m);
+    }
+    return sum;
+}
+
+void bat_clean_cut(bat_clean *clean, size_t first, size_t last) {
+    const size_t m = (size_t)clean->dimension, n = last - first + 1;
+    memmove(clean->points, clean->points + first * m, n * m * sizeof *clean->points);
+    size_t kept = 0;
+    for (size_t i = 0; i < clean->corner_count; i++)
+        if (clean->corners[i] > first && clean->corners[i] < last)
+            clean->corners[kept++] = clean->corners[i] - first;
+    clean->corner_count = kept;
+    clean->count = n;
+    measure(clean->points, n, m, clean->arc);
+    clean->length = clean->arc[n - 1];
+}
+
+bool bat_clean_closes(const bat_clean *clean) {
+    const size_t m = (size_t)clean->dimension;
+    const double gap = distance(clean->points, clean->points + (clean->count - 1) * m, m);
+    return gap <= fmax(15, 0.04 * clean->length) && gap < 0.25 * clean->length &&
+           bat_clean_turning(clean) > 1.5 * BAT_PI;
+}
