@@ -1,7 +1,7 @@
 /* Path data, transforms, lengths and colours of any bytes. What parses is finite, and what breaks off keeps what it
  * had: parsing the good part again gives the same. */
-#include "format/svg.h"
-#include "format/svg_style.h"
+#include "format/svg/svg.h"
+#include "format/svg/style.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
 #include "program.h"
 #include "results.h"
 
-#include "format/curve_json.h"
-#include "format/shape_json.h"
+#include "format/json/curve.h"
+#include "format/json/shape.h"
 
 #include <batten/levels.h>
 

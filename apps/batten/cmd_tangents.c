@@ -3,7 +3,7 @@
 #include "program.h"
 #include "results.h"
 
-#include "format/curve_json.h"
+#include "format/json/curve.h"
 
 #include <batten/bezier.h>
 #include <batten/tangents.h>

@@ -4,8 +4,8 @@
 
 #include "document/digest.h"
 #include "document/picture.h"
-#include "document/shape.h"
-#include "document/spline.h"
+#include "kinds/levelled.h"
+#include "kinds/spline.h"
 #include "text/utf8.h"
 
 #include <batten/measure.h>

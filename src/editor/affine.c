@@ -1,6 +1,6 @@
 #include "editor/affine.h"
 #include "base/real.h"
-#include "format/svg.h"
+#include "format/svg/svg.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

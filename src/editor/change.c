@@ -1,6 +1,6 @@
 #include "editor/change.h"
 #include "editor/editor.h"
-#include "format/native.h"
+#include "format/native/native.h"
 #include <math.h>
 #include <string.h>
 

@@ -12,7 +12,7 @@
 #ifndef BATTEN_SRC_CHANGE_H
 #define BATTEN_SRC_CHANGE_H
 
-#include "document/history.h"
+#include "editor/session/history.h"
 #include "editor/tables.h"
 #include "text/json.h"
 #include "text/text.h"

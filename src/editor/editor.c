@@ -1,6 +1,6 @@
 /* The editor as a whole: made, opened, saved, ended. */
 #include "editor/editor.h"
-#include "format/native.h"
+#include "format/native/native.h"
 #include <batten/bezier.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
 #ifndef BATTEN_SRC_EDITOR_H
 #define BATTEN_SRC_EDITOR_H
 
-#include "document/history.h"
-#include "document/journal.h"
+#include "editor/session/history.h"
+#include "editor/session/journal.h"
 #include "document/picture.h"
 #include "editor/brushing.h"
 #include "editor/contacts.h"

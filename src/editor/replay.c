@@ -5,7 +5,7 @@
 #include "editor/change.h"
 #include "editor/edit_codec.h"
 #include "editor/editor.h"
-#include "format/native.h"
+#include "format/native/native.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #ifndef BATTEN_SRC_TRANSACTION_H
 #define BATTEN_SRC_TRANSACTION_H
 
-#include "document/history.h"
+#include "editor/session/history.h"
 #include "editor/tables.h"
 #include "text/text.h"
 #include <batten/editor.h>

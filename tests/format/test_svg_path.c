@@ -5,8 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "format/svg.h"
-#include "format/svg_style.h"
+#include "format/svg/svg.h"
+#include "format/svg/style.h"
 #include "support/random_curve.h"
 
 static bool parse(const char *data, bat_outline *o) {

@@ -1,0 +1,91 @@
+#include "editor/session/history.h"
+#include <stdlib.h>
+#include <string.h>
+
+bat_status bat_delta_apply(const bat_delta *delta, bat_document *document, bool forwards) {
+    const bat_object *from = forwards ? delta->before : delta->after;
+    const bat_object *to = forwards ? delta->after : delta->before;
+    if (!from) return bat_document_put(document, delta->index, to);
+    if (!to) return bat_document_remove(document, delta->index);
+    return bat_document_replace(document, delta->index, to);
+}
+
+bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *document, bool forwards) {
+    for (int i = 0; i < count; i++) {
+        const bat_delta *delta = &deltas[forwards ? i : count - 1 - i];
+        bat_status status = bat_delta_apply(delta, document, forwards);
+        if (status != BAT_OK) {
+            while (i-- > 0) bat_delta_apply(&deltas[forwards ? i : count - 1 - i], document, !forwards);
+            return status;
+        }
+    }
+    return BAT_OK;
+}
+
+void bat_deltas_free(bat_delta *deltas, int count) {
+    for (int i = 0; i < count; i++) {
+        bat_object_release(deltas[i].before);
+        bat_object_release(deltas[i].after);
+    }
+    free(deltas);
+}
+
+static void drop_steps(bat_history *history, int first, int count) {
+    for (int i = first; i < first + count; i++)
+        bat_deltas_free(history->steps[i].deltas, history->steps[i].count);
+    memmove(history->steps + first, history->steps + first + count,
+            (size_t)(history->count - first - count) * sizeof *history->steps);
+    history->count -= count;
+}
+
+void bat_history_clear(bat_history *history) {
+    if (history->count) drop_steps(history, 0, history->count);
+    free(history->steps);
+    *history = (bat_history){.state = history->states + 1, .states = history->states + 1};
+}
+
+bat_status bat_history_reserve(bat_history *history) {
+    if (history->done < history->room || history->room == BAT_HISTORY_STEPS) return BAT_OK;
+    int room = history->room ? 2 * history->room : 32;
+    if (room > BAT_HISTORY_STEPS) room = BAT_HISTORY_STEPS;
+    bat_step *steps = realloc(history->steps, (size_t)room * sizeof *steps);
+    if (!steps) return BAT_MEMORY;
+    history->steps = steps;
+    history->room = room;
+    return BAT_OK;
+}
+
+void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas) {
+    if (history->count > history->done) drop_steps(history, history->done, history->count - history->done);
+    if (history->count == BAT_HISTORY_STEPS) {
+        drop_steps(history, 0, 1);
+        history->done--;
+    }
+    uint64_t after = ++history->states;
+    history->steps[history->count++] = (bat_step){label, count, deltas, history->state, after};
+    history->done = history->count;
+    history->state = after;
+}
+
+bool bat_history_can_undo(const bat_history *history) { return history->done > 0; }
+bool bat_history_can_redo(const bat_history *history) { return history->done < history->count; }
+
+bat_status bat_history_undo(bat_history *history, bat_document *document) {
+    if (!bat_history_can_undo(history)) return BAT_STATE;
+    const bat_step *step = &history->steps[history->done - 1];
+    bat_status status = bat_deltas_apply(step->deltas, step->count, document, false);
+    if (status != BAT_OK) return status;
+    history->state = step->before;
+    history->done--;
+    return BAT_OK;
+}
+
+bat_status bat_history_redo(bat_history *history, bat_document *document) {
+    if (!bat_history_can_redo(history)) return BAT_STATE;
+    const bat_step *step = &history->steps[history->done];
+    bat_status status = bat_deltas_apply(step->deltas, step->count, document, true);
+    if (status != BAT_OK) return status;
+    history->state = step->after;
+    history->done++;
+    return BAT_OK;
+}

@@ -1,0 +1,31 @@
+#include "editor/session/journal.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Room for `more` bytes and a final zero. */
+static char *grow(char **text, size_t size, size_t *room, size_t more) {
+    if (*room - size <= more || !*text) {
+        size_t wanted = *room ? 2 * *room : 256;
+        while (wanted - size <= more) wanted *= 2;
+        char *moved = realloc(*text, wanted);
+        if (!moved) return NULL;
+        *text = moved;
+        *room = wanted;
+    }
+    return *text + size;
+}
+
+void bat_journal_free(bat_journal *journal) {
+    free(journal->text);
+    *journal = (bat_journal){0};
+}
+
+bat_status bat_journal_append(bat_journal *journal, const char *line, size_t size, bool failed) {
+    char *end = failed ? NULL : grow(&journal->text, journal->size, &journal->room, size + 1);
+    if (!end) return BAT_MEMORY;
+    memcpy(end, line, size);
+    end[size] = '\n';
+    journal->size += size + 1;
+    journal->text[journal->size] = 0;
+    return BAT_OK;
+}

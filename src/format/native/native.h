@@ -1,0 +1,30 @@
+/* The native document as text inside other formats. */
+#ifndef BATTEN_FORMAT_NATIVE_NATIVE_H
+#define BATTEN_FORMAT_NATIVE_NATIVE_H
+
+#include "document/picture.h"
+#include "text/json.h"
+#include "text/text.h"
+
+#include <batten/document.h>
+
+/* Ids in files stay below this, so that a document never runs out of them. */
+#define BAT_FILE_ID_MAX (((bat_id)1 << 31) - 1)
+
+/* One object of the document's list, and back (BAT_SYNTAX and so on, told in problem). Bit for bit. The text
+ * has line ends between its parts, none inside its strings. */
+void bat_object_to_json(const bat_object *object, bat_text *text);
+/* An image names its picture, which must be among the pictures. */
+bat_status bat_object_from_json(const bat_json *json, uint32_t node, const bat_pictures *pictures,
+                                bat_object **out, bat_problem *problem);
+/* {"picture":digest,"data":base 64}; the reader adds it to the pictures. */
+void bat_picture_to_json(const bat_picture *picture, bat_text *text);
+bat_status bat_picture_from_json(const bat_json *json, uint32_t node, bat_pictures *pictures,
+                                 bat_problem *problem);
+/* pictures: with the bytes of those that the images name; more than a reader takes: the text fails. */
+void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text);
+/* As bat_document_read, with pictures that are known already; those of the document are added. */
+bat_status bat_document_read_with(const char *text, size_t size, bat_pictures *pictures, bat_document **out,
+                                  bat_problem *problem);
+
+#endif

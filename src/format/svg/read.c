@@ -1,0 +1,649 @@
+/* SVG in: elements are collected, then drawn into a document once all are known. */
+#include "document/digest.h"
+#include "document/document.h"
+#include "document/nesting.h"
+#include "text/utf8.h"
+#include "text/base64.h"
+#include "text/json.h"
+#include "format/native/native.h"
+#include "format/svg/svg.h"
+#include "format/svg/digest.h"
+#include "format/svg/style.h"
+#include "format/svg/tree.h"
+
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Elements drawn (each time that `use` repeats them), and style rules tried, at most. */
+enum { DRAWN_MAX = 1 << 20, TRIED_MAX = 1 << 28 };
+
+struct bat_svg_reader {
+    bat_svg_options options;
+    bat_svg_tree tree;
+    bat_text styles, native;
+    uint32_t native_element;
+    bat_status status;  /* the first failure */
+    uint32_t failed_at; /* elements begun when it came */
+};
+
+bat_svg_options bat_svg_defaults(void) { return (bat_svg_options){.tolerance = 0, .corner = 0.05}; }
+
+bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out) {
+    bat_svg_options chosen = options ? *options : bat_svg_defaults();
+    if (!out || !(chosen.tolerance >= 0 && chosen.tolerance <= BAT_COORDINATE_MAX) ||
+        !(chosen.corner >= 0 && chosen.corner <= 4))
+        return BAT_ARGUMENT;
+    bat_svg_reader *reader = malloc(sizeof *reader);
+    if (!reader) return BAT_MEMORY;
+    *reader = (bat_svg_reader){.options = chosen};
+    *out = reader;
+    return BAT_OK;
+}
+
+void bat_svg_reader_free(bat_svg_reader *reader) {
+    if (!reader) return;
+    bat_svg_tree_free(&reader->tree);
+    bat_text_free(&reader->styles);
+    bat_text_free(&reader->native);
+    free(reader);
+}
+
+static bat_status note(bat_svg_reader *reader, bat_status status) {
+    if (status != BAT_OK && reader->status == BAT_OK) {
+        reader->status = status;
+        reader->failed_at = reader->tree.count;
+    }
+    return reader->status;
+}
+
+bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name, const char *const *attributes) {
+    if (!reader || !name) return BAT_ARGUMENT;
+    if (reader->status != BAT_OK) return reader->status;
+    bat_status status = bat_svg_tree_open(&reader->tree, name, attributes);
+    if (status != BAT_OK) return note(reader, status);
+    uint32_t index = reader->tree.count - 1;
+    if (reader->tree.elements[index].kind == BAT_SVG_NATIVE && !reader->native_element)
+        reader->native_element = index;
+    if (index == 1 && reader->tree.elements[1].kind != BAT_SVG_ROOT) return note(reader, BAT_UNSUPPORTED);
+    return BAT_OK;
+}
+
+bat_status bat_svg_reader_text(bat_svg_reader *reader, const char *text, size_t size) {
+    if (!reader || (!text && size > 0)) return BAT_ARGUMENT;
+    if (reader->status != BAT_OK || reader->tree.depth == 0) return reader->status;
+    bat_svg_tree *tree = &reader->tree;
+    uint32_t element = tree->open[tree->depth - 1];
+    bat_text *to = tree->elements[element].kind == BAT_SVG_STYLE  ? &reader->styles
+                   : element == reader->native_element && element ? &reader->native
+                                                                  : NULL;
+    if (!to) return BAT_OK;
+    if (size > BAT_JSON_SIZE - to->size) return note(reader, BAT_COUNT);
+    bat_text_add(to, text, size);
+    return note(reader, to->failed ? BAT_MEMORY : BAT_OK);
+}
+
+bat_status bat_svg_reader_end(bat_svg_reader *reader) {
+    if (!reader) return BAT_ARGUMENT;
+    if (reader->status != BAT_OK) return reader->status;
+    return note(reader, bat_svg_tree_close(&reader->tree));
+}
+
+/* ---- drawing ---- */
+
+typedef struct walk {
+    const bat_svg_options *options;
+    const bat_svg_tree *tree;
+    const bat_svg_sheet *sheet;
+    bat_document *document;
+    bat_svg_report *report;
+    bat_outline outline;
+    bat_pictures pictures; /* of the images drawn */
+    uint64_t digest;
+    uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
+    int depth;
+    long drawn, tried;
+    bat_id group;      /* the group being read, 0: none */
+    int members;       /* read into it so far */
+    int groups;        /* how deep that is */
+    int unseen;        /* how many of the elements being drawn are not displayed */
+    bat_status status; /* stops everything */
+} walk;
+
+/* What is handed down while drawing. */
+typedef struct scope {
+    double matrix[6];
+    bat_svg_style style;
+    double opacity;       /* product of the containers' */
+    double width, height; /* of the viewport */
+} scope;
+
+static const char *attribute(const walk *w, uint32_t element, const char *name) {
+    return bat_svg_tree_attribute(w->tree, element, name);
+}
+
+/* sqrt((w^2 + h^2) / 2), what percentages of neither axis refer to. */
+static double diagonal(const scope *s) { return sqrt((s->width * s->width + s->height * s->height) / 2); }
+
+static void match_rules(walk *w, uint32_t element, const scope *outer, bool important, bat_svg_style *style) {
+    const char *id = attribute(w, element, "id"), *classes = attribute(w, element, "class");
+    const char *type = bat_svg_tree_name(w->tree, element);
+    for (size_t i = 0; i < w->sheet->count; i++) {
+        const bat_svg_rule *rule = &w->sheet->rules[i];
+        if (bat_svg_rule_matches(w->sheet, rule, type, id, classes))
+            bat_svg_style_declarations(style, &outer->style, diagonal(outer), w->sheet->text + rule->body,
+                                       rule->body_size, important);
+    }
+    w->tried += (long)w->sheet->count;
+}
+
+/* The cascade: attributes, sheets, style="", then what is !important in the two. */
+static void find_style(walk *w, uint32_t element, const scope *outer, bat_svg_style *style) {
+    *style = bat_svg_style_child(&outer->style);
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data, *own = attribute(w, element, "style");
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2)
+        bat_svg_style_set(style, &outer->style, diagonal(outer), strings + pair[0], strings + pair[1]);
+    match_rules(w, element, outer, false, style);
+    if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), false);
+    match_rules(w, element, outer, true, style);
+    if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), true);
+}
+
+/* False: nothing is painted. */
+static bool resolve_paint(walk *w, const bat_svg_paint *paint, const bat_svg_style *style, double share,
+                          uint32_t *colour) {
+    if (paint->server) w->report->skipped_gradients++;
+    if (paint->kind == BAT_PAINT_NONE && !paint->bare) return false;
+    /* A gradient without a fallback becomes grey, so that its outline can be seen and shaped. */
+    uint32_t c = paint->bare ? 0x808080ff : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;
+    *colour = (c & 0xffffff00) | (uint32_t)floor((double)(c & 0xff) * share + 0.5);
+    return true;
+}
+
+static bat_style resolve_style(walk *w, const scope *s) {
+    const bat_svg_style *from = &s->style;
+    const double *m = s->matrix;
+    bat_style style = {.even_odd = from->even_odd,
+                       .width = from->width,
+                       .opacity = s->opacity,
+                       .cap = from->cap,
+                       .join = from->join,
+                       .miter_limit = from->miter_limit};
+    style.filled = resolve_paint(w, &from->fill, from, from->fill_opacity, &style.fill);
+    style.stroked = resolve_paint(w, &from->stroke, from, from->stroke_opacity, &style.stroke);
+    if (!from->fixed_width) style.width *= sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
+    return style;
+}
+
+static void count_paths(bat_svg_report *report, int curves) {
+    report->paths++;
+    report->curves += curves;
+}
+
+/* One curve for each subpath that has any length. */
+static int make_curves(walk *w, bat_curve **curves) {
+    const bat_outline *o = &w->outline;
+    int count = 0;
+    for (int i = 0; i < o->subpath_count && w->status == BAT_OK; i++) {
+        const bat_subpath *path = &o->subpaths[i];
+        const double *points = o->points + 2 * path->first;
+        bool moves = false, good = true;
+        for (size_t k = 0; k < 2 * (3 * (size_t)path->segments + 1); k++) {
+            good = good && fabs(points[k]) <= BAT_COORDINATE_MAX;
+            moves = moves || points[k] != points[k % 2];
+        }
+        if (good && !moves) continue;
+        double error;
+        bat_status status = good ? bat_curve_from_bezier(3, 2, path->segments, points, path->closed,
+                                                         w->options->corner, w->options->tolerance,
+                                                         &curves[count], &error)
+                                 : BAT_NUMBER;
+        if (status == BAT_MEMORY)
+            w->status = status;
+        else if (status == BAT_OK || status == BAT_TOLERANCE)
+            count++;
+        else
+            w->report->broken_paths++;
+    }
+    return count;
+}
+
+/* Layers' labels are for people; ids often are not. */
+static const char *find_name(const walk *w, uint32_t element) {
+    static const char *const names[] = {"data-name", "inkscape:label", "id"};
+    for (int i = 0; i < 3; i++) {
+        const char *name = attribute(w, element, names[i]);
+        if (name && bat_utf8_valid(name, strlen(name))) return name;
+    }
+    return "";
+}
+
+/* Into the group being read, hidden and locked as the element says. Takes the object over. */
+static void put_object(walk *w, uint32_t element, bool shown, bat_object *object) {
+    const char *locked = attribute(w, element, "data-locked"),
+               *insensitive = attribute(w, element, "sodipodi:insensitive");
+    bool lock = (locked && !strcmp(locked, "true")) || (insensitive && !strcmp(insensitive, "true"));
+    bat_object *placed = NULL;
+    bat_status status = BAT_OK;
+    if (w->group && (status = bat_object_with_parent(object, w->group, &placed)) == BAT_OK) {
+        bat_object_release(object);
+        object = placed;
+    }
+    if (status == BAT_OK && (lock || !shown) &&
+        (status = bat_object_with_state(object, !shown, lock, &placed)) == BAT_OK) {
+        bat_object_release(object);
+        object = placed;
+    }
+    if (status == BAT_OK) status = bat_document_put(w->document, bat_document_count(w->document), object);
+    bat_object_release(object);
+    if (status == BAT_OK) w->members++;
+    if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
+}
+
+static void add_object(walk *w, uint32_t element, bool shown, const bat_style *style) {
+    const char *name = find_name(w, element);
+    bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
+    if (!curves) {
+        w->status = BAT_MEMORY;
+        return;
+    }
+    int count = make_curves(w, curves);
+    bat_object *object = NULL;
+    bat_status status = w->status;
+    if (status == BAT_OK && count > 0)
+        status = bat_object_create_path(bat_document_new_id(w->document), name, style, count, curves,
+                                        &object);
+    if (object) {
+        put_object(w, element, shown, object);
+        if (w->unseen)
+            w->report->hidden++;
+        else
+            count_paths(w->report, count);
+    } else {
+        for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
+        if (count > 0 && status != BAT_OK) w->report->broken_paths++; /* a stroke width out of all bounds */
+    }
+    if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
+    free(curves);
+}
+
+typedef struct element_of {
+    const bat_svg_tree *tree;
+    uint32_t element;
+} element_of;
+
+static const char *shape_attribute(const void *element, const char *name) {
+    const element_of *e = element;
+    return bat_svg_tree_attribute(e->tree, e->element, name);
+}
+
+static void draw_shape(walk *w, uint32_t element, const scope *s) {
+    if (!s->style.visible) {
+        w->report->skipped_hidden++;
+        return;
+    }
+    element_of holder = {w->tree, element};
+    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_outline_clear(&w->outline);
+    if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
+        w->report->broken_paths++;
+    if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
+    if (w->outline.subpath_count == 0 || w->status != BAT_OK) return;
+    bat_outline_transform(&w->outline, s->matrix);
+    bat_style style = resolve_style(w, s);
+    if (!style.stroked && !style.filled) {
+        w->report->skipped_hidden++;
+        return;
+    }
+    if (s->style.marked) w->report->skipped_other++;
+    if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style);
+    add_object(w, element, s->style.shown, &style);
+}
+
+static void draw(walk *w, uint32_t element, const scope *outer);
+
+static void draw_children(walk *w, uint32_t element, const scope *s) {
+    for (uint32_t at = w->tree->elements[element].first; at && w->status == BAT_OK;
+         at = w->tree->elements[at].next)
+        draw(w, at, s);
+}
+
+/* A group of the file becomes one of the document when it is a layer, has a name, hides or locks something, or
+ * holds more than one thing together; the rest only carried a transform or a style. */
+static void draw_group(walk *w, uint32_t element, const scope *s) {
+    const char *mode = attribute(w, element, "inkscape:groupmode");
+    bat_object *group = NULL;
+    const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
+    bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_kind(outer) == BAT_KIND_LAYER);
+    if (w->groups == BAT_NESTING_MAX) {
+        draw_children(w, element, s);
+        return;
+    }
+    bat_id above = w->group, own = bat_document_new_id(w->document);
+    int index = bat_document_count(w->document), members = w->members + 1;
+    bat_status status = bat_object_create_group(own, find_name(w, element), layer, &group);
+    if (status != BAT_OK) {
+        w->status = status;
+        return;
+    }
+    put_object(w, element, s->style.shown, group);
+    if (w->status != BAT_OK) return;
+    w->group = own;
+    w->members = 0;
+    w->groups++;
+    draw_children(w, element, s);
+    w->groups--;
+    w->group = above;
+    const bat_object *made = bat_document_at(w->document, index);
+    bool plain = !layer && !*bat_object_name(made) && !bat_object_hidden(made) && !bat_object_locked(made);
+    if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
+        members = members - 1 + w->members;
+        bat_document_remove(w->document, index);
+        bat_object *moved = NULL;
+        if (w->members == 1) {
+            w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
+            if (moved) bat_document_replace(w->document, index, moved);
+            bat_object_release(moved);
+        }
+    }
+    w->members = members;
+}
+
+static double length_of(const walk *w, uint32_t element, const char *name, double whole, double otherwise) {
+    const char *text = attribute(w, element, name);
+    double value;
+    return text && bat_svg_length(text, whole, &value) ? value : otherwise;
+}
+
+/* A nested svg, or a symbol drawn by use: a viewport with its own units. sizer: whose width and height count.
+ */
+static void draw_viewport(walk *w, uint32_t element, uint32_t sizer, double x, double y, const scope *s) {
+    scope inner = *s;
+    const char *text = attribute(w, element, "viewBox");
+    double width = length_of(w, element, "width", s->width, s->width), box[4], m[6];
+    double height = length_of(w, element, "height", s->height, s->height);
+    width = length_of(w, sizer, "width", s->width, width);
+    height = length_of(w, sizer, "height", s->height, height);
+    if (!(width > 0 && height > 0)) return;
+    if (text && bat_svg_view_box(text, box)) {
+        if (box[2] == 0 || box[3] == 0) return;
+        bat_svg_fit(box, x, y, width, height, attribute(w, element, "preserveAspectRatio"), m);
+        inner.width = box[2], inner.height = box[3];
+    } else {
+        bat_svg_identity(m);
+        m[4] = x, m[5] = y;
+        inner.width = width, inner.height = height;
+    }
+    bat_svg_compose(s->matrix, m, inner.matrix);
+    draw_children(w, element, &inner);
+}
+
+static void draw_use(walk *w, uint32_t element, const scope *s) {
+    const char *href = attribute(w, element, "href");
+    if (!href) href = attribute(w, element, "xlink:href");
+    uint32_t target = href && href[0] == '#' ? bat_svg_tree_find(w->tree, href + 1) : 0;
+    for (int i = 0; i < w->depth; i++)
+        if (w->active[i] == target) target = 0; /* it would draw itself */
+    if (!target) {
+        w->report->skipped_other++;
+        return;
+    }
+    double x = length_of(w, element, "x", s->width, 0), y = length_of(w, element, "y", s->height, 0);
+    double m[6] = {1, 0, 0, 1, x, y};
+    scope inner = *s;
+    bat_svg_compose(s->matrix, m, inner.matrix);
+    bat_svg_kind kind = (bat_svg_kind)w->tree->elements[target].kind;
+    if (kind != BAT_SVG_SYMBOL && kind != BAT_SVG_ROOT) {
+        draw(w, target, &inner);
+        return;
+    }
+    if (w->depth == BAT_SVG_DEPTH) return;
+    scope own = inner;
+    find_style(w, target, &inner, &own.style);
+    own.opacity = inner.opacity * own.style.opacity;
+    w->active[w->depth++] = target;
+    if (own.style.shown) draw_viewport(w, target, element, 0, 0, &own);
+    w->depth--;
+}
+
+/* The first child that can be drawn: no foreign content, no extensions asked for. */
+static void draw_switch(walk *w, uint32_t element, const scope *s) {
+    for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
+        bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;
+        const char *language = attribute(w, at, "systemLanguage");
+        if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_OTHER || kind == BAT_SVG_NEVER) continue;
+        if (attribute(w, at, "requiredExtensions") || (language && strncmp(language, "en", 2) != 0)) continue;
+        draw(w, at, s);
+        return;
+    }
+}
+
+/* The picture of a data URI; NULL when it is none, or must be left out. */
+static bat_picture *find_picture(walk *w, uint32_t element) {
+    const char *href = attribute(w, element, "href");
+    if (!href) href = attribute(w, element, "xlink:href");
+    const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
+    bat_picture *picture = NULL;
+    if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
+    bat_status status = bat_base64_picture(data + 1, strlen(data + 1), &picture);
+    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
+    if (status == BAT_MEMORY) w->status = status;
+    if (status == BAT_OK) return picture;
+    bat_picture_release(picture);
+    return NULL;
+}
+
+static void draw_image(walk *w, uint32_t element, const scope *s) {
+    bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
+    bat_object *object = NULL;
+    if (!picture) {
+        w->report->skipped_images++;
+        return;
+    }
+    double box[4] = {0}, m[6], matrix[6];
+    bat_picture_sides(picture, box + 2);
+    double width = length_of(w, element, "width", s->width, -1);
+    double height = length_of(w, element, "height", s->height, -1);
+    if (width < 0) width = height < 0 ? box[2] : height * box[2] / box[3];
+    if (height < 0) height = width * box[3] / box[2];
+    bat_svg_fit(box, length_of(w, element, "x", s->width, 0), length_of(w, element, "y", s->height, 0), width,
+                height, attribute(w, element, "preserveAspectRatio"), m);
+    bat_svg_compose(s->matrix, m, matrix);
+    bat_status status = bat_object_create_image(bat_document_new_id(w->document), find_name(w, element),
+                                                picture, matrix, s->opacity, &object);
+    if (status == BAT_OK) {
+        if (!w->unseen)
+            w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
+        put_object(w, element, s->style.shown, object);
+    } else
+        w->report->skipped_images++;
+    if (status == BAT_MEMORY) w->status = status;
+    bat_picture_release(picture);
+}
+
+static void draw(walk *w, uint32_t element, const scope *outer) {
+    bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_SYMBOL || kind >= BAT_SVG_NEVER) return;
+    if (++w->drawn > DRAWN_MAX || w->tried > TRIED_MAX) {
+        w->status = BAT_COUNT;
+        return;
+    }
+    scope s = *outer;
+    find_style(w, element, outer, &s.style);
+    bool shown = s.style.shown;
+    /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
+    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
+        w->report->skipped_hidden++;
+        return;
+    }
+    if (w->depth == BAT_SVG_DEPTH) {
+        w->report->skipped_other++;
+        return;
+    }
+    s.opacity = outer->opacity * s.style.opacity;
+    const char *transform = attribute(w, element, "transform");
+    double m[6];
+    if (transform) {
+        if (!bat_svg_transform(transform, m)) w->report->broken_paths++;
+        bat_svg_compose(outer->matrix, m, s.matrix);
+    }
+    bat_svg_report before = *w->report;
+    if (s.style.clipped) w->report->skipped_clips++;
+    if (s.style.filtered) w->report->skipped_other++;
+    w->active[w->depth++] = element;
+    w->unseen += !shown;
+    switch (kind) {
+    case BAT_SVG_GROUP: draw_group(w, element, &s); break;
+    case BAT_SVG_SWITCH: draw_switch(w, element, &s); break;
+    case BAT_SVG_ROOT:
+        draw_viewport(w, element, element, length_of(w, element, "x", s.width, 0),
+                      length_of(w, element, "y", s.height, 0), &s);
+        break;
+    case BAT_SVG_USE: draw_use(w, element, &s); break;
+    case BAT_SVG_SHAPE: draw_shape(w, element, &s); break;
+    case BAT_SVG_TEXT: w->report->skipped_text++; break;
+    case BAT_SVG_IMAGE: draw_image(w, element, &s); break;
+    default: w->report->skipped_other++; break;
+    }
+    w->unseen -= !shown;
+    if (!shown) { /* the report tells of the visible drawing */
+        before.hidden = w->report->hidden;
+        *w->report = before;
+    }
+    w->depth--;
+}
+
+/* User units are those of the outermost viewBox, and it is the page; without one, width and height are. */
+static void draw_root(walk *w) {
+    scope none = {.style = bat_svg_style_initial(), .opacity = 1, .width = 100, .height = 100};
+    bat_svg_identity(none.matrix);
+    double page[4] = {0};
+    const char *box = attribute(w, 1, "viewBox"), *transform = attribute(w, 1, "transform");
+    if (!box || !bat_svg_view_box(box, page)) {
+        page[0] = page[1] = 0;
+        page[2] = length_of(w, 1, "width", 0, 0), page[3] = length_of(w, 1, "height", 0, 0);
+    }
+    if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
+    if (page[2] > 0) none.width = page[2], none.height = page[3];
+    bat_document_set_page(w->document, page);
+    scope s = none;
+    find_style(w, 1, &none, &s.style);
+    s.opacity = s.style.opacity;
+    if (transform && !bat_svg_transform(transform, s.matrix)) w->report->broken_paths++;
+    if (s.style.clipped) w->report->skipped_clips++;
+    if (!s.style.shown) {
+        w->report->skipped_hidden++;
+        return;
+    }
+    w->active[w->depth++] = 1;
+    draw_children(w, 1, &s);
+    w->depth--;
+}
+
+/* ---- the native document ---- */
+
+/* Takes the native document's place when the drawing still shows what was written with it. */
+static void use_native(bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,
+                       bat_document **document, bat_svg_report *report) {
+    if (!reader->native_element) return;
+    const char *noted = bat_svg_tree_attribute(&reader->tree, reader->native_element, "digest");
+    char own[17];
+    bat_digest_print(digest, own);
+    bat_document *native = NULL;
+    report->edited = true;
+    if (!noted || strcmp(noted, own) != 0) return;
+    bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
+                                               reader->native.size, pictures, &native, NULL);
+    if (status != BAT_OK) return;
+    /* The page may have been changed alone. */
+    double page[4], written[4];
+    bat_document_page(*document, page);
+    bat_svg_page(native, written);
+    if (memcmp(page, written, sizeof page) != 0) bat_document_set_page(native, page);
+    report->edited = false;
+    report->native = true;
+    report->paths = report->curves = 0;
+    for (int i = 0; i < bat_document_count(native); i++) {
+        const bat_object *object = bat_document_at(native, i);
+        report->paths += bat_object_is_drawn(object);
+        report->curves += bat_object_curve_count(object);
+    }
+    bat_document_free(*document);
+    *document = native;
+}
+
+static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_svg_report *report) {
+    bat_svg_sheet sheet;
+    bat_document *document = NULL;
+    bat_status status = bat_svg_tree_index(&reader->tree);
+    if (status == BAT_OK) status = bat_svg_sheet_parse(reader->styles.data, reader->styles.size, &sheet);
+    if (status != BAT_OK) return status;
+    status = bat_document_create(&document);
+    walk *w = status == BAT_OK ? malloc(sizeof *w) : NULL;
+    if (!w) {
+        bat_svg_sheet_free(&sheet);
+        bat_document_free(document);
+        return BAT_MEMORY;
+    }
+    *w = (walk){.options = &reader->options,
+                .tree = &reader->tree,
+                .sheet = &sheet,
+                .document = document,
+                .report = report,
+                .digest = bat_digest_begin()};
+    report->foreign = (int)reader->tree.foreign;
+    report->skipped_other += (int)(sheet.left_out > 1000000 ? 1000000 : sheet.left_out);
+    draw_root(w);
+    status = w->status;
+    if (status == BAT_OK) use_native(reader, w->digest, &w->pictures, &document, report);
+    bat_outline_free(&w->outline);
+    bat_pictures_free(&w->pictures);
+    free(w);
+    bat_svg_sheet_free(&sheet);
+    if (status != BAT_OK)
+        bat_document_free(document);
+    else
+        *out = document;
+    return status;
+}
+
+static bat_status explain(const bat_svg_reader *reader, bat_status status, bat_problem *problem) {
+    char place[64] = "";
+    const char *message = bat_status_message(status);
+    if (reader->status != BAT_OK && reader->failed_at > 0)
+        snprintf(place, sizeof place, "element %lu", (unsigned long)reader->failed_at);
+    if (status == BAT_UNSUPPORTED) message = "expected an svg element at the top, found another";
+    if (status == BAT_COUNT)
+        message = "expected at most 256 levels, 4 million elements and 1 million drawn, found more";
+    if (status == BAT_SYNTAX)
+        message = reader->tree.count == 0  ? "expected an svg element, found nothing"
+                  : reader->tree.depth > 0 ? "expected the ends of all elements, found the end of the file"
+                                           : "expected one element at the top, found more";
+    return bat_problem_set(problem, status, place, message);
+}
+
+bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,
+                                 bat_problem *problem) {
+    if (!reader || !out) {
+        bat_svg_reader_free(reader);
+        return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
+    }
+    bat_svg_report facts = {0};
+    bat_document *document = NULL;
+    bat_status status = reader->status;
+    if (status == BAT_OK && (reader->tree.count == 0 || reader->tree.depth > 0)) status = BAT_SYNTAX;
+    if (status == BAT_OK) status = read_drawing(reader, &document, &facts);
+    if (status == BAT_OK) {
+        *out = document;
+        if (report) *report = facts;
+    } else
+        explain(reader, status, problem);
+    bat_svg_reader_free(reader);
+    return status;
+}

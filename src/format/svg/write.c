@@ -1,0 +1,280 @@
+/* SVG out: every curve as exact cubic Béziers, and the native document as text in the metadata. */
+#include "document/digest.h"
+#include "document/nesting.h"
+#include "text/base64.h"
+#include "format/native/native.h"
+#include "format/svg/svg.h"
+#include "format/svg/digest.h"
+#include "format/svg/tree.h"
+#include "text/text.h"
+
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the curve's size: how far the cubics of a curve above degree 3 may be off. */
+static const double CUBICS = 1e-7;
+
+static void write_pair(bat_text *text, const double *p) {
+    bat_text_number(text, p[0]);
+    bat_text_string(text, " ");
+    bat_text_number(text, p[1]);
+}
+
+static bat_status write_curve(bat_text *text, const bat_curve *curve) {
+    double *points, tolerance = CUBICS * bat_curve_size(curve);
+    int count, dimension = bat_curve_dimension(curve);
+    bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &points, &count);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    const double *p = points;
+    bat_text_string(text, "M");
+    write_pair(text, p);
+    for (int i = 0; i < count; i++, p += 4 * dimension) {
+        bool line = bat_curve_degree(curve) == 1;
+        bat_text_string(text, line ? "L" : "C");
+        for (int k = line ? 3 : 1; k < 4; k++) {
+            const double *q = p + k * dimension;
+            if (i == count - 1 && k == 3 && bat_curve_closed(curve)) q = points; /* closed to the last bit */
+            write_pair(text, q);
+            if (k < 3) bat_text_string(text, " ");
+        }
+    }
+    if (bat_curve_closed(curve)) bat_text_string(text, "Z");
+    bat_free(points);
+    return BAT_OK;
+}
+
+static void write_number(bat_text *text, const char *attribute, double number) {
+    bat_text_string(text, attribute);
+    bat_text_number(text, number);
+    bat_text_string(text, "\"");
+}
+
+/* Three decimals of alpha give all 256 values back. */
+static void write_paint(bat_text *text, const char *property, uint32_t colour) {
+    char value[80];
+    snprintf(value, sizeof value, " %s=\"#%06lx\"", property, (unsigned long)(colour >> 8));
+    bat_text_string(text, value);
+    if ((colour & 0xff) == 0xff) return;
+    snprintf(value, sizeof value, " %s-opacity=\"", property);
+    write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
+}
+
+static void write_style(bat_text *text, const bat_style *style) {
+    static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
+                                                                                     "bevel"};
+    if (style->filled) {
+        write_paint(text, "fill", style->fill);
+        if (style->even_odd) bat_text_string(text, " fill-rule=\"evenodd\"");
+    } else
+        bat_text_string(text, " fill=\"none\"");
+    if (style->stroked) {
+        write_paint(text, "stroke", style->stroke);
+        write_number(text, " stroke-width=\"", style->width);
+        if (style->cap != BAT_CAP_BUTT) {
+            bat_text_string(text, " stroke-linecap=\"");
+            bat_text_string(text, caps[style->cap]);
+            bat_text_string(text, "\"");
+        }
+        if (style->join != BAT_JOIN_MITER) {
+            bat_text_string(text, " stroke-linejoin=\"");
+            bat_text_string(text, joins[style->join]);
+            bat_text_string(text, "\"");
+        }
+        if (style->miter_limit != 4) write_number(text, " stroke-miterlimit=\"", style->miter_limit);
+    }
+    if (style->opacity != 1) write_number(text, " opacity=\"", style->opacity);
+}
+
+/* A name that can be an XML id as it is (ASCII only, to be safe everywhere). */
+static bool is_id(const char *name) {
+    for (size_t i = 0; name[i]; i++) {
+        char c = name[i];
+        bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+        if (!letter && (i == 0 || !((c >= '0' && c <= '9') || c == '-' || c == '.'))) return false;
+    }
+    return name[0] != '\0';
+}
+
+typedef struct named {
+    const char *name;
+    int index;
+} named;
+
+static int compare_names(const void *a, const void *b) {
+    const named *x = a, *y = b;
+    int order = strcmp(x->name, y->name);
+    return order ? order : x->index - y->index;
+}
+
+/* unique[i]: object i is the first of its name, and the name can be an id. */
+static bat_status find_ids(const bat_document *document, bool *unique) {
+    int count = bat_document_count(document);
+    named *names = malloc(((size_t)count + 1) * sizeof *names);
+    if (!names) return BAT_MEMORY;
+    for (int i = 0; i < count; i++) names[i] = (named){bat_object_name(bat_document_at(document, i)), i};
+    if (count > 1) qsort(names, (size_t)count, sizeof *names, compare_names); /* no ties */
+    for (int i = 0; i < count; i++)
+        unique[names[i].index] = is_id(names[i].name) &&
+                                 (i == 0 || strcmp(names[i].name, names[i - 1].name) != 0);
+    free(names);
+    return BAT_OK;
+}
+
+static void write_name(bat_text *text, const char *attribute, const char *name) {
+    if (!*name) return;
+    bat_text_string(text, attribute);
+    bat_text_xml(text, name, strlen(name), true);
+    bat_text_string(text, "\"");
+}
+
+static void write_state(bat_text *text, const bat_object *object) {
+    if (bat_object_hidden(object)) bat_text_string(text, " display=\"none\"");
+    if (bat_object_locked(object)) bat_text_string(text, " data-locked=\"true\"");
+}
+
+static void open_group(bat_text *text, const bat_object *object, bool as_id) {
+    bool layer = bat_object_kind(object) == BAT_KIND_LAYER;
+    bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
+    write_name(text,
+               layer   ? " inkscape:label=\""
+               : as_id ? " id=\""
+                       : " data-name=\"",
+               bat_object_name(object));
+    write_state(text, object);
+    bat_text_string(text, ">\n");
+}
+
+/* The path element, and what a reader will see of it added to the digest. */
+static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
+                               bat_outline *outline, uint64_t *digest) {
+    const bat_style *style = bat_object_style(object);
+    bat_text_string(text, "<path");
+    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    write_state(text, object);
+    write_style(text, style);
+    bat_text_string(text, " d=\"");
+    size_t start = text->size;
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_status status = write_curve(text, bat_object_curve(object, i));
+        if (status != BAT_OK) return status;
+    }
+    if (text->failed) return BAT_MEMORY;
+    bat_outline_clear(outline);
+    if (!hidden && (style->stroked || style->filled)) {
+        bat_svg_path(text->data + start, text->size - start, outline);
+        if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
+        *digest = bat_svg_digest(*digest, outline, style);
+    }
+    bat_text_string(text, "\"/>\n");
+    return BAT_OK;
+}
+
+static void write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
+    const bat_picture *picture = bat_object_picture(object);
+    const double *m = bat_object_matrix(object);
+    double sides[2], opacity = bat_object_style(object)->opacity;
+    size_t size;
+    const void *bytes = bat_picture_bytes(picture, &size);
+    bat_picture_sides(picture, sides);
+    bat_text_string(text, "<image");
+    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    write_state(text, object);
+    write_number(text, " width=\"", sides[0]);
+    write_number(text, " height=\"", sides[1]);
+    bat_text_string(text, " preserveAspectRatio=\"none\" transform=\"matrix(");
+    for (int i = 0; i < 6; i += 2) {
+        if (i > 0) bat_text_string(text, " ");
+        write_pair(text, m + i);
+    }
+    bat_text_string(text, ")\"");
+    if (opacity != 1) write_number(text, " opacity=\"", opacity);
+    bat_text_string(text, " href=\"data:");
+    bat_text_string(text, bat_picture_type(picture));
+    bat_text_string(text, ";base64,");
+    bat_base64_write(text, bytes, size);
+    bat_text_string(text, "\"/>\n");
+    if (!hidden) *digest = bat_svg_digest_image(*digest, picture, m, opacity);
+}
+
+static bat_status write_objects(const bat_document *document, bat_text *text, uint64_t *digest) {
+    int count = bat_document_count(document);
+    bool *unique = malloc((size_t)count + 1);
+    bat_status status = unique ? find_ids(document, unique) : BAT_MEMORY;
+    bat_outline outline = {0};
+    *digest = bat_digest_begin();
+    bat_nesting nesting = {0};
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        int before = nesting.depth;
+        bool group = bat_object_is_group(object);
+        bat_nesting_next(&nesting, object, &level);
+        for (int k = nesting.depth - group; k < before; k++) bat_text_string(text, "</g>\n");
+        if (group)
+            open_group(text, object, unique[i]);
+        else if (bat_object_picture(object))
+            write_image(text, object, unique[i], level.hidden, digest);
+        else if (bat_object_is_drawn(object))
+            status = write_object(text, object, unique[i], level.hidden, &outline, digest);
+    }
+    for (int k = 0; k < nesting.depth; k++) bat_text_string(text, "</g>\n");
+    bat_outline_free(&outline);
+    free(unique);
+    return status;
+}
+
+static void write_native(const bat_document *document, uint64_t digest, bat_text *text) {
+    char noted[17];
+    bat_text json = {0};
+    bat_document_to_json(document, false, &json); /* the drawing holds the pictures */
+    bat_digest_print(digest, noted);
+    bat_text_string(text,
+                    "<metadata><batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"");
+    bat_text_string(text, noted);
+    bat_text_string(text, "\">");
+    if (json.data) bat_text_xml(text, json.data, json.size, false);
+    text->failed = text->failed || json.failed;
+    bat_text_string(text, "</batten:document></metadata>\n");
+    bat_text_free(&json);
+}
+
+static bool has_layers(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++)
+        if (bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER) return true;
+    return false;
+}
+
+bat_status bat_svg_write(const bat_document *document, bool with_native, char **out, size_t *size) {
+    if (!document || !out || !size) return BAT_ARGUMENT;
+    bat_text text = {0}, objects = {0};
+    uint64_t digest;
+    double page[4];
+    bat_svg_page(document, page);
+    bat_status status = write_objects(document, &objects, &digest);
+    if (status != BAT_OK) {
+        bat_text_free(&objects);
+        return status;
+    }
+    bat_text_string(&text,
+                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
+    if (has_layers(document))
+        bat_text_string(&text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
+    write_number(&text, " width=\"", page[2]);
+    write_number(&text, " height=\"", page[3]);
+    bat_text_string(&text, " viewBox=\"");
+    write_pair(&text, page);
+    bat_text_string(&text, " ");
+    write_pair(&text, page + 2);
+    bat_text_string(&text, "\">\n");
+    if (with_native) write_native(document, digest, &text);
+    if (objects.data) bat_text_add(&text, objects.data, objects.size);
+    text.failed = text.failed || objects.failed;
+    bat_text_free(&objects);
+    bat_text_string(&text, "</svg>\n");
+    return bat_text_finish(&text, out, size);
+}
