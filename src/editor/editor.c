@@ -9,7 +9,7 @@
 const bat_tool *bat_editor_tool(const bat_editor *editor) {
     static const bat_tool *(*const tools[BAT_TOOL_COUNT])(void) = {
 #define TOOL(id, name, command, behaviour) behaviour,
-#include "editor/commands.def"
+#include "editor/tables/commands.def"
     };
     if (editor->guiding.on) return bat_tool_guides();
     if (editor->waypoints.on) return bat_tool_waypoints();

@@ -1,6 +1,6 @@
 /* Events come in here: bad numbers are kept out, and every contact gets its duty. */
 #include "editor/editor.h"
-#include "editor/ruler.h"
+#include "editor/show/ruler.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>

@@ -2,8 +2,8 @@
  * Replay: a journal run line by line through the same calls that made it. Besides the engine's own lines it
  * takes raw events, so that a scripted session is a journal too.
  */
-#include "editor/change.h"
-#include "editor/edit_codec.h"
+#include "editor/session/record.h"
+#include "editor/edit/stroke_record.h"
 #include "editor/editor.h"
 #include "format/native/native.h"
 #include <batten/bezier.h>

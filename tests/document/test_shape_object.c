@@ -14,7 +14,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/refine.h>
-#include "editor/affine.h"
+#include "editor/edit/affine.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/xml.h"

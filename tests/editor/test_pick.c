@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "editor/pick.h"
+#include "editor/pick/pick.h"
 #include "support/pen.h"
 
 enum { CURVES = 60, SAMPLES = 2000 };

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "base/real.h"
-#include "editor/affine.h"
+#include "editor/edit/affine.h"
 #include "editor/editor.h"
-#include "editor/ruler.h"
+#include "editor/show/ruler.h"
 #include "support/alloc_fail.h"
 #include "support/session.h"
 

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "document/nesting.h"
-#include "editor/affine.h"
-#include "editor/arrange.h"
+#include "editor/edit/affine.h"
+#include "editor/edit/arrange.h"
 #include "editor/editor.h"
 #include "support/pen.h"
 

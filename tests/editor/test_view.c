@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "editor/view.h"
+#include "editor/view/view.h"
 #include "support/pen.h"
 
 static bat_view window(void) {

@@ -15,7 +15,7 @@ static const struct {
 } table[] = {
 #define TEXT(id, key, english, korean) {key, english, korean, false},
 #define HELP(id, key, english, korean) {key, english, korean, true},
-#include "editor/strings.def"
+#include "editor/tables/strings.def"
 };
 enum { COUNT = sizeof table / sizeof *table };
 

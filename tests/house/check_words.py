@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The browser shell has no words of its own: what it says comes from src/editor/strings.def. No text in index.html but
+"""The browser shell has no words of its own: what it says comes from src/editor/tables/strings.def. No text in index.html but
 the name and what stands there when nothing could be loaded; no sentence, and no text given to an element, in the
 scripts. Every key that the shell asks for is in the table.
 
@@ -14,7 +14,7 @@ from sources import sources
 
 root = pathlib.Path(sys.argv[1])
 faults = []
-keys = set(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)"', (root / "src/editor/strings.def").read_text("utf-8"), re.M))
+keys = set(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)"', (root / "src/editor/tables/strings.def").read_text("utf-8"), re.M))
 asked = set()
 
 

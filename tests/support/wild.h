@@ -46,7 +46,7 @@ static inline void wild_property(bat_editor *editor, session_bytes *bytes) {
         double low, high;
     } properties[] = {
 #define PROPERTY(id, name, type, standard, low, high, step, unit) {name, low, high},
-#include "editor/commands.def"
+#include "editor/tables/commands.def"
     };
     unsigned which = session_byte(bytes) % (unsigned)(sizeof properties / sizeof *properties);
     double low = properties[which].low, high = fmin(properties[which].high, low + 300);
@@ -67,11 +67,11 @@ static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
 static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *time) {
     static const char *const commands[] = {
 #define COMMAND(id, name, keys, when, hold, function) name,
-#include "editor/commands.def"
+#include "editor/tables/commands.def"
     };
     static const char *const numbers[] = {
 #define NUMBER(id, name) name,
-#include "editor/commands.def"
+#include "editor/tables/commands.def"
     };
     static const char *const texts[] = {"12", "3mm+4", "1/2in", "-7",    "0",      "1e",
                                         "90", "400",   "",      "1e300", "-1e-300"};

@@ -1,0 +1,19 @@
+/* Isolation: all but some objects are pale and out of reach. It belongs to the editor: no history, no journal. What is
+ * made meanwhile is within reach. */
+#ifndef BATTEN_EDITOR_CHOICE_ISOLATION_H
+#define BATTEN_EDITOR_CHOICE_ISOLATION_H
+
+#include "editor/choice/selection.h"
+#include <batten/editor.h>
+
+typedef struct bat_isolation {
+    bool on;
+    bat_selection kept; /* objects and groups */
+    bat_id from;        /* ids from here on are new */
+} bat_isolation;
+
+/* The command: begins with the selection, or the curve under the pen; ends when it is on. */
+bat_status bat_isolate(bat_editor *editor, bool down);
+bool bat_isolate_end(bat_editor *editor); /* false: it was not on */
+
+#endif

@@ -1,0 +1,317 @@
+/* Commands that cut and mend the selected curves. */
+#include "editor/commands/act.h"
+#include "editor/edit/arrange.h"
+#include "editor/editor.h"
+#include "base/real.h"
+#include <batten/refine.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void end_point(const bat_curve *curve, int end, double out[3]) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    bat_curve_eval(curve, domain[end], 0, out);
+}
+
+static double distance(int dimension, const double *a, const double *b) {
+    double sum = 0;
+    for (int k = 0; k < dimension; k++) sum = bat_hypot(sum, a[k] - b[k]);
+    return sum;
+}
+
+/* The curve on to a point, by a straight line when it does not end there. Takes the curve over. */
+static bat_status lead_to(bat_curve *curve, const double *to, bat_curve **out) {
+    int dimension = bat_curve_dimension(curve);
+    double points[6];
+    end_point(curve, 1, points);
+    memcpy(points + dimension, to, (size_t)dimension * sizeof *to);
+    if (distance(dimension, points, to) <= 1e-9 * bat_curve_size(curve)) {
+        *out = curve;
+        return BAT_OK;
+    }
+    bat_curve *line = NULL;
+    bat_status status = bat_curve_create(1, dimension, false, 2, (double[]){0, 0, 1, 1}, points, &line);
+    if (status == BAT_OK) status = bat_curve_join(curve, line, 0, 1e-9 * bat_curve_size(curve), out, NULL);
+    bat_curve_free(line);
+    bat_curve_free(curve);
+    return status;
+}
+
+static bat_status closed(const bat_curve *curve, bat_curve **out) {
+    if (bat_curve_closed(curve)) return BAT_STATE;
+    bat_curve *copy = NULL, *whole = NULL;
+    double start[3];
+    bat_status status = bat_curve_copy(curve, &copy);
+    if (status != BAT_OK) return status;
+    end_point(curve, 0, start);
+    status = lead_to(copy, start, &whole);
+    if (status != BAT_OK) return status;
+    status = bat_curve_close(whole, 2e-9 * bat_curve_size(whole), out);
+    bat_curve_free(whole);
+    return status;
+}
+
+static bat_status opened(const bat_curve *curve, bat_curve **out) {
+    double domain[2];
+    if (!bat_curve_closed(curve)) return BAT_STATE;
+    bat_curve_domain(curve, domain);
+    return bat_curve_open_at(curve, domain[0], out);
+}
+
+static bat_status reversed(const bat_curve *curve, bat_curve **out) { return bat_curve_reverse(curve, out); }
+
+/* The object with each of its curves put through `make`; curves for which that is BAT_STATE stay. BAT_STATE:
+ * all of them did. */
+static bat_status made_over(const bat_object *object, bat_status (*make)(const bat_curve *, bat_curve **),
+                            bat_object **out) {
+    int count = bat_object_curve_count(object), made = 0, changed = 0;
+    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    while (made < count && status == BAT_OK) {
+        status = make(bat_object_curve(object, made), &curves[made]);
+        changed += status == BAT_OK;
+        if (status == BAT_STATE) status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
+        if (status == BAT_OK) made++;
+    }
+    if (status == BAT_OK) status = changed ? bat_object_with_curves(object, count, curves, out) : BAT_STATE;
+    if (status != BAT_OK)
+        while (made > 0) bat_curve_free(curves[--made]);
+    free(curves);
+    return status;
+}
+
+static bat_status finish(bat_editor *editor, bat_status status, bool changed, bat_string label,
+                         bat_string otherwise) {
+    if (status == BAT_OK && changed) return bat_transaction_commit(editor, label, NULL);
+    bat_transaction_cancel(editor);
+    if (status == BAT_OK) {
+        bat_editor_notice(editor, editor->selection.count ? otherwise : BAT_STRING_NOTICE_SELECT_FIRST);
+        return BAT_STATE;
+    }
+    bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+static bat_status each(bat_editor *editor, bat_status (*make)(const bat_curve *, bat_curve **),
+                       bat_string label, bat_string otherwise) {
+    int *roots = NULL, count = 0;
+    bool changed = false;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status == BAT_STATE) status = BAT_OK;
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    for (int i = 0; i < count && status == BAT_OK; i++)
+        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]) && status == BAT_OK; k++) {
+            bat_object *after = NULL;
+            if (bat_object_is_group(bat_document_at(editor->document, k))) continue;
+            status = made_over(bat_document_at(editor->document, k), make, &after);
+            if (status == BAT_STATE) {
+                status = BAT_OK;
+                continue;
+            }
+            if (status == BAT_OK) status = bat_transaction_replace(editor, k, after);
+            bat_object_release(after);
+            changed = status == BAT_OK;
+        }
+    free(roots);
+    return finish(editor, status, changed, label, otherwise);
+}
+
+bat_status bat_do_curve_close(bat_editor *editor, bool down) {
+    (void)down;
+    return each(editor, closed, BAT_STRING_STEP_CLOSE_CURVE, BAT_STRING_NOTICE_SELECT_OPEN);
+}
+bat_status bat_do_curve_open(bat_editor *editor, bool down) {
+    (void)down;
+    return each(editor, opened, BAT_STRING_STEP_OPEN, BAT_STRING_NOTICE_SELECT_CLOSED);
+}
+bat_status bat_do_curve_reverse(bat_editor *editor, bool down) {
+    (void)down;
+    return each(editor, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
+}
+
+/* ---- join ---- */
+
+typedef struct open_curve {
+    int object, curve; /* indices */
+} open_curve;
+
+/* The selected open curves of the plane; at most `room` written. */
+static int find_open(const bat_editor *editor, const int *roots, int count, open_curve *out, int room) {
+    int found = 0;
+    for (int i = 0; i < count; i++)
+        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]); k++) {
+            const bat_object *object = bat_document_at(editor->document, k);
+            for (int j = 0; j < bat_object_curve_count(object); j++) {
+                const bat_curve *curve = bat_object_curve(object, j);
+                if (bat_curve_closed(curve) || bat_curve_dimension(curve) != 2) continue;
+                if (found < room) out[found] = (open_curve){k, j};
+                found++;
+            }
+        }
+    return found;
+}
+
+/* a's end is led to b's start; the nearest two ends are met, for which either may be turned round. */
+static bat_status joined(const bat_curve *a, const bat_curve *b, bat_curve **out) {
+    double best = INFINITY, p[3], q[3];
+    int turn_a = 0, turn_b = 0;
+    for (int i = 1; i >= 0; i--)
+        for (int j = 0; j < 2; j++) {
+            end_point(a, i, p);
+            end_point(b, j, q);
+            if (distance(2, p, q) < best) {
+                best = distance(2, p, q);
+                turn_a = i == 0;
+                turn_b = j == 1;
+            }
+        }
+    bat_curve *first = NULL, *second = NULL, *whole = NULL;
+    bat_status status = turn_a ? bat_curve_reverse(a, &first) : bat_curve_copy(a, &first);
+    if (status == BAT_OK) status = turn_b ? bat_curve_reverse(b, &second) : bat_curve_copy(b, &second);
+    if (status == BAT_OK) {
+        end_point(second, 0, q);
+        bat_curve *led = first;
+        first = NULL;
+        status = lead_to(led, q, &whole);
+    }
+    if (status == BAT_OK)
+        status = bat_curve_join(whole, second, 0, 2e-9 * (bat_curve_size(whole) + bat_curve_size(second)),
+                                out, NULL);
+    bat_curve_free(first);
+    bat_curve_free(second);
+    bat_curve_free(whole);
+    return status;
+}
+
+/* The object without one curve; *out NULL: nothing is left of it. */
+static bat_status without(const bat_object *object, int curve, bat_object **out) {
+    int count = bat_object_curve_count(object), kept = 0;
+    *out = NULL;
+    if (count == 1) return BAT_OK;
+    bat_curve **curves = calloc((size_t)count, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        if (i == curve) continue;
+        status = bat_curve_copy(bat_object_curve(object, i), &curves[kept]);
+        kept += status == BAT_OK;
+    }
+    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
+    if (status != BAT_OK)
+        while (kept > 0) bat_curve_free(curves[--kept]);
+    free(curves);
+    return status;
+}
+
+static bat_status join_two(bat_editor *editor, const open_curve two[2]) {
+    const bat_document *document = editor->document;
+    bat_curve *curve = NULL;
+    bat_object *after = NULL, *rest = NULL;
+    bat_status status = joined(bat_object_curve(bat_document_at(document, two[0].object), two[0].curve),
+                               bat_object_curve(bat_document_at(document, two[1].object), two[1].curve),
+                               &curve);
+    if (status != BAT_OK) return status;
+    status = bat_object_with_curve(bat_document_at(document, two[0].object), two[0].curve, curve, &after);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    if (two[0].object == two[1].object) { /* the second lies behind the first in the same object */
+        status = without(after, two[1].curve, &rest);
+        if (status == BAT_OK) status = bat_transaction_replace(editor, two[0].object, rest);
+    } else {
+        status = bat_transaction_replace(editor, two[0].object, after);
+        if (status == BAT_OK) status = without(bat_document_at(document, two[1].object), two[1].curve, &rest);
+        if (status == BAT_OK)
+            status = rest ? bat_transaction_replace(editor, two[1].object, rest)
+                          : bat_transaction_remove(editor, two[1].object);
+    }
+    bat_object_release(after);
+    bat_object_release(rest);
+    return status;
+}
+
+/* Two open curves become one; a single one is closed. */
+bat_status bat_do_curve_join(bat_editor *editor, bool down) {
+    int *roots = NULL, count = 0, found;
+    open_curve two[2];
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    found = status == BAT_OK ? find_open(editor, roots, count, two, 2) : 0;
+    free(roots);
+    if (found == 1) return bat_do_curve_close(editor, down);
+    if (status == BAT_STATE) status = BAT_OK;
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK && found == 2) status = join_two(editor, two);
+    return finish(editor, status, found == 2, BAT_STRING_STEP_JOIN, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
+}
+
+/* ---- split ---- */
+
+/* Two pieces: the first stays the object's, the second becomes an object in front of it (index + 1). */
+static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
+    const bat_object *object = bat_document_at(editor->document, index);
+    const bat_curve *whole = bat_object_curve(object, curve);
+    bat_curve *left = NULL, *right = NULL;
+    bat_object *after = NULL, *other = NULL, *placed = NULL;
+    bat_status status = bat_curve_closed(whole) ? bat_curve_open_at(whole, u, &left)
+                                                : bat_curve_split(whole, u, &left, &right);
+    if (status != BAT_OK) return status;
+    if (right) {
+        status = bat_object_create_path(bat_document_new_id(editor->document), bat_object_name(object),
+                                        bat_object_style(object), 1, &right, &other);
+        if (status == BAT_OK) right = NULL;
+        if (status == BAT_OK) status = bat_object_with_parent(other, bat_object_parent(object), &placed);
+    }
+    if (status == BAT_OK) {
+        status = bat_object_with_curve(object, curve, left, &after);
+        if (status == BAT_OK) left = NULL;
+    }
+    if (status == BAT_OK) status = bat_transaction_replace(editor, index, after);
+    if (status == BAT_OK && placed) status = bat_transaction_insert(editor, index + 1, placed);
+    bat_curve_free(left);
+    bat_curve_free(right);
+    bat_object_release(after);
+    bat_object_release(other);
+    bat_object_release(placed);
+    return status;
+}
+
+bat_status bat_do_curve_split(bat_editor *editor, bool down) {
+    (void)down;
+    bat_selecting *s = &editor->selecting;
+    const bat_curve *ranged = bat_range_curve(editor);
+    if (ranged) {
+        bat_curve_eval(ranged, editor->range.u[editor->range.end], 0, s->point);
+        s->has_point = true;
+    }
+    bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(&editor->view) : -1};
+    int *roots = NULL, count = 0, index = -1, which = 0;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status == BAT_STATE) status = BAT_OK;
+    for (int i = 0; i < count; i++)
+        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]); k++) {
+            const bat_object *object = bat_document_at(editor->document, k);
+            for (int j = 0; j < bat_object_curve_count(object); j++) {
+                bat_near near;
+                const bat_curve *curve = bat_object_curve(object, j);
+                if (bat_curve_dimension(curve) != 2) continue;
+                if (bat_curve_nearest(curve, s->point, &near) == BAT_OK && near.distance <= best.distance) {
+                    best = near;
+                    index = k;
+                    which = j;
+                }
+            }
+        }
+    free(roots);
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK && index >= 0) {
+        double domain[2];
+        const bat_curve *curve = bat_object_curve(bat_document_at(editor->document, index), which);
+        bat_curve_domain(curve, domain);
+        if (!bat_curve_closed(curve) && !(best.u > domain[0] && best.u < domain[1]))
+            index = -1; /* there is nothing beyond an end */
+        else
+            status = split_at(editor, index, which, best.u);
+    }
+    return finish(editor, status, index >= 0, BAT_STRING_STEP_SPLIT, BAT_STRING_NOTICE_SPLIT_WHERE);
+}

@@ -1,0 +1,268 @@
+/* Layers: the active one takes new curves; names, eyes and locks of all objects. */
+#include "document/nesting.h"
+#include "editor/commands/act.h"
+#include "editor/edit/arrange.h"
+#include "editor/editor.h"
+#include "editor/session/reorder.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+static int active(const bat_editor *editor) {
+    return editor->layer ? bat_document_find(editor->document, editor->layer) : -1;
+}
+
+static bat_status told(bat_editor *editor, bat_status status) {
+    if (status == BAT_STATE)
+        bat_editor_notice(editor,
+                          active(editor) < 0 ? BAT_STRING_NOTICE_NO_LAYER : BAT_STRING_NOTICE_NOT_POSSIBLE);
+    else if (status != BAT_OK)
+        bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+/* Makes the document the listing, as one step; frees the listing. */
+static bat_status apply(bat_editor *editor, bat_listing *listing) {
+    bat_status status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        status = bat_listing_apply(listing, editor);
+        if (status == BAT_OK)
+            status = bat_transaction_commit(editor, BAT_STRING_STEP_LAYER, NULL);
+        else
+            bat_transaction_cancel(editor);
+    }
+    bat_listing_free(listing);
+    return status;
+}
+
+bat_status bat_do_layer_add(bat_editor *editor, bool down) {
+    (void)down;
+    const bat_document *document = editor->document;
+    char name[80];
+    int layers = 0;
+    for (int i = 0; i < bat_document_count(document); i++)
+        layers += bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER;
+    snprintf(name, sizeof name, "%s %d", bat_editor_text(editor, BAT_STRING_LAYER_NAME), layers + 1);
+    bat_object *layer = NULL;
+    bat_id id = bat_document_new_id(editor->document);
+    bat_status status = bat_object_create_group(id, name, true, &layer);
+    if (status != BAT_OK) return told(editor, status);
+    bat_listing listing = {0};
+    bat_listing_range(&listing, document, 0, bat_document_count(document));
+    bat_listing_take(&listing, layer);
+    status = apply(editor, &listing);
+    if (status == BAT_OK) editor->layer = id;
+    return told(editor, status);
+}
+
+bat_status bat_do_layer_delete(bat_editor *editor, bool down) {
+    (void)down;
+    int at = active(editor);
+    if (at < 0) return told(editor, BAT_STATE);
+    bat_listing listing = {0};
+    bat_listing_range(&listing, editor->document, 0, at);
+    bat_listing_range(&listing, editor->document, bat_document_end(editor->document, at),
+                      bat_document_count(editor->document));
+    return told(editor, apply(editor, &listing));
+}
+
+/* Past as many siblings in front (or, steps < 0, behind) as there are, at most so many. */
+static bat_status shift(bat_editor *editor, int at, int steps) {
+    const bat_document *document = editor->document;
+    if (at < 0) return BAT_STATE;
+    bat_id parent = bat_object_parent(bat_document_at(document, at));
+    int end = bat_document_end(document, at), from = at, to = end;
+    for (; steps > 0; steps--) {
+        bool last = to == bat_document_count(document) ||
+                    bat_object_parent(bat_document_at(document, to)) != parent;
+        if (last) break;
+        to = bat_document_end(document, to);
+    }
+    for (; steps < 0; steps++) {
+        int before = from;
+        for (int i = 0; i < from; i++)
+            if (bat_object_parent(bat_document_at(document, i)) == parent) before = i;
+        if (before == from) break;
+        from = before;
+    }
+    if (from == at && to == end) return BAT_STATE;
+    bat_listing listing = {0};
+    bat_listing_range(&listing, document, 0, from);
+    bat_listing_range(&listing, document, end, to);
+    bat_listing_range(&listing, document, at, end);
+    bat_listing_range(&listing, document, from, at);
+    bat_listing_range(&listing, document, to, bat_document_count(document));
+    return apply(editor, &listing);
+}
+
+static bat_status shift_active(bat_editor *editor, int steps) {
+    int at = active(editor);
+    bat_status status = shift(editor, at, steps);
+    return at >= 0 && status == BAT_STATE ? status : told(editor, status); /* at the end already: no news */
+}
+
+bat_status bat_do_layer_up(bat_editor *editor, bool down) {
+    (void)down;
+    return shift_active(editor, 1);
+}
+bat_status bat_do_layer_down(bat_editor *editor, bool down) {
+    (void)down;
+    return shift_active(editor, -1);
+}
+
+bat_status bat_do_layer_take(bat_editor *editor, bool down) {
+    (void)down;
+    const bat_document *document = editor->document;
+    int *roots, count, at = active(editor), next = 0;
+    if (at < 0) return told(editor, BAT_STATE);
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) {
+        if (status == BAT_STATE) bat_editor_notice(editor, BAT_STRING_NOTICE_SELECT_FIRST);
+        return status;
+    }
+    for (int i = 0; i < count; i++) /* a layer does not go into itself, nor what is in it out of it */
+        if (bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER) status = BAT_STATE;
+    bat_listing listing = {0};
+    int end = bat_document_end(document, at);
+    for (int i = 0; i <= bat_document_count(document) && status == BAT_OK;) {
+        if (i == end) /* in front of all that is in the layer */
+            for (int k = 0; k < count && !listing.failed; k++) {
+                bat_object *placed = NULL;
+                bat_object_with_parent(bat_document_at(document, roots[k]), editor->layer, &placed);
+                bat_listing_take(&listing, placed);
+                bat_listing_range(&listing, document, roots[k] + 1, bat_document_end(document, roots[k]));
+            }
+        if (i == bat_document_count(document)) break;
+        if (next < count && roots[next] == i) {
+            int after = bat_document_end(document, roots[next++]);
+            /* The layer's end may be the end of what is taken. */
+            if (i < end && after > end) status = BAT_STATE;
+            if (after == end && i < end) {
+                i = end;
+                continue;
+            }
+            i = after;
+            continue;
+        }
+        bat_listing_add(&listing, bat_document_at(document, i++));
+    }
+    free(roots);
+    if (status != BAT_OK) {
+        bat_listing_free(&listing);
+        return told(editor, status);
+    }
+    return told(editor, apply(editor, &listing));
+}
+
+/* ---- by id, for panels ---- */
+
+bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id) {
+    int at = id ? bat_document_find(editor->document, id) : -1;
+    if (id && (at < 0 || bat_object_kind(bat_document_at(editor->document, at)) != BAT_KIND_LAYER))
+        return BAT_ARGUMENT;
+    editor->layer = id;
+    return BAT_OK;
+}
+
+/* Replaces the object at `at` by what was made of it; takes that over. */
+static bat_status replace(bat_editor *editor, int at, bat_object *after, bat_status status,
+                          bat_string label) {
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        status = bat_transaction_replace(editor, at, after);
+        if (status == BAT_OK)
+            status = bat_transaction_commit(editor, label, NULL);
+        else
+            bat_transaction_cancel(editor);
+    }
+    bat_object_release(after);
+    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name) {
+    int at = bat_document_find(editor->document, id);
+    bat_object *after = NULL;
+    if (at < 0 || !name) return BAT_ARGUMENT;
+    if (bat_editor_busy(editor)) return BAT_STATE;
+    bat_status status = bat_object_with_name(bat_document_at(editor->document, at), name, &after);
+    return replace(editor, at, after, status, BAT_STRING_STEP_RENAME);
+}
+
+bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target) {
+    const bat_document *document = editor->document;
+    int at = bat_document_find(document, id), to = bat_document_find(document, target), steps = 0;
+    const bat_object *layer = bat_document_at(document, at), *other = bat_document_at(document, to);
+    if (!layer || !other || bat_object_kind(layer) != BAT_KIND_LAYER ||
+        bat_object_kind(other) != BAT_KIND_LAYER || bat_object_parent(layer) != bat_object_parent(other))
+        return BAT_ARGUMENT;
+    if (bat_editor_busy(editor) || at == to) return BAT_STATE;
+    for (int i = at < to ? at : to; i < (at < to ? to : at); i = bat_document_end(document, i)) steps++;
+    bat_status status = shift(editor, at, at < to ? steps : -steps);
+    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked) {
+    int at = bat_document_find(editor->document, id);
+    bat_object *after = NULL;
+    if (at < 0) return BAT_ARGUMENT;
+    if (bat_editor_busy(editor)) return BAT_STATE;
+    const bat_object *before = bat_document_at(editor->document, at);
+    if (bat_object_hidden(before) == hidden && bat_object_locked(before) == locked) return BAT_OK;
+    bat_status status = bat_object_with_state(before, hidden, locked, &after);
+    return replace(editor, at, after, status, BAT_STRING_STEP_LAYER);
+}
+
+bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add) {
+    if (bat_editor_busy(editor)) return BAT_STATE;
+    if (id && bat_document_find(editor->document, id) < 0) return BAT_ARGUMENT;
+    if (!add) bat_selection_clear(&editor->selection);
+    bat_status status = id ? bat_selection_add(&editor->selection, id) : BAT_OK;
+    bat_selection_prune(&editor->selection, editor->document);
+    return status;
+}
+
+const char *bat_editor_layers(bat_editor *editor) {
+    const bat_document *document = editor->document;
+    bat_text text = {0};
+    int loose = 0, layers = 0;
+    bat_nesting nesting = {0};
+    bat_text_string(&text, "{\"layers\":[");
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_next(&nesting, object, NULL);
+        if (bat_object_kind(object) != BAT_KIND_LAYER) {
+            loose += !bat_object_parent(object);
+            continue;
+        }
+        int members = 0;
+        for (int k = i + 1; k < bat_document_end(document, i); k++)
+            members += !bat_object_is_group(bat_document_at(document, k));
+        bat_text_string(&text, layers++ ? ",{\"id\":" : "{\"id\":");
+        bat_text_integer(&text, bat_object_id(object));
+        bat_text_string(&text, ",\"name\":");
+        bat_text_json_string(&text, bat_object_name(object));
+        bat_text_string(&text, bat_object_hidden(object) ? ",\"hidden\":true" : ",\"hidden\":false");
+        bat_text_string(&text, bat_object_locked(object) ? ",\"locked\":true" : ",\"locked\":false");
+        bat_text_string(&text, ",\"depth\":");
+        bat_text_integer(&text, (uint64_t)(nesting.depth - 1));
+        bat_text_string(&text, ",\"members\":");
+        bat_text_integer(&text, (uint64_t)members);
+        bat_text_string(&text, "}");
+    }
+    bat_text_string(&text, "],\"active\":");
+    bat_text_integer(&text, editor->layer);
+    bat_text_string(&text, ",\"loose\":");
+    bat_text_integer(&text, (uint64_t)loose);
+    bat_text_string(&text, ",\"pictures\":");
+    bat_text_integer(&text, (uint64_t)bat_tracing_count(document));
+    bat_text_string(&text, "}");
+    bat_text_add(&text, "", 1);
+    if (text.failed) {
+        bat_text_free(&text);
+        return NULL;
+    }
+    free(editor->layers);
+    editor->layers = text.data;
+    return editor->layers;
+}

@@ -1,0 +1,40 @@
+/* Property values: numbers within the ranges of the table. */
+#include "editor/editor.h"
+#include "editor/edit/style.h"
+#include <math.h>
+
+bat_status bat_editor_set(bat_editor *editor, const char *property, double value) {
+    bat_property_id id = bat_property_named(property);
+    if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
+    const bat_property_row *row = bat_property_at(id);
+    if (isnan(value)) return BAT_NUMBER;
+    if (value < row->low || value > row->high) return BAT_ARGUMENT;
+    if (row->type != BAT_PROPERTY_NUMBER && value != floor(value)) return BAT_ARGUMENT;
+    if (bat_styling_is(id)) {
+        /* Who chooses a colour wants to see it. */
+        bat_property_id shown = id == BAT_PROPERTY_STROKE_COLOUR ? BAT_PROPERTY_STROKED
+                                : id == BAT_PROPERTY_FILL_COLOUR ? BAT_PROPERTY_FILLED
+                                                                 : id;
+        bat_styling values[2] = {{id, value}, {shown, 1}};
+        return bat_styling_set(editor, shown == id ? 1 : 2, values);
+    }
+    if (bat_tracing_is(id)) return bat_tracing_set(editor, id, value);
+    if (id == BAT_PROPERTY_FIRST_HINTS) editor->followed = 0;
+    editor->values[id] = value;
+    return bat_leveling_is(id) ? bat_leveling_set(editor, id, value) : BAT_OK;
+}
+
+bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
+    bat_property_id id = bat_property_named(property);
+    if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
+    const bat_shape *shape = id == BAT_PROPERTY_FRAME_RULE ? bat_leveling_shape(editor) : NULL;
+    if (shape) {
+        *value = (double)bat_shape_options_of(shape)->frame;
+        return BAT_OK;
+    }
+    const bat_style *style = bat_styling_is(id) ? bat_styling_selected(editor) : NULL;
+    *value = style                ? bat_styling_value(style, id)
+             : bat_tracing_is(id) ? bat_tracing_value(editor, id)
+                                  : editor->values[id];
+    return BAT_OK;
+}

@@ -1,0 +1,496 @@
+#include "editor/edit/arrange.h"
+#include "document/nesting.h"
+#include "editor/edit/affine.h"
+#include "editor/editor.h"
+#include "editor/session/reorder.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bat_status bat_arrange_roots(const bat_editor *editor, int **roots, int *count) {
+    const bat_document *document = editor->document;
+    const bat_selection *selection = &editor->selection;
+    if (!selection->count) return BAT_STATE;
+    int *found = malloc((size_t)selection->count * sizeof *found), n = 0;
+    if (!found) return BAT_MEMORY;
+    for (int i = 0; i < bat_document_count(document) && n < selection->count;) {
+        if (bat_selection_has(selection, bat_object_id(bat_document_at(document, i)))) {
+            found[n++] = i;
+            i = bat_document_end(document, i);
+        } else {
+            i++;
+        }
+    }
+    if (!n) {
+        free(found);
+        return BAT_STATE;
+    }
+    *roots = found;
+    *count = n;
+    return BAT_OK;
+}
+
+bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (int i = first; i < end; i++) {
+        double own[4];
+        bat_object_bounds(bat_document_at(document, i), own);
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], own[k]);
+            box[k + 2] = fmax(box[k + 2], own[k + 2]);
+        }
+    }
+    return box[0] <= box[2];
+}
+
+bool bat_arrange_selection_box(const bat_editor *editor, double box[4]) {
+    const bat_document *document = editor->document;
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < bat_document_count(document) && editor->selection.count;) {
+        int end = i + 1;
+        if (bat_selection_has(&editor->selection, bat_object_id(bat_document_at(document, i)))) {
+            double own[4];
+            end = bat_document_end(document, i);
+            bat_arrange_box(document, i, end, own);
+            for (int k = 0; k < 2; k++) {
+                box[k] = fmin(box[k], own[k]);
+                box[k + 2] = fmax(box[k + 2], own[k + 2]);
+            }
+        }
+        i = end;
+    }
+    return box[0] <= box[2];
+}
+
+int bat_arrange_whole(const bat_editor *editor, int index) {
+    const bat_document *document = editor->document;
+    for (;;) {
+        bat_id parent = bat_object_parent(bat_document_at(document, index));
+        int at = parent ? bat_document_find(document, parent) : -1;
+        if (at < 0 || parent == editor->entered ||
+            bat_object_kind(bat_document_at(document, at)) == BAT_KIND_LAYER)
+            return index;
+        index = at;
+    }
+}
+
+int bat_arrange_place(const bat_editor *editor, bat_id *parent) {
+    const bat_document *document = editor->document;
+    int at = -1;
+    bat_nesting nesting = {0};
+    for (int i = 0; i < bat_document_count(document) && editor->layer && at < 0; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, object, &level);
+        if (bat_object_id(object) == editor->layer && !level.hidden && !level.locked) at = i;
+    }
+    *parent = at < 0 ? 0 : editor->layer;
+    return at < 0 ? bat_document_count(document) : bat_document_end(document, at);
+}
+
+bat_status bat_arrange_insert(bat_editor *editor, const bat_object *object) {
+    bat_id parent;
+    int index = bat_arrange_place(editor, &parent);
+    bat_object *placed = NULL;
+    bat_status status = bat_object_with_parent(object, parent, &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(editor, index, placed);
+    bat_object_release(placed);
+    return status;
+}
+
+/* Commits, or takes everything back. */
+static bat_status finish(bat_editor *editor, bat_status status, bat_string label) {
+    if (status == BAT_OK) return bat_transaction_commit(editor, label, NULL);
+    bat_transaction_cancel(editor);
+    return status;
+}
+
+static bat_status apply(bat_editor *editor, bat_listing *listing, bat_string label) {
+    bat_status status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = finish(editor, bat_listing_apply(listing, editor), label);
+    bat_listing_free(listing);
+    return status;
+}
+
+/* The images of objects first..end, groups left aside; within a transaction. */
+static bat_status transform_range(bat_editor *editor, int first, int end, const double matrix[6]) {
+    bool strokes = editor->values[BAT_PROPERTY_SCALE_STROKES] != 0;
+    for (int i = first; i < end; i++) {
+        const bat_object *before = bat_document_at(editor->document, i);
+        bat_object *after = NULL;
+        if (bat_object_is_group(before)) continue;
+        bat_status status = bat_affine_object(before, matrix, strokes, &after);
+        if (status == BAT_OK) status = bat_transaction_replace(editor, i, after);
+        bat_object_release(after);
+        if (status != BAT_OK) return status;
+    }
+    return BAT_OK;
+}
+
+bat_status bat_arrange_transform(bat_editor *editor, const double matrix[6], bat_string label) {
+    int *roots, count;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        for (int i = 0; i < count && status == BAT_OK; i++)
+            status = transform_range(editor, roots[i], bat_document_end(editor->document, roots[i]), matrix);
+        status = finish(editor, status, label);
+    }
+    free(roots);
+    return status;
+}
+
+/* Whether anything but groups is in first..end, and `gone` does not hold it all. */
+static bool has_paths(const bat_document *document, int first, int end, const bool *gone) {
+    for (int i = first; i < end; i++)
+        if (!gone[i] && !bat_object_is_group(bat_document_at(document, i))) return true;
+    return false;
+}
+
+bat_status bat_arrange_delete(bat_editor *editor) {
+    const bat_document *document = editor->document;
+    int *roots, count, all = bat_document_count(document);
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    bool *gone = calloc((size_t)all + 1, sizeof *gone);
+    bat_listing listing = {.failed = !gone};
+    for (int i = 0; i < count && gone; i++)
+        for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) gone[k] = true;
+    /* A group that the deletion leaves empty goes too; a layer stays. */
+    for (int i = 0; i < all && gone; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        int end = bat_object_kind(object) == BAT_KIND_GROUP ? bat_document_end(document, i) : i;
+        bool emptied = false;
+        for (int k = i + 1; k < end && !emptied; k++) emptied = gone[k];
+        if (!gone[i] && emptied && !has_paths(document, i, end, gone))
+            for (int k = i; k < end; k++) gone[k] = true;
+    }
+    for (int i = 0; i < all && gone; i++)
+        if (!gone[i]) bat_listing_add(&listing, bat_document_at(document, i));
+    free(gone);
+    free(roots);
+    return apply(editor, &listing, BAT_STRING_STEP_DELETE);
+}
+
+/* Copies of objects first..end with new ids, moved; the parents among them are mapped. */
+static void copy_range(bat_editor *editor, bat_listing *listing, int first, int end, const double matrix[6]) {
+    const bat_document *document = editor->document;
+    int start = listing->count;
+    for (int i = first; i < end && !listing->failed; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_object *copy = NULL, *placed = NULL, *moved = NULL;
+        bat_id parent = bat_object_parent(object);
+        if (i > first) { /* the group is one of those just copied */
+            int at = bat_document_find(document, parent);
+            parent = bat_object_id(listing->objects[start + at - first]);
+        }
+        bat_status status = bat_object_with_id(object, bat_document_new_id(editor->document), &copy);
+        if (status == BAT_OK) status = bat_object_with_parent(copy, parent, &placed);
+        if (status == BAT_OK && !bat_object_is_group(placed))
+            status = bat_affine_object(placed, matrix, false, &moved);
+        bat_object_release(copy);
+        if (moved) {
+            bat_object_release(placed);
+            placed = moved;
+        }
+        if (status != BAT_OK) {
+            bat_object_release(placed);
+            placed = NULL;
+        }
+        bat_listing_take(listing, placed);
+    }
+}
+
+bool bat_arrange_entered(const bat_editor *editor, int index) {
+    const bat_object *whole = bat_document_at(editor->document, bat_arrange_whole(editor, index));
+    return !editor->entered || bat_object_parent(whole) == editor->entered;
+}
+
+bool bat_arrange_leave(bat_editor *editor) {
+    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
+    if (at < 0) return false;
+    bat_id parent = bat_object_parent(bat_document_at(editor->document, at));
+    int outer = parent ? bat_document_find(editor->document, parent) : -1;
+    bool group = outer >= 0 && bat_object_kind(bat_document_at(editor->document, outer)) == BAT_KIND_GROUP;
+    bat_selection_clear(&editor->selection);
+    bat_selection_add(&editor->selection, editor->entered); /* without memory: not selected */
+    editor->entered = group ? parent : 0;
+    return true;
+}
+
+/* Within the open transaction, or as a step of its own. */
+static bat_status duplicate(bat_editor *editor, double dx, double dy, bool open) {
+    const bat_document *document = editor->document;
+    int *roots, count, at = 0;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    bat_listing listing = {0};
+    double matrix[6];
+    bat_affine_translation(dx, dy, matrix);
+    bat_id *copies = malloc((size_t)count * sizeof *copies);
+    if (!copies) listing.failed = true;
+    for (int i = 0; i < count && !listing.failed; i++) {
+        int end = bat_document_end(document, roots[i]);
+        bat_listing_range(&listing, document, at, end);
+        int first = listing.count;
+        copy_range(editor, &listing, roots[i], end, matrix);
+        if (!listing.failed) copies[i] = bat_object_id(listing.objects[first]);
+        at = end;
+    }
+    bat_listing_range(&listing, document, at, bat_document_count(document));
+    if (open) {
+        status = bat_listing_apply(&listing, editor);
+        bat_listing_free(&listing);
+    } else {
+        status = apply(editor, &listing, BAT_STRING_STEP_DUPLICATE);
+    }
+    if (status == BAT_OK && copies) {
+        bat_selection_clear(&editor->selection);
+        for (int i = 0; i < count; i++) bat_selection_add(&editor->selection, copies[i]);
+    }
+    free(copies);
+    free(roots);
+    return status;
+}
+
+bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
+    return duplicate(editor, dx, dy, false);
+}
+
+bat_status bat_arrange_lift(bat_editor *editor) {
+    bat_status status = bat_transaction_begin(editor);
+    return status == BAT_OK ? duplicate(editor, 0, 0, true) : status;
+}
+
+static void add_with_parent(bat_listing *listing, const bat_object *object, bat_id parent) {
+    bat_object *placed = NULL;
+    bat_object_with_parent(object, parent, &placed);
+    bat_listing_take(listing, placed);
+}
+
+bat_status bat_arrange_group(bat_editor *editor) {
+    const bat_document *document = editor->document;
+    int *roots, count, next = 0;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    bool layers = false;
+    for (int i = 0; i < count; i++)
+        layers = layers || bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
+    if (count < 2 || layers) {
+        free(roots);
+        return BAT_STATE;
+    }
+    /* The group takes the place of the root in front, and is where that one was. */
+    int front = roots[count - 1];
+    bat_id id = bat_document_new_id(editor->document);
+    bat_object *group = NULL;
+    bat_listing listing = {0};
+    status = bat_object_create_group(id, NULL, false, &group);
+    if (status != BAT_OK) listing.failed = true;
+    for (int i = 0; i < bat_document_count(document) && !listing.failed;) {
+        bool root = next < count && roots[next] == i;
+        if (!root) {
+            bat_listing_add(&listing, bat_document_at(document, i++));
+            continue;
+        }
+        next++;
+        int end = bat_document_end(document, i);
+        if (i == front) {
+            add_with_parent(&listing, group, bat_object_parent(bat_document_at(document, front)));
+            for (int k = 0; k < count && !listing.failed; k++) {
+                add_with_parent(&listing, bat_document_at(document, roots[k]), id);
+                bat_listing_range(&listing, document, roots[k] + 1, bat_document_end(document, roots[k]));
+            }
+        }
+        i = end;
+    }
+    bat_object_release(group);
+    free(roots);
+    status = apply(editor, &listing, BAT_STRING_STEP_GROUP);
+    if (status == BAT_OK) {
+        bat_selection_clear(&editor->selection);
+        status = bat_selection_add(&editor->selection, id);
+    }
+    return status == BAT_ARGUMENT ? BAT_STATE : status; /* too deep */
+}
+
+bat_status bat_arrange_ungroup(bat_editor *editor) {
+    const bat_document *document = editor->document;
+    int *roots, count, next = 0, groups = 0, all = bat_document_count(document);
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    bat_listing listing = {0};
+    bat_id *freed = malloc((size_t)all * sizeof *freed);
+    int freed_count = 0;
+    if (!freed) listing.failed = true;
+    for (int i = 0; i < all && !listing.failed;) {
+        const bat_object *object = bat_document_at(document, i);
+        bool root = next < count && roots[next] == i;
+        next += root;
+        if (!root || bat_object_kind(object) != BAT_KIND_GROUP) {
+            if (root) freed[freed_count++] = bat_object_id(object);
+            bat_listing_add(&listing, object);
+            i++;
+            continue;
+        }
+        int end = bat_document_end(document, i);
+        groups++;
+        for (int k = i + 1; k < end && !listing.failed; k++) {
+            const bat_object *member = bat_document_at(document, k);
+            if (bat_object_parent(member) == bat_object_id(object)) {
+                add_with_parent(&listing, member, bat_object_parent(object));
+                freed[freed_count++] = bat_object_id(member);
+            } else {
+                bat_listing_add(&listing, member);
+            }
+        }
+        i = end;
+    }
+    free(roots);
+    if (!groups && !listing.failed) {
+        bat_listing_free(&listing);
+        free(freed);
+        return BAT_STATE;
+    }
+    status = apply(editor, &listing, BAT_STRING_STEP_UNGROUP);
+    if (status == BAT_OK) {
+        bat_selection_clear(&editor->selection);
+        for (int i = 0; i < freed_count; i++) bat_selection_add(&editor->selection, freed[i]);
+        bat_selection_prune(&editor->selection, editor->document);
+    }
+    free(freed);
+    return status;
+}
+
+/* ---- order ---- */
+
+/* Puts the chosen ones of the siblings where the order has them; each keeps its neighbours' order. */
+static void permute(int *siblings, const bool *chosen, int *spare, int count, bat_order order) {
+    bool forward = order == BAT_ORDER_FORWARD || order == BAT_ORDER_FRONT;
+    if (order == BAT_ORDER_BACK || order == BAT_ORDER_FRONT) {
+        int n = 0;
+        for (int pass = 0; pass < 2; pass++)
+            for (int i = 0; i < count; i++)
+                if (chosen[siblings[i]] == (forward == (pass == 1))) spare[n++] = siblings[i];
+        memcpy(siblings, spare, (size_t)count * sizeof *siblings);
+        return;
+    }
+    for (int k = 1; k < count; k++) {
+        int i = forward ? count - 1 - k : k, other = forward ? i + 1 : i - 1;
+        if (!chosen[siblings[i]] || chosen[siblings[other]]) continue;
+        int moved = siblings[i];
+        siblings[i] = siblings[other];
+        siblings[other] = moved;
+    }
+}
+
+/* Lists what is in first..end, siblings in their new order, and what is in them. */
+static void list_ordered(const bat_document *document, int first, int end, const bool *chosen,
+                         bat_order order, bat_listing *listing) {
+    int count = 0, *siblings = first < end ? malloc(2 * (size_t)(end - first) * sizeof *siblings) : NULL;
+    if (first < end && !siblings) listing->failed = true;
+    if (!siblings) return;
+    for (int i = first; i < end; i = bat_document_end(document, i)) siblings[count++] = i;
+    permute(siblings, chosen, siblings + (end - first), count, order);
+    for (int i = 0; i < count && !listing->failed; i++) {
+        int at = siblings[i];
+        bat_listing_add(listing, bat_document_at(document, at));
+        list_ordered(document, at + 1, bat_document_end(document, at), chosen, order, listing);
+    }
+    free(siblings);
+}
+
+bat_status bat_arrange_order(bat_editor *editor, bat_order order) {
+    const bat_document *document = editor->document;
+    int *roots, count, all = bat_document_count(document);
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    bat_listing listing = {0};
+    bool *chosen = calloc((size_t)all + 1, sizeof *chosen), same = true;
+    if (!chosen) listing.failed = true;
+    for (int i = 0; i < count && chosen; i++) chosen[roots[i]] = true;
+    if (!listing.failed) list_ordered(document, 0, all, chosen, order, &listing);
+    for (int i = 0; i < listing.count && same; i++) same = listing.objects[i] == bat_document_at(document, i);
+    free(chosen);
+    free(roots);
+    if (same && !listing.failed) {
+        bat_listing_free(&listing);
+        return BAT_STATE;
+    }
+    return apply(editor, &listing, BAT_STRING_STEP_ORDER);
+}
+
+/* ---- align and distribute ---- */
+
+bat_status bat_arrange_align(bat_editor *editor, bat_align align) {
+    const bat_document *document = editor->document;
+    int *roots, count, axis = align >= BAT_ALIGN_TOP;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    double whole[4], page[4], share = (align % 3) / 2.0;
+    bat_arrange_selection_box(editor, whole);
+    if (count == 1) {
+        bat_document_page(document, page);
+        memcpy(whole, (double[]){page[0], page[1], page[0] + page[2], page[1] + page[3]}, sizeof whole);
+        if (!(page[2] > 0)) status = BAT_STATE;
+    }
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        for (int i = 0; i < count && status == BAT_OK; i++) {
+            int end = bat_document_end(document, roots[i]);
+            double box[4], matrix[6], by;
+            if (!bat_arrange_box(document, roots[i], end, box)) continue;
+            by = whole[axis] + share * (whole[axis + 2] - whole[axis]) -
+                 (box[axis] + share * (box[axis + 2] - box[axis]));
+            bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
+            if (by != 0) status = transform_range(editor, roots[i], end, matrix);
+        }
+        status = finish(editor, status, BAT_STRING_STEP_ALIGN);
+    }
+    free(roots);
+    return status;
+}
+
+typedef struct middle {
+    double at;
+    int root;
+} middle;
+
+static int compare_middles(const void *a, const void *b) {
+    const middle *x = a, *y = b;
+    return x->at != y->at ? (x->at > y->at) - (x->at < y->at) : (x->root > y->root) - (x->root < y->root);
+}
+
+bat_status bat_arrange_distribute(bat_editor *editor, int axis) {
+    const bat_document *document = editor->document;
+    int *roots, count, n = 0;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    middle *middles = malloc((size_t)count * sizeof *middles);
+    if (!middles) status = BAT_MEMORY;
+    for (int i = 0; i < count && middles; i++) {
+        double box[4];
+        if (bat_arrange_box(document, roots[i], bat_document_end(document, roots[i]), box))
+            middles[n++] = (middle){box[axis] / 2 + box[axis + 2] / 2, roots[i]};
+    }
+    free(roots);
+    if (status == BAT_OK && n < 3) status = BAT_STATE;
+    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) {
+        qsort(middles, (size_t)n, sizeof *middles, compare_middles); /* no ties */
+        double first = middles[0].at, step = (middles[n - 1].at - first) / (n - 1);
+        for (int i = 1; i < n - 1 && status == BAT_OK; i++) {
+            double matrix[6], by = first + i * step - middles[i].at;
+            bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
+            if (by != 0)
+                status = transform_range(editor, middles[i].root, bat_document_end(document, middles[i].root),
+                                         matrix);
+        }
+        status = finish(editor, status, BAT_STRING_STEP_DISTRIBUTE);
+    }
+    free(middles);
+    return status;
+}

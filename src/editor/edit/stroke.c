@@ -1,0 +1,147 @@
+#include "editor/edit/stroke.h"
+#include "editor/editor.h"
+#include "editor/edit/stroke_record.h"
+#include "editor/edit/curves_of.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* One row a kind: its name in the journal, and what undo says of it. */
+static const struct {
+    const char *name;
+    bat_string label;
+} KINDS[BAT_EDIT_COUNT] = {
+    [BAT_EDIT_NEW] = {"sketch-new", BAT_STRING_STEP_NEW},
+    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
+    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
+    [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
+    [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
+};
+
+const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
+bat_string bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
+
+bat_edit_kind bat_edit_named(const char *name) {
+    int i = 0;
+    while (i < BAT_EDIT_COUNT && strcmp(KINDS[i].name, name)) i++;
+    return (bat_edit_kind)i;
+}
+
+const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {
+    const bat_object *found = bat_document_at(document, bat_document_find(document, object));
+    if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
+    const bat_curve *target = bat_object_curve(found, curve);
+    return bat_curve_dimension(target) == 2 ? target : NULL;
+}
+
+static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out,
+                          bat_sketch_report *report) {
+    const bat_document *document = editor->document;
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
+    const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
+    if (!target) return BAT_ARGUMENT;
+    if (edit->kind == BAT_EDIT_LEVEL) {
+        bat_shape *shape = NULL;
+        bat_status status = bat_edit_shape(editor, edit, &shape, report);
+        if (!shape) return status;
+        bat_status copied = bat_shape_flatten(shape, out);
+        bat_shape_free(shape);
+        return copied == BAT_OK ? status : copied;
+    }
+    if (edit->kind == BAT_EDIT_REDRAW) return bat_sketch(target, &stroke, &edit->options, out, report);
+    if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
+    const bat_curve *other = bat_edit_target(document, edit->other, edit->other_curve);
+    if (!other || other == target) return BAT_ARGUMENT;
+    return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
+}
+
+bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+                            bat_curve **out, bat_sketch_report *report) {
+    bat_curve *curve = NULL;
+    *report = (bat_sketch_report){0};
+    bat_status status = live ? bat_sketch_commit(live, &curve, report)
+                             : compute(editor, edit, &curve, report);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    if (!curve) return BAT_SINGULAR;
+    *out = curve;
+    return status;
+}
+
+/* The object without one of its curves; *out NULL when none is left. */
+static bat_status without_curve(const bat_object *object, int index, bat_object **out) {
+    int count = bat_object_curve_count(object), kept = 0;
+    *out = NULL;
+    if (count == 1) return BAT_OK;
+    bat_curve **curves = calloc((size_t)count, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++)
+        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
+            kept++;
+    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
+    if (status != BAT_OK)
+        for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
+    free(curves);
+    return status;
+}
+
+/* The curve is only what has been shown of it. */
+static bat_status put_level(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    bat_shape *shape = NULL;
+    bat_curve_free(curve);
+    bat_sketch_report report = {0};
+    bat_status status = bat_edit_shape(editor, edit, &shape, &report);
+    return shape ? bat_leveling_put_at(editor, edit->object, edit->curve, shape) : status;
+}
+
+/* Takes the curve over, whatever it returns. */
+static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    const bat_document *document = editor->document;
+    bat_object *object = NULL, *placed = NULL;
+    bat_status status = bat_object_create_path(edit->object, NULL, &edit->style, 1, &curve, &object);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    int layer = edit->parent ? bat_document_find(document, edit->parent) : -1;
+    int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
+    status = edit->parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, edit->parent, &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(editor, index, placed);
+    bat_object_release(placed);
+    bat_object_release(object);
+    return status;
+}
+
+static bat_status remove_curve(bat_editor *editor, bat_id id, int index) {
+    int at = bat_document_find(editor->document, id);
+    if (at < 0) return BAT_ARGUMENT;
+    bat_object *after = NULL;
+    bat_status status = without_curve(bat_document_at(editor->document, at), index, &after);
+    if (status != BAT_OK) return status;
+    status = after ? bat_transaction_replace(editor, at, after) : bat_transaction_remove(editor, at);
+    bat_object_release(after);
+    return status;
+}
+
+bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+    bat_text line = {0};
+    bat_edit_write(edit, &line);
+    bat_status status = bat_transaction_begin(editor);
+    if (status != BAT_OK)
+        bat_curve_free(curve);
+    else if (edit->kind == BAT_EDIT_NEW)
+        status = insert_new(editor, edit, curve);
+    else if (edit->kind == BAT_EDIT_LEVEL)
+        status = put_level(editor, edit, curve);
+    else
+        status = bat_put_curve(editor, edit->object, edit->curve, curve);
+    /* The joined curve replaces the first; the second has become part of it. */
+    if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
+        status = remove_curve(editor, edit->other, edit->other_curve);
+    if (status == BAT_OK)
+        status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
+    else
+        bat_transaction_cancel(editor);
+    bat_text_free(&line);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_first_follow(editor, BAT_FIRST_DRAW);
+    return status;
+}

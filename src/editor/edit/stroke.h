@@ -1,0 +1,63 @@
+/*
+ * An edit: one change of the document with all that it needs to be made again, anywhere, with the same
+ * result. Tools make edits, the journal keeps them, replay performs them: the same two calls for all three.
+ * A new kind of edit adds a row to KINDS in edit.c, its case in bat_edit_commit, and its words in
+ * strings.def.
+ */
+#ifndef BATTEN_EDITOR_EDIT_STROKE_H
+#define BATTEN_EDITOR_EDIT_STROKE_H
+
+#include "editor/input/samples.h"
+#include "editor/tables/tables.h"
+
+typedef enum bat_edit_kind {
+    BAT_EDIT_NEW,
+    BAT_EDIT_REDRAW,
+    BAT_EDIT_SMOOTH,
+    BAT_EDIT_JOIN,
+    BAT_EDIT_LEVEL,
+    BAT_EDIT_COUNT
+} bat_edit_kind;
+
+/* What a stroke over a curve with levels does when it does not name one. */
+typedef enum bat_level_choice {
+    BAT_LEVEL_AUTO = -1, /* the coarsest that comes within the tolerance follows it */
+    BAT_LEVEL_FREE = -2, /* the base is redrawn with its knots, details kept */
+    BAT_LEVEL_BARE = -3  /* the same, details under the stroke dropped */
+} bat_level_choice;
+
+typedef struct bat_edit {
+    bat_edit_kind kind;
+    bat_id object; /* the object changed; NEW: the id it gets */
+    int curve;
+    int level;    /* LEVEL: the one redrawn, or a bat_level_choice */
+    bat_id other; /* JOIN: the object joined to it */
+    int other_curve;
+    bat_view view; /* the stroke's samples are view pixels of this view */
+    bat_sketch_options options;
+    bat_style style; /* NEW */
+    bat_id parent;   /* NEW: the layer it goes into; 0: none */
+    bool accepted;   /* the user said yes to a fit that misses the tolerance */
+    bat_samples samples;
+} bat_edit;
+
+const char *bat_edit_name(bat_edit_kind kind);
+bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */
+bat_string bat_edit_label(bat_edit_kind kind);
+
+/* The curve an edit works on, or NULL when the document has none such. */
+const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
+/*
+ * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
+ * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.
+ */
+bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+                            bat_curve **out, bat_sketch_report *report);
+/* The shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
+bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+                          bat_sketch_report *report);
+/* Puts the curve into the document as one step of the history and one line of the journal, or changes
+ * nothing. Takes the curve over, whatever it returns. */
+bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve);
+
+#endif

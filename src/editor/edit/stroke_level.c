@@ -1,0 +1,80 @@
+/* A stroke over a curve with levels: one of them follows it, and what lies above rides along. */
+#include "editor/edit/stroke.h"
+#include "editor/editor.h"
+#include <batten/nearest.h>
+#include <math.h>
+
+enum { MEASURED = 64 }; /* samples that decide whether a level can follow the stroke */
+
+static double miss(const bat_shape *shape, const bat_samples *samples) {
+    bat_finder *finder = NULL;
+    double worst = 0;
+    size_t step = samples->count / MEASURED + 1;
+    if (bat_finder_create(bat_shape_curve(shape, bat_shape_levels(shape)), &finder) != BAT_OK)
+        return INFINITY;
+    for (size_t i = 0; i < samples->count; i += step) {
+        bat_near near;
+        bat_finder_nearest(finder, samples->points + 2 * i, &near);
+        worst = fmax(worst, near.distance);
+    }
+    bat_finder_free(finder);
+    return worst;
+}
+
+static bat_status at_level(const bat_shape *from, const bat_edit *edit, int level, bat_shape **out) {
+    bat_shape *shape = NULL;
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    bat_status status = bat_shape_copy(from, &shape);
+    if (status == BAT_OK) status = bat_shape_sketch_stroke(shape, level, &stroke, &edit->options);
+    if (status == BAT_OK) status = bat_shape_commit(shape);
+    if (status != BAT_OK)
+        bat_shape_free(shape);
+    else
+        *out = shape;
+    return status;
+}
+
+static bat_status freely(const bat_shape *from, const bat_edit *edit, bat_shape **out,
+                         bat_sketch_report *report) {
+    bat_shape *shape = NULL;
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    bat_status status = bat_shape_redraw(from, &stroke, &edit->options, edit->level == BAT_LEVEL_BARE, &shape,
+                                         report);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    bat_status done = bat_shape_commit(shape);
+    if (done != BAT_OK) {
+        bat_shape_free(shape);
+        return done;
+    }
+    *out = shape;
+    return status;
+}
+
+bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+                          bat_sketch_report *report) {
+    const bat_object *object = bat_document_at(editor->document,
+                                               bat_document_find(editor->document, edit->object));
+    const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
+    if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != 2) return BAT_ARGUMENT;
+    int top = bat_shape_levels(from);
+    if (edit->level >= 0) return edit->level <= top ? at_level(from, edit, edit->level, out) : BAT_ARGUMENT;
+    if (edit->level != BAT_LEVEL_AUTO) return freely(from, edit, out, report);
+    bat_shape *best = NULL; /* the finest when none is near enough */
+    bat_status status = BAT_STATE;
+    for (int level = 0; level <= top; level++) {
+        bat_shape *shape = NULL;
+        bat_status now = at_level(from, edit, level, &shape);
+        if (now == BAT_STATE) continue; /* silent */
+        status = now;
+        if (now != BAT_OK) break;
+        bool near = miss(shape, &edit->samples) <= edit->options.tolerance;
+        bat_shape_free(best);
+        best = shape;
+        if (near) break;
+    }
+    if (status == BAT_OK)
+        *out = best;
+    else
+        bat_shape_free(best);
+    return status;
+}

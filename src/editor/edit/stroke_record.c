@@ -1,0 +1,271 @@
+#include "editor/edit/stroke_record.h"
+#include "editor/session/journal_line.h"
+#include "editor/view/view.h"
+#include <math.h>
+#include <string.h>
+#include <stdio.h>
+
+static void number(bat_text *line, const char *name, double value) {
+    bat_text_string(line, ",\"");
+    bat_text_string(line, name);
+    bat_text_string(line, "\":");
+    bat_line_number(line, value);
+}
+
+/* All the same: one number stands for all. */
+static size_t distinct(const double *numbers, size_t count) {
+    for (size_t i = 1; i < count; i++)
+        if (numbers[i] != numbers[0]) return count;
+    return count ? 1 : 0;
+}
+
+static void pairs(bat_text *line, const double *numbers, size_t count) {
+    bat_text_string(line, "[");
+    for (size_t i = 0; i < count; i++) {
+        if (i) bat_text_string(line, ",");
+        bat_line_numbers(line, numbers + 2 * i, 2, 1);
+    }
+    bat_text_string(line, "]");
+}
+
+static void stroke(bat_text *line, const bat_samples *samples) {
+    size_t n = samples->count;
+    bat_text_string(line, ",\"stroke\":{\"points\":");
+    pairs(line, samples->pixels, n);
+    bat_text_string(line, ",\"pressure\":");
+    bat_line_numbers(line, samples->pressure, distinct(samples->pressure, n), 1);
+    bat_text_string(line, ",\"time\":");
+    bat_line_numbers(line, samples->time, n, 1);
+    bool tilted = false;
+    for (size_t i = 0; i < 2 * n; i++) tilted = tilted || samples->tilt[i] != 0;
+    if (tilted) {
+        bat_text_string(line, ",\"tilt\":");
+        pairs(line, samples->tilt, n);
+    }
+    bat_text_string(line, "}");
+}
+
+/* What is not as usual. */
+static void write_style(bat_text *line, const bat_style *style) {
+    bat_style usual = bat_style_defaults();
+    if (style->stroked != usual.stroked) number(line, "stroked", style->stroked);
+    if (style->filled != usual.filled) number(line, "filled", style->filled);
+    if (style->fill != usual.fill) number(line, "fill_colour", style->fill);
+    if (style->opacity != usual.opacity) number(line, "opacity", style->opacity);
+    if (style->cap != usual.cap) number(line, "cap", (double)style->cap);
+    if (style->join != usual.join) number(line, "join", (double)style->join);
+}
+
+void bat_edit_write(const bat_edit *edit, bat_text *line) {
+    bat_text_string(line, "{\"do\":\"");
+    bat_text_string(line, bat_edit_name(edit->kind));
+    bat_text_string(line, "\"");
+    number(line, "object", (double)edit->object);
+    if (edit->kind != BAT_EDIT_NEW) number(line, "curve", edit->curve);
+    if (edit->kind == BAT_EDIT_LEVEL) number(line, "level", edit->level);
+    if (edit->kind == BAT_EDIT_JOIN) {
+        number(line, "other", (double)edit->other);
+        number(line, "other_curve", edit->other_curve);
+    }
+    if (edit->kind == BAT_EDIT_NEW) {
+        number(line, "stroke_colour", edit->style.stroke);
+        number(line, "stroke_width", edit->style.width);
+        write_style(line, &edit->style);
+        if (edit->parent) number(line, "parent", (double)edit->parent);
+    }
+    number(line, "tolerance", edit->options.tolerance);
+    number(line, "pixel", edit->options.pixel);
+    number(line, "pins", edit->options.pins);
+    number(line, "width", edit->options.width);
+    bat_text_string(line, edit->options.keep_corners ? ",\"keep_corners\":true" : ",\"keep_corners\":false");
+    number(line, "smooth_limit", edit->options.smooth_limit);
+    if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
+    bat_text_string(line, ",\"view\":");
+    const bat_view *view = &edit->view;
+    bat_line_numbers(line, (double[]){view->x, view->y, view->zoom, view->angle}, view->angle == 0 ? 3 : 4,
+                     1);
+    stroke(line, &edit->samples);
+}
+
+/* ---- and back ---- */
+
+bat_status bat_edit_number(const bat_json *json, uint32_t object, const char *name, double low, double high,
+                           const double *otherwise, double *out, bat_problem *problem) {
+    char expected[80];
+    uint32_t node = bat_json_member(json, object, name);
+    if (!node && otherwise) {
+        *out = *otherwise;
+        return BAT_OK;
+    }
+    if (bat_json_type_of(json, node) == BAT_JSON_NUMBER) {
+        double value = json->nodes[node].value.number;
+        if (value >= low && value <= high) {
+            *out = value;
+            return BAT_OK;
+        }
+    }
+    snprintf(expected, sizeof expected, "a number from %g to %g", low, high);
+    return bat_json_complain(json, node ? node : object, BAT_ARGUMENT, name, expected, problem);
+}
+
+/* A reader that stops at the first fault. */
+typedef struct reader {
+    const bat_json *json;
+    uint32_t object;
+    bat_problem *problem;
+    bat_status status;
+} reader;
+
+static double read(reader *r, const char *name, double low, double high, const double *otherwise) {
+    double value = 0;
+    if (r->status == BAT_OK)
+        r->status = bat_edit_number(r->json, r->object, name, low, high, otherwise, &value, r->problem);
+    return value;
+}
+
+static int read_whole(reader *r, const char *name, double low, double high) {
+    double value = read(r, name, low, high, NULL);
+    if (r->status == BAT_OK && value != floor(value))
+        r->status = bat_json_complain(r->json, bat_json_member(r->json, r->object, name), BAT_ARGUMENT, name,
+                                      "a whole number", r->problem);
+    return (int)value;
+}
+
+static void read_style(reader *r, bat_style *style) {
+    const double stroked = style->stroked, filled = style->filled, fill = style->fill,
+                 cap = (double)style->cap, join = (double)style->join;
+    style->stroked = read(r, "stroked", 0, 1, &stroked) != 0;
+    style->filled = read(r, "filled", 0, 1, &filled) != 0;
+    style->fill = (uint32_t)read(r, "fill_colour", 0, 4294967295.0, &fill);
+    style->opacity = read(r, "opacity", 0, 1, &style->opacity);
+    style->cap = (bat_cap)(int)read(r, "cap", 0, 2, &cap);
+    style->join = (bat_join)(int)read(r, "join", 0, 2, &join);
+}
+
+static bool read_switch(reader *r, const char *name) {
+    return bat_json_type_of(r->json, bat_json_member(r->json, r->object, name)) == BAT_JSON_TRUE;
+}
+
+static double item_number(const bat_json *json, uint32_t node) {
+    return bat_json_type_of(json, node) == BAT_JSON_NUMBER ? json->nodes[node].value.number : NAN;
+}
+
+static bool item_pair(const bat_json *json, uint32_t node, double limit, double out[2]) {
+    if (bat_json_count(json, node) != 2) return false;
+    uint32_t x = bat_json_first(json, node);
+    out[0] = item_number(json, x);
+    out[1] = item_number(json, json->nodes[x].next);
+    return fabs(out[0]) <= limit && fabs(out[1]) <= limit;
+}
+
+/* One number a sample, one for all, or none at all. */
+static bool column_fits(const bat_json *json, uint32_t list, uint32_t count) {
+    uint32_t found = bat_json_count(json, list);
+    return !list || found == count || (bat_json_type_of(json, list) == BAT_JSON_LIST && found == 1);
+}
+
+static uint32_t following(const bat_json *json, uint32_t node, uint32_t all) {
+    return node && all > 1 ? json->nodes[node].next : node;
+}
+
+static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *edit, bat_problem *problem) {
+    uint32_t points = bat_json_member(json, stroke, "points"),
+             pressure = bat_json_member(json, stroke, "pressure");
+    uint32_t time = bat_json_member(json, stroke, "time"), tilt = bat_json_member(json, stroke, "tilt");
+    uint32_t count = bat_json_count(json, points);
+    if (count < 1 || count > BAT_SAMPLES_MAX)
+        return bat_json_complain(json,
+                                 points   ? points
+                                 : stroke ? stroke
+                                          : 1,
+                                 BAT_COUNT, "stroke points", "a list of one point or more", problem);
+    if (!column_fits(json, pressure, count) || !column_fits(json, time, count) ||
+        !column_fits(json, tilt, count))
+        return bat_json_complain(json, stroke, BAT_COUNT, "stroke", "lists as long as its points", problem);
+    uint32_t at = bat_json_first(json, points), p = bat_json_first(json, pressure),
+             t = bat_json_first(json, time);
+    uint32_t slant = bat_json_first(json, tilt);
+    double last = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        double pixel[2], lean[2] = {0, 0};
+        if (!item_pair(json, at, BAT_PIXELS_MAX, pixel))
+            return bat_json_complain(json, at, BAT_SYNTAX, "stroke point", "[x, y]", problem);
+        double press = p ? item_number(json, p) : 0, when = t ? item_number(json, t) : 0;
+        if (!(press >= 0 && press <= 1))
+            return bat_json_complain(json, p, BAT_SYNTAX, "pressure", "a number from 0 to 1", problem);
+        if (!(when >= last && when <= 1e13))
+            return bat_json_complain(json, t, BAT_SYNTAX, "time", "milliseconds that do not decrease",
+                                     problem);
+        if (slant && !item_pair(json, slant, 90, lean))
+            return bat_json_complain(json, slant, BAT_SYNTAX, "tilt", "[x, y] in degrees", problem);
+        last = when;
+        bat_status status = bat_samples_add(&edit->samples, &edit->view, pixel, press, when, lean);
+        if (status != BAT_OK) return status;
+        at = json->nodes[at].next;
+        p = following(json, p, bat_json_count(json, pressure));
+        t = following(json, t, bat_json_count(json, time));
+        slant = following(json, slant, bat_json_count(json, tilt));
+    }
+    return BAT_OK;
+}
+
+static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
+    static const double low[4] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180},
+                        high[4] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180};
+    uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
+    uint32_t count = bat_json_count(json, list);
+    double numbers[4] = {0};
+    bool good = count == 3 || count == 4;
+    for (uint32_t k = 0; k < count && good; k++, node = json->nodes[node].next) {
+        numbers[k] = item_number(json, node);
+        good = numbers[k] >= low[k] && numbers[k] <= high[k];
+    }
+    if (!good)
+        return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view",
+                                 "[x, y, zoom] or [x, y, zoom, angle]", problem);
+    *view = bat_view_defaults();
+    view->x = numbers[0];
+    view->y = numbers[1];
+    view->zoom = numbers[2];
+    bat_view_turn(view, numbers[3]);
+    return BAT_OK;
+}
+
+bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *problem) {
+    static const double one = 1, three = 3, none = 0;
+    bat_samples samples = out->samples;
+    bat_samples_clear(&samples);
+    *out = (bat_edit){.samples = samples, .style = bat_style_defaults()};
+    const char *name = bat_json_text(json, bat_json_member(json, 1, "do"));
+    out->kind = bat_edit_named(name ? name : "");
+    if (out->kind == BAT_EDIT_COUNT)
+        return bat_json_say(json, 1, BAT_UNSUPPORTED, "do: no edit has this name", problem);
+    reader r = {json, 1, problem, BAT_OK};
+    const double ids = 2147483647;
+    out->object = (bat_id)read_whole(&r, "object", 1, ids);
+    if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
+    if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);
+    if (out->kind == BAT_EDIT_JOIN) {
+        out->other = (bat_id)read_whole(&r, "other", 1, ids);
+        out->other_curve = read_whole(&r, "other_curve", 0, ids);
+    }
+    if (out->kind == BAT_EDIT_NEW) {
+        const double colour = out->style.stroke;
+        out->style.stroke = (uint32_t)read(&r, "stroke_colour", 0, 4294967295.0, &colour);
+        out->style.width = read(&r, "stroke_width", 0, 1e9, &out->style.width);
+        read_style(&r, &out->style);
+        out->parent = (bat_id)read(&r, "parent", 0, ids, &none);
+    }
+    bat_sketch_options *options = &out->options;
+    *options = bat_sketch_defaults();
+    options->pixel = read(&r, "pixel", 1e-9, 1e9, &one);
+    options->tolerance = read(&r, "tolerance", 1e-9, 1e9, &options->pixel);
+    options->pins = (int)read(&r, "pins", 2, 3, &three);
+    options->width = read(&r, "width", 1, 100, &three);
+    options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
+    options->keep_corners = read_switch(&r, "keep_corners");
+    out->accepted = read_switch(&r, "accepted");
+    if (r.status == BAT_OK) r.status = read_view(json, &out->view, problem);
+    if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);
+    return r.status;
+}

@@ -1,0 +1,40 @@
+/* Contacts: what each pointer that is down is doing. */
+#ifndef BATTEN_EDITOR_INPUT_CONTACTS_H
+#define BATTEN_EDITOR_INPUT_CONTACTS_H
+
+#include <batten/editor.h>
+
+enum { BAT_CONTACTS_MAX = 16 };
+
+typedef enum bat_duty {
+    BAT_DUTY_TOOL,     /* drives the tool; at most one */
+    BAT_DUTY_NAVIGATE, /* pans; two pinch */
+    BAT_DUTY_IGNORED   /* a palm, a second contact, a button without a meaning */
+} bat_duty;
+
+typedef struct bat_contact {
+    uint32_t id;
+    bat_device device;
+    bat_duty duty;
+    double at[2], start[2]; /* view pixels */
+    double start_time;
+} bat_contact;
+
+typedef struct bat_contacts {
+    bat_contact list[BAT_CONTACTS_MAX];
+    int count;
+    double turn; /* degrees that two fingers have turned to; the view lags by the detent */
+} bat_contacts;
+
+/* Index of a contact, or -1. */
+int bat_contacts_find(const bat_contacts *contacts, bat_device device, uint32_t id);
+/* How many have the duty; *first (may be NULL) is the first one's index. */
+int bat_contacts_count(const bat_contacts *contacts, bat_duty duty, int *first);
+void bat_contacts_remove(bat_contacts *contacts, int index);
+/* A second contact navigates from here on: the turn begins at the view's angle. */
+void bat_contacts_pinch(bat_editor *editor);
+/* A navigating contact has come to `to`: pans, or pinches with the one other: zooms and turns. Upright is a
+ * detent: the view rests there while the fingers turn by DETENT degrees to either side. */
+void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]);
+
+#endif

@@ -1,0 +1,64 @@
+#include "editor/input/samples.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 8 };
+
+void bat_samples_clear(bat_samples *samples) { samples->count = 0; }
+
+void bat_samples_free(bat_samples *samples) {
+    free(samples->pixels); /* the block of all columns begins with it */
+    *samples = (bat_samples){0};
+}
+
+static void lay_out(bat_samples *samples, double *block, size_t room) {
+    samples->pixels = block;
+    samples->points = block + 2 * room;
+    samples->tilt = block + 4 * room;
+    samples->pressure = block + 6 * room;
+    samples->time = block + 7 * room;
+    samples->room = room;
+}
+
+static bat_status grow(bat_samples *samples) {
+    size_t room = samples->room ? 2 * samples->room : 256, n = samples->count;
+    double *block = malloc(room * COLUMNS * sizeof *block);
+    if (!block) return BAT_MEMORY;
+    bat_samples old = *samples;
+    lay_out(samples, block, room);
+    if (n) {
+        memcpy(samples->pixels, old.pixels, 2 * n * sizeof *block);
+        memcpy(samples->points, old.points, 2 * n * sizeof *block);
+        memcpy(samples->tilt, old.tilt, 2 * n * sizeof *block);
+        memcpy(samples->pressure, old.pressure, n * sizeof *block);
+        memcpy(samples->time, old.time, n * sizeof *block);
+    }
+    free(old.pixels);
+    return BAT_OK;
+}
+
+double bat_samples_round(double value, double parts) { return round(value * parts) / parts; }
+
+bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
+                           double time, const double tilt[2]) {
+    if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
+    if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
+    size_t i = samples->count++;
+    for (int k = 0; k < 2; k++) {
+        samples->pixels[2 * i + (size_t)k] = pixel[k];
+        samples->tilt[2 * i + (size_t)k] = tilt[k];
+    }
+    bat_view_to_document(view, pixel, samples->points + 2 * i);
+    samples->pressure[i] = pressure;
+    samples->time[i] = time;
+    return BAT_OK;
+}
+
+bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first) {
+    return (bat_stroke){.dimension = 2,
+                        .count = samples->count - first,
+                        .points = samples->points + 2 * first,
+                        .pressure = samples->pressure + first,
+                        .time = samples->time + first};
+}

@@ -1,0 +1,32 @@
+/* The samples of a stroke, as the pen gave them (view pixels) and where they lie (document units). */
+#ifndef BATTEN_EDITOR_INPUT_SAMPLES_H
+#define BATTEN_EDITOR_INPUT_SAMPLES_H
+
+#include "editor/view/view.h"
+#include <batten/editor.h>
+#include <batten/sketch.h>
+
+enum { BAT_SAMPLES_MAX = 1 << 20 };
+
+/* Columns, grown together; time counts from the first sample. */
+typedef struct bat_samples {
+    size_t count, room;
+    double *pixels; /* x y */
+    double *points; /* x y, document units */
+    double *pressure, *time;
+    double *tilt; /* x y, degrees */
+    double start; /* host's time of the first sample */
+} bat_samples;
+
+/* Empties it and keeps the memory. */
+void bat_samples_clear(bat_samples *samples);
+void bat_samples_free(bat_samples *samples);
+/* view: of the stroke. BAT_COUNT when full, BAT_MEMORY; nothing added then. */
+bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
+                           double time, const double tilt[2]);
+/* The samples from `first` on, as the sketch hand takes them; borrowed. */
+bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first);
+/* Rounds to what the journal keeps: 1/100 for pixels, milliseconds and degrees; 1/10000 for pressure. */
+double bat_samples_round(double value, double parts);
+
+#endif

@@ -1,0 +1,22 @@
+/* Taps of several fingers: two undo, three redo. All are down and up again within TAP_TIME and hardly move; a pen
+ * or a mouse at work, or a pen that was there just now, is no company for a tap: that touch is a palm. */
+#ifndef BATTEN_EDITOR_INPUT_TAPS_H
+#define BATTEN_EDITOR_INPUT_TAPS_H
+
+#include "editor/view/view.h"
+#include <batten/editor.h>
+
+typedef struct bat_taps {
+    int fingers; /* that came down since none was; 0: none has */
+    bool spoiled;
+    double began;  /* ms */
+    bat_view view; /* as it was then: what fingers shift while they tap is put back */
+    bool pending;  /* a fit waited for a yes then */
+} bat_taps;
+
+/* Told of every contact: before it gets its duty, as it moves, and after it is gone. */
+void bat_taps_down(bat_editor *editor, const bat_pointer *event);
+void bat_taps_move(bat_editor *editor, const bat_pointer *event, const double start[2]);
+void bat_taps_end(bat_editor *editor, const bat_pointer *event);
+
+#endif

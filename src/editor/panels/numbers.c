@@ -1,0 +1,138 @@
+#include "editor/panels/numbers.h"
+#include "base/real.h"
+#include "editor/edit/affine.h"
+#include "editor/edit/arrange.h"
+#include "editor/editor.h"
+#include <math.h>
+#include <string.h>
+
+/* The chosen control point, or point of a spline. */
+static bool point_now(bat_editor *editor, double place[2]) {
+    if (editor->tool == BAT_TOOL_POINTS) return bat_pointing_chosen(editor, place);
+    const bat_spline *spline = editor->tool == BAT_TOOL_TANGENTS ? bat_splining_spline(editor) : NULL;
+    int point = editor->splining.point;
+    if (!spline || point < 0 || point >= spline->count || spline->dimension != 2) return false;
+    memcpy(place, spline->points + 2 * point, 2 * sizeof *place);
+    return true;
+}
+
+bool bat_number_now(bat_editor *editor, bat_number_id id, double *value) {
+    double box[4], zero[2], place[2], at;
+    bat_editor_zero(editor, zero);
+    switch (id) {
+    case BAT_NUMBER_POINT_X:
+    case BAT_NUMBER_POINT_Y: {
+        int axis = id == BAT_NUMBER_POINT_Y;
+        if (!point_now(editor, place)) return false;
+        *value = place[axis] - zero[axis];
+        return true;
+    }
+    case BAT_NUMBER_GUIDE: {
+        const bat_object *guide = bat_document_at(editor->document, bat_guide_chosen(editor));
+        int axis = guide ? bat_object_guide(guide, &at) : -1;
+        if (axis < 0) return false;
+        *value = at - zero[axis];
+        return true;
+    }
+    default: break;
+    }
+    if (!bat_arrange_selection_box(editor, box)) return false;
+    switch (id) {
+    case BAT_NUMBER_X: *value = box[0] - zero[0]; break;
+    case BAT_NUMBER_Y: *value = box[1] - zero[1]; break;
+    case BAT_NUMBER_WIDTH: *value = box[2] - box[0]; break;
+    case BAT_NUMBER_HEIGHT: *value = box[3] - box[1]; break;
+    default: *value = 0; /* it turns from where it is */
+    }
+    return true;
+}
+
+/* Of the selection: about its upper left corner, turns about its middle and against the clock. */
+static bat_status change_selection(bat_editor *editor, bat_number_id id, double from, double to) {
+    double box[4], matrix[6], factor = to / from;
+    bat_string step = BAT_STRING_STEP_MOVE;
+    bat_arrange_selection_box(editor, box);
+    if (id == BAT_NUMBER_X || id == BAT_NUMBER_Y) {
+        bat_affine_translation(id == BAT_NUMBER_X ? to - from : 0, id == BAT_NUMBER_Y ? to - from : 0,
+                               matrix);
+    } else if (id == BAT_NUMBER_TURN) {
+        double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
+        bat_affine_rotation(-fmod(to, 360) * BAT_PI / 180, about, matrix);
+        step = BAT_STRING_STEP_ROTATE;
+    } else {
+        if (!(from > 0)) return BAT_STATE; /* nothing can be scaled from nothing */
+        if (!(factor > 0 && isfinite(factor))) return BAT_ARGUMENT;
+        bat_affine_scaling(id == BAT_NUMBER_WIDTH ? factor : 1, id == BAT_NUMBER_HEIGHT ? factor : 1, box,
+                           matrix);
+        step = BAT_STRING_STEP_SCALE;
+    }
+    return bat_arrange_transform(editor, matrix, step);
+}
+
+static bat_status change_point(bat_editor *editor, int axis, double by) {
+    double delta[2] = {axis ? 0 : by, axis ? by : 0};
+    if (editor->tool == BAT_TOOL_POINTS) return bat_pointing_shift(editor, delta);
+    bat_splining *s = &editor->splining;
+    bat_status status = bat_splining_load(editor);
+    if (status != BAT_OK) return status;
+    s->draft.points[2 * s->point + axis] += by;
+    return bat_splining_commit(editor, BAT_STRING_STEP_MOVE_POINT);
+}
+
+static bat_status change(bat_editor *editor, bat_number_id id, double from, double to) {
+    if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
+        return change_point(editor, id == BAT_NUMBER_POINT_Y, to - from);
+    if (id != BAT_NUMBER_GUIDE) return change_selection(editor, id, from, to);
+    double at;
+    int axis = bat_object_guide(bat_document_at(editor->document, bat_guide_chosen(editor)), &at);
+    return bat_guide_put(editor, editor->guiding.chosen, axis, at + to - from);
+}
+
+static bat_status enter_property(bat_editor *editor, const char *name, const char *text) {
+    bat_property_id id = bat_property_named(name);
+    double value;
+    if (id == BAT_PROPERTY_COUNT || bat_property_at(id)->type != BAT_PROPERTY_NUMBER) return BAT_UNSUPPORTED;
+    bool length = !strcmp(bat_property_at(id)->unit, "unit");
+    bat_status status = bat_unit_read(editor, text, !length, &value);
+    return status == BAT_OK ? bat_editor_set(editor, name, value) : status;
+}
+
+bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text) {
+    bat_number_id id = bat_number_named(name);
+    double from, to;
+    if (!name || !text) return BAT_ARGUMENT;
+    if (id == BAT_NUMBER_COUNT) return enter_property(editor, name, text);
+    if (bat_editor_busy(editor) || editor->transaction.open || !bat_number_now(editor, id, &from))
+        return BAT_STATE;
+    bat_status status = bat_unit_read(editor, text, id == BAT_NUMBER_TURN, &to);
+    if (status != BAT_OK) return status;
+    if (!(fabs(to) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    if (to == from) return BAT_OK;
+    status = change(editor, id, from, to);
+    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+const char *bat_editor_number(bat_editor *editor, const char *name) {
+    bat_number_id id = bat_number_named(name);
+    char *text = editor->number_text;
+    double value;
+    *text = 0;
+    if (id != BAT_NUMBER_COUNT) {
+        if (!bat_number_now(editor, id, &value)) return text;
+        if (id == BAT_NUMBER_TURN)
+            strcpy(text, "0°");
+        else
+            bat_unit_write(editor, value, text);
+        return text;
+    }
+    bat_property_id property = bat_property_named(name);
+    if (property == BAT_PROPERTY_COUNT || bat_editor_get(editor, name, &value) != BAT_OK) return text;
+    const char *unit = bat_property_at(property)->unit;
+    bool pixels = !strcmp(unit, "px"); /* of the view */
+    if (pixels || !strcmp(unit, "unit"))
+        bat_unit_write(editor, pixels ? value * bat_view_pixel(&editor->view) : value, text);
+    else
+        bat_unit_number(value, text);
+    return text;
+}

@@ -1,0 +1,11 @@
+/* Numbers of what is chosen, read and entered as text. */
+#ifndef BATTEN_EDITOR_PANELS_NUMBERS_H
+#define BATTEN_EDITOR_PANELS_NUMBERS_H
+
+#include "editor/tables/tables.h"
+#include "editor/view/unit.h"
+
+/* Document units, or degrees; lengths along an axis count from the page's corner. False: there is no such thing now. */
+bool bat_number_now(bat_editor *editor, bat_number_id id, double *value);
+
+#endif

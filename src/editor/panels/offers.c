@@ -1,0 +1,77 @@
+/* Which commands the selection makes possible: what a row of buttons shows. */
+#include "editor/edit/arrange.h"
+#include "editor/editor.h"
+#include <stdlib.h>
+
+typedef struct facts {
+    int roots, groups, layers; /* roots, and which of them are these */
+    int open, closed;          /* curves */
+    bool page;                 /* there is one to align a single root to */
+} facts;
+
+static bat_status find(const bat_editor *editor, facts *f) {
+    const bat_document *document = editor->document;
+    int *roots, count;
+    double page[4];
+    *f = (facts){0};
+    bat_document_page(document, page);
+    f->page = page[2] > 0 && page[3] > 0;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status == BAT_STATE ? BAT_OK : status;
+    f->roots = count;
+    for (int i = 0; i < count; i++) {
+        f->groups += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_GROUP;
+        f->layers += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
+        for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) {
+            const bat_object *object = bat_document_at(document, k);
+            for (int c = 0; c < bat_object_curve_count(object); c++)
+                ++*(bat_curve_closed(bat_object_curve(object, c)) ? &f->closed : &f->open);
+        }
+    }
+    free(roots);
+    return BAT_OK;
+}
+
+static bool possible(const facts *f, bat_command_id id, bool point) {
+    switch (id) {
+    case BAT_COMMAND_ORDER_FRONT:
+    case BAT_COMMAND_ORDER_FORWARD:
+    case BAT_COMMAND_ORDER_BACKWARD:
+    case BAT_COMMAND_ORDER_BACK: return f->roots > 0;
+    case BAT_COMMAND_ALIGN_LEFT:
+    case BAT_COMMAND_ALIGN_CENTRE:
+    case BAT_COMMAND_ALIGN_RIGHT:
+    case BAT_COMMAND_ALIGN_TOP:
+    case BAT_COMMAND_ALIGN_MIDDLE:
+    case BAT_COMMAND_ALIGN_BOTTOM: return f->roots > 1 || (f->roots == 1 && f->page);
+    case BAT_COMMAND_DISTRIBUTE_ACROSS:
+    case BAT_COMMAND_DISTRIBUTE_DOWN: return f->roots > 2;
+    case BAT_COMMAND_GROUP: return f->roots > 1 && !f->layers;
+    case BAT_COMMAND_UNGROUP: return f->groups > 0;
+    case BAT_COMMAND_CURVE_CLOSE: return f->open > 0;
+    case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
+    case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
+    case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
+    case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;
+    default: return false;
+    }
+}
+
+const char *bat_editor_actions(bat_editor *editor) {
+    bat_text text = {0};
+    facts f;
+    if (find(editor, &f) != BAT_OK) return NULL;
+    for (int i = 0; i < BAT_COMMAND_COUNT && editor->tool == BAT_TOOL_SELECT; i++) {
+        if (!possible(&f, (bat_command_id)i, editor->selecting.has_point)) continue;
+        if (text.size) bat_text_string(&text, " ");
+        bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
+    }
+    bat_text_add(&text, "", 1);
+    if (text.failed) {
+        bat_text_free(&text);
+        return NULL;
+    }
+    free(editor->actions);
+    editor->actions = text.data;
+    return editor->actions;
+}

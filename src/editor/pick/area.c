@@ -1,0 +1,148 @@
+/* Picking by area: fills under a point, drawings in a box. On the scene's float paths, flattened. */
+#include "base/real.h"
+#include "editor/pick/pick.h"
+#include <math.h>
+
+enum { PIECES = 12 }; /* lines a cubic is taken as */
+
+typedef bool line_function(void *user, const double a[2], const double b[2]); /* true: enough */
+
+/* Every line of the path, relative to the origin; open subpaths are closed for fills (closing). */
+static bool each_line(const bat_scene_entry *entry, bool closing, line_function *take, void *user) {
+    const float *at = entry->path, *end = at ? at + entry->item.path_count : NULL;
+    double start[2] = {0, 0}, now[2] = {0, 0}, next[2];
+    while (at < end) {
+        int kind = (int)*at++;
+        if (kind == BAT_PATH_MOVE || kind == BAT_PATH_CLOSE) {
+            if ((closing || kind == BAT_PATH_CLOSE) && take(user, now, start)) return true;
+            if (kind == BAT_PATH_CLOSE) {
+                now[0] = start[0], now[1] = start[1];
+                continue;
+            }
+            start[0] = now[0] = (double)at[0], start[1] = now[1] = (double)at[1];
+            at += 2;
+        } else if (kind == BAT_PATH_LINE) {
+            next[0] = (double)at[0], next[1] = (double)at[1];
+            if (take(user, now, next)) return true;
+            now[0] = next[0], now[1] = next[1];
+            at += 2;
+        } else {
+            double from[2] = {now[0], now[1]};
+            for (int i = 1; i <= PIECES; i++) {
+                double t = (double)i / PIECES, s = 1 - t;
+                for (int k = 0; k < 2; k++)
+                    next[k] = s * s * s * from[k] + 3 * s * s * t * (double)at[k] +
+                              3 * s * t * t * (double)at[2 + k] + t * t * t * (double)at[4 + k];
+                if (take(user, now, next)) return true;
+                now[0] = next[0], now[1] = next[1];
+            }
+            at += 6;
+        }
+    }
+    return closing && take(user, now, start);
+}
+
+typedef struct winding {
+    double point[2];
+    int turns;
+} winding;
+
+static bool count_turns(void *user, const double a[2], const double b[2]) {
+    winding *w = user;
+    bool up = a[1] <= w->point[1] && b[1] > w->point[1], down = a[1] > w->point[1] && b[1] <= w->point[1];
+    if (!up && !down) return false;
+    double x = a[0] + (w->point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+    if (x > w->point[0]) w->turns += up ? 1 : -1;
+    return false;
+}
+
+/* point: document units. */
+static bool fills(const bat_scene *scene, const bat_scene_entry *entry, const double point[2]) {
+    const bat_style *style = bat_object_style(entry->object);
+    if (!style->filled || !entry->path || scene->outline) return false;
+    winding w = {{point[0] - scene->origin[0], point[1] - scene->origin[1]}, 0};
+    each_line(entry, true, count_turns, &w);
+    return style->even_odd ? w.turns & 1 : w.turns != 0;
+}
+
+static bool apart(const double box[4], const double other[4], double within) {
+    return other[0] > box[2] + within || other[2] < box[0] - within || other[1] > box[3] + within ||
+           other[3] < box[1] - within;
+}
+
+int bat_pick_object(bat_scene *scene, const double point[2], double within) {
+    double best = INFINITY;
+    int found = -1;
+    for (int i = scene->count - 1; i >= 0; i--) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
+        const bat_style *style = bat_object_style(entry->object);
+        double half = style->stroked ? style->width / 2 : 0;
+        double near_box[4] = {point[0], point[1], point[0], point[1]};
+        if (apart(entry->box, near_box, fmax(within, half))) continue;
+        for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
+            if (bat_curve_dimension(bat_object_curve(entry->object, j)) != 2) continue;
+            const bat_finder *finder = bat_scene_finder(scene, i, j);
+            bat_near near;
+            if (!finder) continue;
+            bat_finder_nearest(finder, point, &near);
+            double away = fmax(near.distance - half, 0);
+            if (near.distance <= fmax(within, half) && away < best) {
+                best = away;
+                found = i;
+            }
+        }
+        /* What lies behind a fill is not meant, but for a line that is within reach already. */
+        if (fills(scene, entry, point)) return found >= 0 ? found : i;
+    }
+    return found;
+}
+
+typedef struct area {
+    const bat_view *view;
+    const double *origin; /* of the lines */
+    const double *box;    /* view pixels */
+} area;
+
+static bool crosses(void *user, const double from[2], const double to[2]) {
+    const area *in_view = user;
+    const double *box = in_view->box, *origin = in_view->origin;
+    double t0 = 0, t1 = 1, a[2], b[2];
+    bat_view_to_screen(in_view->view, (double[]){from[0] + origin[0], from[1] + origin[1]}, a);
+    bat_view_to_screen(in_view->view, (double[]){to[0] + origin[0], to[1] + origin[1]}, b);
+    for (int k = 0; k < 2; k++) { /* Liang and Barsky 1984 */
+        double d = b[k] - a[k];
+        if (d == 0) {
+            if (a[k] < box[k] || a[k] > box[k + 2]) return false;
+            continue;
+        }
+        double in = (box[d > 0 ? k : k + 2] - a[k]) / d, out = (box[d > 0 ? k + 2 : k] - a[k]) / d;
+        t0 = fmax(t0, in);
+        t1 = fmin(t1, out);
+    }
+    return t0 <= t1;
+}
+
+/* The box, upright in the document, around the view's. */
+static void around(const bat_view *view, const double box[4], double out[4]) {
+    for (int i = 0; i < 4; i++) {
+        double corner[2];
+        bat_view_to_document(view, (double[]){box[i & 2], box[1 + 2 * (i & 1)]}, corner);
+        for (int k = 0; k < 2; k++) {
+            out[k] = i ? fmin(out[k], corner[k]) : corner[k];
+            out[k + 2] = i ? fmax(out[k + 2], corner[k]) : corner[k];
+        }
+    }
+}
+
+bool bat_pick_touches(const bat_scene *scene, int index, const bat_view *view, const double box[4]) {
+    const bat_scene_entry *entry = &scene->entries[index];
+    double reach[4], corner[2];
+    if (entry->hidden || entry->locked || !entry->path) return false;
+    around(view, box, reach);
+    if (apart(entry->box, reach, 0)) return false;
+    area in_view = {view, scene->origin, box};
+    if (each_line(entry, false, crosses, &in_view)) return true;
+    bat_view_to_document(view, box, corner);
+    return fills(scene, entry, corner);
+}

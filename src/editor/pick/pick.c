@@ -1,0 +1,58 @@
+#include "editor/pick/pick.h"
+#include "base/real.h"
+#include <math.h>
+#include <string.h>
+
+static bool box_near(const double box[4], const double point[2], double within) {
+    double dx = fmax(fmax(box[0] - point[0], point[0] - box[2]), 0);
+    double dy = fmax(fmax(box[1] - point[1], point[1] - box[3]), 0);
+    return bat_hypot(dx, dy) <= within;
+}
+
+bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within) {
+    bat_pick best = {0};
+    for (int i = 0; i < scene->count; i++) {
+        const bat_object *object = scene->entries[i].object;
+        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
+        if (!box_near(scene->entries[i].box, point, within)) continue;
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            if (bat_curve_dimension(bat_object_curve(object, j)) != 2) continue;
+            const bat_finder *finder = bat_scene_finder(scene, i, j);
+            if (!finder) continue;
+            bat_near near;
+            bat_finder_nearest(finder, point, &near);
+            if (near.distance <= within) {
+                best = (bat_pick){bat_object_id(object), i, j, near};
+                within = near.distance;
+            }
+        }
+    }
+    return best;
+}
+
+bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, bat_id but_object,
+                      int but_curve) {
+    bat_pick best = {0};
+    for (int i = 0; i < scene->count; i++) {
+        const bat_object *object = scene->entries[i].object;
+        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
+        if (!box_near(scene->entries[i].box, point, within)) continue;
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            const bat_curve *curve = bat_object_curve(object, j);
+            if (bat_curve_dimension(curve) != 2 || bat_curve_closed(curve)) continue;
+            if (bat_object_id(object) == but_object && j == but_curve) continue;
+            double domain[2];
+            bat_curve_domain(curve, domain);
+            for (int k = 0; k < 2; k++) {
+                bat_near near = {.u = domain[k]};
+                bat_curve_eval(curve, domain[k], 0, near.point);
+                near.distance = bat_hypot(near.point[0] - point[0], near.point[1] - point[1]);
+                if (near.distance <= within) {
+                    best = (bat_pick){bat_object_id(object), i, j, near};
+                    within = near.distance;
+                }
+            }
+        }
+    }
+    return best;
+}

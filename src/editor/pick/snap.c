@@ -1,0 +1,295 @@
+#include "editor/pick/snap.h"
+#include "base/real.h"
+#include "editor/editor.h"
+#include <math.h>
+#include <string.h>
+
+static const double REACH = 8;                /* px */
+static const double STEP = 15 * BAT_PI / 180; /* radians */
+enum { BRANCHES = 12, TURNS = 4, NEWTON = 16 };
+
+/* A stretch of curve that comes near: the parameter of its closest point. */
+typedef struct branch {
+    const bat_curve *curve;
+    double u;
+} branch;
+
+typedef struct search {
+    bat_editor *editor;
+    unsigned kinds;
+    double point[2], within;
+    int count;
+    const int *but;
+    branch branches[BRANCHES];
+    int branch_count;
+    bat_snap best;
+} search;
+
+static double apart(const double a[2], const double b[2]) { return bat_hypot(a[0] - b[0], a[1] - b[1]); }
+
+/* ---- which is best ---- */
+
+static bool better(const bat_snap *a, const bat_snap *b) {
+    if (a->kind == BAT_SNAP_NONE || b->kind == BAT_SNAP_NONE) return a->kind != BAT_SNAP_NONE;
+    if (a->kind != b->kind) return a->kind < b->kind;
+    int more = a->bound[0] + a->bound[1] - b->bound[0] - b->bound[1];
+    return more ? more > 0 : a->distance < b->distance;
+}
+
+static void offer(search *s, bat_snap_kind kind, const double point[2]) {
+    bat_snap snap = {kind, {point[0], point[1]}, {true, true}, apart(point, s->point), {0, 0}};
+    if (snap.distance <= s->within && better(&snap, &s->best)) s->best = snap;
+}
+
+static bool wants(const search *s, bat_snap_kind kind) { return s->kinds >> kind & 1; }
+
+/* ---- curves ---- */
+
+static bool left_aside(const search *s, int index) {
+    for (int i = 0; i < s->count; i++)
+        if (s->but[i] >= index) return s->but[i] == index;
+    return false;
+}
+
+static void try_ends(search *s, const bat_curve *curve) {
+    double domain[2], end[2];
+    if (bat_curve_closed(curve)) return;
+    bat_curve_domain(curve, domain);
+    for (int k = 0; k < 2; k++) {
+        bat_curve_eval(curve, domain[k], 0, end);
+        offer(s, BAT_SNAP_END, end);
+    }
+}
+
+static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
+    const bat_finder *finder = bat_scene_finder(&s->editor->scene, entry, index);
+    bat_near near[TURNS];
+    int found = 0;
+    if (!finder) return;
+    bat_finder_nearest(finder, s->point, near);
+    if (near->distance > s->within) return;
+    if (wants(s, BAT_SNAP_CURVE)) offer(s, BAT_SNAP_CURVE, near->point);
+    if (!wants(s, BAT_SNAP_CROSSING)) return;
+    /* A curve may come by more than once: each time is a branch. */
+    if (bat_curve_nearest_all(curve, s->point, s->within, TURNS, near, &found) != BAT_OK) return;
+    for (int i = 0; i < found && i < TURNS && s->branch_count < BRANCHES; i++)
+        s->branches[s->branch_count++] = (branch){curve, near[i].u};
+}
+
+static void try_curves(search *s) {
+    const bat_scene *scene = &s->editor->scene;
+    for (int i = 0; i < scene->count; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        if (entry->hidden || s->point[0] < entry->box[0] - s->within ||
+            s->point[0] > entry->box[2] + s->within || s->point[1] < entry->box[1] - s->within ||
+            s->point[1] > entry->box[3] + s->within || left_aside(s, i))
+            continue;
+        for (int k = 0; k < bat_object_curve_count(entry->object); k++) {
+            const bat_curve *curve = bat_object_curve(entry->object, k);
+            if (bat_curve_dimension(curve) != 2) continue;
+            if (wants(s, BAT_SNAP_END)) try_ends(s, curve);
+            if (wants(s, BAT_SNAP_CURVE) || wants(s, BAT_SNAP_CROSSING)) try_curve(s, i, k, curve);
+        }
+    }
+}
+
+/* ---- crossings ---- */
+
+static double inside(const bat_curve *curve, double u) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    double period = domain[1] - domain[0];
+    if (bat_curve_closed(curve)) return u - period * floor((u - domain[0]) / period);
+    return fmin(fmax(u, domain[0]), domain[1]);
+}
+
+/* Where two branches meet, by Newton's steps from their points closest to the pen. */
+static void cross(search *s, branch a, branch b) {
+    double p[4], q[4], near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + s->within);
+    for (int i = 0; i < NEWTON; i++) {
+        bat_curve_eval(a.curve, a.u, 1, p);
+        bat_curve_eval(b.curve, b.u, 1, q);
+        double x = q[0] - p[0], y = q[1] - p[1], turn = p[2] * q[3] - p[3] * q[2];
+        if (bat_hypot(x, y) <= near) break;
+        if (!(fabs(turn) > 1e-9 * bat_hypot(p[2], p[3]) * bat_hypot(q[2], q[3])))
+            return; /* along each other */
+        a.u = inside(a.curve, a.u + (x * q[3] - y * q[2]) / turn);
+        b.u = inside(b.curve, b.u + (x * p[3] - y * p[2]) / turn);
+    }
+    bat_curve_eval(a.curve, a.u, 0, p);
+    bat_curve_eval(b.curve, b.u, 0, q);
+    if (!(apart(p, q) <= 1e3 * near)) return;
+    if (a.curve == b.curve) {
+        double domain[2];
+        bat_curve_domain(a.curve, domain);
+        double period = domain[1] - domain[0], gap = fabs(a.u - b.u);
+        if (bat_curve_closed(a.curve)) gap = fmin(gap, period - gap);
+        if (gap <= 1e-6 * period) return; /* the two have become one */
+    }
+    offer(s, BAT_SNAP_CROSSING, p);
+}
+
+/* Where a branch meets the guide. */
+static void cross_guide(search *s, branch a, int axis, double at) {
+    double p[4], near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + s->within);
+    for (int i = 0; i < NEWTON; i++) {
+        bat_curve_eval(a.curve, a.u, 1, p);
+        if (fabs(p[axis] - at) <= near || p[2 + axis] == 0) break;
+        a.u = inside(a.curve, a.u + (at - p[axis]) / p[2 + axis]);
+    }
+    if (!(fabs(p[axis] - at) <= 1e3 * near)) return;
+    p[axis] = at;
+    offer(s, BAT_SNAP_CROSSING, p);
+}
+
+/* ---- guides and grid ---- */
+
+/* The nearest line across each axis, if one is near. */
+typedef struct lines {
+    bool there[2];
+    double at[2];
+} lines;
+
+static lines near_guides(search *s) {
+    const bat_scene *scene = &s->editor->scene;
+    lines found = {{false, false}, {0, 0}};
+    for (int i = 0; i < scene->count; i++) {
+        double at;
+        int axis = scene->entries[i].hidden ? -1 : bat_object_guide(scene->entries[i].object, &at);
+        if (axis < 0 || left_aside(s, i) || fabs(at - s->point[axis]) > s->within) continue;
+        if (found.there[axis] && fabs(at - s->point[axis]) >= fabs(found.at[axis] - s->point[axis])) continue;
+        found.there[axis] = true;
+        found.at[axis] = at;
+    }
+    return found;
+}
+
+static lines near_grid(const search *s) {
+    lines found = {{false, false}, {0, 0}};
+    double step = bat_grid_step(s->editor), origin[2];
+    if (!(step > 0)) return found;
+    bat_editor_zero(s->editor, origin);
+    for (int k = 0; k < 2; k++) {
+        found.at[k] = origin[k] + step * round((s->point[k] - origin[k]) / step);
+        found.there[k] = fabs(found.at[k] - s->point[k]) <= s->within;
+    }
+    return found;
+}
+
+/* Guides draw first; a coordinate that none draws is the grid's. */
+static void try_lines(search *s, const lines *guides, const lines *grid) {
+    bat_snap snap = {BAT_SNAP_NONE, {s->point[0], s->point[1]}, {false, false}, 0, {0, 0}};
+    for (int k = 0; k < 2; k++) {
+        const lines *drawing = guides->there[k] ? guides : grid;
+        if (!drawing->there[k]) continue;
+        snap.point[k] = drawing->at[k];
+        snap.bound[k] = true;
+        if (snap.kind != BAT_SNAP_GUIDE) snap.kind = drawing == guides ? BAT_SNAP_GUIDE : BAT_SNAP_GRID;
+    }
+    snap.distance = apart(snap.point, s->point);
+    if (better(&snap, &s->best)) s->best = snap;
+}
+
+static void run(search *s) {
+    lines guides = {{false, false}, {0, 0}}, grid = guides;
+    if (wants(s, BAT_SNAP_GUIDE)) guides = near_guides(s);
+    if (wants(s, BAT_SNAP_GRID)) grid = near_grid(s);
+    try_curves(s);
+    for (int i = 0; i < s->branch_count; i++) {
+        for (int k = 0; k < i; k++) cross(s, s->branches[k], s->branches[i]);
+        for (int k = 0; k < 2; k++)
+            if (guides.there[k]) cross_guide(s, s->branches[i], k, guides.at[k]);
+    }
+    if (guides.there[0] && guides.there[1] && wants(s, BAT_SNAP_CROSSING))
+        offer(s, BAT_SNAP_CROSSING, guides.at);
+    try_lines(s, &guides, &grid);
+}
+
+static unsigned switched_on(const bat_editor *editor) {
+    static const bat_property_id switches[] = {
+        [BAT_SNAP_END] = BAT_PROPERTY_SNAP_ENDS,     [BAT_SNAP_CROSSING] = BAT_PROPERTY_SNAP_CROSSINGS,
+        [BAT_SNAP_GUIDE] = BAT_PROPERTY_SNAP_GUIDES, [BAT_SNAP_CURVE] = BAT_PROPERTY_SNAP_CURVES,
+        [BAT_SNAP_GRID] = BAT_PROPERTY_SNAP_GRID,
+    };
+    unsigned kinds = 0;
+    if (editor->values[BAT_PROPERTY_SNAP] == 0 || editor->modifiers & (BAT_CTRL | BAT_META)) return 0;
+    for (unsigned k = BAT_SNAP_END; k <= BAT_SNAP_GRID; k++)
+        if (editor->values[switches[k]] != 0) kinds |= 1u << k;
+    return kinds;
+}
+
+bat_snap bat_snap_find(bat_editor *editor, int count, const int *but, int source_count,
+                       const bat_snap_source *sources, const double delta[2], int *which) {
+    bat_snap best = {0};
+    unsigned kinds = switched_on(editor);
+    for (int i = 0; i < source_count && kinds; i++) {
+        search s = {.editor = editor,
+                    .kinds = kinds & sources[i].kinds,
+                    .point = {sources[i].point[0] + delta[0], sources[i].point[1] + delta[1]},
+                    .within = REACH * bat_view_pixel(&editor->view),
+                    .count = count,
+                    .but = but};
+        if (s.kinds) run(&s);
+        if (!better(&s.best, &best)) continue;
+        best = s.best;
+        if (which) *which = i;
+    }
+    return best;
+}
+
+void bat_snap_point(bat_editor *editor, int count, const int *but, double point[2]) {
+    bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
+    bat_editor_sync(editor);
+    editor->snap = bat_snap_find(editor, count, but, 1, &source, (double[]){0, 0}, NULL);
+    if (editor->snap.kind) memcpy(point, editor->snap.point, sizeof editor->snap.point);
+}
+
+void bat_snap_angle(bat_editor *editor, const double origin[2], double point[2]) {
+    double x = point[0] - origin[0], y = point[1] - origin[1];
+    bool fine = editor->values[BAT_PROPERTY_SNAP_ANGLES] != 0;
+    int turn = (int)round(bat_atan2(y, x) / STEP); /* of 24 a whole turn */
+    if (!fine) turn = fabs(x) >= fabs(y) ? 0 : 6;
+    double c = bat_cos(turn * STEP), v = bat_sin(turn * STEP);
+    if (turn % 6 == 0) c = turn % 12 == 0, v = !(turn % 12 == 0); /* upright to the last bit */
+    double length = x * c + y * v;
+    point[0] = origin[0] + length * c;
+    point[1] = origin[1] + length * v;
+    editor->snap = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
+}
+
+/* ---- picture ---- */
+
+void bat_snap_show(const bat_editor *editor, bat_overlay *overlay) {
+    static const bat_string words[] = {
+        [BAT_SNAP_END] = BAT_STRING_SNAP_WORD_END,     [BAT_SNAP_CROSSING] = BAT_STRING_SNAP_WORD_CROSSING,
+        [BAT_SNAP_GUIDE] = BAT_STRING_SNAP_WORD_GUIDE, [BAT_SNAP_CURVE] = BAT_STRING_SNAP_WORD_CURVE,
+        [BAT_SNAP_GRID] = BAT_STRING_SNAP_WORD_GRID,
+    };
+    const bat_snap *snap = &editor->snap;
+    const double *at = snap->point;
+    double size = 5 * bat_view_pixel(&editor->view);
+    char angle[BAT_UNIT_ROOM];
+    if (snap->kind == BAT_SNAP_NONE) return;
+    bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
+    if (snap->kind == BAT_SNAP_END) {
+        bat_overlay_square(overlay, at, size);
+    } else if (snap->kind == BAT_SNAP_CURVE) {
+        bat_overlay_circle(overlay, at, size);
+    } else if (snap->kind == BAT_SNAP_ANGLE) {
+        bat_overlay_polyline(overlay, 2, (double[]){snap->from[0], snap->from[1], at[0], at[1]});
+        /* Against the clock from the right, as protractors have it; y points down. */
+        double degrees = round(bat_atan2(snap->from[1] - at[1], at[0] - snap->from[0]) * 180 / BAT_PI);
+        bat_unit_number(degrees, angle);
+        strcat(angle, "°");
+    } else { /* a cross: upright for lines, on its corner for crossings */
+        double a = snap->kind == BAT_SNAP_CROSSING ? size : 0,
+               b = snap->kind == BAT_SNAP_CROSSING ? -size : 0;
+        if (snap->kind != BAT_SNAP_CROSSING) size *= 1.4;
+        bat_path_move(&overlay->path, at[0] - size, at[1] - a);
+        bat_path_line(&overlay->path, at[0] + size, at[1] + a);
+        bat_path_move(&overlay->path, at[0] + b, at[1] + size);
+        bat_path_line(&overlay->path, at[0] - b, at[1] - size);
+    }
+    bat_overlay_label(overlay, BAT_ROLE_GUIDE, at, 30, 16,
+                      snap->kind == BAT_SNAP_ANGLE ? angle : bat_editor_text(editor, words[snap->kind]));
+}

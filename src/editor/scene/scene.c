@@ -1,0 +1,260 @@
+#include "editor/scene/scene.h"
+#include "document/nesting.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const float PALE = 0.2F; /* of the opacity of what is not isolated */
+static const uint32_t ITEM_PAGE = 0xffffffff;
+
+void bat_scene_init(bat_scene *scene) {
+    *scene = (bat_scene){.revision = UINT64_MAX};
+    bat_box_clear(scene->dirty);
+}
+
+static void free_entry(bat_scene_entry *entry) {
+    if (entry->finders)
+        for (int i = 0; i < bat_object_curve_count(entry->object); i++) bat_finder_free(entry->finders[i]);
+    free(entry->finders);
+    free(entry->path);
+    bat_object_release(entry->object);
+}
+
+void bat_scene_free(bat_scene *scene) {
+    for (int i = 0; i < scene->count; i++) free_entry(&scene->entries[i]);
+    free(scene->entries);
+    free(scene->items);
+    bat_scene_init(scene);
+}
+
+/* How far paint reaches beyond the outline. */
+static double reach(const bat_style *style) {
+    if (!style->stroked) return 0;
+    double factor = style->cap == BAT_CAP_SQUARE ? 1.5 : 1;
+    if (style->join == BAT_JOIN_MITER) factor = fmax(factor, style->miter_limit);
+    return style->width / 2 * factor;
+}
+
+static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
+    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}};
+    for (int i = 0; i < bat_object_curve_count(entry->object); i++)
+        bat_path_curve(&path, bat_object_curve(entry->object, i));
+    const bat_picture *picture = bat_object_picture(entry->object);
+    if (picture) {
+        double corners[8];
+        bat_object_corners(entry->object, corners);
+        bat_path_move(&path, corners[0], corners[1]);
+        for (int i = 2; i < 8; i += 2) bat_path_line(&path, corners[i], corners[i + 1]);
+        bat_path_close(&path);
+    }
+    if (path.failed) {
+        free(path.data);
+        return false;
+    }
+    free(entry->path);
+    entry->path = path.data;
+
+    const bat_style *style = bat_object_style(entry->object);
+    bat_item *item = &entry->item;
+    *item = (bat_item){.id = (uint32_t)bat_object_id(entry->object),
+                       .version = ++scene->versions,
+                       .role = BAT_ROLE_OBJECT,
+                       .stroke = style->stroke,
+                       .fill = style->fill,
+                       .width = bat_path_float(style->width),
+                       .opacity = (float)style->opacity,
+                       .cap = (uint32_t)style->cap,
+                       .join = (uint32_t)style->join,
+                       .miter_limit = bat_path_float(style->miter_limit),
+                       .path_count = (uint32_t)path.count,
+                       .path = path.data};
+    if (picture) {
+        item->role = BAT_ROLE_IMAGE;
+        item->picture = (uint32_t)bat_picture_digest(picture);
+    }
+    if (style->stroked) item->flags |= BAT_ITEM_STROKED;
+    if (style->filled) item->flags |= BAT_ITEM_FILLED;
+    if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
+    double more = reach(style);
+    for (int i = 0; i < 4; i++)
+        item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
+    return true;
+}
+
+static bat_item page_item(bat_scene *scene) {
+    const double *page = scene->page;
+    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}, .data = scene->page_path, .room = 13};
+    bat_path_move(&path, page[0], page[1]);
+    bat_path_line(&path, page[0] + page[2], page[1]);
+    bat_path_line(&path, page[0] + page[2], page[1] + page[3]);
+    bat_path_line(&path, page[0], page[1] + page[3]);
+    bat_path_close(&path);
+    bat_item item = {.id = ITEM_PAGE,
+                     .version = ++scene->versions,
+                     .role = BAT_ROLE_PAGE,
+                     .flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH,
+                     .width = 1,
+                     .opacity = 1,
+                     .path_count = 13,
+                     .path = scene->page_path};
+    bat_path_bounds(&path, 0, item.bounds);
+    return item;
+}
+
+/* Where in old[first..count) the object's former entry is, looked for a little ahead only: changes are local,
+ * and a miss merely rebuilds. -1: not found. */
+static int former(const bat_scene *scene, int first, const bat_object *object, bool same_pointer) {
+    for (int i = first; i < scene->count && i < first + 8; i++) {
+        const bat_object *other = scene->entries[i].object;
+        if (other && (same_pointer ? other == object : bat_object_id(other) == bat_object_id(object)))
+            return i;
+    }
+    return -1;
+}
+
+/* Entries for the document's objects: those still there are moved over, the rest are dropped and counted
+ * dirty. */
+static bat_status mirror(bat_scene *scene, const bat_document *document) {
+    const bat_isolation *isolation = scene->isolation;
+    int count = bat_document_count(document);
+    bat_scene_entry *entries = calloc((size_t)count + 1, sizeof *entries);
+    if (!entries) return BAT_MEMORY;
+    int old = 0;
+    for (int i = 0; i < count; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        int found = former(scene, old, object, true);
+        if (found >= 0) {
+            entries[i] = scene->entries[found];
+            scene->entries[found].object = NULL; /* taken */
+            old = found + 1;
+        } else {
+            entries[i].object = bat_object_retain(object);
+            bat_object_bounds(object, entries[i].box);
+            found = former(scene, old, object, false); /* replaced: its place keeps the two walks in step */
+            if (found >= 0) old = found + 1;
+        }
+    }
+    for (int i = 0; i < scene->count; i++)
+        if (scene->entries[i].object) {
+            if (scene->entries[i].path) bat_box_add(scene->dirty, scene->entries[i].item.bounds);
+            free_entry(&scene->entries[i]);
+        }
+    free(scene->entries);
+    scene->entries = entries;
+    scene->count = count;
+    /* A group's change is a change of all that is in it. */
+    bat_nesting nesting = {0};
+    for (int i = 0, end = 0; i < count; i++) {
+        bat_nesting_level level = {0};
+        bat_id id = bat_object_id(entries[i].object);
+        if (isolation && i >= end && (id >= isolation->from || bat_selection_has(&isolation->kept, id)))
+            end = bat_document_end(document, i);
+        entries[i].pale = isolation && i >= end;
+        bat_nesting_next(&nesting, entries[i].object, &level);
+        if (entries[i].path && level.hidden != entries[i].hidden)
+            bat_box_add(scene->dirty, entries[i].item.bounds);
+        entries[i].hidden = level.hidden;
+        entries[i].locked = level.locked || entries[i].pale;
+    }
+    return BAT_OK;
+}
+
+static void dirty_all(bat_scene *scene) {
+    for (int i = 0; i < 4; i++) scene->dirty[i] = i < 2 ? -3e38f : 3e38f;
+}
+
+void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation) {
+    uint32_t version = isolation->on ? isolation->kept.version + 1 : 0;
+    scene->isolation = isolation->on ? isolation : NULL;
+    if (scene->outline == outline && scene->isolated == version) return;
+    scene->outline = outline;
+    scene->isolated = version;
+    scene->revision = UINT64_MAX;
+    dirty_all(scene);
+}
+
+/* As it is painted: in outlines, or pale. */
+static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
+    bat_item item = entry->item;
+    if (scene->outline && item.role == BAT_ROLE_OBJECT) {
+        item.flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
+        item.stroke = 0x000000ff;
+        item.width = item.opacity = 1;
+    }
+    if (entry->pale) item.opacity *= PALE;
+    return item;
+}
+
+bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
+    if (scene->revision == revision && !scene->stale) return BAT_OK;
+    int count = bat_document_count(document);
+    bat_item *items = calloc((size_t)count + 1, sizeof *items);
+    if (!items) return BAT_MEMORY;
+    bat_status status = scene->revision == revision ? BAT_OK : mirror(scene, document);
+    if (status != BAT_OK) {
+        free(items);
+        return status;
+    }
+    scene->stale = false;
+    int item_count = 0;
+    double page[4];
+    bat_document_page(document, page);
+    if (page[2] > 0) {
+        bool same = scene->item_count && scene->items[0].id == ITEM_PAGE &&
+                    !memcmp(page, scene->page, sizeof page) && scene->items[0].version;
+        memcpy(scene->page, page, sizeof page);
+        if (same)
+            items[0] = scene->items[0];
+        else {
+            items[0] = page_item(scene);
+            bat_box_add(scene->dirty, items[0].bounds);
+        }
+        item_count = 1;
+    }
+    for (int i = 0; i < count; i++) {
+        bat_scene_entry *entry = &scene->entries[i];
+        if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
+        if (!entry->path) {
+            if (make_path(scene, entry))
+                bat_box_add(scene->dirty, entry->item.bounds);
+            else {
+                scene->stale = true; /* tried again with the next frame */
+                status = BAT_MEMORY;
+            }
+        }
+        items[item_count++] = painted(scene, entry);
+    }
+    free(scene->items);
+    scene->items = items;
+    scene->item_count = item_count;
+    scene->still_version++;
+    scene->revision = revision;
+    return status;
+}
+
+void bat_scene_rebase(bat_scene *scene, const bat_view *view) {
+    double middle[2];
+    bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
+    double away = fmax(fabs(middle[0] - scene->origin[0]), fabs(middle[1] - scene->origin[1]));
+    if (away * view->zoom * 0x1p-24 <= 0.25) return;
+    memcpy(scene->origin, middle, sizeof middle);
+    for (int i = 0; i < scene->count; i++) {
+        free(scene->entries[i].path);
+        scene->entries[i].path = NULL;
+        scene->entries[i].item = (bat_item){0};
+    }
+    scene->item_count = 0;
+    scene->stale = true;
+    dirty_all(scene);
+}
+
+const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
+    bat_scene_entry *entry = &scene->entries[index];
+    if (!entry->finders) {
+        entry->finders = calloc((size_t)bat_object_curve_count(entry->object), sizeof *entry->finders);
+        if (!entry->finders) return NULL;
+    }
+    if (!entry->finders[curve])
+        bat_finder_create(bat_object_curve(entry->object, curve), &entry->finders[curve]);
+    return entry->finders[curve];
+}

@@ -1,0 +1,35 @@
+/*
+ * A transaction: the only way the engine changes its document. Changes show at once (a drag updates them
+ * again and again); commit makes one step of the history of them and one line of the journal, cancel takes
+ * them back.
+ */
+#ifndef BATTEN_EDITOR_SESSION_TRANSACTION_H
+#define BATTEN_EDITOR_SESSION_TRANSACTION_H
+
+#include "editor/session/history.h"
+#include "editor/tables/tables.h"
+#include "text/text.h"
+#include <batten/editor.h>
+
+typedef struct bat_transaction {
+    bool open;
+    bat_delta *deltas;
+    int count, room;
+    int next;   /* the delta that the next replacement of a run of them is likely to be */
+    bool moved; /* something was inserted or removed: indices mean different things along the list */
+} bat_transaction;
+
+/* BAT_STATE when one is open. */
+bat_status bat_transaction_begin(bat_editor *editor);
+/* Each changes the document at once; on failure the transaction stays open and as it was. */
+bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *object);
+bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object);
+bat_status bat_transaction_remove(bat_editor *editor, int index);
+/* Ends it. label: what undo would take back, one of the texts. line: the journal's line for it, without the
+ * digest and the closing brace, which are added here; NULL: the line is made of the changes themselves
+ * (change.h), so that a tool needs no codec of its own. On failure everything is taken back: BAT_MEMORY,
+ * BAT_ARGUMENT when a group would fall apart, BAT_COUNT when pictures would be too many. A transaction without changes makes no step. */
+bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line);
+void bat_transaction_cancel(bat_editor *editor);
+
+#endif

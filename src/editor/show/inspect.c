@@ -1,0 +1,154 @@
+#include "editor/show/inspect.h"
+#include "editor/editor.h"
+#include "base/real.h"
+#include "editor/show/handles.h"
+#include "editor/pick/pick.h"
+#include <batten/bezier.h>
+#include <batten/measure.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double SPACING = 7, TALL = 46, HIGHEST = 110; /* px: between teeth, of the tall ones, of any */
+static const double REACH = 16, MARK = 4;                  /* px */
+enum { TEETH_MAX = 1500, INFLECTIONS_MAX = 200 };
+
+/* A tooth: where it stands, the unit normal, the curvature, the length of curve it stands for. */
+typedef struct tooth {
+    double at[2], normal[2], curvature, share;
+} tooth;
+
+static bool in_sight(const bat_view *view, const double point[2]) {
+    double screen[2];
+    bat_view_to_screen(view, point, screen);
+    return screen[0] > -HIGHEST && screen[1] > -HIGHEST && screen[0] < view->width + HIGHEST &&
+           screen[1] < view->height + HIGHEST;
+}
+
+/* The teeth in sight; *count of them. NULL: no memory, or none. */
+static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
+    int segments = bat_curve_segment_count(curve);
+    double *breaks = malloc(((size_t)segments + 1) * sizeof *breaks);
+    tooth *teeth = malloc(TEETH_MAX * sizeof *teeth);
+    *count = 0;
+    if (!breaks || !teeth || bat_curve_to_bezier(curve, NULL, breaks) != BAT_OK) {
+        free(breaks);
+        free(teeth);
+        return NULL;
+    }
+    for (int s = 0; s < segments && *count < TEETH_MAX; s++) {
+        double length = bat_curve_length(curve, breaks[s], breaks[s + 1], 1e-2) * view->zoom;
+        int steps = (int)fmin(fmax(ceil(length / SPACING), 12), 400);
+        for (int i = 0; i <= steps && *count < TEETH_MAX; i++) {
+            double u = breaks[s] + (breaks[s + 1] - breaks[s]) * i / steps, d[6];
+            (i == steps ? bat_curve_eval_left : bat_curve_eval)(curve, u, 2, d);
+            double speed = bat_hypot(d[2], d[3]);
+            if (!(speed > 0) || !in_sight(view, d)) continue;
+            teeth[(*count)++] = (tooth){{d[0], d[1]},
+                                        {d[3] / speed, -d[2] / speed},
+                                        (d[2] * d[5] - d[3] * d[4]) / (speed * speed * speed),
+                                        length / steps};
+        }
+    }
+    free(breaks);
+    return teeth;
+}
+
+/* Document units a unit of curvature: along nine tenths of the curve no tooth is longer than TALL. In steps of the square root
+ * of two, so that it does not breathe while the curve is dragged. 0: the curve is straight. */
+static double scale_of(const tooth *teeth, int count, double pixel) {
+    double low = 0, high = 0, whole = 0;
+    for (int i = 0; i < count; i++) whole += teeth[i].share;
+    for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
+    double least = high / 8;
+    for (int round = 0; round < 40;
+         round++) { /* to where one in ten is higher; no order is needed for that */
+        double middle = (low + high) / 2;
+        double above = 0;
+        for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle ? teeth[i].share : 0;
+        if (above > whole / 10)
+            low = middle;
+        else
+            high = middle;
+    }
+    double usual = fmax(high, least);
+    if (!(usual * pixel > 1e-7) || !isfinite(usual)) return 0; /* flatter than can be seen */
+    double scale = TALL * pixel / usual;
+    return bat_exp(floor(bat_log(scale) / 0.34657359) * 0.34657359);
+}
+
+void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view *view) {
+    int count;
+    double pixel = bat_view_pixel(view);
+    tooth *teeth = grow(curve, view, &count);
+    double scale = teeth && count ? scale_of(teeth, count, pixel) : 0;
+    if (teeth && scale > 0) {
+        for (int i = 0; i < count; i++) {
+            double length = teeth[i].curvature * scale, most = HIGHEST * pixel;
+            length = fmin(fmax(length, -most), most);
+            for (int c = 0; c < 2; c++) teeth[i].normal[c] = teeth[i].at[c] + teeth[i].normal[c] * length;
+        }
+        bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_STROKED, 0.75F);
+        for (int i = 0; i < count; i++) {
+            bat_path_move(&overlay->path, teeth[i].at[0], teeth[i].at[1]);
+            bat_path_line(&overlay->path, teeth[i].normal[0], teeth[i].normal[1]);
+        }
+        bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_STROKED, 1.5F);
+        for (int i = 0; i < count; i++) {
+            double gap = i ? bat_hypot(teeth[i].at[0] - teeth[i - 1].at[0],
+                                       teeth[i].at[1] - teeth[i - 1].at[1])
+                           : INFINITY;
+            bool on = gap < 6 * SPACING * pixel; /* else the curve was out of sight between them */
+            (on ? bat_path_line : bat_path_move)(&overlay->path, teeth[i].normal[0], teeth[i].normal[1]);
+        }
+    }
+    free(teeth);
+    double u[INFLECTIONS_MAX], at[2];
+    int found = bat_curve_inflections(curve, u, INFLECTIONS_MAX);
+    if (found > INFLECTIONS_MAX) found = INFLECTIONS_MAX;
+    bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_FILLED, 0);
+    for (int i = 0; i < found && scale > 0; i++) {
+        bat_curve_eval(curve, u[i], 0, at);
+        if (in_sight(view, at)) bat_overlay_circle(overlay, at, MARK * pixel);
+    }
+}
+
+/* The curve that is looked at. */
+static const bat_curve *look(bat_editor *editor) {
+    bat_insight *insight = &editor->insight;
+    const bat_sketching *sketching = &editor->sketching;
+    if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
+        return sketching->preview.curve;
+    if (editor->brushing.preview) return editor->brushing.preview;
+    if (editor->pen_near && !bat_editor_busy(editor) && !editor->contacts.count) {
+        double point[2];
+        bat_view_to_document(&editor->view, editor->pen, point);
+        bat_pick pick = bat_pick_nearest(&editor->scene, point, REACH * bat_view_pixel(&editor->view));
+        if (pick.object) *insight = (bat_insight){pick.object, pick.curve};
+    }
+    const bat_curve *curve = insight->object
+                                 ? bat_edit_target(editor->document, insight->object, insight->curve)
+                                 : NULL;
+    if (!curve && editor->selection.count)
+        curve = bat_edit_target(editor->document, editor->selection.ids[0], 0);
+    return curve;
+}
+
+void bat_insight_show(bat_editor *editor, bat_overlay *overlay) {
+    bool comb = editor->values[BAT_PROPERTY_SHOW_COMB] != 0;
+    bool knots = editor->values[BAT_PROPERTY_SHOW_KNOTS] != 0;
+    bool length = editor->values[BAT_PROPERTY_SHOW_LENGTH] != 0;
+    if (!comb && !knots && !length) return;
+    const bat_curve *curve = look(editor);
+    if (!curve) return;
+    if (comb) bat_comb_show(overlay, curve, &editor->view);
+    if (knots) bat_handles_show_knots(overlay, curve, &editor->view);
+    if (length && editor->pen_near) {
+        double domain[2], at[2];
+        char text[64];
+        bat_curve_domain(curve, domain);
+        bat_unit_write(editor, bat_curve_length(curve, domain[0], domain[1], 1e-6), text);
+        bat_view_to_document(&editor->view, editor->pen, at);
+        bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 16, -20, text);
+    }
+}

@@ -1,0 +1,91 @@
+#include "editor/show/ruler.h"
+#include "editor/editor.h"
+#include "editor/view/unit.h"
+#include <math.h>
+#include <string.h>
+
+static const double LABEL_APART = 64, TICK_APART = 5; /* px at least */
+static const double TICK = 4, MIDDLE = 8;             /* px long */
+enum { TICKS_MAX = 4000 };
+
+bool bat_rulers_on(const bat_editor *editor) {
+    return editor->values[BAT_PROPERTY_SHOW_RULERS] != 0 && editor->view.angle == 0;
+}
+
+int bat_ruler_at(const bat_editor *editor, const double pixel[2]) {
+    if (!bat_rulers_on(editor) || pixel[0] < 0 || pixel[1] < 0) return -1;
+    bool left = pixel[0] < BAT_RULER_WIDTH, top = pixel[1] < BAT_RULER_WIDTH;
+    return left == top ? -1 : top;
+}
+
+/* A line between view pixels, along the window's axis k: so far along, and across from a to b. */
+static void across(bat_overlay *overlay, const bat_view *view, int k, double along, double a, double b) {
+    double from[2], to[2];
+    bat_view_to_document(view, k ? (double[]){a, along} : (double[]){along, a}, from);
+    bat_view_to_document(view, k ? (double[]){b, along} : (double[]){along, b}, to);
+    bat_path_move(&overlay->path, from[0], from[1]);
+    bat_path_line(&overlay->path, to[0], to[1]);
+}
+
+/* 1, 2 or 5 times a power of ten, the least not below. */
+static double round_up(double value) {
+    double power = 1;
+    while (power < value) power *= 10;
+    while (power >= value && power > 1e-12) power /= 10;
+    return 2 * power >= value ? 2 * power : 5 * power >= value ? 5 * power : 10 * power;
+}
+
+/* Axis 0 is the upper ruler, along x. */
+static void show_ticks(const bat_editor *editor, bat_overlay *overlay, int axis) {
+    const bat_view *view = &editor->view;
+    double zero[2], unit = bat_unit_size(editor), scale = unit * view->zoom, R = BAT_RULER_WIDTH;
+    bat_editor_zero(editor, zero);
+    double low = ((axis ? view->y : view->x) - zero[axis]) / unit;
+    double high = low + (axis ? view->height : view->width) / scale, step = round_up(LABEL_APART / scale);
+    int parts = 10;
+    while (parts > 1 && step * scale / parts < TICK_APART) parts = parts == 10 ? 5 : parts == 5 ? 2 : 1;
+    double first = floor(low / step);
+    for (int i = 0; i < TICKS_MAX; i++) {
+        double value = (first + i / parts) * step + step * (i % parts) / parts;
+        double along = (value - low) * scale;
+        if (value > high) break;
+        if (along < R) continue;
+        bool labelled = i % parts == 0;
+        across(overlay, view, axis, along, R - (labelled ? R : 2 * (i % parts) == parts ? MIDDLE : TICK), R);
+        if (!labelled) continue;
+        char text[BAT_UNIT_ROOM];
+        double at[2];
+        bat_unit_number(value, text);
+        bat_view_to_document(view, axis ? (double[]){0, along} : (double[]){along, 0}, at);
+        double half = 3.2 * (double)strlen(text) + 4; /* of the text's length */
+        bat_overlay_label(overlay, BAT_ROLE_RULER, at, axis ? 7 : half, axis ? half : 7, text);
+        if (axis && overlay->label_count) overlay->labels[overlay->label_count - 1].turn = 90;
+    }
+}
+
+static void strip(bat_overlay *overlay, const bat_view *view, const double box[4]) {
+    double corner[2];
+    for (int i = 0; i < 4; i++) {
+        bat_view_to_document(view, (double[]){box[i == 1 || i == 2 ? 2 : 0], box[i > 1 ? 3 : 1]}, corner);
+        (i ? bat_path_line : bat_path_move)(&overlay->path, corner[0], corner[1]);
+    }
+    bat_path_close(&overlay->path);
+}
+
+void bat_rulers_show(const bat_editor *editor, bat_overlay *overlay) {
+    const bat_view *view = &editor->view;
+    double R = BAT_RULER_WIDTH;
+    if (!bat_rulers_on(editor)) return;
+    bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_FILLED, 0);
+    strip(overlay, view, (double[]){0, 0, view->width, R});
+    strip(overlay, view, (double[]){0, R, R, view->height});
+    bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_STROKED, 1);
+    across(overlay, view, 1, R - 0.5, 0, view->width);
+    across(overlay, view, 0, R - 0.5, 0, view->height);
+    show_ticks(editor, overlay, 0);
+    show_ticks(editor, overlay, 1);
+    if (!editor->pen_near) return;
+    bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
+    for (int k = 0; k < 2; k++)
+        if (editor->pen[k] >= R) across(overlay, view, k, editor->pen[k], 0, R);
+}

@@ -1,0 +1,85 @@
+/* What is made of commands.def and strings.def: names, ranges, words, shortcuts. */
+#ifndef BATTEN_EDITOR_TABLES_TABLES_H
+#define BATTEN_EDITOR_TABLES_TABLES_H
+
+#include <batten/base.h>
+
+typedef enum bat_string {
+#define TEXT(id, key, english, korean) BAT_STRING_##id,
+#include "editor/tables/strings.def"
+    BAT_STRING_COUNT
+} bat_string;
+
+typedef enum bat_command_id {
+#define COMMAND(id, name, keys, when, hold, function) BAT_COMMAND_##id,
+/* A section is numbered as the first command in it, which then has the same number. */
+#define SECTION(id) BAT_SECTION_##id, BAT_SECTION_##id##_AGAIN = BAT_SECTION_##id - 1,
+#include "editor/tables/commands.def"
+    BAT_COMMAND_COUNT
+} bat_command_id;
+
+typedef enum bat_property_id {
+#define PROPERTY(id, name, type, standard, low, high, step, unit) BAT_PROPERTY_##id,
+#define SUBJECT(id) BAT_SUBJECT_##id, BAT_SUBJECT_##id##_AGAIN = BAT_SUBJECT_##id - 1,
+#include "editor/tables/commands.def"
+    BAT_PROPERTY_COUNT
+} bat_property_id;
+
+typedef enum bat_number_id {
+#define NUMBER(id, name) BAT_NUMBER_##id,
+#include "editor/tables/commands.def"
+    BAT_NUMBER_COUNT
+} bat_number_id;
+
+typedef enum bat_tool_id {
+#define TOOL(id, name, command, behaviour) BAT_TOOL_##id,
+#include "editor/tables/commands.def"
+    BAT_TOOL_COUNT
+} bat_tool_id;
+
+typedef enum bat_property_type {
+    BAT_PROPERTY_NUMBER,
+    BAT_PROPERTY_SWITCH,
+    BAT_PROPERTY_COLOUR,
+    BAT_PROPERTY_CHOICE
+} bat_property_type;
+typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST } bat_when;
+
+typedef struct bat_command_row {
+    const char *name, *keys;
+    bat_when when;
+    bool hold;
+    bat_string label, help;
+} bat_command_row;
+
+typedef struct bat_property_row {
+    const char *name;
+    bat_property_type type;
+    double standard, low, high, step;
+    const char *unit;
+    bat_string label, help;
+} bat_property_row;
+
+typedef struct bat_tool_row {
+    const char *name;
+    bat_command_id command;
+    bat_string label, help;
+} bat_tool_row;
+
+const bat_command_row *bat_command_at(bat_command_id id);
+bat_string bat_command_section(bat_command_id id); /* the word that it stands under */
+bat_string bat_property_subject(bat_property_id id);
+const bat_property_row *bat_property_at(bat_property_id id);
+const bat_tool_row *bat_tool_at(bat_tool_id id);
+/* The text of a key (size bytes); BAT_STRING_COUNT: none. */
+bat_string bat_string_named(const char *key, size_t size);
+/* The id of a name; the count when there is none. */
+bat_command_id bat_command_named(const char *name);
+bat_property_id bat_property_named(const char *name);
+bat_number_id bat_number_named(const char *name);
+const char *bat_number_name(bat_number_id id);
+
+const char *bat_string_key(bat_string id);
+const char *bat_string_english(bat_string id);
+
+#endif

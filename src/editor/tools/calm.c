@@ -1,0 +1,120 @@
+#include "editor/tools/calm.h"
+#include "editor/editor.h"
+#include "editor/edit/curves_of.h"
+#include <batten/measure.h>
+#include <math.h>
+#include <stdio.h>
+
+enum { SAMPLES = 240 };
+static const double REACH = 24; /* px from the pen to a curve that it means */
+
+void bat_calm_range(const bat_curve *curve, double u, double reach, double range[2]) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    double period = domain[1] - domain[0];
+    bool closed = bat_curve_closed(curve);
+    if (closed && bat_curve_length(curve, domain[0], domain[1], 1e-3) <= 2 * reach) {
+        range[0] = u - period / 2;
+        range[1] = u + period / 2;
+        return;
+    }
+    range[0] = bat_curve_at_length(curve, u, -reach, 1e-4);
+    range[1] = bat_curve_at_length(curve, u, reach, 1e-4);
+    if (closed && range[0] > u) range[0] -= period;
+    if (closed && range[1] < u) range[1] += period;
+}
+
+bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double limit, double pixel,
+                          bat_curve **out) {
+    double points[2 * SAMPLES];
+    for (int i = 0; i < SAMPLES; i++)
+        bat_curve_eval(curve, range[0] + (range[1] - range[0]) * i / (SAMPLES - 1), 0, points + 2 * i);
+    bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = points};
+    bat_sketch_options options = bat_sketch_defaults();
+    bat_sketch_report report;
+    options.pixel = pixel;
+    options.tolerance = fmin(limit, pixel);
+    options.smooth_limit = limit;
+    bat_curve *faired = NULL;
+    bat_status status = bat_sketch_smooth(curve, &stroke, &options, &faired, &report);
+    if (status == BAT_TOLERANCE && faired) status = BAT_OK;
+    if (status == BAT_OK && !faired) status = BAT_SINGULAR;
+    if (status == BAT_OK)
+        *out = faired;
+    else
+        bat_curve_free(faired);
+    return status;
+}
+
+/* What the command would calm: the range, or the stretch that is measured, else that around the pen. */
+static const bat_curve *find(bat_editor *editor, bat_id *object, int *curve, double range[2]) {
+    const bat_pointing *pointing = &editor->pointing;
+    if (editor->range.on) {
+        *object = editor->range.object;
+        *curve = editor->range.curve;
+        range[0] = editor->range.u[0];
+        range[1] = editor->range.u[1];
+        return bat_range_curve(editor);
+    }
+    if (editor->tool == BAT_TOOL_POINTS && pointing->measured) {
+        *object = pointing->object;
+        *curve = pointing->curve;
+        range[0] = pointing->stretch[0];
+        range[1] = pointing->stretch[1];
+        return bat_edit_target(editor->document, *object, *curve);
+    }
+    if (!editor->pen_near) return NULL;
+    double point[2], pixel = bat_view_pixel(&editor->view);
+    bat_editor_sync(editor);
+    bat_view_to_document(&editor->view, editor->pen, point);
+    bat_pick pick = bat_pick_nearest(&editor->scene, point, REACH * pixel);
+    if (!pick.object) return NULL;
+    const bat_curve *target = bat_edit_target(editor->document, pick.object, pick.curve);
+    *object = pick.object;
+    *curve = pick.curve;
+    if (target) bat_calm_range(target, pick.near.u, editor->values[BAT_PROPERTY_BRUSH_SIZE] * pixel, range);
+    return target;
+}
+
+bat_status bat_calm_command(bat_editor *editor, bool down) {
+    bool was = editor->calming;
+    editor->calming = false;
+    if (bat_editor_busy(editor) || editor->transaction.open) return BAT_STATE;
+    if (down) {
+        editor->calming = true;
+        return BAT_OK;
+    }
+    if (!was) return BAT_STATE;
+    bat_id object;
+    int index;
+    double range[2], pixel = bat_view_pixel(&editor->view);
+    const bat_curve *curve = find(editor, &object, &index, range);
+    if (!curve) {
+        bat_editor_notice(editor, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
+        return BAT_STATE;
+    }
+    bat_curve *faired = NULL;
+    bat_status status = bat_calm_curve(curve, range, editor->values[BAT_PROPERTY_TOLERANCE] * pixel, pixel,
+                                       &faired);
+    double there = 0, back = 0;
+    if (status == BAT_OK) bat_curve_distance(curve, faired, 8, &there, &back);
+    if (status == BAT_OK) status = bat_commit_curve(editor, object, index, faired, BAT_STRING_STEP_CALM);
+    if (status != BAT_OK) {
+        bat_editor_notice_failure(editor, status);
+        return status;
+    }
+    char number[32];
+    snprintf(number, sizeof number, "%.3g", fmax(there, back));
+    bat_editor_notice_value(editor, BAT_STRING_NOTICE_CALMED, number);
+    return BAT_OK;
+}
+
+void bat_calm_show(bat_editor *editor, bat_overlay *overlay) {
+    bat_id object;
+    int index;
+    double range[2];
+    const bat_curve *curve = editor->calming ? find(editor, &object, &index, range) : NULL;
+    if (!curve) return;
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, 5);
+    bat_overlay_stretch(overlay, curve, range[0], range[1]);
+}

@@ -1,0 +1,294 @@
+#include "editor/tools/modes/range.h"
+#include "editor/edit/arrange.h"
+#include "editor/tools/brushing.h"
+#include "editor/tools/calm.h"
+#include "editor/editor.h"
+#include "editor/show/handles.h"
+#include "editor/edit/curves_of.h"
+#include <batten/measure.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double STEP = 4, LEAST = 2, MARGIN = 40; /* px along the curve; from the window's border */
+static const float RANGE_WIDTH = 5, CURVE_WIDTH = 2;
+
+const bat_curve *bat_range_curve(const bat_editor *editor) {
+    const bat_range *r = &editor->range;
+    return r->on ? bat_edit_target(editor->document, r->object, r->curve) : NULL;
+}
+
+static double period_of(const bat_curve *curve) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    return domain[1] - domain[0];
+}
+
+/* The parameter at length s from u, in whichever period u lies. */
+static double along(const bat_curve *curve, double u, double s) {
+    double domain[2], period = period_of(curve), turns = 0;
+    bat_curve_domain(curve, domain);
+    if (bat_curve_closed(curve)) turns = floor((u - domain[0]) / period) * period;
+    double v = bat_curve_at_length(curve, u - turns, s, 1e-9);
+    if (bat_curve_closed(curve) && s > 0 && v < u - turns) v += period;
+    if (bat_curve_closed(curve) && s < 0 && v > u - turns) v -= period;
+    return v + turns;
+}
+
+/* The middle third. */
+static void reset(bat_range *r, const bat_curve *curve) {
+    double domain[2], length;
+    bat_curve_domain(curve, domain);
+    length = bat_curve_length(curve, domain[0], domain[1], 1e-9);
+    r->u[0] = along(curve, domain[0], length / 3);
+    r->u[1] = along(curve, domain[0], length * 2 / 3);
+    if (!(r->u[0] < r->u[1])) memcpy(r->u, domain, sizeof domain); /* no length */
+    r->end = 0;
+}
+
+/* Undo may have taken the curve away, or made it shorter. */
+static const bat_curve *settle(bat_editor *editor) {
+    bat_range *r = &editor->range;
+    const bat_curve *curve = bat_range_curve(editor);
+    double domain[2];
+    if (!curve) {
+        r->on = false;
+        return NULL;
+    }
+    bat_curve_domain(curve, domain);
+    double last = bat_curve_closed(curve) ? domain[1] + period_of(curve) : domain[1];
+    if (!(r->u[0] >= domain[0] && r->u[0] < r->u[1] && r->u[1] <= last)) reset(r, curve);
+    return curve;
+}
+
+static void show(bat_editor *editor, const bat_curve *curve) {
+    double at[2];
+    bat_curve_eval(curve, editor->range.u[editor->range.end], 0, at);
+    bat_view_show(&editor->view, at, MARGIN);
+}
+
+static bool choose(bat_editor *editor, bat_id object, int curve) {
+    bat_range *r = &editor->range;
+    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+    if (!target) return false;
+    bool same = r->object == object && r->curve == curve;
+    r->on = true;
+    r->object = object;
+    r->curve = curve;
+    if (same)
+        settle(editor);
+    else
+        reset(r, target);
+    show(editor, target);
+    return true;
+}
+
+bat_status bat_range_begin(bat_editor *editor, bool down) {
+    (void)down;
+    const bat_tool *tool = bat_editor_tool(editor);
+    if (tool->cancel && editor->tool != BAT_TOOL_SELECT && editor->tool != BAT_TOOL_POINTS)
+        tool->cancel(editor);
+    if (tool->leave) tool->leave(editor);
+    bat_editor_sync(editor);
+    const bat_scene *scene = &editor->scene;
+    int end = 0; /* of the selected group that the walk is in */
+    for (int i = 0; i < scene->count && editor->selection.count; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        bat_id id = bat_object_id(entry->object);
+        if (i >= end && bat_selection_has(&editor->selection, id))
+            end = bat_document_end(editor->document, i);
+        bool again = id == editor->range.object;
+        if (i < end && !entry->hidden && !entry->locked &&
+            choose(editor, id, again ? editor->range.curve : 0))
+            return BAT_OK;
+    }
+    double at[2] = {editor->view.width / 2, editor->view.height / 2}, point[2];
+    if (editor->pen_near) memcpy(at, editor->pen, sizeof at);
+    bat_view_to_document(&editor->view, at, point);
+    bat_pick pick = bat_pick_nearest(&editor->scene, point, INFINITY);
+    if (pick.object && choose(editor, pick.object, pick.curve)) return BAT_OK;
+    bat_editor_notice(editor, BAT_STRING_NOTICE_NO_CURVE);
+    return BAT_STATE;
+}
+
+void bat_range_end(bat_editor *editor) {
+    bat_waypoints_end(editor);
+    editor->range.on = false;
+}
+
+/* ---- keys ---- */
+
+/* The end goes along the curve, but not past the other one. */
+static bat_status move(bat_editor *editor, const bat_curve *curve, double u) {
+    bat_range *r = &editor->range;
+    double domain[2], period = period_of(curve), pixel = bat_view_pixel(&editor->view);
+    bool closed = bat_curve_closed(curve);
+    bat_curve_domain(curve, domain);
+    double near = along(curve, r->u[1 - r->end], (r->end ? 1 : -1) * LEAST * pixel);
+    double far = r->u[1 - r->end] + (r->end ? period : -period);
+    u = r->end ? fmin(fmax(u, near), far) : fmax(fmin(u, near), far);
+    if (!closed) u = fmin(fmax(u, domain[0]), domain[1]);
+    if (r->end ? u <= r->u[0] : u >= r->u[1]) return BAT_OK; /* the curve is shorter than the least */
+    r->u[r->end] = u;
+    double turns = closed ? floor((r->u[0] - domain[0]) / period) * period : 0;
+    r->u[0] -= turns;
+    r->u[1] -= turns;
+    show(editor, curve);
+    return BAT_OK;
+}
+
+static bat_status step(bat_editor *editor, const bat_curve *curve, int direction) {
+    double length = direction * STEP * bat_view_pixel(&editor->view);
+    if (editor->modifiers & BAT_SHIFT) length *= 10;
+    return move(editor, curve, along(curve, editor->range.u[editor->range.end], length));
+}
+
+static bat_status step_knot(bat_editor *editor, const bat_curve *curve, int direction) {
+    double u = editor->range.u[editor->range.end], domain[2], period = period_of(curve), knot, best = NAN;
+    bat_curve_domain(curve, domain);
+    for (int turn = -1; turn <= 2; turn++) {
+        if (turn && !bat_curve_closed(curve)) continue;
+        double ends[2] = {domain[0] + turn * period, domain[1] + turn * period};
+        for (int i = 0; i < 2; i++)
+            if (direction > 0 ? ends[i] > u && !(best <= ends[i]) : ends[i] < u && !(best >= ends[i]))
+                best = ends[i];
+        for (double after = -INFINITY; bat_knot_next(curve, after, &knot, NULL); after = knot) {
+            double v = knot + turn * period;
+            if (direction > 0 ? v > u && !(best <= v) : v < u && !(best >= v)) best = v;
+        }
+    }
+    return isnan(best) ? BAT_OK : move(editor, curve, best);
+}
+
+/* The curves of the drawing, back to front; past the last one the keyboard goes on to what lies behind it. */
+static bat_status step_curve(bat_editor *editor, int direction) {
+    bat_range *r = &editor->range;
+    bat_editor_sync(editor);
+    int i = bat_document_find(editor->document, r->object), j = r->curve + direction;
+    for (; i >= 0 && i < editor->scene.count; i += direction) {
+        const bat_scene_entry *entry = &editor->scene.entries[i];
+        int count = entry->hidden || entry->locked ? 0 : bat_object_curve_count(entry->object);
+        if (i != bat_document_find(editor->document, r->object)) j = direction > 0 ? 0 : count - 1;
+        for (; j >= 0 && j < count; j += direction)
+            if (choose(editor, bat_object_id(entry->object), j)) return BAT_OK;
+    }
+    r->on = false;
+    return BAT_STATE;
+}
+
+static bat_status erase(bat_editor *editor) {
+    bat_range *r = &editor->range;
+    r->on = false;
+    bat_status status = bat_erase_stretch(editor, r->object, r->curve, r->u);
+    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+static bat_status fair(bat_editor *editor, const bat_curve *curve) {
+    bat_range *r = &editor->range;
+    double pixel = bat_view_pixel(&editor->view);
+    bat_curve *faired = NULL;
+    bat_status status = bat_calm_curve(curve, r->u, editor->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel, pixel,
+                                       &faired);
+    r->on = false;
+    if (status == BAT_OK)
+        status = bat_commit_curve(editor, r->object, r->curve, faired, BAT_STRING_STEP_SMOOTH);
+    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+static bool accept(bat_editor *editor) {
+    const bat_curve *curve = settle(editor);
+    if (!curve) return false;
+    bat_editor_notice(editor, BAT_STRING_COUNT);
+    if (editor->tool == BAT_TOOL_SMOOTH)
+        fair(editor, curve);
+    else if (editor->tool == BAT_TOOL_ERASER)
+        erase(editor);
+    else
+        bat_waypoints_over(editor, editor->range.object, editor->range.curve, editor->range.u);
+    return true;
+}
+
+static bat_status command(bat_editor *editor, bat_command_id id) {
+    const bat_curve *curve = settle(editor);
+    if (!curve) return BAT_STATE;
+    switch ((int)id) {
+    case BAT_COMMAND_NUDGE_LEFT: return step(editor, curve, -1);
+    case BAT_COMMAND_NUDGE_RIGHT: return step(editor, curve, 1);
+    case BAT_COMMAND_NUDGE_UP:
+    case BAT_COMMAND_NUDGE_DOWN:
+        editor->range.end = 1 - editor->range.end;
+        show(editor, curve);
+        return BAT_OK;
+    case BAT_COMMAND_KNOT_NEXT: return step_knot(editor, curve, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(editor, curve, -1);
+    case BAT_COMMAND_POINT_NEXT: return step_curve(editor, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step_curve(editor, -1);
+    case BAT_COMMAND_POINT_DELETE: return erase(editor);
+    default: return BAT_STATE;
+    }
+}
+
+static bool cancel(bat_editor *editor) {
+    bool was = editor->range.on;
+    editor->range.on = false;
+    return was;
+}
+
+/* Undo goes through the history; the range stays where it can. */
+static bool undo(bat_editor *editor) {
+    (void)editor;
+    return false;
+}
+
+/* ---- picture ---- */
+
+static void update(bat_editor *editor) { settle(editor); }
+
+static void overlay(bat_editor *editor, bat_overlay *list) {
+    const bat_range *r = &editor->range;
+    const bat_curve *curve = bat_range_curve(editor);
+    double at[2], pixel = bat_view_pixel(&editor->view);
+    char text[32];
+    if (!curve) return;
+    bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, CURVE_WIDTH);
+    bat_path_curve(&list->path, curve);
+    bat_role role = editor->tool == BAT_TOOL_ERASER ? BAT_ROLE_ERASED : BAT_ROLE_FIT;
+    bat_overlay_item(list, role, BAT_ITEM_STROKED, RANGE_WIDTH);
+    bat_overlay_stretch(list, curve, r->u[0], r->u[1]);
+    for (int i = 0; i < 2; i++) {
+        bool held = i == r->end;
+        bat_curve_eval(curve, r->u[i], 0, at);
+        bat_overlay_item(list, held ? BAT_ROLE_CHOSEN : BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED,
+                         2);
+        bat_overlay_circle(list, at, (held ? 8 : 6) * pixel);
+        if (!held) continue;
+        snprintf(text, sizeof text, "%.4g", bat_curve_length(curve, r->u[0], r->u[1], 1e-6));
+        bat_overlay_label(list, BAT_ROLE_VALUE, at, 0, -24, text);
+    }
+}
+
+static bat_string hint(const bat_editor *editor) {
+    return editor->tool == BAT_TOOL_SMOOTH   ? BAT_STRING_HINT_RANGE_SMOOTH
+           : editor->tool == BAT_TOOL_ERASER ? BAT_STRING_HINT_RANGE_ERASE
+                                             : BAT_STRING_HINT_RANGE;
+}
+
+static const char *check(const bat_editor *editor) {
+    const bat_range *r = &editor->range;
+    if (!(r->u[0] < r->u[1])) return "a range without an extent";
+    return r->end == 0 || r->end == 1 ? NULL : "a range has a third end";
+}
+
+const bat_tool *bat_tool_range(void) {
+    static const bat_tool tool = {.cancel = cancel,
+                                  .undo = undo,
+                                  .command = command,
+                                  .accept = accept,
+                                  .update = update,
+                                  .overlay = overlay,
+                                  .hint = hint,
+                                  .check = check};
+    return &tool;
+}

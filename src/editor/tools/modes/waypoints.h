@@ -1,0 +1,32 @@
+/*
+ * Waypoints: the pen of those who hold none. Points are put with Enter and moved with the arrows; a smooth stroke
+ * runs through them, and what the tool would make of a pen's stroke it makes of this one: the sketch tool a new
+ * curve, a redrawn range or a join, the tangents tool a spline.
+ */
+#ifndef BATTEN_EDITOR_TOOLS_MODES_WAYPOINTS_H
+#define BATTEN_EDITOR_TOOLS_MODES_WAYPOINTS_H
+
+#include "editor/tools/tool.h"
+#include "editor/view/view.h"
+
+enum { BAT_WAYPOINTS_MAX = 128 };
+
+typedef struct bat_waypoints {
+    bool on, due;  /* due: the preview is not of these points, or of another view */
+    bat_id object; /* that is redrawn; 0: what the place of the first one means */
+    int curve;
+    double points[2 * BAT_WAYPOINTS_MAX]; /* document units */
+    double leads[4]; /* redrawn: the curve's directions where the stroke begins and ends */
+    int count, chosen;
+    bat_view view; /* that the preview was made in */
+} bat_waypoints;
+
+/* The first point, where the pen is or in the middle of the view. BAT_STATE: this tool draws nothing. */
+bat_status bat_waypoints_begin(bat_editor *editor, bool down);
+/* Points along the stretch u[0]..u[1] of a curve, which is to be redrawn; the tool is the sketch tool then. */
+void bat_waypoints_over(bat_editor *editor, bat_id object, int curve, const double u[2]);
+void bat_waypoints_end(bat_editor *editor);
+/* Lies over the chosen tool while there are waypoints. */
+const bat_tool *bat_tool_waypoints(void);
+
+#endif

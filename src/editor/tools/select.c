@@ -1,0 +1,652 @@
+/*
+ * The select tool: click, Shift-click, marquee; drag to move; handles to scale and rotate.
+ *
+ * IDLE --down on a handle--> SCALING, ROTATING --up--> IDLE (committed)
+ * IDLE --down on an object--> PRESSED --move--> MOVING --up--> IDLE (committed); PRESSED --up--> IDLE (a click)
+ * A move with Alt held at its beginning is of copies. A double click enters a group; Esc, or a click outside, leaves it.
+ * IDLE --down on nothing--> MARQUEE --up--> IDLE
+ * cancel: to IDLE from anywhere, nothing changed. A drag holds a transaction from its first change to its end.
+ */
+#include "editor/edit/affine.h"
+#include "editor/edit/arrange.h"
+#include "editor/editor.h"
+#include "base/real.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double REACH = 8, REACH_TOUCH = 22; /* px to a line, and to a handle */
+static const double STILL = 4;                   /* px that a click may travel */
+static const double TWICE = 400;                 /* ms between the presses of a double click */
+static const double HANDLE = 4.5, ROTATE_AWAY = 26, CROWDED = 30;
+static const double PI = 3.14159265358979323846;
+
+static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
+
+/* Where handle i is on the box: 0, 1/2 or 1 along each axis. */
+static void handle_share(int handle, double share[2]) {
+    static const double shares[8][2] = {{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5},
+                                        {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}};
+    memcpy(share, shares[handle], sizeof shares[0]);
+}
+
+/* Of the box (document units), in view pixels. False: too crowded, or no such side. */
+static bool handle_place(const bat_view *view, const double box[4], int handle, double out[2]) {
+    double share[2] = {0.5, 0};
+    if (handle < BAT_GRIP_ROTATE) handle_share(handle, share);
+    double width = (box[2] - box[0]) * view->zoom, height = (box[3] - box[1]) * view->zoom;
+    bool corner = share[0] != 0.5 && share[1] != 0.5;
+    if (handle < BAT_GRIP_ROTATE && !corner && (share[0] == 0.5 ? width : height) < CROWDED) return false;
+    if (handle < BAT_GRIP_ROTATE && width == 0 && share[0] == 1 && share[1] != 0.5) return false;
+    if (handle < BAT_GRIP_ROTATE && height == 0 && share[1] == 1 && share[0] != 0.5) return false;
+    bat_view_to_screen(
+        view, (double[]){box[0] + share[0] * (box[2] - box[0]), box[1] + share[1] * (box[3] - box[1])}, out);
+    if (handle == BAT_GRIP_ROTATE) {
+        out[0] += ROTATE_AWAY * view->sine;
+        out[1] -= ROTATE_AWAY * view->cosine;
+    }
+    return true;
+}
+
+static int handle_at(const bat_editor *editor, const double pixel[2], bat_device device) {
+    double box[4], place[2], best = reach(device);
+    int found = BAT_GRIP_NONE;
+    if (!bat_arrange_selection_box(editor, box)) return found;
+    for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
+        if (!handle_place(&editor->view, box, i, place)) continue;
+        double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
+        if (away <= best) {
+            best = away;
+            found = i;
+        }
+    }
+    return found;
+}
+
+/* What a click here means: the whole group, or with deep the object itself. 0: nothing. */
+static bat_id object_at(bat_editor *editor, const double pixel[2], bat_device device, bool deep) {
+    double point[2];
+    bat_editor_sync(editor);
+    bat_view_to_document(&editor->view, pixel, point);
+    int index = bat_pick_object(&editor->scene, point, reach(device) * bat_view_pixel(&editor->view));
+    if (index < 0) return 0;
+    if (!deep) index = bat_arrange_whole(editor, index);
+    return bat_object_id(bat_document_at(editor->document, index));
+}
+
+bool bat_selecting_hits(bat_editor *editor, const bat_pointer *event) {
+    double pixel[2] = {event->x, event->y};
+    return handle_at(editor, pixel, event->device) != BAT_GRIP_NONE ||
+           object_at(editor, pixel, event->device, false) != 0;
+}
+
+static void forget_drag(bat_selecting *s) {
+    for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
+    free(s->before);
+    free(s->indices);
+    free(s->originals);
+    s->originals = NULL;
+    s->before = NULL;
+    s->indices = NULL;
+    s->count = 0;
+    s->due = false;
+    s->state = BAT_SELECTING_IDLE;
+    s->handle = BAT_GRIP_NONE;
+}
+
+/* Begins another selection, without losing the one there is: a press may yet be cancelled. */
+static void replace_selection(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    bat_selection_swap(&editor->selection, &s->earlier);
+    bat_selection_clear(&editor->selection);
+    s->replaced = true;
+}
+
+/* What is selected is again what was before the press. */
+static void take_press_back(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    if (s->replaced)
+        bat_selection_swap(&editor->selection, &s->earlier);
+    else if (s->pressed && !s->was_selected)
+        bat_selection_remove(&editor->selection, s->pressed);
+    bat_selection_prune(&editor->selection, editor->document);
+    editor->entered = bat_document_find(editor->document, s->entered) < 0 ? 0 : s->entered;
+    s->replaced = false;
+    s->clicked_at = 0;
+}
+
+/* Takes the drag back; the copies are gone, what they were made of is selected as before the press. */
+static void take_back(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    bat_transaction_cancel(editor);
+    for (int i = 0; s->originals && i < s->original_count; i++)
+        bat_selection_add(&editor->selection, s->originals[i]); /* there is room: they were in it */
+    take_press_back(editor);
+    forget_drag(s);
+}
+
+static void give_up(bat_editor *editor, bat_status status) {
+    take_back(editor);
+    bat_editor_notice_failure(editor, status);
+}
+
+static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
+    if (s->source_count < BAT_SNAP_SOURCES) s->sources[s->source_count++] = (bat_snap_source){{x, y}, kinds};
+}
+
+/* What of the selection snaps: the box to lines, ends of curves and the place held to everything. */
+static void find_sources(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    double held[2], domain[2], end[2];
+    s->source_count = 0;
+    for (int i = 0; i < 4; i++) add_source(s, s->box[i & 1 ? 2 : 0], s->box[i & 2 ? 3 : 1], BAT_SNAP_LINES);
+    add_source(s, s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2, BAT_SNAP_LINES);
+    bat_view_to_document(&editor->view, s->start, held);
+    add_source(s, held[0], held[1], BAT_SNAP_ALL & ~BAT_SNAP_LINES);
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
+            const bat_curve *curve = bat_object_curve(s->before[i], k);
+            if (bat_curve_dimension(curve) != 2 || bat_curve_closed(curve)) continue;
+            bat_curve_domain(curve, domain);
+            for (int side = 0; side < 2; side++) {
+                bat_curve_eval(curve, domain[side], 0, end);
+                add_source(s, end[0], end[1], BAT_SNAP_ALL);
+            }
+        }
+}
+
+/* Keeps what the drag is going to change, as it is now. */
+static bat_status take_hold(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    const bat_document *document = editor->document;
+    int *roots, count;
+    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    if (status != BAT_OK) return status;
+    size_t room = (size_t)bat_document_count(document);
+    s->indices = malloc(room * sizeof *s->indices);
+    s->before = malloc(room * sizeof *s->before);
+    if (!s->indices || !s->before) {
+        status = BAT_MEMORY;
+    } else {
+        for (int i = 0; i < count; i++)
+            for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) {
+                const bat_object *object = bat_document_at(document, k);
+                if (bat_object_is_group(object)) continue;
+                s->indices[s->count] = k;
+                s->before[s->count++] = bat_object_retain(object);
+            }
+        bat_arrange_selection_box(editor, s->box);
+        find_sources(editor);
+        if (!editor->transaction.open) status = bat_transaction_begin(editor);
+    }
+    free(roots);
+    return status;
+}
+
+/* Copies in place of the selection, to be dragged. */
+static bat_status lift(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    size_t size = (size_t)editor->selection.count * sizeof *s->originals;
+    s->originals = malloc(size);
+    if (!s->originals) return BAT_MEMORY;
+    memcpy(s->originals, editor->selection.ids, size);
+    s->original_count = editor->selection.count;
+    return bat_arrange_lift(editor);
+}
+
+/* ---- what the drag makes ---- */
+
+static double snapped_angle(double radians, bool snap) {
+    return snap ? round(radians / (PI / 12)) * (PI / 12) : radians;
+}
+
+static void scaling(const bat_selecting *s, uint32_t modifiers, const double from[2], const double to[2],
+                    double matrix[6]) {
+    double share[2], about[2], factor[2] = {1, 1};
+    handle_share(s->handle, share);
+    for (int k = 0; k < 2; k++) {
+        double low = s->box[k], high = s->box[k + 2], opposite = low + (1 - share[k]) * (high - low);
+        about[k] = modifiers & BAT_ALT || share[k] == 0.5 ? low / 2 + high / 2 : opposite;
+        double held = low + share[k] * (high - low), arm = held - about[k];
+        /* The handle keeps its distance to the pointer. */
+        if (share[k] != 0.5 && arm != 0) factor[k] = (arm + to[k] - from[k]) / arm;
+    }
+    if (modifiers & BAT_SHIFT) {
+        int leading = share[0] == 0.5 || (share[1] != 0.5 && fabs(factor[1]) > fabs(factor[0]));
+        double size = fabs(factor[leading]);
+        for (int k = 0; k < 2; k++) factor[k] = share[k] == 0.5 ? size : copysign(size, factor[k]);
+    }
+    /* Nothing can be scaled back from nothing. */
+    for (int k = 0; k < 2; k++)
+        if (fabs(factor[k]) < 1e-4) factor[k] = factor[k] < 0 ? -1e-4 : 1e-4;
+    bat_affine_scaling(factor[0], factor[1], about, matrix);
+}
+
+static void rotating(const bat_selecting *s, uint32_t modifiers, const double from[2], const double to[2],
+                     double matrix[6]) {
+    double about[2] = {s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2};
+    double turn = bat_atan2(to[1] - about[1], to[0] - about[0]) -
+                  bat_atan2(from[1] - about[1], from[0] - about[0]);
+    bat_affine_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
+}
+
+static void moving(bat_editor *editor, const double from[2], double to[2], double matrix[6]) {
+    const bat_selecting *s = &editor->selecting;
+    if (editor->modifiers & BAT_SHIFT) {
+        bat_snap_angle(editor, from, to);
+        bat_affine_translation(to[0] - from[0], to[1] - from[1], matrix);
+        return;
+    }
+    double by[2] = {to[0] - from[0], to[1] - from[1]};
+    int which = 0;
+    editor->snap = bat_snap_find(editor, s->count, s->indices, s->source_count, s->sources, by, &which);
+    for (int k = 0; k < 2 && editor->snap.kind; k++)
+        if (editor->snap.bound[k]) by[k] = editor->snap.point[k] - s->sources[which].point[k];
+    bat_affine_translation(by[0], by[1], matrix);
+}
+
+/* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
+static void snap_handle(bat_editor *editor, const double from[2], double to[2]) {
+    const bat_selecting *s = &editor->selecting;
+    double share[2], by[2] = {to[0] - from[0], to[1] - from[1]};
+    handle_share(s->handle, share);
+    bat_snap_source source = {.kinds = BAT_SNAP_ALL};
+    for (int k = 0; k < 2; k++) source.point[k] = s->box[k] + share[k] * (s->box[k + 2] - s->box[k]);
+    editor->snap = bat_snap_find(editor, s->count, s->indices, 1, &source, by, NULL);
+    bool used = false;
+    for (int k = 0; k < 2 && editor->snap.kind; k++)
+        if (editor->snap.bound[k] && share[k] != 0.5) {
+            to[k] = from[k] + editor->snap.point[k] - source.point[k];
+            used = true;
+        }
+    if (!used) editor->snap.kind = BAT_SNAP_NONE;
+}
+
+static bat_status change(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    double from[2], to[2], matrix[6];
+    bat_view_to_document(&editor->view, s->start, from);
+    bat_view_to_document(&editor->view, s->at, to);
+    bat_editor_sync(editor);
+    if (s->state == BAT_SELECTING_SCALING && !(editor->modifiers & BAT_SHIFT)) snap_handle(editor, from, to);
+    if (s->state == BAT_SELECTING_SCALING)
+        scaling(s, editor->modifiers, from, to, matrix);
+    else if (s->state == BAT_SELECTING_ROTATING)
+        rotating(s, editor->modifiers, from, to, matrix);
+    else
+        moving(editor, from, to, matrix);
+    bool strokes = editor->values[BAT_PROPERTY_SCALE_STROKES] != 0;
+    for (int i = 0; i < s->count; i++) {
+        bat_object *after = NULL;
+        bat_status status = bat_affine_object(s->before[i], matrix, strokes, &after);
+        if (status == BAT_OK) status = bat_transaction_replace(editor, s->indices[i], after);
+        bat_object_release(after);
+        if (status != BAT_OK) return status;
+    }
+    s->due = false;
+    return BAT_OK;
+}
+
+static bool dragging(const bat_selecting *s) { return s->state >= BAT_SELECTING_MOVING; }
+
+/* ---- events ---- */
+
+static void hover(bat_editor *editor, const bat_pointer *event) {
+    bat_selecting *s = &editor->selecting;
+    s->hovering = true;
+    s->device = event->device;
+    memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
+    s->handle = handle_at(editor, s->at, event->device);
+    s->hovered = s->handle == BAT_GRIP_NONE
+                     ? object_at(editor, s->at, event->device, event->modifiers & BAT_CTRL)
+                     : 0;
+}
+
+static void leave(bat_editor *editor) {
+    editor->selecting.hovering = false;
+    editor->selecting.hovered = 0;
+    editor->selecting.handle = BAT_GRIP_NONE;
+}
+
+static void press(bat_editor *editor, const bat_pointer *event) {
+    bat_selecting *s = &editor->selecting;
+    bat_selection *selection = &editor->selection;
+    bool near = bat_hypot(s->start[0] - s->clicked[0], s->start[1] - s->clicked[1]) <= reach(event->device);
+    bool twice = near && s->clicked_at > 0 && event->time - s->clicked_at <= TWICE;
+    memcpy(s->clicked, s->start, sizeof s->clicked);
+    s->clicked_at = twice ? 0 : event->time;
+    s->pressed = object_at(editor, s->start, event->device, event->modifiers & BAT_CTRL);
+    int index = s->pressed ? bat_document_find(editor->document, s->pressed) : -1;
+    if (index < 0 || !bat_arrange_entered(editor, index)) editor->entered = 0;
+    if (twice && index >= 0 && bat_object_kind(bat_document_at(editor->document, index)) == BAT_KIND_GROUP) {
+        editor->entered = s->pressed;
+        s->pressed = object_at(editor, s->start, event->device, false);
+    }
+    s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
+    bool adds = event->modifiers & BAT_SHIFT;
+    if (!s->pressed) {
+        if (!adds) replace_selection(editor);
+        s->state = BAT_SELECTING_MARQUEE;
+        return;
+    }
+    s->state = BAT_SELECTING_PRESSED;
+    if (s->was_selected) return;
+    if (!adds) replace_selection(editor);
+    bat_status status = bat_selection_add(selection, s->pressed);
+    if (status != BAT_OK) give_up(editor, status);
+}
+
+static void down(bat_editor *editor, const bat_pointer *event) {
+    bat_selecting *s = &editor->selecting;
+    forget_drag(s);
+    s->pressed = 0;
+    s->replaced = false;
+    s->entered = editor->entered;
+    s->device = event->device;
+    s->hovering = event->device != BAT_DEVICE_TOUCH;
+    memcpy(s->start, (double[]){event->x, event->y}, sizeof s->start);
+    memcpy(s->at, s->start, sizeof s->at);
+    bat_view_to_document(&editor->view, s->start, s->point);
+    s->has_point = true;
+    bat_editor_notice(editor, BAT_STRING_COUNT);
+    s->handle = handle_at(editor, s->start, event->device);
+    if (s->handle == BAT_GRIP_NONE) {
+        press(editor, event);
+        return;
+    }
+    s->hovered = 0;
+    s->state = s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
+    bat_status status = take_hold(editor);
+    if (status != BAT_OK) give_up(editor, status);
+}
+
+static void move(bat_editor *editor, const bat_pointer *event) {
+    bat_selecting *s = &editor->selecting;
+    if (event->predicted || s->state == BAT_SELECTING_IDLE) return;
+    memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
+    bool far = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > STILL;
+    if (s->state == BAT_SELECTING_PRESSED && far) {
+        bat_status status = event->modifiers & BAT_ALT ? lift(editor) : BAT_OK;
+        if (status == BAT_OK) status = take_hold(editor);
+        if (status != BAT_OK) {
+            give_up(editor, status);
+            return;
+        }
+        s->state = BAT_SELECTING_MOVING;
+    }
+    s->due = dragging(s);
+}
+
+static void click(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    bat_selection *selection = &editor->selection;
+    if (!s->was_selected) return;
+    if (editor->modifiers & BAT_SHIFT) {
+        bat_selection_remove(selection, s->pressed);
+        return;
+    }
+    bat_selection_clear(selection);
+    bat_selection_add(selection, s->pressed); /* there is room: it was in it */
+}
+
+/* The marquee, view pixels, low before high. */
+static void marquee(const bat_editor *editor, double box[4]) {
+    const double *a = editor->selecting.start, *b = editor->selecting.at;
+    memcpy(box, (double[]){fmin(a[0], b[0]), fmin(a[1], b[1]), fmax(a[0], b[0]), fmax(a[1], b[1])},
+           4 * sizeof *box);
+}
+
+static void select_box(bat_editor *editor) {
+    double box[4];
+    marquee(editor, box);
+    bat_editor_sync(editor);
+    for (int i = 0; i < editor->scene.count; i++) {
+        if (!bat_pick_touches(&editor->scene, i, &editor->view, box)) continue;
+        if (!bat_arrange_entered(editor, i)) continue;
+        int whole = bat_arrange_whole(editor, i);
+        bat_status status = bat_selection_add(&editor->selection,
+                                              bat_object_id(bat_document_at(editor->document, whole)));
+        if (status != BAT_OK) {
+            bat_editor_notice_failure(editor, status);
+            return;
+        }
+    }
+}
+
+static void up(bat_editor *editor, const bat_pointer *event) {
+    static const bat_string labels[] = {[BAT_SELECTING_MOVING] = BAT_STRING_STEP_MOVE,
+                                        [BAT_SELECTING_SCALING] = BAT_STRING_STEP_SCALE,
+                                        [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE};
+    bat_selecting *s = &editor->selecting;
+    bat_selecting_state state = s->state;
+    if (state == BAT_SELECTING_PRESSED) click(editor);
+    if (state == BAT_SELECTING_MARQUEE) select_box(editor);
+    if (dragging(s)) {
+        /* A handle that was only touched changes nothing. */
+        bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
+        bat_status status = moved ? change(editor) : BAT_OK;
+        if (status == BAT_OK)
+            status = bat_transaction_commit(editor, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[state],
+                                            NULL);
+        if (status != BAT_OK) {
+            give_up(editor, status);
+            return;
+        }
+    }
+    forget_drag(s);
+    if (event->device != BAT_DEVICE_TOUCH) hover(editor, event);
+}
+
+static bool cancel(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    bool busy = s->state != BAT_SELECTING_IDLE;
+    if (!busy) return false;
+    take_back(editor);
+    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+    return true;
+}
+
+static void modifiers(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    s->due = s->due || dragging(s);
+}
+
+/* The next of what a click could select, back to front; past the last one the keyboard goes on. */
+static bat_status step_object(bat_editor *editor, int direction) {
+    bat_selection *selection = &editor->selection;
+    const bat_document *document = editor->document;
+    bat_editor_sync(editor);
+    int count = editor->scene.count, i = direction > 0 ? 0 : count - 1;
+    if (selection->count) {
+        i = bat_document_find(document, selection->ids[direction > 0 ? selection->count - 1 : 0]);
+        i = direction > 0 ? bat_document_end(document, i) : i - 1;
+    }
+    for (; i >= 0 && i < count; i += direction) {
+        const bat_scene_entry *entry = &editor->scene.entries[i];
+        if (entry->hidden || entry->locked || !bat_object_is_drawn(entry->object)) continue;
+        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(editor, i)));
+        bat_selection_clear(selection);
+        return bat_selection_add(selection, id);
+    }
+    return BAT_STATE;
+}
+
+/* By a degree or a hundredth about the middle, with Shift by more. */
+static bat_status turn_or_scale(bat_editor *editor, bat_command_id id, double matrix[6]) {
+    bool far = editor->modifiers & BAT_SHIFT,
+         turns = id == BAT_COMMAND_ROTATE_LEFT || id == BAT_COMMAND_ROTATE_RIGHT;
+    double box[4], factor = far ? 1.1 : 1.01;
+    if (!bat_arrange_selection_box(editor, box)) return BAT_STATE;
+    double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
+    if (id == BAT_COMMAND_SCALE_DOWN) factor = 1 / factor;
+    if (turns)
+        bat_affine_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * PI / 180, about,
+                            matrix);
+    else
+        bat_affine_scaling(factor, factor, about, matrix);
+    return bat_arrange_transform(editor, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
+}
+
+/* Nudges: one document unit, with Shift ten. */
+static bat_status command(bat_editor *editor, bat_command_id id) {
+    double step = editor->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
+    if (id == BAT_COMMAND_POINT_NEXT) return step_object(editor, 1);
+    if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(editor, -1);
+    if (id >= BAT_COMMAND_ROTATE_LEFT && id <= BAT_COMMAND_SCALE_DOWN) {
+        bat_status status = turn_or_scale(editor, id, matrix);
+        if (status != BAT_OK && status != BAT_STATE) bat_editor_notice_failure(editor, status);
+        return status;
+    }
+    double dx = id == BAT_COMMAND_NUDGE_LEFT ? -step : id == BAT_COMMAND_NUDGE_RIGHT ? step : 0;
+    double dy = id == BAT_COMMAND_NUDGE_UP ? -step : id == BAT_COMMAND_NUDGE_DOWN ? step : 0;
+    if (dx == 0 && dy == 0) return BAT_STATE;
+    bat_affine_translation(dx, dy, matrix);
+    bat_status status = bat_arrange_transform(editor, matrix, BAT_STRING_STEP_MOVE);
+    if (status != BAT_OK && status != BAT_STATE) bat_editor_notice_failure(editor, status);
+    return status;
+}
+
+static bool busy(const bat_editor *editor) { return editor->selecting.state != BAT_SELECTING_IDLE; }
+
+static void update(bat_editor *editor) {
+    bat_selecting *s = &editor->selecting;
+    if (!dragging(s) || !s->due) return;
+    bat_status status = change(editor);
+    if (status != BAT_OK) {
+        give_up(editor, status);
+        return;
+    }
+    bat_editor_sync(editor);
+}
+
+/* ---- what is shown ---- */
+
+static void show_handle(bat_overlay *overlay, const bat_view *view, const double pixel[2], bool round) {
+    double r = HANDLE, corners[10], point[2];
+    static const double square[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    if (round) {
+        bat_view_to_document(view, pixel, point);
+        bat_overlay_mark(overlay, point, 1.3 * r * bat_view_pixel(view));
+        return;
+    }
+    for (int i = 0; i < 5; i++)
+        bat_view_to_document(view, (double[]){pixel[0] + r * square[i][0], pixel[1] + r * square[i][1]},
+                             corners + 2 * i);
+    bat_overlay_polyline(overlay, 5, corners);
+    bat_path_close(&overlay->path);
+}
+
+/* The box: of the document, or with a view, of its pixels. */
+static void show_box(bat_overlay *overlay, const bat_view *view, const double box[4]) {
+    double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
+    for (int i = 0; i < 5 && view; i++)
+        bat_view_to_document(view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
+    bat_overlay_polyline(overlay, 5, corners);
+    bat_path_close(&overlay->path);
+}
+
+static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
+    const bat_view *view = &editor->view;
+    double box[4], place[2], line[4];
+    if (!bat_arrange_selection_box(editor, box)) return;
+    bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
+    show_box(overlay, NULL, box);
+    if (dragging(&editor->selecting)) return;
+    line[0] = line[2] = box[0] / 2 + box[2] / 2;
+    line[1] = box[1];
+    line[3] = box[1] - ROTATE_AWAY * bat_view_pixel(view);
+    bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1);
+    bat_overlay_polyline(overlay, 2, line);
+    bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
+    for (int i = 0; i <= BAT_GRIP_ROTATE; i++)
+        if (handle_place(view, box, i, place)) show_handle(overlay, view, place, i == BAT_GRIP_ROTATE);
+}
+
+/* The box of the group that was entered, and its name. */
+static void show_entered(const bat_editor *editor, bat_overlay *list) {
+    double box[4];
+    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
+    if (at < 0 || !bat_arrange_box(editor->document, at, bat_document_end(editor->document, at), box)) return;
+    const char *name = bat_object_name(bat_document_at(editor->document, at));
+    bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
+    bat_overlay_polyline(
+        list, 5, (double[]){box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]});
+    bat_overlay_label(list, BAT_ROLE_VALUE, (double[]){box[0], box[1]}, 24, -12,
+                      *name ? name : bat_editor_text(editor, BAT_STRING_GROUP_NAME));
+}
+
+static void overlay(bat_editor *editor, bat_overlay *list) {
+    const bat_selecting *s = &editor->selecting;
+    show_entered(editor, list);
+    if (s->state == BAT_SELECTING_IDLE && s->hovering && s->hovered &&
+        !bat_selection_has(&editor->selection, s->hovered)) {
+        int index = bat_document_find(editor->document, s->hovered);
+        int end = index < 0 ? 0 : bat_document_end(editor->document, index);
+        bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, 2);
+        for (int i = index; i >= 0 && i < end && i < editor->scene.count; i++)
+            if (editor->scene.entries[i].path)
+                bat_path_copy(&list->path, editor->scene.entries[i].path,
+                              editor->scene.entries[i].item.path_count);
+    }
+    show_selection(editor, list);
+    if (s->state == BAT_SELECTING_MARQUEE) {
+        double box[4];
+        marquee(editor, box);
+        bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
+        show_box(list, &editor->view, box);
+    }
+}
+
+static bat_string hint(const bat_editor *editor) {
+    const bat_selecting *s = &editor->selecting;
+    switch (s->state) {
+    case BAT_SELECTING_MARQUEE: return BAT_STRING_HINT_MARQUEE;
+    case BAT_SELECTING_MOVING: return BAT_STRING_HINT_MOVING_SELECTION;
+    case BAT_SELECTING_SCALING: return BAT_STRING_HINT_SCALING;
+    case BAT_SELECTING_ROTATING: return BAT_STRING_HINT_ROTATING;
+    default: break;
+    }
+    if (s->handle == BAT_GRIP_ROTATE) return BAT_STRING_HINT_ROTATE;
+    if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
+    if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
+    if (s->hovered) return BAT_STRING_HINT_SELECT;
+    return editor->entered ? BAT_STRING_HINT_ENTERED : BAT_STRING_HINT_SELECT_NOTHING;
+}
+
+static bat_cursor cursor(const bat_editor *editor) {
+    static const bat_cursor handles[] = {BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS, BAT_CURSOR_RESIZE_NESW,
+                                         BAT_CURSOR_RESIZE_EW};
+    const bat_selecting *s = &editor->selecting;
+    if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
+    if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
+    if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
+    if (s->handle != BAT_GRIP_NONE) /* the handles lie as the view is turned */
+        return handles[(s->handle + 8 + (int)round(editor->view.angle / 45)) % 4];
+    if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_CURSOR_MOVE;
+    return BAT_CURSOR_ARROW;
+}
+
+static const char *check(const bat_editor *editor) {
+    const bat_selecting *s = &editor->selecting;
+    if (dragging(s) != (s->before != NULL)) return "a drag and what it changes are out of step";
+    if (dragging(s) && !editor->transaction.open) return "a drag without a transaction";
+    return NULL;
+}
+
+const bat_tool *bat_tool_select(void) {
+    static const bat_tool tool = {.hover = hover,
+                                  .leave = leave,
+                                  .down = down,
+                                  .move = move,
+                                  .up = up,
+                                  .cancel = cancel,
+                                  .command = command,
+                                  .modifiers = modifiers,
+                                  .busy = busy,
+                                  .update = update,
+                                  .overlay = overlay,
+                                  .hint = hint,
+                                  .cursor = cursor,
+                                  .check = check};
+    return &tool;
+}

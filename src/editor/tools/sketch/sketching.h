@@ -1,0 +1,62 @@
+/* The sketch tool's state. */
+#ifndef BATTEN_EDITOR_TOOLS_SKETCH_SKETCHING_H
+#define BATTEN_EDITOR_TOOLS_SKETCH_SKETCHING_H
+
+#include "editor/edit/stroke.h"
+#include "editor/pick/pick.h"
+#include "editor/input/stabiliser.h"
+
+typedef enum bat_sketching_state {
+    BAT_SKETCHING_IDLE,    /* hovering or away */
+    BAT_SKETCHING_DRAWING, /* the pen is down */
+    BAT_SKETCHING_PENDING  /* a fit that misses the tolerance waits for yes or no */
+} bat_sketching_state;
+
+/* What the last frame's preview found; zero when it is not valid. */
+typedef struct bat_sketching_preview {
+    bat_status status;
+    bat_curve *curve; /* owned; NULL: nothing to show */
+    bat_sketch_report report;
+    double *blends; /* the two transitions' points, x y, owned */
+    size_t blend_counts[2];
+} bat_sketching_preview;
+
+typedef struct bat_sketching {
+    bat_sketching_state state;
+    bool hovering, hover_changed; /* the pen is above; the pick below is out of date */
+    bat_device device;
+    double hover[2];        /* view pixels; while drawing, where the pen is */
+    bat_pick pick;          /* IDLE: what would be redrawn */
+    uint64_t pick_revision; /* of the document it was picked from */
+    bat_view pick_view;
+
+    /* DRAWING */
+    bat_edit edit;         /* of the stroke under the pen */
+    bat_steady steady;     /* between the pen and the samples */
+    bool starts_at_end;    /* of an open curve: may join */
+    bool smoothing;        /* Alt was held at some moment of the stroke */
+    double travelled;      /* pixels, the greatest distance from the first sample */
+    bat_sketch_live *live; /* NULL: no session (it is begun when it is needed) */
+    size_t fed;            /* samples the session has */
+    bool preview_due;
+    bat_sketching_preview preview;
+    bat_pick join; /* the end of another curve that the pen is at */
+    bool closing;
+    size_t predicted_count;
+    double predicted[2 * 16]; /* document units */
+
+    /* PENDING, and DRAWING over it while it may still be a tap */
+    bool has_pending;
+    bat_edit pending; /* with its own samples */
+    bat_curve *pending_curve;
+    bat_sketch_report pending_report;
+} bat_sketching;
+
+/* A stroke without a pen. trace: the pen comes down at the first point (document units) and goes through the others;
+ * object 0: the first point's place decides what it means. lift: the pen is lifted where it is. drop: the stroke is
+ * forgotten. */
+void bat_sketching_trace(bat_editor *editor, const double *points, size_t count, bat_id object, int curve);
+void bat_sketching_lift(bat_editor *editor);
+void bat_sketching_drop(bat_editor *editor);
+
+#endif

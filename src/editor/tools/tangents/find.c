@@ -1,0 +1,104 @@
+/* The tangents tool: what of its spline, or which other one, lies under the pen. */
+#include "editor/editor.h"
+#include "base/real.h"
+#include "editor/pick/pick.h"
+#include <math.h>
+
+static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REACH = 8; /* px */
+static const double TOUCH = 1.8; /* times as far for fingers */
+
+typedef struct place {
+    double point[2], pixel; /* document units; size of a view pixel in them */
+    double reach;           /* 1, or more for fingers */
+} place;
+
+static place place_at(const bat_editor *editor, const double pixel[2], bat_device device) {
+    place p = {.pixel = bat_view_pixel(&editor->view), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
+    bat_view_to_document(&editor->view, pixel, p.point);
+    return p;
+}
+
+/* View pixels from a document point that lies `length` along `direction` from `at`. */
+static double away(const place *p, const double at[2], const double direction[2], double length) {
+    double x = at[0] + direction[0] * length - p->point[0], y = at[1] + direction[1] * length - p->point[1];
+    return bat_hypot(x, y) / p->pixel;
+}
+
+static double from_point(const place *p, const bat_spline *s, int i) {
+    return away(p, s->points + 2 * i, (double[]){0, 0}, 0);
+}
+
+static int nearest_point(const place *p, const bat_spline *s, double within) {
+    int best = -1;
+    for (int i = 0; i < s->count; i++) {
+        double distance = from_point(p, s, i);
+        if (distance <= within) best = i, within = distance;
+    }
+    return best;
+}
+
+static bool on_ring(const place *p, const bat_spline *s, int i) {
+    return fabs(from_point(p, s, i) - BAT_PROMPT_RADIUS) <= RING_REACH * p->reach;
+}
+
+static bool on_handle(const place *p, const bat_spline *s, int i, const double handle[3], double sign) {
+    double length = bat_hypot(handle[0], handle[1]) / 3 / p->pixel;
+    if (length < POINT_REACH) return false;
+    return away(p, s->points + 2 * i, handle, sign / 3) <= HANDLE_REACH * p->reach;
+}
+
+/* Where on the spline's segments a parameter of its curve lies. */
+static bat_spline_hit on_curve(const bat_curve *curve, double u) {
+    const double *knots = bat_curve_knots(curve);
+    int count = bat_curve_knot_count(curve), segment = -1, last = 0;
+    for (int i = 0; i + 1 < count && knots[i] <= u; i++)
+        if (knots[i] < knots[i + 1]) segment++, last = i;
+    double t = segment < 0 ? 0 : (u - knots[last]) / (knots[last + 1] - knots[last]);
+    return (bat_spline_hit){.part = BAT_PART_CURVE, .segment = segment, .t = fmin(fmax(t, 0.001), 0.999)};
+}
+
+/* While points are placed nearly every place is one for the next. */
+static bat_spline_hit find_placing(const place *p, const bat_spline *s, const bat_joint *joints) {
+    int last = s->count - 1;
+    double direction[2];
+    if (from_point(p, s, 0) <= POINT_REACH * p->reach) return (bat_spline_hit){.part = BAT_PART_FIRST};
+    if (from_point(p, s, last) <= POINT_REACH * p->reach)
+        return (bat_spline_hit){.part = BAT_PART_POINT, .point = last};
+    bat_splining_direction(s, joints, last, direction);
+    if (away(p, s->points + 2 * last, direction, BAT_PROMPT_RADIUS * p->pixel) <= POINT_REACH * p->reach)
+        return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
+    return (bat_spline_hit){0};
+}
+
+bat_spline_hit bat_splining_find(bat_editor *editor, const double pixel[2], bat_device device) {
+    bat_splining *s = &editor->splining;
+    place p = place_at(editor, pixel, device);
+    const bat_spline *spline = bat_splining_spline(editor);
+    const bat_joint *joints = bat_splining_joints(editor);
+    s->near = -1;
+    if (s->placing) return spline && joints ? find_placing(&p, spline, joints) : (bat_spline_hit){0};
+    if (spline && joints) {
+        int i = nearest_point(&p, spline, POINT_REACH * p.reach), chosen = s->point;
+        s->near = nearest_point(&p, spline, BAT_PROMPT_RADIUS + RING_REACH * p.reach);
+        if (i >= 0) return (bat_spline_hit){.part = BAT_PART_POINT, .point = i};
+        if (chosen >= 0) {
+            bat_spline_hit hit = {.point = chosen};
+            if (on_ring(&p, spline, chosen)) /* first: a handle's end may lie on it */
+                hit.part = BAT_PART_DIRECTION;
+            else if (on_handle(&p, spline, chosen, joints[chosen].right, 1))
+                hit.part = BAT_PART_RIGHT;
+            else if (on_handle(&p, spline, chosen, joints[chosen].left, -1))
+                hit.part = BAT_PART_LEFT;
+            if (hit.part) return hit;
+        }
+        if (s->near >= 0 && on_ring(&p, spline, s->near))
+            return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
+    }
+    bat_editor_sync(editor);
+    bat_pick pick = bat_pick_nearest(&editor->scene, p.point, CURVE_REACH * p.reach * p.pixel);
+    const bat_object *object = pick.object ? bat_document_at(editor->document, pick.index) : NULL;
+    const bat_spline *found = object ? bat_object_spline(object) : NULL;
+    if (!found || found->dimension != 2) return (bat_spline_hit){0};
+    if (pick.object == s->object) return on_curve(bat_object_curve(object, 0), pick.near.u);
+    return (bat_spline_hit){.part = BAT_PART_OTHER, .object = pick.object};
+}

@@ -1,0 +1,44 @@
+/* The view: which part of the document the window shows, and how it lies there.
+ * screen = R(angle) (document - (x, y)) * zoom, in view pixels; y points down, so R turns clockwise. */
+#ifndef BATTEN_EDITOR_VIEW_VIEW_H
+#define BATTEN_EDITOR_VIEW_VIEW_H
+
+#include <batten/base.h>
+
+#define BAT_ZOOM_MIN 1e-6
+#define BAT_ZOOM_MAX 1e6
+#define BAT_VIEW_REACH 1e12 /* document coordinates of the view's corner stay within it */
+#define BAT_PIXELS_MAX 1e6  /* view pixels of events and sizes stay within it */
+
+typedef struct bat_view {
+    double x, y, zoom;           /* document coordinates of the top left corner; pixels per unit, > 0 */
+    double angle, cosine, sine;  /* degrees, (-180, 180], whole hundredths; bat_view_turn sets all three */
+    double width, height, ratio; /* view pixels; device pixels per view pixel */
+} bat_view;
+
+bat_view bat_view_defaults(void);
+/* Brings the angle, any number of degrees, into its range and its steps. */
+void bat_view_turn(bat_view *view, double degrees);
+/* Size of a view pixel in document units. */
+double bat_view_pixel(const bat_view *view);
+void bat_view_to_document(const bat_view *view, const double screen[2], double document[2]);
+void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]);
+/* Moves the view, so that the document point lies under the view pixel. */
+void bat_view_hold(bat_view *view, const double document[2], const double screen[2]);
+/* The document point under `from` comes under `to` (view pixels). */
+void bat_view_pan(bat_view *view, const double from[2], const double to[2]);
+/* Pans by the least that brings the document point inside, `margin` pixels from the window's border. */
+void bat_view_show(bat_view *view, const double point[2], double margin);
+/* Multiplies the zoom, within its limits, so that the document point under `about` stays there. */
+void bat_view_zoom(bat_view *view, const double about[2], double factor);
+/* Turns by so many degrees about the document point under `about`. */
+void bat_view_rotate(bat_view *view, const double about[2], double degrees);
+/* Shows the box (x0 y0 x1 y1, document units) whole and centred, `margin` pixels free around it, turned as the view is. A box
+ * without extent is centred at the zoom there is; an empty or unbounded one, or a window without size: false.
+ */
+bool bat_view_fit(bat_view *view, const double box[4], double margin);
+
+/* The upright box around what the window shows, document units. */
+void bat_view_box(const bat_view *view, double box[4]);
+
+#endif
