@@ -1,82 +1,212 @@
 #!/usr/bin/env python3
-"""Dependencies run downwards only: reads every #include line of src/ and include/ and names those that do not.
+"""The rooms of the house, and what may see what: reads every #include line of src/ and include/, every call from one
+source of src/ to another, and names what runs upwards, in a circle, or past a door.
 
-Usage: check_layers.py ROOT. Exit status 1 when a line breaks the rule or a header has no layer.
+Usage: check_layers.py ROOT [--arrows]. Exit status 1 when a line breaks a rule. --arrows: lists what does,
+as it would stand in upwards.txt.
 """
 import pathlib
 import re
 import sys
 
-# What a folder of src/ may include, besides itself.
-MAY_USE = {
-    "curve": set(),
-    "shape": {"curve"},
-    "form": {"curve", "shape"},
-    "document": {"curve", "shape", "form"},
-    "format": {"curve", "shape", "form", "document"},
-    "editor": {"curve", "shape", "form", "document", "format"},
-}
+from sources import sources
 
-# The layer of each public header. A new header needs a line here.
-LAYER_OF_HEADER = {
-    "base": "curve", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
+# The rooms of src/, from the ground up: each may use those that stand before it.
+ROOMS = [
+    "base", "text", "curve", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
+    "kinds", "format/native", "format/svg", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
+    "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools/modes",
+    "editor/tools", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/commands",
+    "editor/panels", "editor",
+]
+# Rooms side by side, that do not see each other.
+APART = [{"hands/sketch", "hands/tangents"}, {"format/native", "format/svg"},
+         {"editor/tools", "editor/tools/modes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels"}]
+# Rooms in which files do not see each other either; but for the headers named here, which are for all of them.
+SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": {"editor/tools/tool.h"}, "editor/tools/modes": set()}
+
+# The room of each public header. A new header needs a line here.
+ROOM_OF_HEADER = {
+    "base": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve",
-    "sketch": "shape", "tangents": "shape", "levels": "shape",
+    "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "document": "document",
-    "format": "format",
-    "editor": "editor",
+    "format": "text",
+    "editor": "editor/tables",
     "batten": None,  # the umbrella: for users, not for us
 }
 
 # libc and libm as far as the WASM build has them; anything else is a dependency.
-LIBC = {"assert", "ctype", "errno", "float", "inttypes", "limits", "math", "stdalign", "stdarg", "stdbool",
+LIBC = {"assert", "ctype", "errno", "float", "inttypes", "limits", "math", "stdalign", "stdarg", "stdatomic", "stdbool",
         "stddef", "stdint", "stdio", "stdlib", "string"}
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+MOST_SOURCES = 40  # of a folder
+
+# Arrows that still run upwards, "from to" a line, and circles, "circle" and their files: this list may only shrink.
+EXCEPTIONS = set(pathlib.Path(__file__).with_name("upwards.txt").read_text("utf-8").splitlines())
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.M)
+DEFINED = re.compile(r"^(?!static|typedef|#)[A-Za-z_][\w \*]*?\b(bat_\w+)\([^;{]*\)\s*\{", re.M)
+TABLE = re.compile(r"^(?!static|extern|typedef|#)(?:const )?[A-Za-z_][\w \*]*?\b(bat_\w+)(?:\[[^\]]*\])?\s*=", re.M)
+USED = re.compile(r"\bbat_\w+")
+KIND = re.compile(r"\bBAT_KIND_\w+")
+TOOL = re.compile(r"\bBAT_TOOL_\w+")
 
 
-def layer_of(name, quoted, folder):
-    """Layer of an included file, 'libc', or None with the reason."""
-    if name.startswith("batten/"):
-        stem = name[len("batten/"):].removesuffix(".h")
-        if stem not in LAYER_OF_HEADER:
-            return None, "a public header without a layer in check_layers.py"
-        return LAYER_OF_HEADER[stem], "the umbrella header is for users"
-    if quoted:
-        parts = name.split("/")
-        layer = parts[0] if len(parts) > 1 else folder
-        return (layer if layer in MAY_USE else None), "no folder of src/"
-    return ("libc" if name.removesuffix(".h") in LIBC else None), "not a libc header the core may use"
+def bare(text):
+    """Without comments and texts, line for line."""
+    return re.sub(r'/\*.*?\*/|"(?:[^"\\\n]|\\.)*"', lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.S)
 
 
-def check(root):
-    faults, lines = [], 0
-    files = [(path, path.parent.name) for path in sorted(root.glob("src/*/*.[ch]"))]
-    for path in sorted(root.glob("include/batten/*.h")):
-        if path.stem not in LAYER_OF_HEADER:
-            faults.append(f"{path.relative_to(root)}: give it a layer in tests/house/check_layers.py")
-        elif LAYER_OF_HEADER[path.stem]:
-            files.append((path, LAYER_OF_HEADER[path.stem]))
-    for path, folder in files:
-        if folder not in MAY_USE:
-            faults.append(f"{path.relative_to(root)}: folder without a layer in tests/house/check_layers.py")
-            continue
-        for number, text in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            found = INCLUDE.match(text)
-            if not found:
+class House:
+    def __init__(self, root):
+        self.root = root
+        self.faults, self.arrows = [], {}
+        self.paths = {str(path.relative_to(root / "src")): path for path in sources(root, ["src"], (".c", ".h", ".def"))}
+        self.text = {name: path.read_text("utf-8") for name, path in self.paths.items()}
+        self.code = {name: bare(text) for name, text in self.text.items()}
+        self.lines = 0
+
+    def room(self, name):
+        room = name.rsplit("/", 1)[0]
+        if room not in ROOMS:
+            self.faults.append(f"src/{name}: a folder that is no room of tests/house/check_layers.py")
+            return None
+        return room
+
+    def header(self, name, place):
+        """What an included file is: a room, a file of a room, None for libc."""
+        if name.startswith("batten/"):
+            stem = name[len("batten/"):].removesuffix(".h")
+            if ROOM_OF_HEADER.get(stem) is None:
+                self.faults.append(f"{place}: {name}: " + ("the umbrella header is for users" if stem in ROOM_OF_HEADER
+                                   else "a public header without a room in tests/house/check_layers.py"))
+                return None
+            return ROOM_OF_HEADER[stem] + "/"
+        return name
+
+    def may(self, source, target):
+        """Whether one file of src/ may use another."""
+        here, there = self.room(source), target.rsplit("/", 1)[0]
+        if there not in ROOMS or here is None:
+            return False
+        if target == "editor/editor.h":
+            return here == "editor"
+        if here == there:
+            return here not in SINGLE or target in SINGLE[here] or stem(source) == stem(target)
+        if target == "editor/tools/tool.h":
+            return here.startswith("editor/tools/") or ROOMS.index(here) > ROOMS.index(there)
+        return ROOMS.index(there) < ROOMS.index(here) and not any({here, there} <= rooms for rooms in APART)
+
+    def includes(self):
+        for name, text in self.text.items():
+            for found in INCLUDE.finditer(text):
+                self.lines += 1
+                place = f"src/{name}:{text.count(chr(10), 0, found.start()) + 1}"
+                if found[1] == "<" and not found[2].startswith("batten/"):
+                    if found[2].removesuffix(".h") not in LIBC:
+                        self.faults.append(f"{place}: {found[2]}: not a libc header the core may use")
+                    continue
+                target = self.header(found[2], place)
+                if target and not target.endswith("/") and target not in self.paths:
+                    self.faults.append(f"{place}: {found[2]}: no file of src/")
+                elif target and not self.may(name, target):
+                    self.arrows.setdefault((name, target.rstrip("/")), place)
+        for path in sources(self.root, ["include"], (".h",)):
+            if path.stem not in ROOM_OF_HEADER:
+                self.faults.append(f"{path.relative_to(self.root)}: give it a room in tests/house/check_layers.py")
                 continue
-            lines += 1
-            layer, reason = layer_of(found[2], found[1] == '"', folder)
-            place = f"{path.relative_to(root)}:{number}: {found[2]}"
-            if layer is None:
-                faults.append(f"{place}: {reason}")
-            elif layer not in MAY_USE[folder] | {folder, "libc"}:
-                faults.append(f"{place}: {folder} may not use {layer}")
-    return faults, lines
+            for found in INCLUDE.finditer(path.read_text("utf-8")):
+                self.lines += 1
+                target = found[2].startswith("batten/") and ROOM_OF_HEADER.get(path.stem) and \
+                    ROOM_OF_HEADER.get(found[2][len("batten/"):-2])
+                if target and ROOMS.index(target) > ROOMS.index(ROOM_OF_HEADER[path.stem]):
+                    name = str(path.relative_to(self.root))
+                    self.arrows.setdefault((name, found[2]), name)
+
+    def calls(self):
+        owner = {}
+        for name, code in self.code.items():
+            if name.endswith(".c"):
+                for pattern in (DEFINED, TABLE):
+                    for found in pattern.finditer(code):
+                        owner[found[1]] = name
+        graph = {}
+        for name, code in self.code.items():
+            if name.endswith(".def"):
+                continue
+            for word in set(USED.findall(code)):
+                target = owner.get(word)
+                if not target or target == name or (name.endswith(".h") and stem(name) == stem(target)):
+                    continue
+                if name.endswith(".c"):
+                    graph.setdefault(name, set()).add(target)
+                    if not self.may(name, target):
+                        self.arrows.setdefault((name, target), f"src/{name}: {word}")
+        return graph
+
+    def circles(self, graph):
+        """Tarjan's strongly connected components of over one file."""
+        index, low, stack, found = {}, {}, [], []
+
+        def visit(node):
+            index[node] = low[node] = len(index)
+            stack.append(node)
+            for other in graph.get(node, ()):
+                if other not in index:
+                    visit(other)
+                if other in stack:
+                    low[node] = min(low[node], low[other])
+            if low[node] == index[node]:
+                ring = set()
+                while node not in ring:
+                    ring.add(stack.pop())
+                if len(ring) > 1:
+                    found.append(ring)
+        sys.setrecursionlimit(10000)
+        for node in sorted(graph):
+            if node not in index:
+                visit(node)
+        return found
+
+    def doors(self):
+        """What only one room may name."""
+        for name, code in self.code.items():
+            room = name.rsplit("/", 1)[0]
+            if KIND.search(code) and not name.startswith("kinds/"):
+                self.arrows.setdefault((name, "BAT_KIND_"), f"src/{name}")
+            if TOOL.search(code) and room not in ("editor/tables", "editor/tools/modes"):
+                self.arrows.setdefault((name, "BAT_TOOL_"), f"src/{name}")
+            if re.search(r'bat_editor_command\([^;]*"', self.text[name]) and name.endswith(".c"):
+                self.arrows.setdefault((name, "a command by its text"), f"src/{name}")
+        count = {}
+        for name in self.paths:
+            if name.endswith(".c"):
+                count[name.rsplit("/", 1)[0]] = count.get(name.rsplit("/", 1)[0], 0) + 1
+        self.faults += [f"src/{room}: {n} sources, at most {MOST_SOURCES}" for room, n in count.items() if n > MOST_SOURCES]
+
+
+def stem(name):
+    return name.rsplit(".", 1)[0]
+
+
+def main():
+    house = House(pathlib.Path(sys.argv[1]))
+    house.includes()
+    graph = house.calls()
+    house.doors()
+    found = {f"{source} {target}": place for (source, target), place in house.arrows.items()}
+    found.update({" ".join(["circle", *sorted(ring)]): "a circle of files" for ring in house.circles(graph)})
+    if "--arrows" in sys.argv:
+        print("\n".join(sorted(found)))
+        return 0
+    house.faults += [f"{place}: may not be: {arrow}" for arrow, place in sorted(found.items()) if arrow not in EXCEPTIONS]
+    house.faults += [f"gone, so strike it from tests/house/upwards.txt: {arrow}" for arrow in sorted(EXCEPTIONS - set(found))]
+    print("\n".join(house.faults))
+    print(f"{len(house.paths)} files and {house.lines} include lines read, {len(house.faults)} faults, "
+          f"{len(EXCEPTIONS)} exceptions")
+    return 1 if house.faults or house.lines == 0 else 0
 
 
 if __name__ == "__main__":
-    found_faults, read = check(pathlib.Path(sys.argv[1]))
-    print("\n".join(found_faults))
-    print(f"{read} include lines read, {len(found_faults)} faults")
-    sys.exit(1 if found_faults or read == 0 else 0)
+    sys.exit(main())
