@@ -1,4 +1,6 @@
 /* Events come in here: bad numbers are kept out, and every contact gets its duty. */
+#include "editor/tables/keys.h"
+#include "editor/commands/dispatch.h"
 #include "editor/editor.h"
 #include "editor/show/ruler.h"
 #include "base/real.h"
@@ -13,7 +15,7 @@ static double bounded(double value, double low, double high, double otherwise) {
 }
 
 /* Numbers made fit to use. False: there is no place to speak of, drop it. */
-static bool clean(const bat_editor *editor, bat_pointer *event, const bat_contact *contact) {
+static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *contact) {
     bool placed = isfinite(event->x) && isfinite(event->y);
     if (!placed) {
         bool ends = event->phase == BAT_POINTER_UP || event->phase == BAT_POINTER_CANCEL;
@@ -31,38 +33,38 @@ static bool clean(const bat_editor *editor, bat_pointer *event, const bat_contac
     event->tilt_x = bat_samples_round(bounded(event->tilt_x, -90, 90, 0), 100);
     event->tilt_y = bat_samples_round(bounded(event->tilt_y, -90, 90, 0), 100);
     event->twist = bounded(event->twist, 0, 360, 0);
-    event->time = bounded(event->time, 0, 1e13, editor->time);
+    event->time = bounded(event->time, 0, 1e13, c->time);
     return true;
 }
 
-static void set_modifiers(bat_editor *editor, uint32_t modifiers) {
-    if (editor->modifiers == modifiers) return;
-    editor->modifiers = modifiers;
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->modifiers) tool->modifiers(editor);
+static void set_modifiers(bat_context *c, uint32_t modifiers) {
+    if (c->modifiers == modifiers) return;
+    c->modifiers = modifiers;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->modifiers) tool->modifiers(c);
 }
 
-static void cancel_tool(bat_editor *editor) {
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->cancel) tool->cancel(editor);
+static void cancel_tool(bat_context *c) {
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->cancel) tool->cancel(c);
 }
 
 /* What waits for a yes goes when the pen is turned round; what is chosen stays. */
-static void cancel_uncommitted(bat_editor *editor) {
-    const bat_tool *tool = bat_editor_tool(editor);
+static void cancel_uncommitted(bat_context *c) {
+    const bat_tool *tool = bat_toolbox_tool(c);
     if (tool->undo)
-        tool->undo(editor);
+        tool->undo(c);
     else
-        cancel_tool(editor);
+        cancel_tool(c);
 }
 
 /* What a contact that comes down is to do; may end what the tool does. */
-static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
-    bat_contacts *contacts = &editor->contacts;
+static bat_duty assign(bat_context *c, const bat_pointer *event) {
+    bat_contacts *contacts = &c->input->contacts;
     int at_work = -1;
     bool working = bat_contacts_count(contacts, BAT_DUTY_TOOL, &at_work) > 0;
     int navigating = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
-    bool palm = editor->pen_seen && editor->values[BAT_PROPERTY_PALM_REJECTION] != 0;
+    bool palm = c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
 
     if (working) {
         bat_contact *first = &contacts->list[at_work];
@@ -70,169 +72,172 @@ static bat_duty assign(bat_editor *editor, const bat_pointer *event) {
         bool soon = event->time - first->start_time <= PINCH_SOON;
         bool near = bat_hypot(first->at[0] - first->start[0], first->at[1] - first->start[1]) <= PINCH_NEAR;
         if (!soon || !near) return BAT_DUTY_IGNORED;
-        cancel_tool(editor);
-        bat_editor_notice(editor, BAT_STRING_COUNT); /* a pinch is no news */
+        cancel_tool(c);
+        bat_notice(c, BAT_STRING_COUNT); /* a pinch is no news */
         first->duty = BAT_DUTY_NAVIGATE;
-        bat_contacts_pinch(editor);
+        bat_contacts_pinch(c);
         return BAT_DUTY_NAVIGATE;
     }
-    if (editor->transaction.open) return BAT_DUTY_IGNORED;
+    if (c->session->transaction.open) return BAT_DUTY_IGNORED;
     if (navigating > 0) {
         if (event->device != BAT_DEVICE_TOUCH || navigating > 1) return BAT_DUTY_IGNORED;
-        bat_contacts_pinch(editor);
+        bat_contacts_pinch(c);
         return BAT_DUTY_NAVIGATE;
     }
-    if (editor->read_only || (event->device == BAT_DEVICE_TOUCH && palm)) return BAT_DUTY_NAVIGATE;
+    if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && palm)) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
-        bat_range_end(editor);
-        const bat_tool *tool = bat_editor_tool(editor);
-        cancel_uncommitted(editor);
-        if (tool->leave) tool->leave(editor);
-        editor->erasing = true;
+        bat_range_end(c);
+        const bat_tool *tool = bat_toolbox_tool(c);
+        cancel_uncommitted(c);
+        if (tool->leave) tool->leave(c);
+        c->input->erasing = true;
         return BAT_DUTY_TOOL;
     }
-    if (event->buttons & BAT_BUTTON_PRIMARY && !editor->holding_pan && bat_guides_take(editor, event))
+    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
         return BAT_DUTY_TOOL;
-    if (editor->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || editor->tool == BAT_TOOL_PAN)
+    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || c->choice->tool == BAT_TOOL_PAN)
         return BAT_DUTY_NAVIGATE;
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_contacts *contacts = &editor->contacts;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_contacts *contacts = &c->input->contacts;
     if (contacts->count == BAT_CONTACTS_MAX) return;
-    bat_taps_down(editor, event);
-    bat_duty duty = assign(editor, event);
-    if (duty == BAT_DUTY_TOOL) bat_range_end(editor); /* a hand takes over from the keys */
+    bat_taps_down(c, event);
+    bat_duty duty = assign(c, event);
+    if (duty == BAT_DUTY_TOOL) bat_range_end(c); /* a hand takes over from the keys */
     contacts->list[contacts->count++] = (bat_contact){
         event->contact, event->device, duty, {event->x, event->y}, {event->x, event->y}, event->time};
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (duty == BAT_DUTY_TOOL && tool->down) tool->down(editor, event);
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (duty == BAT_DUTY_TOOL && tool->down) tool->down(c, event);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event, int index) {
-    bat_contact *contact = &editor->contacts.list[index];
-    const bat_tool *tool = bat_editor_tool(editor);
+static void move(bat_context *c, const bat_pointer *event, int index) {
+    bat_contact *contact = &c->input->contacts.list[index];
+    const bat_tool *tool = bat_toolbox_tool(c);
     if (contact->duty == BAT_DUTY_TOOL) {
-        if (tool->move) tool->move(editor, event);
+        if (tool->move) tool->move(c, event);
     } else if (contact->duty == BAT_DUTY_NAVIGATE && !event->predicted) {
-        bat_contacts_navigate(editor, index, (double[]){event->x, event->y});
+        bat_contacts_navigate(c, index, (double[]){event->x, event->y});
     }
     if (event->predicted) return;
-    bat_taps_move(editor, event, contact->start);
+    bat_taps_move(c, event, contact->start);
     contact->at[0] = event->x;
     contact->at[1] = event->y;
 }
 
 /* The pen's other end is lifted: the tool is the chosen one again. */
-static void turn_back(bat_editor *editor) {
-    if (!editor->erasing) return;
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->leave) tool->leave(editor);
-    editor->erasing = false;
+static void turn_back(bat_context *c) {
+    if (!c->input->erasing) return;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->leave) tool->leave(c);
+    c->input->erasing = false;
 }
 
-static void end(bat_editor *editor, const bat_pointer *event, int index) {
-    bat_duty duty = editor->contacts.list[index].duty;
-    if (event->phase == BAT_POINTER_UP) move(editor, event, index);
-    bat_contacts_remove(&editor->contacts, index);
-    const bat_tool *tool = bat_editor_tool(editor);
+static void end(bat_context *c, const bat_pointer *event, int index) {
+    bat_duty duty = c->input->contacts.list[index].duty;
+    if (event->phase == BAT_POINTER_UP) move(c, event, index);
+    bat_contacts_remove(&c->input->contacts, index);
+    const bat_tool *tool = bat_toolbox_tool(c);
     if (duty == BAT_DUTY_TOOL) {
         if (event->phase == BAT_POINTER_CANCEL)
-            cancel_tool(editor);
+            cancel_tool(c);
         else if (tool->up)
-            tool->up(editor, event);
-        turn_back(editor);
+            tool->up(c, event);
+        turn_back(c);
     }
-    bat_taps_end(editor, event);
+    bat_taps_end(c, event);
 }
 
-static void one(bat_editor *editor, bat_pointer event) {
+static void one(bat_context *c, bat_pointer event) {
     if ((unsigned)event.phase > BAT_POINTER_LEAVE || (unsigned)event.device > BAT_DEVICE_TOUCH) return;
-    int index = bat_contacts_find(&editor->contacts, event.device, event.contact);
-    if (!clean(editor, &event, index < 0 ? NULL : &editor->contacts.list[index])) return;
+    int index = bat_contacts_find(&c->input->contacts, event.device, event.contact);
+    if (!clean(c, &event, index < 0 ? NULL : &c->input->contacts.list[index])) return;
     if (event.predicted) {
-        if (index >= 0 && event.phase == BAT_POINTER_MOVE) move(editor, &event, index);
+        if (index >= 0 && event.phase == BAT_POINTER_MOVE) move(c, &event, index);
         return;
     }
-    editor->time = event.time;
-    editor->freed = editor->refused = false;
+    c->time = event.time;
+    c->session->freed = c->session->refused = false;
     if (event.device == BAT_DEVICE_PEN) {
-        editor->pen_seen = true;
-        editor->pen_time = event.time;
+        c->input->pen_seen = true;
+        c->input->pen_time = event.time;
     }
-    set_modifiers(editor, event.modifiers);
-    editor->pen_near = event.phase != BAT_POINTER_LEAVE;
-    if (editor->pen_near) {
-        editor->pen[0] = event.x;
-        editor->pen[1] = event.y;
+    set_modifiers(c, event.modifiers);
+    c->input->pen_near = event.phase != BAT_POINTER_LEAVE;
+    if (c->input->pen_near) {
+        c->input->pen[0] = event.x;
+        c->input->pen[1] = event.y;
     }
-    const bat_tool *tool = bat_editor_tool(editor);
+    const bat_tool *tool = bat_toolbox_tool(c);
     switch (event.phase) {
     case BAT_POINTER_DOWN:
         if (index >= 0)
-            move(editor, &event, index); /* another button of the same pointer */
+            move(c, &event, index); /* another button of the same pointer */
         else
-            down(editor, &event);
+            down(c, &event);
         break;
     case BAT_POINTER_UP:
     case BAT_POINTER_CANCEL:
-        if (index >= 0) end(editor, &event, index);
+        if (index >= 0) end(c, &event, index);
         break;
     case BAT_POINTER_MOVE:
     case BAT_POINTER_HOVER:
         if (index >= 0)
-            move(editor, &event, index);
-        else if (event.device != BAT_DEVICE_TOUCH && !editor->contacts.count) {
-            if (bat_ruler_at(editor, editor->pen) < 0 && tool->hover)
-                tool->hover(editor, &event);
+            move(c, &event, index);
+        else if (event.device != BAT_DEVICE_TOUCH && !c->input->contacts.count) {
+            if (bat_ruler_at(c, c->input->pen) < 0 && tool->hover)
+                tool->hover(c, &event);
             else if (tool->leave)
-                tool->leave(editor);
+                tool->leave(c);
         }
         break;
     case BAT_POINTER_LEAVE:
-        if (index < 0 && tool->leave && !bat_editor_busy(editor)) tool->leave(editor);
+        if (index < 0 && tool->leave && !bat_toolbox_busy(c)) tool->leave(c);
         break;
     }
 }
 
 void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
-    for (size_t i = 0; i < count; i++) one(editor, events[i]);
+    bat_context *c = &editor->context;
+    for (size_t i = 0; i < count; i++) one(c, events[i]);
 }
 
 void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
                       double time) {
+    bat_context *c = &editor->context;
     if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
-    editor->time = bounded(time, 0, 1e13, editor->time);
+    c->time = bounded(time, 0, 1e13, c->time);
     /* A stroke's samples are pixels of one view. */
-    if (bat_editor_busy(editor)) return;
+    if (bat_toolbox_busy(c)) return;
     double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
                     bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
     if (modifiers & BAT_CTRL) {
-        bat_view_zoom(&editor->view, at, bat_exp(-bounded(dy, -300, 300, 0) / 200));
+        bat_view_zoom(c->view, at, bat_exp(-bounded(dy, -300, 300, 0) / 200));
     } else {
         if (modifiers & BAT_SHIFT && dx == 0) {
             dx = dy;
             dy = 0;
         }
         double to[2] = {-bounded(dx, -1e4, 1e4, 0), -bounded(dy, -1e4, 1e4, 0)};
-        bat_view_pan(&editor->view, (double[]){0, 0}, to);
+        bat_view_pan(c->view, (double[]){0, 0}, to);
     }
 }
 
 bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t modifiers, double time) {
+    bat_context *c = &editor->context;
     if (!key) return false;
-    editor->time = bounded(time, 0, 1e13, editor->time);
-    set_modifiers(editor, modifiers);
+    c->time = bounded(time, 0, 1e13, c->time);
+    set_modifiers(c, modifiers);
     bool known = false;
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         bat_command_id id = (bat_command_id)i;
         bool hold = bat_command_at(id)->hold;
         /* A held key is let go whatever else is pressed by then. */
-        if (!pressed && !(hold && bat_keys_match(editor->keys[i], key, 0))) continue;
-        if (pressed && !bat_keys_match(editor->keys[i], key, modifiers)) continue;
+        if (!pressed && !(hold && bat_keys_match(c->settings->keys[i], key, 0))) continue;
+        if (pressed && !bat_keys_match(c->settings->keys[i], key, modifiers)) continue;
         if (bat_command_at(id)->when == BAT_WHEN_HOST && modifiers & (BAT_CTRL | BAT_META)) return false;
-        if (bat_command_run(editor, id, pressed) == BAT_OK) return true;
+        if (bat_command_run(c, id, pressed) == BAT_OK) return true;
         known = true; /* it finds nothing to do: the next one with this key may */
     }
     /* Enter, Escape and Tab without a use are the host's; what goes with Ctrl must not reach the browser. */
@@ -240,15 +245,16 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
 }
 
 void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio) {
-    bat_view *view = &editor->view;
+    bat_context *c = &editor->context;
+    bat_view *view = c->view;
     double middle[2];
-    bool had_size = view->width > 0 && view->height > 0, busy = bat_editor_busy(editor);
+    bool had_size = view->width > 0 && view->height > 0, busy = bat_toolbox_busy(c);
     bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
     view->width = bounded(width, 0, BAT_PIXELS_MAX, 0);
     view->height = bounded(height, 0, BAT_PIXELS_MAX, 0);
     view->ratio = bounded(pixel_ratio, 0.1, 16, 1);
-    if (editor->fit_wanted && !busy) {
-        if (bat_editor_fit(editor)) editor->fit_wanted = false;
+    if (c->view->fit_wanted && !busy) {
+        if (bat_stage_fit(c)) c->view->fit_wanted = false;
     } else if (had_size && view->width > 0 && view->height > 0 && !busy) {
         /* The middle stays in the middle. */
         double screen[2];

@@ -1,4 +1,5 @@
 /* The frame: what the host paints and says. */
+#include "editor/panels/first_hints.h"
 #include "editor/editor.h"
 #include "editor/tools/calm.h"
 #include "editor/show/ruler.h"
@@ -6,34 +7,34 @@
 
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
 
-static bat_cursor cursor(bat_editor *editor) {
-    if (bat_contacts_count(&editor->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
-    if (editor->holding_pan || editor->read_only) return BAT_CURSOR_GRAB;
-    const bat_tool *tool = bat_editor_tool(editor);
-    int guide = bat_guides_hot(editor);
+static bat_cursor cursor(bat_context *c) {
+    if (bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
+    if (c->input->holding_pan || c->session->read_only) return BAT_CURSOR_GRAB;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    int guide = bat_guides_hot(c);
     if (guide >= 0) return guide ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
-    return tool->cursor ? tool->cursor(editor) : BAT_CURSOR_CROSS;
+    return tool->cursor ? tool->cursor(c) : BAT_CURSOR_CROSS;
 }
 
-static const char *hint(bat_editor *editor) {
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (editor->read_only) return bat_editor_text(editor, BAT_STRING_HINT_READ_ONLY);
-    if (!editor->guiding.on && bat_guides_hot(editor) >= 0)
-        return bat_editor_text(editor, bat_ruler_at(editor, editor->pen) < 0 ? BAT_STRING_HINT_GUIDE
-                                                                             : BAT_STRING_HINT_GUIDE_NEW);
-    if (editor->holding_pan && !bat_editor_busy(editor)) return bat_editor_text(editor, BAT_STRING_HINT_PAN);
-    return tool->hint ? bat_editor_text(editor, tool->hint(editor)) : "";
+static const char *hint(bat_context *c) {
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (c->session->read_only) return bat_word(c, BAT_STRING_HINT_READ_ONLY);
+    if (!c->toolbox->guiding.on && bat_guides_hot(c) >= 0)
+        return bat_word(c, bat_ruler_at(c, c->input->pen) < 0 ? BAT_STRING_HINT_GUIDE
+                                                              : BAT_STRING_HINT_GUIDE_NEW);
+    if (c->input->holding_pan && !bat_toolbox_busy(c)) return bat_word(c, BAT_STRING_HINT_PAN);
+    return tool->hint ? bat_word(c, tool->hint(c)) : "";
 }
 
-static void drawing(const bat_editor *editor, bat_frame *frame) {
-    const bat_sketching *sketching = &editor->sketching;
+static void drawing(const bat_context *c, bat_frame *frame) {
+    const bat_sketching *sketching = &c->toolbox->sketching;
     const bat_sketch_report *report = NULL;
     if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
         report = &sketching->preview.report;
     else if (sketching->has_pending)
         report = &sketching->pending_report;
     frame->pending = sketching->has_pending;
-    frame->busy = bat_editor_busy(editor);
+    frame->busy = bat_toolbox_busy(c);
     if (!report) return;
     frame->knots_before = (uint32_t)report->knots_before;
     frame->knots_after = (uint32_t)report->knots_after;
@@ -41,76 +42,78 @@ static void drawing(const bat_editor *editor, bat_frame *frame) {
 }
 
 /* The outlines of the selection, under whatever the tool shows. */
-static void show_selection(bat_editor *editor) {
-    const bat_scene *scene = &editor->scene;
-    const bat_selection *selection = &editor->selection;
+static void show_selection(bat_context *c, bat_overlay *overlay) {
+    const bat_scene *scene = c->scene;
+    const bat_selection *selection = &c->choice->selection;
     if (!selection->count) return;
-    bat_overlay_item(&editor->overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
+    bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
     int shown = 0, end = 0; /* of the selected group that the walk is in */
     for (int i = 0; i < scene->count && shown < BAT_OUTLINES_MAX; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (i >= end && bat_selection_has(selection, bat_object_id(entry->object)))
-            end = bat_document_end(editor->document, i);
+            end = bat_document_end(c->session->document, i);
         if (i >= end || !entry->path || entry->hidden) continue;
         shown++;
-        bat_path_copy(&editor->overlay.path, entry->path, entry->item.path_count);
+        bat_path_copy(&overlay->path, entry->path, entry->item.path_count);
     }
 }
 
 const bat_frame *bat_editor_frame(bat_editor *editor) {
-    const bat_tool *tool = bat_editor_tool(editor);
-    bat_scene *scene = &editor->scene;
-    bat_scene_rebase(scene, &editor->view);
-    bat_editor_sync(editor);
-    if (!bat_editor_busy(editor)) editor->snap.kind = BAT_SNAP_NONE;
-    if (tool->update) tool->update(editor);
-    bat_editor_sync(editor); /* a drag shows in the frame that it was made for */
+    bat_context *c = &editor->context;
+    bat_overlay *overlay = &editor->overlay;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    bat_scene *scene = c->scene;
+    bat_scene_rebase(scene, c->view);
+    bat_stage_sync(c);
+    if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
+    if (tool->update) tool->update(c);
+    bat_stage_sync(c); /* a drag shows in the frame that it was made for */
 
-    bat_overlay_begin(&editor->overlay, scene->origin);
-    bat_grid_show(editor, &editor->overlay);
-    bat_guides_show(editor, &editor->overlay);
-    show_selection(editor);
-    bat_insight_show(editor, &editor->overlay);
-    bat_calm_show(editor, &editor->overlay);
-    if (tool->overlay) tool->overlay(editor, &editor->overlay);
-    bat_snap_show(editor, &editor->overlay);
-    bat_rulers_show(editor, &editor->overlay);
-    bat_overlay_end(&editor->overlay, bat_view_pixel(&editor->view));
+    bat_overlay_begin(overlay, scene->origin);
+    bat_grid_show(c, overlay);
+    bat_guides_show(c, overlay);
+    show_selection(c, overlay);
+    bat_insight_show(c, overlay);
+    bat_calm_show(c, overlay);
+    if (tool->overlay) tool->overlay(c, overlay);
+    bat_snap_show(c, overlay);
+    bat_rulers_show(c, overlay);
+    bat_overlay_end(overlay, bat_view_pixel(c->view));
 
     bat_frame *frame = &editor->frame;
-    *frame = (bat_frame){.view = {editor->view.x, editor->view.y, editor->view.zoom, editor->view.angle},
+    *frame = (bat_frame){.view = {c->view->x, c->view->y, c->view->zoom, c->view->angle},
                          .origin = {scene->origin[0], scene->origin[1]},
                          .still_version = scene->still_version,
                          .still_count = (uint32_t)scene->item_count,
                          .still = scene->items,
-                         .live_count = editor->overlay.count,
-                         .live = editor->overlay.items,
-                         .label_count = editor->overlay.label_count,
-                         .labels = editor->overlay.labels,
-                         .cursor = (uint32_t)cursor(editor),
-                         .requests = editor->requests,
-                         .unsaved = editor->history.state != editor->saved_state,
-                         .can_undo = bat_history_can_undo(&editor->history),
-                         .can_redo = bat_history_can_redo(&editor->history),
-                         .tool = (uint32_t)editor->tool,
-                         .tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view),
-                         .hint = hint(editor),
-                         .notice = editor->notice == BAT_STRING_COUNT ? "" : editor->notice_text,
-                         .notice_version = editor->notice_version,
-                         .name = editor->name,
-                         .revision = (uint32_t)editor->revision,
-                         .selection = editor->selection.version,
-                         .selected = (uint32_t)editor->selection.count,
-                         .layer = (uint32_t)editor->layer,
-                         .levels = bat_leveling_version(editor),
-                         .first = bat_first_shown(editor)};
+                         .live_count = overlay->count,
+                         .live = overlay->items,
+                         .label_count = overlay->label_count,
+                         .labels = overlay->labels,
+                         .cursor = (uint32_t)cursor(c),
+                         .requests = c->notices->requests,
+                         .unsaved = c->session->history.state != c->session->saved_state,
+                         .can_undo = bat_history_can_undo(&c->session->history),
+                         .can_redo = bat_history_can_redo(&c->session->history),
+                         .tool = (uint32_t)c->choice->tool,
+                         .tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(c->view),
+                         .hint = hint(c),
+                         .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
+                         .notice_version = c->notices->notice_version,
+                         .name = c->session->name,
+                         .revision = (uint32_t)c->session->revision,
+                         .selection = c->choice->selection.version,
+                         .selected = (uint32_t)c->choice->selection.count,
+                         .layer = (uint32_t)c->choice->layer,
+                         .levels = bat_leveling_version(c),
+                         .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
-    drawing(editor, frame);
-    if (editor->requests & BAT_ASK_SAVE) {
-        editor->asked = true;
-        editor->asked_state = editor->history.state;
+    drawing(c, frame);
+    if (c->notices->requests & BAT_ASK_SAVE) {
+        c->session->asked = true;
+        c->session->asked_state = c->session->history.state;
     }
-    editor->requests = 0;
+    c->notices->requests = 0;
     return frame;
 }

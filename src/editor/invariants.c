@@ -15,14 +15,15 @@ static const char *check_view(const bat_view *view) {
     return NULL;
 }
 
-static const char *check_scene(const bat_editor *editor) {
-    const bat_scene *scene = &editor->scene;
-    if (scene->revision != editor->revision || scene->stale) return NULL; /* due for the next sync */
-    if (scene->count != bat_document_count(editor->document))
+static const char *check_scene(const bat_context *c) {
+    const bat_scene *scene = c->scene;
+    if (scene->revision != c->session->revision || scene->stale) return NULL; /* due for the next sync */
+    if (scene->count != bat_document_count(c->session->document))
         return "the scene has another number of objects";
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
-        if (entry->object != bat_document_at(editor->document, i)) return "the scene shows another object";
+        if (entry->object != bat_document_at(c->session->document, i))
+            return "the scene shows another object";
         if (entry->item.path_count && !entry->path) return "an item has no path";
     }
     return NULL;
@@ -40,25 +41,26 @@ static const char *check_contacts(const bat_contacts *contacts) {
 }
 
 const char *bat_editor_check(const bat_editor *editor) {
-    const char *wrong = bat_document_check(editor->document);
-    if (!wrong) wrong = check_view(&editor->view);
-    if (!wrong) wrong = check_scene(editor);
-    if (!wrong) wrong = check_contacts(&editor->contacts);
+    const bat_context *c = &editor->context;
+    const char *wrong = bat_document_check(c->session->document);
+    if (!wrong) wrong = check_view(c->view);
+    if (!wrong) wrong = check_scene(c);
+    if (!wrong) wrong = check_contacts(&c->input->contacts);
     if (wrong) return wrong;
-    const bat_history *history = &editor->history;
+    const bat_history *history = &c->session->history;
     if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_STEPS)
         return "the history is out of step";
-    if (!editor->transaction.open && !bat_selection_holds(&editor->selection, editor->document))
+    if (!c->session->transaction.open && !bat_selection_holds(&c->choice->selection, c->session->document))
         return "the selection has objects that are not in the document";
-    if (editor->transaction.open && !bat_editor_busy(editor))
+    if (c->session->transaction.open && !bat_toolbox_busy(c))
         return "a transaction is open and nobody holds it";
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
-        if (!(editor->values[i] >= row->low && editor->values[i] <= row->high))
+        if (!(c->settings->values[i] >= row->low && c->settings->values[i] <= row->high))
             return "a property is out of its range";
     }
-    if (!editor->journal.size || editor->journal.text[editor->journal.size - 1] != '\n')
+    if (!c->session->journal.size || c->session->journal.text[c->session->journal.size - 1] != '\n')
         return "the journal does not end with a line";
-    const bat_tool *tool = bat_editor_tool(editor);
-    return tool->check ? tool->check(editor) : NULL;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    return tool->check ? tool->check(c) : NULL;
 }

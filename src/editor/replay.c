@@ -2,6 +2,7 @@
  * Replay: a journal run line by line through the same calls that made it. Besides the engine's own lines it
  * takes raw events, so that a scripted session is a journal too.
  */
+#include "editor/session/journal_line.h"
 #include "editor/session/record.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/editor.h"
@@ -66,16 +67,16 @@ static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem 
         bat_status status = bat_editor_command(editor, name);
         return status == BAT_OK ? status : say(problem, status, "nothing to undo or redo here");
     }
-    if (name && !strcmp(name, "change")) return bat_change_perform(editor, json, problem);
+    if (name && !strcmp(name, "change")) return bat_change_perform(&editor->context, json, problem);
     bat_edit edit = {0};
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bat_status status = bat_edit_read(json, &edit, problem);
     if (status == BAT_OK) {
-        status = bat_edit_compute(editor, &edit, NULL, &curve, &report);
+        status = bat_edit_compute(&editor->context, &edit, NULL, &curve, &report);
         if (status == BAT_TOLERANCE && edit.accepted) status = BAT_OK;
         if (status == BAT_OK)
-            status = bat_edit_commit(editor, &edit, curve);
+            status = bat_edit_commit(&editor->context, &edit, curve);
         else
             bat_curve_free(curve);
         if (status != BAT_OK) say(problem, status, bat_status_message(status));
@@ -130,7 +131,7 @@ static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem 
                          .tilt_x = tilt[0],
                          .tilt_y = tilt[1],
                          .twist = number(json, "twist", 0),
-                         .time = number(json, "time", editor->time),
+                         .time = number(json, "time", editor->context.time),
                          .predicted = bat_json_type_of(json, bat_json_member(json, 1, "predicted")) ==
                                       BAT_JSON_TRUE};
     bat_editor_pointer(editor, &event, 1);
@@ -145,7 +146,7 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
     if (bat_json_member(json, 1, "wheel")) {
         triple(json, "wheel", list);
         bat_editor_wheel(editor, list[0], list[1], list[2], list[3], bits(json, "modifiers"),
-                         number(json, "time", editor->time));
+                         number(json, "time", editor->context.time));
         return BAT_OK;
     }
     if (bat_json_member(json, 1, "resize")) {
@@ -155,7 +156,8 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
     }
     if ((text = bat_json_text(json, bat_json_member(json, 1, "key")))) {
         bool down = bat_json_type_of(json, bat_json_member(json, 1, "down")) != BAT_JSON_FALSE;
-        bat_editor_key(editor, text, down, bits(json, "modifiers"), number(json, "time", editor->time));
+        bat_editor_key(editor, text, down, bits(json, "modifiers"),
+                       number(json, "time", editor->context.time));
         return BAT_OK;
     }
     if ((text = bat_json_text(json, bat_json_member(json, 1, "set")))) {
@@ -176,7 +178,7 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
     if (bat_json_member(json, 1, "picture")) {
         bat_pictures one = {0};
         status = bat_picture_from_json(json, 1, &one, problem);
-        if (status == BAT_OK && (status = bat_editor_keep_picture(editor, one.list[0])) != BAT_OK)
+        if (status == BAT_OK && (status = bat_session_keep_picture(&editor->session, one.list[0])) != BAT_OK)
             say(problem, status, bat_status_message(status));
         bat_pictures_free(&one);
         return status;
@@ -195,7 +197,7 @@ static bat_status compare(const bat_editor *editor, const bat_json *json, bat_pr
     const char *expected = bat_json_text(json, bat_json_member(json, 1, "digest"));
     if (!expected) return BAT_OK;
     bat_text found = {0};
-    bat_line_digest(&found, bat_document_digest(editor->document));
+    bat_line_digest(&found, bat_document_digest(editor->session.document));
     bool same = !found.failed && strlen(expected) == 16 && !memcmp(found.data + 1, expected, 16);
     bat_text_free(&found);
     return same ? BAT_OK : say(problem, BAT_STATE, "the document differs from what the journal says");
@@ -252,9 +254,9 @@ static bat_status run(bat_editor *editor, const char *text, size_t size, bool ch
 bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
                              bat_problem *problem) {
     if (!editor || (!text && size)) return BAT_ARGUMENT;
-    bool read_only = editor->read_only;
-    editor->read_only = false; /* for the user, not for the host */
+    bool read_only = editor->session.read_only;
+    editor->session.read_only = false; /* for the user, not for the host */
     bat_status status = run(editor, text, size, check, problem);
-    editor->read_only = read_only;
+    editor->session.read_only = read_only;
     return status;
 }

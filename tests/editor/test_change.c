@@ -19,23 +19,23 @@ static bat_object *made(bat_editor *editor, bat_id id, uint32_t *seed) {
     style.filled = roll(seed) & 1;
     bat_object *object = NULL;
     bat_curve *curve = pen_curve(x, y, 10 + x / 100, 3.1, 4 + (int)(roll(seed) % 6));
-    if (!id) id = bat_document_new_id(editor->document);
+    if (!id) id = bat_document_new_id(editor->session.document);
     assert_int_equal(bat_object_create_path(id, "a \"name\"\n", &style, 1, &curve, &object), BAT_OK);
     return object;
 }
 
 static void one_change(bat_editor *editor, uint32_t *seed) {
-    int count = bat_document_count(editor->document);
+    int count = bat_document_count(editor->session.document);
     int at = count ? (int)(roll(seed) % (uint32_t)count) : 0;
     uint32_t kind = count ? roll(seed) % 4 : 0;
     if (kind == 3) {
-        assert_int_equal(bat_transaction_remove(editor, at), BAT_OK);
+        assert_int_equal(bat_transaction_remove(&editor->context, at), BAT_OK);
         return;
     }
-    bat_object *object = made(editor, kind == 1 ? bat_object_id(bat_document_at(editor->document, at)) : 0,
-                              seed);
-    assert_int_equal(kind == 1 ? bat_transaction_replace(editor, at, object)
-                               : bat_transaction_insert(editor, kind ? at : count, object),
+    bat_object *object = made(
+        editor, kind == 1 ? bat_object_id(bat_document_at(editor->session.document, at)) : 0, seed);
+    assert_int_equal(kind == 1 ? bat_transaction_replace(&editor->context, at, object)
+                               : bat_transaction_insert(&editor->context, kind ? at : count, object),
                      BAT_OK);
     bat_object_release(object);
 }
@@ -46,9 +46,9 @@ static void any_transaction_replays(void **state) {
     bat_editor *editor = pen_editor(), *again = NULL;
     uint64_t digests[61] = {digest(editor)};
     for (int step = 1; step <= 60; step++) {
-        assert_int_equal(bat_transaction_begin(editor), BAT_OK);
+        assert_int_equal(bat_transaction_begin(&editor->context), BAT_OK);
         for (uint32_t i = 0; i <= roll(&seed) % 5; i++) one_change(editor, &seed);
-        assert_int_equal(bat_transaction_commit(editor, BAT_STRING_STEP_CHANGE, NULL), BAT_OK);
+        assert_int_equal(bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL), BAT_OK);
         assert_null(bat_editor_check(editor));
         digests[step] = digest(editor);
     }
@@ -133,16 +133,16 @@ static void selection_is_a_set(void **state) {
 static void selection_follows_the_document(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
-    editor->tool = BAT_TOOL_PAN;
-    bat_selection *selection = &editor->selection;
+    editor->choice.tool = BAT_TOOL_PAN;
+    bat_selection *selection = &editor->choice.selection;
     bat_selection_add(selection, 1);
     bat_selection_add(selection, 2);
     const bat_item *outlines = pen_live(bat_editor_frame(editor), BAT_ROLE_SELECTION);
     assert_non_null(outlines);
     assert_true(outlines->bounds[1] < 200 && outlines->bounds[3] > 600);
-    bat_transaction_begin(editor);
-    bat_transaction_remove(editor, 0);
-    bat_transaction_commit(editor, BAT_STRING_STEP_CHANGE, NULL);
+    bat_transaction_begin(&editor->context);
+    bat_transaction_remove(&editor->context, 0);
+    bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL);
     assert_int_equal(selection->count, 1);
     assert_false(bat_selection_has(selection, 1));
     bat_editor_command(editor, "undo"); /* what comes back is selected */

@@ -84,8 +84,8 @@ static void between_windows(void **unused) {
         expect_moved(object(from, i), object(to, 2 + i), 10, 10);
         assert_true(bat_object_parent(object(to, 2 + i)) == bat_object_id(object(to, 2)));
     }
-    assert_int_equal(to->selection.count, 1);
-    assert_true(bat_selection_has(&to->selection, bat_object_id(object(to, 2))));
+    assert_int_equal(to->choice.selection.count, 1);
+    assert_true(bat_selection_has(&to->choice.selection, bat_object_id(object(to, 2))));
     /* Again: further off; with Shift: in place. */
     assert_int_equal(paste_text(to, text), BAT_OK);
     expect_moved(object(from, 1), object(to, 6), 20, 20);
@@ -132,7 +132,7 @@ static void lands_in_the_active_layer(void **unused) {
     bat_editor_select(editor, bat_object_id(object(editor, 0)), false);
     char *text = copied(editor, false);
     bat_editor_command(editor, "layer-add");
-    bat_id layer = editor->layer;
+    bat_id layer = editor->choice.layer;
     assert_int_equal(paste_text(editor, text), BAT_OK);
     assert_true(bat_object_parent(object(editor, count(editor) - 1)) == layer);
     bat_free(text);

@@ -481,23 +481,24 @@ static void a_press_taken_away_keeps_the_choice(void **state) {
         pen p;
         bat_editor *editor = apart_editor(&p);
         assert_int_equal(bat_editor_command(editor, "take-apart"), BAT_OK);
-        int levels = editor->leveling.apart ? bat_shape_levels(editor->leveling.apart) : 0;
+        int levels = editor->toolbox.leveling.apart ? bat_shape_levels(editor->toolbox.leveling.apart) : 0;
         assert_true(levels > 0);
         pen first = p, second = p;
         first.device = second.device = BAT_DEVICE_TOUCH;
         first.contact = 8;
         second.contact = 9;
-        editor->pen_seen = false;
+        editor->input.pen_seen = false;
         pen_event(&first, BAT_POINTER_DOWN, 500, 500);
         if (pinch) pen_event(&second, BAT_POINTER_DOWN, 600, 500);
         check(editor);
         pen_event(&first, BAT_POINTER_CANCEL, 500, 500);
         if (pinch) pen_event(&second, BAT_POINTER_CANCEL, 600, 500);
         check(editor);
-        assert_true(!bat_editor_busy(editor));
-        assert_true(editor->leveling.apart && bat_shape_levels(editor->leveling.apart) == levels);
+        assert_true(!bat_toolbox_busy(&editor->context));
+        assert_true(editor->toolbox.leveling.apart &&
+                    bat_shape_levels(editor->toolbox.leveling.apart) == levels);
         assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
-        assert_null(editor->leveling.apart);
+        assert_null(editor->toolbox.leveling.apart);
         bat_editor_free(editor);
     }
 }

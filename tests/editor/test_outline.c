@@ -75,13 +75,13 @@ static void keys_reach_no_locked_curve(void **state) {
                 bat_editor_set_state(editor, 2, false, false);
                 if (which == 0) assert_int_equal(bat_editor_command(editor, next), BAT_OK);
                 if (which == 1) bat_editor_command(editor, next);
-                assert_true(editor->selection.count == 1 && editor->selection.ids[0] == 2);
+                assert_true(editor->choice.selection.count == 1 && editor->choice.selection.ids[0] == 2);
                 bat_editor_set_state(editor, 2, hidden, !hidden);
                 bat_editor_frame(editor);
-                uint64_t before = bat_document_digest(editor->document);
+                uint64_t before = bat_document_digest(editor->session.document);
                 assert_int_equal(bat_editor_command(editor, next), BAT_STATE);
                 bat_editor_command(editor, "nudge-up");
-                assert_true(bat_document_digest(editor->document) == before);
+                assert_true(bat_document_digest(editor->session.document) == before);
                 assert_null(bat_editor_check(editor));
                 bat_editor_free(editor);
             }

@@ -49,7 +49,7 @@ static void at_once(const bat_snap *snap, bat_snap_kind kind, double x, double y
 
 static bat_snap snap(bat_editor *editor, double x, double y) {
     double point[2] = {x, y};
-    bat_snap_point(editor, 0, NULL, point);
+    bat_snap_point(&editor->context, 0, NULL, point);
     assert_null(bat_editor_check(editor));
     return editor->snap;
 }
@@ -78,7 +78,7 @@ static void snaps_to_known_places(void **state) {
     found = snap(editor, 567, 248);
     at_once(&found, BAT_SNAP_CROSSING, 500 + 100 * sqrt(0.5), 250);
     double low = 0, high = 0.4; /* the parameter of the crossing with itself */
-    const bat_curve *own = bat_object_curve(bat_document_at(editor->document, 4), 0);
+    const bat_curve *own = bat_object_curve(bat_document_at(editor->session.document, 4), 0);
     for (int i = 0; i < 60; i++) {
         double t = (low + high) / 2, at[2];
         bat_curve_eval(own, t, 0, at);
@@ -101,9 +101,9 @@ static void snaps_to_known_places(void **state) {
     bat_editor_set(editor, "snap-curves", 1);
     found = snap(editor, 153, 147);
     at_once(&found, BAT_SNAP_CURVE, 150, 150);
-    editor->modifiers = BAT_CTRL;
+    editor->context.modifiers = BAT_CTRL;
     assert_int_equal(snap(editor, 153, 147).kind, BAT_SNAP_NONE);
-    editor->modifiers = 0;
+    editor->context.modifiers = 0;
     bat_editor_command(editor, "snap");
     assert_int_equal(snap(editor, 203, 204).kind, BAT_SNAP_NONE);
     bat_editor_command(editor, "snap");
@@ -122,8 +122,8 @@ static void guides_and_grid_draw(void **state) {
     bat_curve *curves[] = {segment(100, 500, 500, 700)};
     bat_editor *editor = editor_with(1, curves);
     uint64_t first = digest(editor);
-    assert_int_equal(bat_guide_put(editor, 0, 0, 320.5), BAT_OK);
-    assert_int_equal(bat_guide_put(editor, 0, 1, 150.25), BAT_OK);
+    assert_int_equal(bat_guide_put(&editor->context, 0, 0, 320.5), BAT_OK);
+    assert_int_equal(bat_guide_put(&editor->context, 0, 1, 150.25), BAT_OK);
     bat_snap found = snap(editor, 323, 400);
     at_once(&found, BAT_SNAP_GUIDE, 320.5, 400);
     found = snap(editor, 325, 147);
@@ -144,7 +144,7 @@ static void guides_and_grid_draw(void **state) {
         bat_editor_set(editor, "grid-spacing", spacings[i]);
         before = 0;
         for (int k = 0; k < 60; k++) {
-            double step = bat_grid_step(editor), whole = step / spacings[i];
+            double step = bat_grid_step(&editor->context), whole = step / spacings[i];
             assert_true(step * editor->view.zoom >= 8 && fabs(whole - round(whole)) < 1e-9 * whole);
             if (before > 0) {
                 double times = step / before;
@@ -187,8 +187,8 @@ static void drag(pen *p, double x0, double y0, double x1, double y1) {
 static int guides(const bat_editor *editor, int axis, double *at) {
     int found = 0;
     double place;
-    for (int i = 0; i < bat_document_count(editor->document); i++)
-        if (bat_object_guide(bat_document_at(editor->document, i), &place) == axis) {
+    for (int i = 0; i < bat_document_count(editor->session.document); i++)
+        if (bat_object_guide(bat_document_at(editor->session.document, i), &place) == axis) {
             *at = place;
             found++;
         }
@@ -223,7 +223,7 @@ static void guides_by_hand(void **state) {
     drag(&p, 8, 400, 340, 400);
     assert_true(guides(editor, 0, &at) == 1 && at == 340);
     drag(&p, 8, 400, 12, 500); /* not out of it */
-    assert_int_equal(bat_document_count(editor->document), 2);
+    assert_int_equal(bat_document_count(editor->session.document), 2);
     drag(&p, 10, 10, 300, 300); /* the corner is nobody's */
     bat_editor_command(editor, "tool-select");
     drag(&p, 340, 600, 355, 610);
@@ -248,7 +248,7 @@ static void guides_by_hand(void **state) {
     char *text = NULL;
     size_t size = 0;
     bat_document *again = NULL;
-    assert_int_equal(bat_document_write(editor->document, &text, &size), BAT_OK);
+    assert_int_equal(bat_document_write(editor->session.document, &text, &size), BAT_OK);
     assert_int_equal(bat_document_read(text, size, &again, NULL), BAT_OK);
     assert_true(bat_document_digest(again) == digest(editor));
     bat_document_free(again);
@@ -263,11 +263,11 @@ static void guides_by_hand(void **state) {
     bat_object_release(moved);
     /* A guide is never selected: not by what undo brings back, nor by its id. */
     bat_editor_command(editor, "tool-select");
-    bat_guide_put(editor, 0, 0, 10);
+    bat_guide_put(&editor->context, 0, 0, 10);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "redo");
-    bat_editor_select(editor, editor->guiding.chosen, false);
-    assert_int_equal(editor->selection.count, 0);
+    bat_editor_select(editor, editor->toolbox.guiding.chosen, false);
+    assert_int_equal(editor->choice.selection.count, 0);
     assert_null(bat_editor_check(editor));
     assert_int_equal(bat_object_create_guide(1, 0, NAN, &none), BAT_NUMBER);
     assert_int_equal(bat_object_create_guide(1, 2, 0, &none), BAT_ARGUMENT);
@@ -290,7 +290,7 @@ static void moves_snap(void **state) {
     assert_string_equal(frame->labels[0].text, "end");
     pen_event(&p, BAT_POINTER_UP, 352, 306);
     double box[4];
-    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     assert_true(box[2] == 400 && box[3] == 333.25);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDE));
     replays(editor);
@@ -300,7 +300,7 @@ static void moves_snap(void **state) {
     pen_event(&p, BAT_POINTER_MOVE, 352, 306);
     pen_event(&p, BAT_POINTER_UP, 352, 306);
     p.modifiers = 0;
-    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     assert_true(fabs(box[2] - 402) < 1e-9);
     bat_editor_command(editor, "undo");
     /* Shift: 15 degrees. The pen goes 100, -30 (16.7 degrees); what moves goes along 15. */
@@ -311,19 +311,20 @@ static void moves_snap(void **state) {
     assert_string_equal(frame->labels[0].text, "15°");
     pen_event(&p, BAT_POINTER_UP, 250, 95);
     p.modifiers = 0;
-    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     double c = cos(BAT_PI / 12), s = sin(BAT_PI / 12), along = 100 * c + 30 * s;
     assert_true(fabs(box[0] - 100 - along * c) < 1e-9 && fabs(box[1] - 100 + along * s) < 1e-9);
     /* A control point goes to the crossing of guides. */
-    bat_guide_put(editor, 0, 0, 700);
-    bat_guide_put(editor, 0, 1, 600);
+    bat_guide_put(&editor->context, 0, 0, 700);
+    bat_guide_put(&editor->context, 0, 1, 600);
     bat_editor_command(editor, "deselect");
     bat_editor_command(editor, "tool-points");
     pen_event(&p, BAT_POINTER_HOVER, 500, 416.6);
     pen_event(&p, BAT_POINTER_DOWN, 500, 416.6);
     pen_event(&p, BAT_POINTER_UP, 500, 416.6);
     drag(&p, 600, 500, 703, 605);
-    const bat_object *moved = bat_document_at(editor->document, bat_document_find(editor->document, 2));
+    const bat_object *moved = bat_document_at(editor->session.document,
+                                              bat_document_find(editor->session.document, 2));
     const double *points = bat_curve_points(bat_object_curve(moved, 0));
     assert_true(fabs(points[2] - 700) < 1e-12 && fabs(points[3] - 600) < 1e-12);
     replays(editor);
@@ -370,31 +371,32 @@ static void units_are_read_and_written(void **state) {
     double value = 7;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         bat_editor_set(editor, "unit", good[i].unit);
-        if (bat_unit_read(editor, good[i].text, false, &value) != BAT_OK ||
+        if (bat_unit_read(&editor->context, good[i].text, false, &value) != BAT_OK ||
             !(fabs(value - good[i].value) <= 1e-12 * (1 + fabs(value))))
             fail_msg("\"%s\" is %.17g", good[i].text, value);
     }
     value = 7;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        if (bat_unit_read(editor, bad[i], false, &value) != BAT_SYNTAX) fail_msg("\"%s\" is taken", bad[i]);
+        if (bat_unit_read(&editor->context, bad[i], false, &value) != BAT_SYNTAX)
+            fail_msg("\"%s\" is taken", bad[i]);
         assert_true(value == 7);
     }
-    assert_int_equal(bat_unit_read(editor, "1/0", false, &value), BAT_NUMBER);
-    assert_int_equal(bat_unit_read(editor, "30°", true, &value), BAT_OK);
+    assert_int_equal(bat_unit_read(&editor->context, "1/0", false, &value), BAT_NUMBER);
+    assert_int_equal(bat_unit_read(&editor->context, "30°", true, &value), BAT_OK);
     assert_true(value == 30);
-    assert_int_equal(bat_unit_read(editor, "30mm", true, &value), BAT_SYNTAX);
+    assert_int_equal(bat_unit_read(&editor->context, "30mm", true, &value), BAT_SYNTAX);
     char text[BAT_UNIT_ROOM];
     static const char *const written[] = {"96 px", "25.4 mm", "1 in"};
     for (int i = 0; i < 3; i++) {
         bat_editor_set(editor, "unit", i);
-        bat_unit_write(editor, 96, text);
+        bat_unit_write(&editor->context, 96, text);
         assert_string_equal(text, written[i]);
     }
     /* What is written reads back to within its last digit. */
     for (int i = 0; i < 200; i++) {
         double length = (i - 100) * 1.2345;
-        bat_unit_write(editor, length, text);
-        assert_int_equal(bat_unit_read(editor, text, false, &value), BAT_OK);
+        bat_unit_write(&editor->context, length, text);
+        assert_int_equal(bat_unit_read(&editor->context, text, false, &value), BAT_OK);
         assert_true(fabs(value - length) <= 0.0005001 * 96);
     }
     bat_unit_number(-0.0001, text);
@@ -409,10 +411,10 @@ static void rulers_tell_places(void **state) {
     (void)state;
     bat_editor *editor = editor_with(0, NULL);
     bat_editor_command(editor, "show-rulers");
-    assert_int_equal(bat_ruler_at(editor, (double[]){300, 5}), 1);
-    assert_int_equal(bat_ruler_at(editor, (double[]){5, 300}), 0);
-    assert_int_equal(bat_ruler_at(editor, (double[]){5, 5}), -1);
-    assert_int_equal(bat_ruler_at(editor, (double[]){300, 300}), -1);
+    assert_int_equal(bat_ruler_at(&editor->context, (double[]){300, 5}), 1);
+    assert_int_equal(bat_ruler_at(&editor->context, (double[]){5, 300}), 0);
+    assert_int_equal(bat_ruler_at(&editor->context, (double[]){5, 5}), -1);
+    assert_int_equal(bat_ruler_at(&editor->context, (double[]){300, 300}), -1);
     for (int unit = 0; unit < 3; unit++)
         for (int k = 0; k < 40; k++) {
             bat_editor_set(editor, "unit", unit);
@@ -424,14 +426,15 @@ static void rulers_tell_places(void **state) {
                 if (label->role != BAT_ROLE_RULER) continue;
                 labels++;
                 int axis = label->turn != 0;
-                double place = (frame->origin[axis] + (double)label->at[axis]) / bat_unit_size(editor);
-                double pixel = 1 / (editor->view.zoom * bat_unit_size(editor));
+                double place = (frame->origin[axis] + (double)label->at[axis]) /
+                               bat_unit_size(&editor->context);
+                double pixel = 1 / (editor->view.zoom * bat_unit_size(&editor->context));
                 assert_true(fabs(strtod(label->text, NULL) - place) <= fmax(0.6 * pixel, 0.000501));
             }
             assert_true(labels >= 8 && labels < 40);
         }
     bat_editor_command(editor, "view-left");
-    assert_int_equal(bat_ruler_at(editor, (double[]){300, 5}), -1);
+    assert_int_equal(bat_ruler_at(&editor->context, (double[]){300, 5}), -1);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_RULER));
     bat_editor_free(editor);
 }
@@ -458,12 +461,12 @@ static void numbers_are_entered(void **state) {
     assert_int_equal(bat_editor_enter(editor, "x", "25,4mm"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "width", "50*2"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "height", "40"), BAT_OK);
-    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     double expected[4] = {96, 100, 196, 140};
     for (int k = 0; k < 4; k++) assert_true(fabs(box[k] - expected[k]) < 1e-9);
     /* A quarter turn against the clock about (146, 120): the rising end comes to the upper left. */
     assert_int_equal(bat_editor_enter(editor, "turn", "90°"), BAT_OK);
-    const double *p = bat_curve_points(bat_object_curve(bat_document_at(editor->document, 0), 0));
+    const double *p = bat_curve_points(bat_object_curve(bat_document_at(editor->session.document, 0), 0));
     assert_true(bat_hypot(p[0] - 126, p[1] - 170) < 1e-9 && bat_hypot(p[2] - 166, p[3] - 70) < 1e-9);
     static const char *const bad[] = {"", "wide", "1mm*1mm", "0", "-5"};
     uint64_t now = digest(editor);
@@ -474,7 +477,7 @@ static void numbers_are_entered(void **state) {
     assert_int_equal(bat_editor_enter(editor, "snap", "1"), BAT_UNSUPPORTED); /* a switch is no number */
     assert_true(digest(editor) == now);
     /* A level line has no height to scale. */
-    bat_guide_put(editor, 0, 1, 77);
+    bat_guide_put(&editor->context, 0, 1, 77);
     bat_editor_set(editor, "unit", 2);
     assert_int_equal(bat_editor_enter(editor, "guide", "2"), BAT_OK);
     expect_number(editor, "guide", "2 in");
@@ -498,8 +501,8 @@ static void numbers_are_entered(void **state) {
     expect_number(editor, "point-x", "600 px");
     assert_int_equal(bat_editor_enter(editor, "point-x", "640.5"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "point-y", "480"), BAT_OK);
-    int index = bat_document_find(editor->document, 2);
-    p = bat_curve_points(bat_object_curve(bat_document_at(editor->document, index), 0));
+    int index = bat_document_find(editor->session.document, 2);
+    p = bat_curve_points(bat_object_curve(bat_document_at(editor->session.document, index), 0));
     assert_true(p[2] == 640.5 && p[3] == 480 && p[0] == 400 && p[1] == 300);
     /* Not while something is dragged. */
     pen_event(&m, BAT_POINTER_DOWN, 640.5, 480);
@@ -535,11 +538,11 @@ static void isolated_is_all_there_is(void **state) {
     const bat_frame *frame = bat_editor_frame(editor);
     assert_true(frame->still[1].opacity == 1 && frame->still[2].opacity < 0.5F);
     bat_editor_command(editor, "select-all");
-    assert_int_equal(editor->selection.count, 1);
+    assert_int_equal(editor->choice.selection.count, 1);
     drag(&p, 500, 600, 540, 640); /* nothing is there to take hold of */
     assert_true(digest(editor) == first);
     drag(&p, 100, 500, 900, 700);
-    assert_int_equal(editor->selection.count, 0);
+    assert_int_equal(editor->choice.selection.count, 0);
     assert_int_equal(snap(editor, 201, 601).kind, BAT_SNAP_END); /* but to snap to */
     bat_editor_command(editor, "tool-sketch");
     pen_line(&p, 300, 400, 700, 400, 10); /* what is drawn meanwhile is within reach */
@@ -551,7 +554,7 @@ static void isolated_is_all_there_is(void **state) {
     assert_true(frame->dirty[0] < -1e6F); /* all of it is painted anew */
     bat_editor_command(editor, "tool-select");
     drag(&p, 500, 600, 540, 640);
-    assert_int_equal(editor->selection.count, 1);
+    assert_int_equal(editor->choice.selection.count, 1);
     replays(editor);
     bat_editor_free(editor);
 }
@@ -636,10 +639,10 @@ static void without_memory_nothing_changes(void **state) {
         for (int n = 1; status == BAT_MEMORY; n++) {
             assert_true(n < 200);
             alloc_fail_at(n);
-            status = what == 0   ? bat_guide_put(editor, 0, 1, 55)
+            status = what == 0   ? bat_guide_put(&editor->context, 0, 1, 55)
                      : what == 1 ? bat_editor_enter(editor, "x", "17")
                      : what == 2 ? bat_editor_command(editor, "isolate")
-                                 : bat_guide_delete(editor, true);
+                                 : bat_guide_delete(&editor->context, true);
             alloc_fail_reached();
             if (status == BAT_MEMORY) assert_true(digest(editor) == before);
             assert_null(bat_editor_check(editor));

@@ -47,11 +47,13 @@ static void drag(pen *p, double x0, double y0, double x1, double y1, uint32_t mo
     assert_null(bat_editor_check(p->editor));
 }
 
-static int selected(const bat_editor *editor) { return editor->selection.count; }
-static bool has(const bat_editor *editor, bat_id id) { return bat_selection_has(&editor->selection, id); }
+static int selected(const bat_editor *editor) { return editor->choice.selection.count; }
+static bool has(const bat_editor *editor, bat_id id) {
+    return bat_selection_has(&editor->choice.selection, id);
+}
 
 static const bat_object *object(const bat_editor *editor, bat_id id) {
-    return bat_document_at(editor->document, bat_document_find(editor->document, id));
+    return bat_document_at(editor->session.document, bat_document_find(editor->session.document, id));
 }
 
 static void box_of(const bat_editor *editor, bat_id id, double box[4]) {
@@ -159,12 +161,12 @@ static void fills_are_picked(void **state) {
         style.filled = true;
         style.even_odd = even_odd;
         bat_object *made = NULL;
-        assert_int_equal(
-            bat_object_create_path(bat_document_new_id(editor->document), NULL, &style, 2, curves, &made),
-            BAT_OK);
-        bat_transaction_begin(editor);
-        bat_transaction_insert(editor, 2, made);
-        bat_transaction_commit(editor, BAT_STRING_STEP_CHANGE, NULL);
+        assert_int_equal(bat_object_create_path(bat_document_new_id(editor->session.document), NULL, &style,
+                                                2, curves, &made),
+                         BAT_OK);
+        bat_transaction_begin(&editor->context);
+        bat_transaction_insert(&editor->context, 2, made);
+        bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL);
         bat_object_release(made);
         click(&p, 325, 420, 0);
         assert_true(selected(editor) == 1 && has(editor, 3));
@@ -186,8 +188,8 @@ static void drags_move(void **state) {
     expect_box(editor, 1, 230, 260, 830, 260);
     drag(&p, 500, 260, 502, 290, BAT_SHIFT);
     expect_box(editor, 1, 230, 290, 830, 290);
-    assert_false(editor->transaction.open);
-    assert_int_equal(editor->history.done, 2);
+    assert_false(editor->session.transaction.open);
+    assert_int_equal(editor->session.history.done, 2);
     /* cancelled: nothing has happened */
     uint64_t before = digest(editor);
     pen_event(&p, BAT_POINTER_DOWN, 500, 290);
@@ -197,7 +199,7 @@ static void drags_move(void **state) {
     bat_editor_key(editor, "Escape", true, 0, p.time);
     assert_true(digest(editor) == before);
     pen_event(&p, BAT_POINTER_UP, 600, 400);
-    assert_true(digest(editor) == before && editor->history.done == 2);
+    assert_true(digest(editor) == before && editor->session.history.done == 2);
     /* keys */
     bat_editor_key(editor, "ArrowRight", true, 0, p.time);
     expect_box(editor, 1, 231, 290, 831, 290);
@@ -261,11 +263,12 @@ static void transforms_are_of_the_curves(void **state) {
         }
         bat_editor *editor = select_editor();
         bat_object *before[2];
-        for (int i = 0; i < 2; i++) before[i] = bat_object_retain(bat_document_at(editor->document, i));
+        for (int i = 0; i < 2; i++)
+            before[i] = bat_object_retain(bat_document_at(editor->session.document, i));
         bat_editor_command(editor, "select-all");
         assert_int_equal(bat_editor_command(editor, "group"), BAT_OK);
         assert_int_equal(selected(editor), 1);
-        assert_int_equal(bat_arrange_transform(editor, m, BAT_STRING_STEP_MOVE), BAT_OK);
+        assert_int_equal(bat_arrange_transform(&editor->context, m, BAT_STRING_STEP_MOVE), BAT_OK);
         for (int i = 0; i < 2; i++) {
             bat_curve *expected = NULL;
             assert_int_equal(bat_curve_transform(bat_object_curve(before[i], 0),
@@ -310,9 +313,9 @@ static const char *order(const bat_editor *editor) {
     static char text[200];
     size_t used = 0;
     text[0] = 0;
-    for (int i = 0; i < bat_document_count(editor->document); i++)
+    for (int i = 0; i < bat_document_count(editor->session.document); i++)
         used += (size_t)snprintf(text + used, sizeof text - used, i ? " %d" : "%d",
-                                 (int)bat_object_id(bat_document_at(editor->document, i)));
+                                 (int)bat_object_id(bat_document_at(editor->session.document, i)));
     return text;
 }
 
@@ -433,18 +436,18 @@ static void curves_are_cut_and_mended(void **state) {
     /* split where it was clicked */
     click(&p, 400, 200, 0);
     assert_int_equal(bat_editor_command(editor, "curve-split"), BAT_OK);
-    assert_int_equal(bat_document_count(editor->document), 3);
+    assert_int_equal(bat_document_count(editor->session.document), 3);
     expect_box(editor, 1, 200, 200, 400, 200);
     expect_box(editor, 3, 400, 200, 800, 200);
     /* and joined again: the very same way */
     only(editor, 1, 3);
     assert_int_equal(bat_editor_command(editor, "curve-join"), BAT_OK);
-    assert_int_equal(bat_document_count(editor->document), 2);
+    assert_int_equal(bat_document_count(editor->session.document), 2);
     expect_box(editor, 1, 200, 200, 800, 200);
     /* joined to the other line: by a straight one between the nearest ends */
     only(editor, 1, 2);
     assert_int_equal(bat_editor_command(editor, "curve-join"), BAT_OK);
-    assert_int_equal(bat_document_count(editor->document), 1);
+    assert_int_equal(bat_document_count(editor->session.document), 1);
     expect_box(editor, 1, 200, 200, 800, 600);
     assert_false(bat_curve_closed(curve(editor, 1)));
     /* one curve: joining closes it */
@@ -480,7 +483,7 @@ static void layers_hold_hide_and_lock(void **state) {
     pen p = mouse(editor);
     uint64_t first = digest(editor);
     assert_int_equal(bat_editor_command(editor, "layer-add"), BAT_OK); /* 3 */
-    assert_int_equal(editor->layer, 3);
+    assert_int_equal(editor->choice.layer, 3);
     bat_editor_command(editor, "tool-sketch");
     pen_line(&p, 200, 400, 800, 400, 60); /* 4, into the layer */
     assert_string_equal(order(editor), "1 2 3 4");
@@ -518,7 +521,7 @@ static void layers_hold_hide_and_lock(void **state) {
     bat_editor_command(editor, "tool-sketch");
     bat_editor_activate_layer(editor, 5);
     pen_line(&p, 300, 200, 600, 205, 10);
-    assert_int_equal(bat_document_count(editor->document), 6); /* new, not redrawn */
+    assert_int_equal(bat_document_count(editor->session.document), 6); /* new, not redrawn */
     /* Hidden: not there. */
     bat_editor_set_state(editor, 3, true, false);
     const bat_frame *frame = bat_editor_frame(editor);
@@ -530,13 +533,13 @@ static void layers_hold_hide_and_lock(void **state) {
     /* New curves do not vanish in a hidden layer. */
     bat_editor_set_state(editor, 5, true, false);
     pen_line(&p, 300, 700, 600, 705, 10);
-    assert_int_equal(bat_object_parent(bat_document_at(editor->document, 6)), 0);
+    assert_int_equal(bat_object_parent(bat_document_at(editor->session.document, 6)), 0);
     bat_editor_activate_layer(editor, 3);
     assert_int_equal(bat_editor_command(editor, "layer-delete"), BAT_OK);
-    assert_int_equal(editor->layer, 0);
+    assert_int_equal(editor->choice.layer, 0);
     assert_int_equal(bat_editor_command(editor, "layer-delete"), BAT_STATE);
     assert_int_equal(bat_editor_activate_layer(editor, 3), BAT_ARGUMENT);
-    assert_int_equal(bat_document_count(editor->document), 4);
+    assert_int_equal(bat_document_count(editor->session.document), 4);
     goes_back_and_replays(editor, first);
     bat_editor_free(editor);
 }
@@ -562,9 +565,9 @@ static void style_of_selection_and_of_new(void **state) {
     assert_true(style->stroke == 0xff0000ffu && style->width == 7 && style->filled &&
                 style->fill == 0x00ff0080u && style->opacity == 0.5 && style->cap == BAT_CAP_SQUARE);
     assert_true(bat_object_style(object(editor, 2))->width == 2);
-    assert_int_equal(editor->history.done, 5);
+    assert_int_equal(editor->session.history.done, 5);
     bat_editor_set(editor, "opacity", 0.5); /* no change, no step */
-    assert_int_equal(editor->history.done, 5);
+    assert_int_equal(editor->session.history.done, 5);
     only(editor, 2, 0);
     assert_true(value(editor, "stroke-width") == 2); /* the selection's */
     only(editor, 0, 0);
@@ -628,7 +631,7 @@ static void random_sessions(void **state) {
             }
             const char *wrong = bat_editor_check(editor);
             if (wrong) fail_msg("seed %u, event %d: %s", seed, i, wrong);
-            if (bat_document_count(editor->document) > 60) bat_editor_command(editor, "undo");
+            if (bat_document_count(editor->session.document) > 60) bat_editor_command(editor, "undo");
         }
         if (down) pen_event(&p, BAT_POINTER_UP, 500, 500);
         goes_back_and_replays(editor, first);
@@ -642,37 +645,37 @@ static void alt_drags_a_copy(void **state) {
     bat_editor *editor = pen_editor();
     pen p = pen_for(editor);
     uint64_t fresh = digest(editor);
-    bat_id id = bat_object_id(bat_document_at(editor->document, 0));
+    bat_id id = bat_object_id(bat_document_at(editor->session.document, 0));
     bat_editor_command(editor, "tool-select");
     double box[4], moved[4];
-    bat_object_bounds(bat_document_at(editor->document, 0), box);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     double from[2];
     bat_view_to_screen(&editor->view, (double[]){400, 200}, from);
     for (int round = 0; round < 3; round++) { /* cancelled, cancelled of what was selected, let go */
         bool cancelled = round < 2, chosen = round == 1;
         p.time += 1000;
         if (chosen)
-            bat_selection_add(&editor->selection, id);
+            bat_selection_add(&editor->choice.selection, id);
         else
-            bat_selection_clear(&editor->selection);
+            bat_selection_clear(&editor->choice.selection);
         p.modifiers = BAT_ALT;
         pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
         pen_event(&p, BAT_POINTER_MOVE, from[0] + 20, from[1]);
         bat_editor_frame(editor);
         pen_event(&p, BAT_POINTER_MOVE, from[0] + 30, from[1] + 50);
         bat_editor_frame(editor);
-        assert_int_equal(bat_document_count(editor->document), 3);
+        assert_int_equal(bat_document_count(editor->session.document), 3);
         assert_null(bat_editor_check(editor));
         pen_event(&p, cancelled ? BAT_POINTER_CANCEL : BAT_POINTER_UP, from[0] + 30, from[1] + 50);
         p.modifiers = 0;
-        assert_int_equal(editor->selection.count, cancelled ? chosen : 1);
-        assert_true(bat_selection_has(&editor->selection, id) == chosen);
+        assert_int_equal(editor->choice.selection.count, cancelled ? chosen : 1);
+        assert_true(bat_selection_has(&editor->choice.selection, id) == chosen);
         assert_true((digest(editor) == fresh) == cancelled);
     }
     double pixel = bat_view_pixel(&editor->view);
-    bat_object_bounds(bat_document_at(editor->document, 0), moved);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), moved);
     assert_memory_equal(box, moved, sizeof box);
-    bat_object_bounds(bat_document_at(editor->document, 1), moved);
+    bat_object_bounds(bat_document_at(editor->session.document, 1), moved);
     assert_true(fabs(moved[0] - box[0] - 30 * pixel) < 1e-9 && fabs(moved[1] - box[1] - 50 * pixel) < 1e-9);
     assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
     assert_true(digest(editor) == fresh);
@@ -695,44 +698,44 @@ static void double_click_enters(void **state) {
     bat_editor_command(editor, "tool-select");
     bat_editor_command(editor, "select-all");
     bat_editor_command(editor, "group");
-    bat_id group = editor->selection.ids[0];
+    bat_id group = editor->choice.selection.ids[0];
     bat_editor_command(editor, "deselect");
     tap(&p, 400, 200);
-    assert_true(bat_selection_has(&editor->selection, group) && !editor->entered);
+    assert_true(bat_selection_has(&editor->choice.selection, group) && !editor->choice.entered);
     p.time += 1000;
     tap(&p, 400, 200); /* too late to be a double click */
-    assert_true(!editor->entered);
+    assert_true(!editor->choice.entered);
     tap(&p, 400, 200);
-    assert_true(editor->entered == group && editor->selection.count == 1);
-    bat_id first = editor->selection.ids[0];
+    assert_true(editor->choice.entered == group && editor->choice.selection.count == 1);
+    bat_id first = editor->choice.selection.ids[0];
     assert_true(first != group);
-    assert_true(bat_object_parent(
-                    bat_document_at(editor->document, bat_document_find(editor->document, first))) == group);
+    assert_true(bat_object_parent(bat_document_at(
+                    editor->session.document, bat_document_find(editor->session.document, first))) == group);
     p.time += 1000;
     tap(&p, 400, 600);
-    assert_true(editor->selection.count == 1 && editor->selection.ids[0] != first &&
-                editor->entered == group);
+    assert_true(editor->choice.selection.count == 1 && editor->choice.selection.ids[0] != first &&
+                editor->choice.entered == group);
     bat_editor_command(editor, "select-all");
-    assert_int_equal(editor->selection.count, 2);
+    assert_int_equal(editor->choice.selection.count, 2);
     assert_non_null(strstr(bat_editor_frame(editor)->labels[0].text, "Group"));
     assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
-    assert_true(!editor->entered && bat_selection_has(&editor->selection, group));
+    assert_true(!editor->choice.entered && bat_selection_has(&editor->choice.selection, group));
     p.time += 1000;
     bat_editor_command(editor, "deselect");
     tap(&p, 400, 200);
     tap(&p, 400, 200);
-    assert_true(editor->entered == group);
+    assert_true(editor->choice.entered == group);
     p.time += 1000;
     tap(&p, 400, 400); /* nothing there */
-    assert_true(!editor->entered && !editor->selection.count);
+    assert_true(!editor->choice.entered && !editor->choice.selection.count);
     /* What is gone cannot be in force. */
     tap(&p, 400, 200);
     p.time += 1000;
     tap(&p, 400, 200);
     tap(&p, 400, 200);
-    assert_true(editor->entered == group);
+    assert_true(editor->choice.entered == group);
     bat_editor_command(editor, "undo");
-    assert_true(!editor->entered);
+    assert_true(!editor->choice.entered);
     assert_null(bat_editor_check(editor));
     bat_editor_free(editor);
 }
@@ -755,7 +758,7 @@ static void actions_of_the_selection(void **state) {
     bat_editor_command(editor, "tool-select");
     bat_editor_command(editor, "deselect");
     assert_string_equal(bat_editor_actions(editor), "");
-    bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+    bat_editor_select(editor, bat_object_id(bat_document_at(editor->session.document, 0)), false);
     assert_true(offered(editor, "order-front") && offered(editor, "align-left") &&
                 offered(editor, "curve-close"));
     assert_false(offered(editor, "group") || offered(editor, "curve-open") || offered(editor, "curve-join"));
@@ -773,7 +776,7 @@ static void actions_of_the_selection(void **state) {
             if (digest(editor) != before) bat_editor_command(editor, "undo");
             bat_editor_command(editor, "deselect");
             if (round == 0)
-                bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+                bat_editor_select(editor, bat_object_id(bat_document_at(editor->session.document, 0)), false);
             else
                 bat_editor_command(editor, "select-all");
         }
@@ -790,14 +793,14 @@ static void layers_are_placed(void **state) {
         ids[4]; /* of the topmost objects in front of the loose one: layers, and a curve among them */
     for (int i = 0; i < 4; i++) {
         bat_editor_command(editor, "layer-add");
-        ids[i] = editor->layer;
-        bat_editor_select(editor, bat_object_id(bat_document_at(editor->document, 0)), false);
+        ids[i] = editor->choice.layer;
+        bat_editor_select(editor, bat_object_id(bat_document_at(editor->session.document, 0)), false);
         if (i == 1) bat_editor_command(editor, "layer-take");
         if (i == 2) bat_editor_command(editor, "order-front");
     }
-    for (int i = 0, k = 0; i < bat_document_count(editor->document); i++)
-        if (!bat_object_parent(bat_document_at(editor->document, i)))
-            order[k++] = bat_object_id(bat_document_at(editor->document, i));
+    for (int i = 0, k = 0; i < bat_document_count(editor->session.document); i++)
+        if (!bat_object_parent(bat_document_at(editor->session.document, i)))
+            order[k++] = bat_object_id(bat_document_at(editor->session.document, i));
     uint64_t before = digest(editor);
     for (int from = 0; from < 4; from++)
         for (int to = 0; to < 4; to++) {
@@ -811,8 +814,8 @@ static void layers_are_placed(void **state) {
             bat_status status = bat_editor_place_layer(editor, ids[from], ids[to]);
             assert_int_equal(status, from == to ? BAT_STATE : BAT_OK);
             k = 0;
-            for (int i = 0; i < bat_document_count(editor->document); i++) {
-                const bat_object *object = bat_document_at(editor->document, i);
+            for (int i = 0; i < bat_document_count(editor->session.document); i++) {
+                const bat_object *object = bat_document_at(editor->session.document, i);
                 if (!bat_object_parent(object)) assert_true(bat_object_id(object) == expected[k++]);
             }
             assert_int_equal(k, 5);

@@ -121,7 +121,7 @@ static void off_is_the_pen_itself_and_the_end_is_always(void **state) {
     for (int strength = 0; strength <= 10; strength++) {
         bat_editor *editor = steadied(strength);
         bat_editor_pointer(editor, events, EVENTS - 1);
-        const bat_samples *samples = &editor->sketching.edit.samples;
+        const bat_samples *samples = &editor->toolbox.sketching.edit.samples;
         for (size_t i = 0; i < samples->count && strength == 0; i++) {
             double x = round(events[i].x * 100) / 100, y = round(events[i].y * 100) / 100;
             assert_true(samples->count == EVENTS - 1);

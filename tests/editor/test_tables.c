@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/tables/keys.h"
 #include "text/json.h"
 #include "support/pen.h"
 

@@ -118,7 +118,7 @@ static void fingers_leave_the_selection(void **state) {
                 for (double time = 4000; chosen && time < 4100; time += 50)
                     touch(editor, BAT_DEVICE_TOUCH, time < 4050 ? BAT_POINTER_DOWN : BAT_POINTER_UP, 9, 400,
                           200, time);
-                assert_int_equal(editor->selection.count, chosen);
+                assert_int_equal(editor->choice.selection.count, chosen);
                 bat_pointer down = {.phase = BAT_POINTER_DOWN,
                                     .device = BAT_DEVICE_TOUCH,
                                     .contact = 1,
@@ -130,14 +130,14 @@ static void fingers_leave_the_selection(void **state) {
                 bat_editor_pointer(editor, &down, 1);
                 touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 1, 400 + first[i].travel, first[i].y, 5010);
                 bat_editor_frame(editor);
-                uint32_t version = editor->selection.version;
+                uint32_t version = editor->choice.selection.version;
                 touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 500, first[i].y, 5020);
-                assert_true(editor->selection.version >= version);
+                assert_true(editor->choice.selection.version >= version);
                 if (pinch) touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 2, 540, first[i].y, 5030);
                 touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 400 + first[i].travel, first[i].y, 5100);
                 touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 2, 500, first[i].y, 5110);
-                assert_int_equal(editor->selection.count, chosen);
-                assert_true(!chosen || editor->selection.ids[0] == 1);
+                assert_int_equal(editor->choice.selection.count, chosen);
+                assert_true(!chosen || editor->choice.selection.ids[0] == 1);
                 assert_true(digest(editor) == plain);
                 bat_editor_free(editor);
             }
@@ -151,16 +151,16 @@ static void fingers_leave_the_chosen_point(void **state) {
         bat_editor *editor = pen_editor();
         bat_editor_command(editor, "tool-points");
         assert_int_equal(bat_editor_command(editor, "point-next"), BAT_OK);
-        const bat_handle chosen = editor->pointing.chosen;
+        const bat_handle chosen = editor->toolbox.pointing.chosen;
         assert_int_equal(chosen.kind, BAT_HANDLE_POINT);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 1, 400, 500, 5000);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 500, 500, 5020);
         if (pinch) touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 2, 540, 500, 5030);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 400, 500, 5100);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 2, 500, 500, 5110);
-        assert_int_equal(editor->pointing.chosen.kind, chosen.kind);
-        assert_int_equal(editor->pointing.chosen.index, chosen.index);
-        assert_false(editor->pointing.pressed);
+        assert_int_equal(editor->toolbox.pointing.chosen.kind, chosen.kind);
+        assert_int_equal(editor->toolbox.pointing.chosen.index, chosen.index);
+        assert_false(editor->toolbox.pointing.pressed);
         bat_editor_free(editor);
     }
 }

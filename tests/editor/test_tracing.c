@@ -52,8 +52,8 @@ static void placed_in_the_middle(void **unused) {
                 fabs(screen[1] + screen[3] - view.height) < 1e-9);
     assert_true(fabs(screen[2] - screen[0] - 0.8 * view.width) < 1e-9);
     assert_true(fabs((screen[2] - screen[0]) - 4 * (screen[3] - screen[1])) < 1e-9);
-    assert_int_equal(editor->selection.count, 1);
-    assert_int_equal(editor->tool, BAT_TOOL_SELECT);
+    assert_int_equal(editor->choice.selection.count, 1);
+    assert_int_equal(editor->choice.tool, BAT_TOOL_SELECT);
     assert_int_equal(add(editor, 20, 10), BAT_OK);
     bat_object_bounds(last(editor), box);
     assert_true(fabs((box[2] - box[0]) * view.zoom - 20) < 1e-9);
@@ -127,14 +127,14 @@ static void locked_out_of_the_way(void **unused) {
     bat_editor_command(editor, "deselect");
     pen_event(&p, BAT_POINTER_DOWN, 400, 300);
     pen_event(&p, BAT_POINTER_UP, 400, 300);
-    assert_true(bat_selection_has(&editor->selection, id));
+    assert_true(bat_selection_has(&editor->choice.selection, id));
     assert_int_equal(bat_editor_set_state(editor, id, false, true), BAT_OK);
-    assert_int_equal(editor->selection.count, 0);
+    assert_int_equal(editor->choice.selection.count, 0);
     pen_event(&p, BAT_POINTER_DOWN, 400, 300);
     pen_event(&p, BAT_POINTER_UP, 400, 300);
-    assert_int_equal(editor->selection.count, 0);
+    assert_int_equal(editor->choice.selection.count, 0);
     bat_editor_command(editor, "select-all");
-    assert_false(bat_selection_has(&editor->selection, id));
+    assert_false(bat_selection_has(&editor->choice.selection, id));
     replays(editor);
     bat_editor_free(editor);
 }

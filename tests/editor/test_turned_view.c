@@ -239,8 +239,8 @@ static void a_marquee_is_upright_in_the_window(void **state) {
     screen_of(editor, box->path[1] + frame->origin[0], box->path[2] + frame->origin[1], corner);
     assert_true(near(corner, fmin(a[0], b[0]) - 12, fmin(a[1], b[1]) - 12, 0.01));
     pen_event(&p, BAT_POINTER_UP, fmax(a[0], b[0]) + 12, fmax(a[1], b[1]) + 12);
-    assert_int_equal(editor->selection.count, 1);
-    assert_true(bat_selection_has(&editor->selection, 1));
+    assert_int_equal(editor->choice.selection.count, 1);
+    assert_true(bat_selection_has(&editor->choice.selection, 1));
     bat_editor_free(editor);
 }
 
@@ -254,7 +254,7 @@ static void handles_and_nudges_follow_the_page(void **state) {
     screen_of(editor, 500, 200, at);
     pen_event(&p, BAT_POINTER_DOWN, at[0], at[1]);
     pen_event(&p, BAT_POINTER_UP, at[0], at[1]);
-    assert_int_equal(editor->selection.count, 1);
+    assert_int_equal(editor->choice.selection.count, 1);
     pen_event(&p, BAT_POINTER_HOVER, at[0] + 26, at[1]); /* above on the page is to the right */
     assert_int_equal(bat_editor_frame(editor)->cursor, BAT_CURSOR_GRAB);
     bat_editor_command(editor, "select-all");

@@ -80,10 +80,10 @@ static void an_editor_speaks_korean(void **state) {
     assert_int_equal(bat_editor_words(editor, words, strlen(words)), BAT_OK);
     free(words); /* copied */
     for (int i = 0; i < COUNT; i++)
-        assert_string_equal(bat_editor_text(editor, (bat_string)i), table[i].korean);
+        assert_string_equal(bat_word(&editor->context, (bat_string)i), table[i].korean);
     assert_string_equal(hint(editor), table[BAT_STRING_HINT_NEW].korean);
     /* a notice with a value in it */
-    bat_editor_notice_value(editor, BAT_STRING_NOTICE_CALMED, "1.5");
+    bat_notice_value(&editor->context, BAT_STRING_NOTICE_CALMED, "1.5");
     assert_non_null(strstr(bat_editor_frame(editor)->notice, "1.5"));
     assert_true(has_hangul(bat_editor_frame(editor)->notice));
     assert_non_null(strstr(bat_editor_tables(editor), table[BAT_STRING_COMMAND_UNDO_HELP].korean));
@@ -108,9 +108,9 @@ static void odd_words_change_nothing(void **state) {
     assert_int_equal(bat_editor_words(editor, odd, sizeof odd - 1), BAT_OK);
     static const bat_string kept[] = {BAT_STRING_HINT_PAN, BAT_STRING_NOTICE_SAVED, BAT_STRING_NOTICE_CALMED};
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
-        assert_string_equal(bat_editor_text(editor, kept[i]), bat_string_english(kept[i]));
-    assert_string_equal(bat_editor_text(editor, BAT_STRING_HINT_NEW), "");
-    assert_string_equal(bat_editor_text(editor, BAT_STRING_STEP_NEW), "b");
+        assert_string_equal(bat_word(&editor->context, kept[i]), bat_string_english(kept[i]));
+    assert_string_equal(bat_word(&editor->context, BAT_STRING_HINT_NEW), "");
+    assert_string_equal(bat_word(&editor->context, BAT_STRING_STEP_NEW), "b");
     assert_null(bat_editor_check(editor));
     bat_editor_free(editor);
 }

@@ -3,6 +3,7 @@
 #ifndef BATTEN_EDITOR_CHOICE_ISOLATION_H
 #define BATTEN_EDITOR_CHOICE_ISOLATION_H
 
+#include "editor/session/context.h"
 #include "editor/choice/selection.h"
 #include <batten/editor.h>
 
@@ -13,7 +14,7 @@ typedef struct bat_isolation {
 } bat_isolation;
 
 /* The command: begins with the selection, or the curve under the pen; ends when it is on. */
-bat_status bat_isolate(bat_editor *editor, bool down);
-bool bat_isolate_end(bat_editor *editor); /* false: it was not on */
+bat_status bat_isolate(bat_context *c, bool down);
+bool bat_isolate_end(bat_context *c); /* false: it was not on */
 
 #endif

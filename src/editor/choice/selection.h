@@ -1,5 +1,5 @@
 /*
- * The selection: the objects that commands and properties act on, by id. It belongs to the editor, not to the
+ * The selection: the objects that commands and properties act on, by id. It belongs to the c, not to the
  * document: no history, no journal. Ids that leave the document leave it.
  */
 #ifndef BATTEN_EDITOR_CHOICE_SELECTION_H

@@ -2,9 +2,10 @@
 #ifndef BATTEN_EDITOR_COMMANDS_ACT_H
 #define BATTEN_EDITOR_COMMANDS_ACT_H
 
+#include "editor/session/context.h"
 #include <batten/editor.h>
 
-#define ACT(name) bat_status bat_do_##name(bat_editor *editor, bool down);
+#define ACT(name) bat_status bat_do_##name(bat_context *c, bool down);
 ACT(select_all)
 ACT(deselect)
 ACT(delete)

@@ -1,7 +1,7 @@
 /* Commands that cut and mend the selected curves. */
 #include "editor/commands/act.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <batten/refine.h>
 #include <math.h>
@@ -81,53 +81,54 @@ static bat_status made_over(const bat_object *object, bat_status (*make)(const b
     return status;
 }
 
-static bat_status finish(bat_editor *editor, bat_status status, bool changed, bat_string label,
+static bat_status finish(bat_context *c, bat_status status, bool changed, bat_string label,
                          bat_string otherwise) {
-    if (status == BAT_OK && changed) return bat_transaction_commit(editor, label, NULL);
-    bat_transaction_cancel(editor);
+    if (status == BAT_OK && changed) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
     if (status == BAT_OK) {
-        bat_editor_notice(editor, editor->selection.count ? otherwise : BAT_STRING_NOTICE_SELECT_FIRST);
+        bat_notice(c, c->choice->selection.count ? otherwise : BAT_STRING_NOTICE_SELECT_FIRST);
         return BAT_STATE;
     }
-    bat_editor_notice_failure(editor, status);
+    bat_notice_failure(c, status);
     return status;
 }
 
-static bat_status each(bat_editor *editor, bat_status (*make)(const bat_curve *, bat_curve **),
-                       bat_string label, bat_string otherwise) {
+static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat_curve **), bat_string label,
+                       bat_string otherwise) {
     int *roots = NULL, count = 0;
     bool changed = false;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status == BAT_STATE) status = BAT_OK;
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     for (int i = 0; i < count && status == BAT_OK; i++)
-        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]) && status == BAT_OK; k++) {
+        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]) && status == BAT_OK;
+             k++) {
             bat_object *after = NULL;
-            if (bat_object_is_group(bat_document_at(editor->document, k))) continue;
-            status = made_over(bat_document_at(editor->document, k), make, &after);
+            if (bat_object_is_group(bat_document_at(c->session->document, k))) continue;
+            status = made_over(bat_document_at(c->session->document, k), make, &after);
             if (status == BAT_STATE) {
                 status = BAT_OK;
                 continue;
             }
-            if (status == BAT_OK) status = bat_transaction_replace(editor, k, after);
+            if (status == BAT_OK) status = bat_transaction_replace(c, k, after);
             bat_object_release(after);
             changed = status == BAT_OK;
         }
     free(roots);
-    return finish(editor, status, changed, label, otherwise);
+    return finish(c, status, changed, label, otherwise);
 }
 
-bat_status bat_do_curve_close(bat_editor *editor, bool down) {
+bat_status bat_do_curve_close(bat_context *c, bool down) {
     (void)down;
-    return each(editor, closed, BAT_STRING_STEP_CLOSE_CURVE, BAT_STRING_NOTICE_SELECT_OPEN);
+    return each(c, closed, BAT_STRING_STEP_CLOSE_CURVE, BAT_STRING_NOTICE_SELECT_OPEN);
 }
-bat_status bat_do_curve_open(bat_editor *editor, bool down) {
+bat_status bat_do_curve_open(bat_context *c, bool down) {
     (void)down;
-    return each(editor, opened, BAT_STRING_STEP_OPEN, BAT_STRING_NOTICE_SELECT_CLOSED);
+    return each(c, opened, BAT_STRING_STEP_OPEN, BAT_STRING_NOTICE_SELECT_CLOSED);
 }
-bat_status bat_do_curve_reverse(bat_editor *editor, bool down) {
+bat_status bat_do_curve_reverse(bat_context *c, bool down) {
     (void)down;
-    return each(editor, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
+    return each(c, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
 }
 
 /* ---- join ---- */
@@ -137,11 +138,11 @@ typedef struct open_curve {
 } open_curve;
 
 /* The selected open curves of the plane; at most `room` written. */
-static int find_open(const bat_editor *editor, const int *roots, int count, open_curve *out, int room) {
+static int find_open(const bat_context *c, const int *roots, int count, open_curve *out, int room) {
     int found = 0;
     for (int i = 0; i < count; i++)
-        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]); k++) {
-            const bat_object *object = bat_document_at(editor->document, k);
+        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]); k++) {
+            const bat_object *object = bat_document_at(c->session->document, k);
             for (int j = 0; j < bat_object_curve_count(object); j++) {
                 const bat_curve *curve = bat_object_curve(object, j);
                 if (bat_curve_closed(curve) || bat_curve_dimension(curve) != 2) continue;
@@ -203,8 +204,8 @@ static bat_status without(const bat_object *object, int curve, bat_object **out)
     return status;
 }
 
-static bat_status join_two(bat_editor *editor, const open_curve two[2]) {
-    const bat_document *document = editor->document;
+static bat_status join_two(bat_context *c, const open_curve two[2]) {
+    const bat_document *document = c->session->document;
     bat_curve *curve = NULL;
     bat_object *after = NULL, *rest = NULL;
     bat_status status = joined(bat_object_curve(bat_document_at(document, two[0].object), two[0].curve),
@@ -218,13 +219,13 @@ static bat_status join_two(bat_editor *editor, const open_curve two[2]) {
     }
     if (two[0].object == two[1].object) { /* the second lies behind the first in the same object */
         status = without(after, two[1].curve, &rest);
-        if (status == BAT_OK) status = bat_transaction_replace(editor, two[0].object, rest);
+        if (status == BAT_OK) status = bat_transaction_replace(c, two[0].object, rest);
     } else {
-        status = bat_transaction_replace(editor, two[0].object, after);
+        status = bat_transaction_replace(c, two[0].object, after);
         if (status == BAT_OK) status = without(bat_document_at(document, two[1].object), two[1].curve, &rest);
         if (status == BAT_OK)
-            status = rest ? bat_transaction_replace(editor, two[1].object, rest)
-                          : bat_transaction_remove(editor, two[1].object);
+            status = rest ? bat_transaction_replace(c, two[1].object, rest)
+                          : bat_transaction_remove(c, two[1].object);
     }
     bat_object_release(after);
     bat_object_release(rest);
@@ -232,24 +233,24 @@ static bat_status join_two(bat_editor *editor, const open_curve two[2]) {
 }
 
 /* Two open curves become one; a single one is closed. */
-bat_status bat_do_curve_join(bat_editor *editor, bool down) {
+bat_status bat_do_curve_join(bat_context *c, bool down) {
     int *roots = NULL, count = 0, found;
     open_curve two[2];
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
-    found = status == BAT_OK ? find_open(editor, roots, count, two, 2) : 0;
+    bat_status status = bat_arrange_roots(c, &roots, &count);
+    found = status == BAT_OK ? find_open(c, roots, count, two, 2) : 0;
     free(roots);
-    if (found == 1) return bat_do_curve_close(editor, down);
+    if (found == 1) return bat_do_curve_close(c, down);
     if (status == BAT_STATE) status = BAT_OK;
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
-    if (status == BAT_OK && found == 2) status = join_two(editor, two);
-    return finish(editor, status, found == 2, BAT_STRING_STEP_JOIN, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status == BAT_OK && found == 2) status = join_two(c, two);
+    return finish(c, status, found == 2, BAT_STRING_STEP_JOIN, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
 }
 
 /* ---- split ---- */
 
 /* Two pieces: the first stays the object's, the second becomes an object in front of it (index + 1). */
-static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
-    const bat_object *object = bat_document_at(editor->document, index);
+static bat_status split_at(bat_context *c, int index, int curve, double u) {
+    const bat_object *object = bat_document_at(c->session->document, index);
     const bat_curve *whole = bat_object_curve(object, curve);
     bat_curve *left = NULL, *right = NULL;
     bat_object *after = NULL, *other = NULL, *placed = NULL;
@@ -257,7 +258,7 @@ static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
                                                 : bat_curve_split(whole, u, &left, &right);
     if (status != BAT_OK) return status;
     if (right) {
-        status = bat_object_create_path(bat_document_new_id(editor->document), bat_object_name(object),
+        status = bat_object_create_path(bat_document_new_id(c->session->document), bat_object_name(object),
                                         bat_object_style(object), 1, &right, &other);
         if (status == BAT_OK) right = NULL;
         if (status == BAT_OK) status = bat_object_with_parent(other, bat_object_parent(object), &placed);
@@ -266,8 +267,8 @@ static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
         status = bat_object_with_curve(object, curve, left, &after);
         if (status == BAT_OK) left = NULL;
     }
-    if (status == BAT_OK) status = bat_transaction_replace(editor, index, after);
-    if (status == BAT_OK && placed) status = bat_transaction_insert(editor, index + 1, placed);
+    if (status == BAT_OK) status = bat_transaction_replace(c, index, after);
+    if (status == BAT_OK && placed) status = bat_transaction_insert(c, index + 1, placed);
     bat_curve_free(left);
     bat_curve_free(right);
     bat_object_release(after);
@@ -276,21 +277,21 @@ static bat_status split_at(bat_editor *editor, int index, int curve, double u) {
     return status;
 }
 
-bat_status bat_do_curve_split(bat_editor *editor, bool down) {
+bat_status bat_do_curve_split(bat_context *c, bool down) {
     (void)down;
-    bat_selecting *s = &editor->selecting;
-    const bat_curve *ranged = bat_range_curve(editor);
+    bat_selecting *s = &c->toolbox->selecting;
+    const bat_curve *ranged = bat_range_curve(c);
     if (ranged) {
-        bat_curve_eval(ranged, editor->range.u[editor->range.end], 0, s->point);
+        bat_curve_eval(ranged, c->toolbox->range.u[c->toolbox->range.end], 0, s->point);
         s->has_point = true;
     }
-    bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(&editor->view) : -1};
+    bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(c->view) : -1};
     int *roots = NULL, count = 0, index = -1, which = 0;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status == BAT_STATE) status = BAT_OK;
     for (int i = 0; i < count; i++)
-        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]); k++) {
-            const bat_object *object = bat_document_at(editor->document, k);
+        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]); k++) {
+            const bat_object *object = bat_document_at(c->session->document, k);
             for (int j = 0; j < bat_object_curve_count(object); j++) {
                 bat_near near;
                 const bat_curve *curve = bat_object_curve(object, j);
@@ -303,15 +304,15 @@ bat_status bat_do_curve_split(bat_editor *editor, bool down) {
             }
         }
     free(roots);
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK && index >= 0) {
         double domain[2];
-        const bat_curve *curve = bat_object_curve(bat_document_at(editor->document, index), which);
+        const bat_curve *curve = bat_object_curve(bat_document_at(c->session->document, index), which);
         bat_curve_domain(curve, domain);
         if (!bat_curve_closed(curve) && !(best.u > domain[0] && best.u < domain[1]))
             index = -1; /* there is nothing beyond an end */
         else
-            status = split_at(editor, index, which, best.u);
+            status = split_at(c, index, which, best.u);
     }
-    return finish(editor, status, index >= 0, BAT_STRING_STEP_SPLIT, BAT_STRING_NOTICE_SPLIT_WHERE);
+    return finish(c, status, index >= 0, BAT_STRING_STEP_SPLIT, BAT_STRING_NOTICE_SPLIT_WHERE);
 }

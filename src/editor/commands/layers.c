@@ -2,72 +2,71 @@
 #include "document/nesting.h"
 #include "editor/commands/act.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/session/reorder.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-static int active(const bat_editor *editor) {
-    return editor->layer ? bat_document_find(editor->document, editor->layer) : -1;
+static int active(const bat_context *c) {
+    return c->choice->layer ? bat_document_find(c->session->document, c->choice->layer) : -1;
 }
 
-static bat_status told(bat_editor *editor, bat_status status) {
+static bat_status told(bat_context *c, bat_status status) {
     if (status == BAT_STATE)
-        bat_editor_notice(editor,
-                          active(editor) < 0 ? BAT_STRING_NOTICE_NO_LAYER : BAT_STRING_NOTICE_NOT_POSSIBLE);
+        bat_notice(c, active(c) < 0 ? BAT_STRING_NOTICE_NO_LAYER : BAT_STRING_NOTICE_NOT_POSSIBLE);
     else if (status != BAT_OK)
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
     return status;
 }
 
 /* Makes the document the listing, as one step; frees the listing. */
-static bat_status apply(bat_editor *editor, bat_listing *listing) {
-    bat_status status = bat_transaction_begin(editor);
+static bat_status apply(bat_context *c, bat_listing *listing) {
+    bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        status = bat_listing_apply(listing, editor);
+        status = bat_listing_apply(listing, c);
         if (status == BAT_OK)
-            status = bat_transaction_commit(editor, BAT_STRING_STEP_LAYER, NULL);
+            status = bat_transaction_commit(c, BAT_STRING_STEP_LAYER, NULL);
         else
-            bat_transaction_cancel(editor);
+            bat_transaction_cancel(c);
     }
     bat_listing_free(listing);
     return status;
 }
 
-bat_status bat_do_layer_add(bat_editor *editor, bool down) {
+bat_status bat_do_layer_add(bat_context *c, bool down) {
     (void)down;
-    const bat_document *document = editor->document;
+    const bat_document *document = c->session->document;
     char name[80];
     int layers = 0;
     for (int i = 0; i < bat_document_count(document); i++)
         layers += bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER;
-    snprintf(name, sizeof name, "%s %d", bat_editor_text(editor, BAT_STRING_LAYER_NAME), layers + 1);
+    snprintf(name, sizeof name, "%s %d", bat_word(c, BAT_STRING_LAYER_NAME), layers + 1);
     bat_object *layer = NULL;
-    bat_id id = bat_document_new_id(editor->document);
+    bat_id id = bat_document_new_id(c->session->document);
     bat_status status = bat_object_create_group(id, name, true, &layer);
-    if (status != BAT_OK) return told(editor, status);
+    if (status != BAT_OK) return told(c, status);
     bat_listing listing = {0};
     bat_listing_range(&listing, document, 0, bat_document_count(document));
     bat_listing_take(&listing, layer);
-    status = apply(editor, &listing);
-    if (status == BAT_OK) editor->layer = id;
-    return told(editor, status);
+    status = apply(c, &listing);
+    if (status == BAT_OK) c->choice->layer = id;
+    return told(c, status);
 }
 
-bat_status bat_do_layer_delete(bat_editor *editor, bool down) {
+bat_status bat_do_layer_delete(bat_context *c, bool down) {
     (void)down;
-    int at = active(editor);
-    if (at < 0) return told(editor, BAT_STATE);
+    int at = active(c);
+    if (at < 0) return told(c, BAT_STATE);
     bat_listing listing = {0};
-    bat_listing_range(&listing, editor->document, 0, at);
-    bat_listing_range(&listing, editor->document, bat_document_end(editor->document, at),
-                      bat_document_count(editor->document));
-    return told(editor, apply(editor, &listing));
+    bat_listing_range(&listing, c->session->document, 0, at);
+    bat_listing_range(&listing, c->session->document, bat_document_end(c->session->document, at),
+                      bat_document_count(c->session->document));
+    return told(c, apply(c, &listing));
 }
 
 /* Past as many siblings in front (or, steps < 0, behind) as there are, at most so many. */
-static bat_status shift(bat_editor *editor, int at, int steps) {
-    const bat_document *document = editor->document;
+static bat_status shift(bat_context *c, int at, int steps) {
+    const bat_document *document = c->session->document;
     if (at < 0) return BAT_STATE;
     bat_id parent = bat_object_parent(bat_document_at(document, at));
     int end = bat_document_end(document, at), from = at, to = end;
@@ -91,32 +90,32 @@ static bat_status shift(bat_editor *editor, int at, int steps) {
     bat_listing_range(&listing, document, at, end);
     bat_listing_range(&listing, document, from, at);
     bat_listing_range(&listing, document, to, bat_document_count(document));
-    return apply(editor, &listing);
+    return apply(c, &listing);
 }
 
-static bat_status shift_active(bat_editor *editor, int steps) {
-    int at = active(editor);
-    bat_status status = shift(editor, at, steps);
-    return at >= 0 && status == BAT_STATE ? status : told(editor, status); /* at the end already: no news */
+static bat_status shift_active(bat_context *c, int steps) {
+    int at = active(c);
+    bat_status status = shift(c, at, steps);
+    return at >= 0 && status == BAT_STATE ? status : told(c, status); /* at the end already: no news */
 }
 
-bat_status bat_do_layer_up(bat_editor *editor, bool down) {
+bat_status bat_do_layer_up(bat_context *c, bool down) {
     (void)down;
-    return shift_active(editor, 1);
+    return shift_active(c, 1);
 }
-bat_status bat_do_layer_down(bat_editor *editor, bool down) {
+bat_status bat_do_layer_down(bat_context *c, bool down) {
     (void)down;
-    return shift_active(editor, -1);
+    return shift_active(c, -1);
 }
 
-bat_status bat_do_layer_take(bat_editor *editor, bool down) {
+bat_status bat_do_layer_take(bat_context *c, bool down) {
     (void)down;
-    const bat_document *document = editor->document;
-    int *roots, count, at = active(editor), next = 0;
-    if (at < 0) return told(editor, BAT_STATE);
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    const bat_document *document = c->session->document;
+    int *roots, count, at = active(c), next = 0;
+    if (at < 0) return told(c, BAT_STATE);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) {
-        if (status == BAT_STATE) bat_editor_notice(editor, BAT_STRING_NOTICE_SELECT_FIRST);
+        if (status == BAT_STATE) bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
         return status;
     }
     for (int i = 0; i < count; i++) /* a layer does not go into itself, nor what is in it out of it */
@@ -127,7 +126,7 @@ bat_status bat_do_layer_take(bat_editor *editor, bool down) {
         if (i == end) /* in front of all that is in the layer */
             for (int k = 0; k < count && !listing.failed; k++) {
                 bat_object *placed = NULL;
-                bat_object_with_parent(bat_document_at(document, roots[k]), editor->layer, &placed);
+                bat_object_with_parent(bat_document_at(document, roots[k]), c->choice->layer, &placed);
                 bat_listing_take(&listing, placed);
                 bat_listing_range(&listing, document, roots[k] + 1, bat_document_end(document, roots[k]));
             }
@@ -148,82 +147,81 @@ bat_status bat_do_layer_take(bat_editor *editor, bool down) {
     free(roots);
     if (status != BAT_OK) {
         bat_listing_free(&listing);
-        return told(editor, status);
+        return told(c, status);
     }
-    return told(editor, apply(editor, &listing));
+    return told(c, apply(c, &listing));
 }
 
 /* ---- by id, for panels ---- */
 
-bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id) {
-    int at = id ? bat_document_find(editor->document, id) : -1;
-    if (id && (at < 0 || bat_object_kind(bat_document_at(editor->document, at)) != BAT_KIND_LAYER))
+bat_status bat_layer_activate(bat_context *c, bat_id id) {
+    int at = id ? bat_document_find(c->session->document, id) : -1;
+    if (id && (at < 0 || bat_object_kind(bat_document_at(c->session->document, at)) != BAT_KIND_LAYER))
         return BAT_ARGUMENT;
-    editor->layer = id;
+    c->choice->layer = id;
     return BAT_OK;
 }
 
 /* Replaces the object at `at` by what was made of it; takes that over. */
-static bat_status replace(bat_editor *editor, int at, bat_object *after, bat_status status,
-                          bat_string label) {
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+static bat_status replace(bat_context *c, int at, bat_object *after, bat_status status, bat_string label) {
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        status = bat_transaction_replace(editor, at, after);
+        status = bat_transaction_replace(c, at, after);
         if (status == BAT_OK)
-            status = bat_transaction_commit(editor, label, NULL);
+            status = bat_transaction_commit(c, label, NULL);
         else
-            bat_transaction_cancel(editor);
+            bat_transaction_cancel(c);
     }
     bat_object_release(after);
-    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    if (status == BAT_MEMORY) bat_notice_failure(c, status);
     return status;
 }
 
-bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name) {
-    int at = bat_document_find(editor->document, id);
+bat_status bat_layer_rename(bat_context *c, bat_id id, const char *name) {
+    int at = bat_document_find(c->session->document, id);
     bat_object *after = NULL;
     if (at < 0 || !name) return BAT_ARGUMENT;
-    if (bat_editor_busy(editor)) return BAT_STATE;
-    bat_status status = bat_object_with_name(bat_document_at(editor->document, at), name, &after);
-    return replace(editor, at, after, status, BAT_STRING_STEP_RENAME);
+    if (bat_toolbox_busy(c)) return BAT_STATE;
+    bat_status status = bat_object_with_name(bat_document_at(c->session->document, at), name, &after);
+    return replace(c, at, after, status, BAT_STRING_STEP_RENAME);
 }
 
-bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target) {
-    const bat_document *document = editor->document;
+bat_status bat_layer_place(bat_context *c, bat_id id, bat_id target) {
+    const bat_document *document = c->session->document;
     int at = bat_document_find(document, id), to = bat_document_find(document, target), steps = 0;
     const bat_object *layer = bat_document_at(document, at), *other = bat_document_at(document, to);
     if (!layer || !other || bat_object_kind(layer) != BAT_KIND_LAYER ||
         bat_object_kind(other) != BAT_KIND_LAYER || bat_object_parent(layer) != bat_object_parent(other))
         return BAT_ARGUMENT;
-    if (bat_editor_busy(editor) || at == to) return BAT_STATE;
+    if (bat_toolbox_busy(c) || at == to) return BAT_STATE;
     for (int i = at < to ? at : to; i < (at < to ? to : at); i = bat_document_end(document, i)) steps++;
-    bat_status status = shift(editor, at, at < to ? steps : -steps);
-    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    bat_status status = shift(c, at, at < to ? steps : -steps);
+    if (status == BAT_MEMORY) bat_notice_failure(c, status);
     return status;
 }
 
-bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked) {
-    int at = bat_document_find(editor->document, id);
+bat_status bat_layer_set_state(bat_context *c, bat_id id, bool hidden, bool locked) {
+    int at = bat_document_find(c->session->document, id);
     bat_object *after = NULL;
     if (at < 0) return BAT_ARGUMENT;
-    if (bat_editor_busy(editor)) return BAT_STATE;
-    const bat_object *before = bat_document_at(editor->document, at);
+    if (bat_toolbox_busy(c)) return BAT_STATE;
+    const bat_object *before = bat_document_at(c->session->document, at);
     if (bat_object_hidden(before) == hidden && bat_object_locked(before) == locked) return BAT_OK;
     bat_status status = bat_object_with_state(before, hidden, locked, &after);
-    return replace(editor, at, after, status, BAT_STRING_STEP_LAYER);
+    return replace(c, at, after, status, BAT_STRING_STEP_LAYER);
 }
 
-bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add) {
-    if (bat_editor_busy(editor)) return BAT_STATE;
-    if (id && bat_document_find(editor->document, id) < 0) return BAT_ARGUMENT;
-    if (!add) bat_selection_clear(&editor->selection);
-    bat_status status = id ? bat_selection_add(&editor->selection, id) : BAT_OK;
-    bat_selection_prune(&editor->selection, editor->document);
+bat_status bat_choice_select(bat_context *c, bat_id id, bool add) {
+    if (bat_toolbox_busy(c)) return BAT_STATE;
+    if (id && bat_document_find(c->session->document, id) < 0) return BAT_ARGUMENT;
+    if (!add) bat_selection_clear(&c->choice->selection);
+    bat_status status = id ? bat_selection_add(&c->choice->selection, id) : BAT_OK;
+    bat_selection_prune(&c->choice->selection, c->session->document);
     return status;
 }
 
-const char *bat_editor_layers(bat_editor *editor) {
-    const bat_document *document = editor->document;
+const char *bat_panel_layers(bat_context *c) {
+    const bat_document *document = c->session->document;
     bat_text text = {0};
     int loose = 0, layers = 0;
     bat_nesting nesting = {0};
@@ -251,7 +249,7 @@ const char *bat_editor_layers(bat_editor *editor) {
         bat_text_string(&text, "}");
     }
     bat_text_string(&text, "],\"active\":");
-    bat_text_integer(&text, editor->layer);
+    bat_text_integer(&text, c->choice->layer);
     bat_text_string(&text, ",\"loose\":");
     bat_text_integer(&text, (uint64_t)loose);
     bat_text_string(&text, ",\"pictures\":");
@@ -262,7 +260,7 @@ const char *bat_editor_layers(bat_editor *editor) {
         bat_text_free(&text);
         return NULL;
     }
-    free(editor->layers);
-    editor->layers = text.data;
-    return editor->layers;
+    free(c->panels->layers);
+    c->panels->layers = text.data;
+    return c->panels->layers;
 }

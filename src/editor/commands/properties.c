@@ -1,9 +1,9 @@
 /* Property values: numbers within the ranges of the table. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/edit/style.h"
 #include <math.h>
 
-bat_status bat_editor_set(bat_editor *editor, const char *property, double value) {
+bat_status bat_property_set(bat_context *c, const char *property, double value) {
     bat_property_id id = bat_property_named(property);
     if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
     const bat_property_row *row = bat_property_at(id);
@@ -16,25 +16,25 @@ bat_status bat_editor_set(bat_editor *editor, const char *property, double value
                                 : id == BAT_PROPERTY_FILL_COLOUR ? BAT_PROPERTY_FILLED
                                                                  : id;
         bat_styling values[2] = {{id, value}, {shown, 1}};
-        return bat_styling_set(editor, shown == id ? 1 : 2, values);
+        return bat_styling_set(c, shown == id ? 1 : 2, values);
     }
-    if (bat_tracing_is(id)) return bat_tracing_set(editor, id, value);
-    if (id == BAT_PROPERTY_FIRST_HINTS) editor->followed = 0;
-    editor->values[id] = value;
-    return bat_leveling_is(id) ? bat_leveling_set(editor, id, value) : BAT_OK;
+    if (bat_tracing_is(id)) return bat_tracing_set(c, id, value);
+    if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
+    c->settings->values[id] = value;
+    return bat_leveling_is(id) ? bat_leveling_set(c, id, value) : BAT_OK;
 }
 
-bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
+bat_status bat_property_get(const bat_context *c, const char *property, double *value) {
     bat_property_id id = bat_property_named(property);
     if (id == BAT_PROPERTY_COUNT) return BAT_UNSUPPORTED;
-    const bat_shape *shape = id == BAT_PROPERTY_FRAME_RULE ? bat_leveling_shape(editor) : NULL;
+    const bat_shape *shape = id == BAT_PROPERTY_FRAME_RULE ? bat_leveling_shape(c) : NULL;
     if (shape) {
         *value = (double)bat_shape_options_of(shape)->frame;
         return BAT_OK;
     }
-    const bat_style *style = bat_styling_is(id) ? bat_styling_selected(editor) : NULL;
+    const bat_style *style = bat_styling_is(id) ? bat_styling_selected(c) : NULL;
     *value = style                ? bat_styling_value(style, id)
-             : bat_tracing_is(id) ? bat_tracing_value(editor, id)
-                                  : editor->values[id];
+             : bat_tracing_is(id) ? bat_tracing_value(c, id)
+                                  : c->settings->values[id];
     return BAT_OK;
 }

@@ -1,15 +1,15 @@
 #include "editor/edit/arrange.h"
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/session/reorder.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-bat_status bat_arrange_roots(const bat_editor *editor, int **roots, int *count) {
-    const bat_document *document = editor->document;
-    const bat_selection *selection = &editor->selection;
+bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count) {
+    const bat_document *document = c->session->document;
+    const bat_selection *selection = &c->choice->selection;
     if (!selection->count) return BAT_STATE;
     int *found = malloc((size_t)selection->count * sizeof *found), n = 0;
     if (!found) return BAT_MEMORY;
@@ -44,13 +44,13 @@ bool bat_arrange_box(const bat_document *document, int first, int end, double bo
     return box[0] <= box[2];
 }
 
-bool bat_arrange_selection_box(const bat_editor *editor, double box[4]) {
-    const bat_document *document = editor->document;
+bool bat_arrange_selection_box(const bat_context *c, double box[4]) {
+    const bat_document *document = c->session->document;
     box[0] = box[1] = INFINITY;
     box[2] = box[3] = -INFINITY;
-    for (int i = 0; i < bat_document_count(document) && editor->selection.count;) {
+    for (int i = 0; i < bat_document_count(document) && c->choice->selection.count;) {
         int end = i + 1;
-        if (bat_selection_has(&editor->selection, bat_object_id(bat_document_at(document, i)))) {
+        if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
             double own[4];
             end = bat_document_end(document, i);
             bat_arrange_box(document, i, end, own);
@@ -64,80 +64,80 @@ bool bat_arrange_selection_box(const bat_editor *editor, double box[4]) {
     return box[0] <= box[2];
 }
 
-int bat_arrange_whole(const bat_editor *editor, int index) {
-    const bat_document *document = editor->document;
+int bat_arrange_whole(const bat_context *c, int index) {
+    const bat_document *document = c->session->document;
     for (;;) {
         bat_id parent = bat_object_parent(bat_document_at(document, index));
         int at = parent ? bat_document_find(document, parent) : -1;
-        if (at < 0 || parent == editor->entered ||
+        if (at < 0 || parent == c->choice->entered ||
             bat_object_kind(bat_document_at(document, at)) == BAT_KIND_LAYER)
             return index;
         index = at;
     }
 }
 
-int bat_arrange_place(const bat_editor *editor, bat_id *parent) {
-    const bat_document *document = editor->document;
+int bat_arrange_place(const bat_context *c, bat_id *parent) {
+    const bat_document *document = c->session->document;
     int at = -1;
     bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document) && editor->layer && at < 0; i++) {
+    for (int i = 0; i < bat_document_count(document) && c->choice->layer && at < 0; i++) {
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
-        if (bat_object_id(object) == editor->layer && !level.hidden && !level.locked) at = i;
+        if (bat_object_id(object) == c->choice->layer && !level.hidden && !level.locked) at = i;
     }
-    *parent = at < 0 ? 0 : editor->layer;
+    *parent = at < 0 ? 0 : c->choice->layer;
     return at < 0 ? bat_document_count(document) : bat_document_end(document, at);
 }
 
-bat_status bat_arrange_insert(bat_editor *editor, const bat_object *object) {
+bat_status bat_arrange_insert(bat_context *c, const bat_object *object) {
     bat_id parent;
-    int index = bat_arrange_place(editor, &parent);
+    int index = bat_arrange_place(c, &parent);
     bat_object *placed = NULL;
     bat_status status = bat_object_with_parent(object, parent, &placed);
-    if (status == BAT_OK) status = bat_transaction_insert(editor, index, placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, index, placed);
     bat_object_release(placed);
     return status;
 }
 
 /* Commits, or takes everything back. */
-static bat_status finish(bat_editor *editor, bat_status status, bat_string label) {
-    if (status == BAT_OK) return bat_transaction_commit(editor, label, NULL);
-    bat_transaction_cancel(editor);
+static bat_status finish(bat_context *c, bat_status status, bat_string label) {
+    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
     return status;
 }
 
-static bat_status apply(bat_editor *editor, bat_listing *listing, bat_string label) {
-    bat_status status = bat_transaction_begin(editor);
-    if (status == BAT_OK) status = finish(editor, bat_listing_apply(listing, editor), label);
+static bat_status apply(bat_context *c, bat_listing *listing, bat_string label) {
+    bat_status status = bat_transaction_begin(c);
+    if (status == BAT_OK) status = finish(c, bat_listing_apply(listing, c), label);
     bat_listing_free(listing);
     return status;
 }
 
 /* The images of objects first..end, groups left aside; within a transaction. */
-static bat_status transform_range(bat_editor *editor, int first, int end, const double matrix[6]) {
-    bool strokes = editor->values[BAT_PROPERTY_SCALE_STROKES] != 0;
+static bat_status transform_range(bat_context *c, int first, int end, const double matrix[6]) {
+    bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = first; i < end; i++) {
-        const bat_object *before = bat_document_at(editor->document, i);
+        const bat_object *before = bat_document_at(c->session->document, i);
         bat_object *after = NULL;
         if (bat_object_is_group(before)) continue;
         bat_status status = bat_affine_object(before, matrix, strokes, &after);
-        if (status == BAT_OK) status = bat_transaction_replace(editor, i, after);
+        if (status == BAT_OK) status = bat_transaction_replace(c, i, after);
         bat_object_release(after);
         if (status != BAT_OK) return status;
     }
     return BAT_OK;
 }
 
-bat_status bat_arrange_transform(bat_editor *editor, const double matrix[6], bat_string label) {
+bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_string label) {
     int *roots, count;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
-    status = bat_transaction_begin(editor);
+    status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++)
-            status = transform_range(editor, roots[i], bat_document_end(editor->document, roots[i]), matrix);
-        status = finish(editor, status, label);
+            status = transform_range(c, roots[i], bat_document_end(c->session->document, roots[i]), matrix);
+        status = finish(c, status, label);
     }
     free(roots);
     return status;
@@ -150,10 +150,10 @@ static bool has_paths(const bat_document *document, int first, int end, const bo
     return false;
 }
 
-bat_status bat_arrange_delete(bat_editor *editor) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_delete(bat_context *c) {
+    const bat_document *document = c->session->document;
     int *roots, count, all = bat_document_count(document);
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bool *gone = calloc((size_t)all + 1, sizeof *gone);
     bat_listing listing = {.failed = !gone};
@@ -172,12 +172,12 @@ bat_status bat_arrange_delete(bat_editor *editor) {
         if (!gone[i]) bat_listing_add(&listing, bat_document_at(document, i));
     free(gone);
     free(roots);
-    return apply(editor, &listing, BAT_STRING_STEP_DELETE);
+    return apply(c, &listing, BAT_STRING_STEP_DELETE);
 }
 
 /* Copies of objects first..end with new ids, moved; the parents among them are mapped. */
-static void copy_range(bat_editor *editor, bat_listing *listing, int first, int end, const double matrix[6]) {
-    const bat_document *document = editor->document;
+static void copy_range(bat_context *c, bat_listing *listing, int first, int end, const double matrix[6]) {
+    const bat_document *document = c->session->document;
     int start = listing->count;
     for (int i = first; i < end && !listing->failed; i++) {
         const bat_object *object = bat_document_at(document, i);
@@ -187,7 +187,7 @@ static void copy_range(bat_editor *editor, bat_listing *listing, int first, int 
             int at = bat_document_find(document, parent);
             parent = bat_object_id(listing->objects[start + at - first]);
         }
-        bat_status status = bat_object_with_id(object, bat_document_new_id(editor->document), &copy);
+        bat_status status = bat_object_with_id(object, bat_document_new_id(c->session->document), &copy);
         if (status == BAT_OK) status = bat_object_with_parent(copy, parent, &placed);
         if (status == BAT_OK && !bat_object_is_group(placed))
             status = bat_affine_object(placed, matrix, false, &moved);
@@ -204,28 +204,29 @@ static void copy_range(bat_editor *editor, bat_listing *listing, int first, int 
     }
 }
 
-bool bat_arrange_entered(const bat_editor *editor, int index) {
-    const bat_object *whole = bat_document_at(editor->document, bat_arrange_whole(editor, index));
-    return !editor->entered || bat_object_parent(whole) == editor->entered;
+bool bat_arrange_entered(const bat_context *c, int index) {
+    const bat_object *whole = bat_document_at(c->session->document, bat_arrange_whole(c, index));
+    return !c->choice->entered || bat_object_parent(whole) == c->choice->entered;
 }
 
-bool bat_arrange_leave(bat_editor *editor) {
-    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
+bool bat_arrange_leave(bat_context *c) {
+    int at = c->choice->entered ? bat_document_find(c->session->document, c->choice->entered) : -1;
     if (at < 0) return false;
-    bat_id parent = bat_object_parent(bat_document_at(editor->document, at));
-    int outer = parent ? bat_document_find(editor->document, parent) : -1;
-    bool group = outer >= 0 && bat_object_kind(bat_document_at(editor->document, outer)) == BAT_KIND_GROUP;
-    bat_selection_clear(&editor->selection);
-    bat_selection_add(&editor->selection, editor->entered); /* without memory: not selected */
-    editor->entered = group ? parent : 0;
+    bat_id parent = bat_object_parent(bat_document_at(c->session->document, at));
+    int outer = parent ? bat_document_find(c->session->document, parent) : -1;
+    bool group = outer >= 0 &&
+                 bat_object_kind(bat_document_at(c->session->document, outer)) == BAT_KIND_GROUP;
+    bat_selection_clear(&c->choice->selection);
+    bat_selection_add(&c->choice->selection, c->choice->entered); /* without memory: not selected */
+    c->choice->entered = group ? parent : 0;
     return true;
 }
 
 /* Within the open transaction, or as a step of its own. */
-static bat_status duplicate(bat_editor *editor, double dx, double dy, bool open) {
-    const bat_document *document = editor->document;
+static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
+    const bat_document *document = c->session->document;
     int *roots, count, at = 0;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bat_listing listing = {0};
     double matrix[6];
@@ -236,33 +237,31 @@ static bat_status duplicate(bat_editor *editor, double dx, double dy, bool open)
         int end = bat_document_end(document, roots[i]);
         bat_listing_range(&listing, document, at, end);
         int first = listing.count;
-        copy_range(editor, &listing, roots[i], end, matrix);
+        copy_range(c, &listing, roots[i], end, matrix);
         if (!listing.failed) copies[i] = bat_object_id(listing.objects[first]);
         at = end;
     }
     bat_listing_range(&listing, document, at, bat_document_count(document));
     if (open) {
-        status = bat_listing_apply(&listing, editor);
+        status = bat_listing_apply(&listing, c);
         bat_listing_free(&listing);
     } else {
-        status = apply(editor, &listing, BAT_STRING_STEP_DUPLICATE);
+        status = apply(c, &listing, BAT_STRING_STEP_DUPLICATE);
     }
     if (status == BAT_OK && copies) {
-        bat_selection_clear(&editor->selection);
-        for (int i = 0; i < count; i++) bat_selection_add(&editor->selection, copies[i]);
+        bat_selection_clear(&c->choice->selection);
+        for (int i = 0; i < count; i++) bat_selection_add(&c->choice->selection, copies[i]);
     }
     free(copies);
     free(roots);
     return status;
 }
 
-bat_status bat_arrange_duplicate(bat_editor *editor, double dx, double dy) {
-    return duplicate(editor, dx, dy, false);
-}
+bat_status bat_arrange_duplicate(bat_context *c, double dx, double dy) { return duplicate(c, dx, dy, false); }
 
-bat_status bat_arrange_lift(bat_editor *editor) {
-    bat_status status = bat_transaction_begin(editor);
-    return status == BAT_OK ? duplicate(editor, 0, 0, true) : status;
+bat_status bat_arrange_lift(bat_context *c) {
+    bat_status status = bat_transaction_begin(c);
+    return status == BAT_OK ? duplicate(c, 0, 0, true) : status;
 }
 
 static void add_with_parent(bat_listing *listing, const bat_object *object, bat_id parent) {
@@ -271,10 +270,10 @@ static void add_with_parent(bat_listing *listing, const bat_object *object, bat_
     bat_listing_take(listing, placed);
 }
 
-bat_status bat_arrange_group(bat_editor *editor) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_group(bat_context *c) {
+    const bat_document *document = c->session->document;
     int *roots, count, next = 0;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bool layers = false;
     for (int i = 0; i < count; i++)
@@ -285,7 +284,7 @@ bat_status bat_arrange_group(bat_editor *editor) {
     }
     /* The group takes the place of the root in front, and is where that one was. */
     int front = roots[count - 1];
-    bat_id id = bat_document_new_id(editor->document);
+    bat_id id = bat_document_new_id(c->session->document);
     bat_object *group = NULL;
     bat_listing listing = {0};
     status = bat_object_create_group(id, NULL, false, &group);
@@ -309,18 +308,18 @@ bat_status bat_arrange_group(bat_editor *editor) {
     }
     bat_object_release(group);
     free(roots);
-    status = apply(editor, &listing, BAT_STRING_STEP_GROUP);
+    status = apply(c, &listing, BAT_STRING_STEP_GROUP);
     if (status == BAT_OK) {
-        bat_selection_clear(&editor->selection);
-        status = bat_selection_add(&editor->selection, id);
+        bat_selection_clear(&c->choice->selection);
+        status = bat_selection_add(&c->choice->selection, id);
     }
     return status == BAT_ARGUMENT ? BAT_STATE : status; /* too deep */
 }
 
-bat_status bat_arrange_ungroup(bat_editor *editor) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_ungroup(bat_context *c) {
+    const bat_document *document = c->session->document;
     int *roots, count, next = 0, groups = 0, all = bat_document_count(document);
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bat_listing listing = {0};
     bat_id *freed = malloc((size_t)all * sizeof *freed);
@@ -355,11 +354,11 @@ bat_status bat_arrange_ungroup(bat_editor *editor) {
         free(freed);
         return BAT_STATE;
     }
-    status = apply(editor, &listing, BAT_STRING_STEP_UNGROUP);
+    status = apply(c, &listing, BAT_STRING_STEP_UNGROUP);
     if (status == BAT_OK) {
-        bat_selection_clear(&editor->selection);
-        for (int i = 0; i < freed_count; i++) bat_selection_add(&editor->selection, freed[i]);
-        bat_selection_prune(&editor->selection, editor->document);
+        bat_selection_clear(&c->choice->selection);
+        for (int i = 0; i < freed_count; i++) bat_selection_add(&c->choice->selection, freed[i]);
+        bat_selection_prune(&c->choice->selection, c->session->document);
     }
     free(freed);
     return status;
@@ -403,10 +402,10 @@ static void list_ordered(const bat_document *document, int first, int end, const
     free(siblings);
 }
 
-bat_status bat_arrange_order(bat_editor *editor, bat_order order) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_order(bat_context *c, bat_order order) {
+    const bat_document *document = c->session->document;
     int *roots, count, all = bat_document_count(document);
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bat_listing listing = {0};
     bool *chosen = calloc((size_t)all + 1, sizeof *chosen), same = true;
@@ -420,24 +419,24 @@ bat_status bat_arrange_order(bat_editor *editor, bat_order order) {
         bat_listing_free(&listing);
         return BAT_STATE;
     }
-    return apply(editor, &listing, BAT_STRING_STEP_ORDER);
+    return apply(c, &listing, BAT_STRING_STEP_ORDER);
 }
 
 /* ---- align and distribute ---- */
 
-bat_status bat_arrange_align(bat_editor *editor, bat_align align) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_align(bat_context *c, bat_align align) {
+    const bat_document *document = c->session->document;
     int *roots, count, axis = align >= BAT_ALIGN_TOP;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     double whole[4], page[4], share = (align % 3) / 2.0;
-    bat_arrange_selection_box(editor, whole);
+    bat_arrange_selection_box(c, whole);
     if (count == 1) {
         bat_document_page(document, page);
         memcpy(whole, (double[]){page[0], page[1], page[0] + page[2], page[1] + page[3]}, sizeof whole);
         if (!(page[2] > 0)) status = BAT_STATE;
     }
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++) {
             int end = bat_document_end(document, roots[i]);
@@ -446,9 +445,9 @@ bat_status bat_arrange_align(bat_editor *editor, bat_align align) {
             by = whole[axis] + share * (whole[axis + 2] - whole[axis]) -
                  (box[axis] + share * (box[axis + 2] - box[axis]));
             bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
-            if (by != 0) status = transform_range(editor, roots[i], end, matrix);
+            if (by != 0) status = transform_range(c, roots[i], end, matrix);
         }
-        status = finish(editor, status, BAT_STRING_STEP_ALIGN);
+        status = finish(c, status, BAT_STRING_STEP_ALIGN);
     }
     free(roots);
     return status;
@@ -464,10 +463,10 @@ static int compare_middles(const void *a, const void *b) {
     return x->at != y->at ? (x->at > y->at) - (x->at < y->at) : (x->root > y->root) - (x->root < y->root);
 }
 
-bat_status bat_arrange_distribute(bat_editor *editor, int axis) {
-    const bat_document *document = editor->document;
+bat_status bat_arrange_distribute(bat_context *c, int axis) {
+    const bat_document *document = c->session->document;
     int *roots, count, n = 0;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     middle *middles = malloc((size_t)count * sizeof *middles);
     if (!middles) status = BAT_MEMORY;
@@ -478,7 +477,7 @@ bat_status bat_arrange_distribute(bat_editor *editor, int axis) {
     }
     free(roots);
     if (status == BAT_OK && n < 3) status = BAT_STATE;
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         qsort(middles, (size_t)n, sizeof *middles, compare_middles); /* no ties */
         double first = middles[0].at, step = (middles[n - 1].at - first) / (n - 1);
@@ -486,10 +485,10 @@ bat_status bat_arrange_distribute(bat_editor *editor, int axis) {
             double matrix[6], by = first + i * step - middles[i].at;
             bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
             if (by != 0)
-                status = transform_range(editor, middles[i].root, bat_document_end(document, middles[i].root),
+                status = transform_range(c, middles[i].root, bat_document_end(document, middles[i].root),
                                          matrix);
         }
-        status = finish(editor, status, BAT_STRING_STEP_DISTRIBUTE);
+        status = finish(c, status, BAT_STRING_STEP_DISTRIBUTE);
     }
     free(middles);
     return status;

@@ -2,7 +2,7 @@
 #include "document/document.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/session/reorder.h"
 #include <math.h>
 #include <stdlib.h>
@@ -10,25 +10,25 @@
 static const double STEP = 10; /* px that a paste is off what was copied, and off the paste before */
 
 /* The selected objects with all that is in them, in no group of the rest. */
-static bat_status gather(const bat_editor *editor, bat_listing *listing) {
+static bat_status gather(const bat_context *c, bat_listing *listing) {
     int *roots, count;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     for (int i = 0; i < count; i++) {
         bat_object *root = NULL;
-        bat_object_with_parent(bat_document_at(editor->document, roots[i]), 0, &root);
+        bat_object_with_parent(bat_document_at(c->session->document, roots[i]), 0, &root);
         bat_listing_take(listing, root);
-        bat_listing_range(listing, editor->document, roots[i] + 1,
-                          bat_document_end(editor->document, roots[i]));
+        bat_listing_range(listing, c->session->document, roots[i] + 1,
+                          bat_document_end(c->session->document, roots[i]));
     }
     free(roots);
     return listing->failed ? BAT_MEMORY : BAT_OK;
 }
 
-static bat_status copy(const bat_editor *editor, char **text, size_t *size) {
+static bat_status copy(const bat_context *c, char **text, size_t *size) {
     bat_listing listing = {0};
     bat_document *part = NULL;
-    bat_status status = gather(editor, &listing);
+    bat_status status = gather(c, &listing);
     if (status == BAT_OK) status = bat_document_create(&part);
     if (status == BAT_OK && (status = bat_document_fill(part, listing.count, listing.objects)) == BAT_OK)
         listing.count = 0; /* taken over */
@@ -38,36 +38,37 @@ static bat_status copy(const bat_editor *editor, char **text, size_t *size) {
     return status;
 }
 
-bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, size_t *size) {
+bat_status bat_clipboard_copy(bat_context *c, bool cut, char **text, size_t *size) {
     char *made = NULL;
     if (!text || !size) return BAT_ARGUMENT;
-    bat_status status = bat_editor_busy(editor) ? BAT_STATE : copy(editor, &made, size);
-    if (status == BAT_OK && cut) status = bat_arrange_delete(editor);
+    bat_status status = bat_toolbox_busy(c) ? BAT_STATE : copy(c, &made, size);
+    if (status == BAT_OK && cut) status = bat_arrange_delete(c);
     if (status != BAT_OK) {
         free(made);
         if (status == BAT_STATE)
-            bat_editor_notice(editor, BAT_STRING_NOTICE_SELECT_FIRST);
+            bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
         else
-            bat_editor_notice_failure(editor, status);
+            bat_notice_failure(c, status);
         return status;
     }
     *text = made;
-    editor->pastes = cut ? -1 : 0; /* what was cut goes back where it was */
-    editor->pasted = 0;
-    bat_editor_notice(editor, cut ? BAT_STRING_NOTICE_CUT : BAT_STRING_NOTICE_COPIED);
+    c->clipboard->pastes = cut ? -1 : 0; /* what was cut goes back where it was */
+    c->clipboard->pasted = 0;
+    bat_notice(c, cut ? BAT_STRING_NOTICE_CUT : BAT_STRING_NOTICE_COPIED);
     return BAT_OK;
 }
 
 /* How far the pasted go. own: copied from a drawing of ours, to be pasted near the place it has. */
-static void find_shift(bat_editor *editor, const bat_document *document, bool own, double shift[2]) {
-    const bat_view *view = &editor->view;
+static void find_shift(bat_context *c, const bat_document *document, bool own, double shift[2]) {
+    const bat_view *view = c->view;
     double box[4], low[2], high[2], to[2] = {view->width / 2, view->height / 2};
     shift[0] = shift[1] = 0;
-    if (editor->modifiers & BAT_SHIFT || editor->paste_in_place) return;
+    if (c->modifiers & BAT_SHIFT || c->clipboard->paste_in_place) return;
     uint64_t digest = bat_document_digest(document);
-    if (editor->pasted && editor->pasted != digest) editor->pastes = 0; /* copied elsewhere meanwhile */
-    editor->pasted = digest;
-    if (own) shift[0] = shift[1] = STEP * bat_view_pixel(view) * ++editor->pastes;
+    if (c->clipboard->pasted && c->clipboard->pasted != digest)
+        c->clipboard->pastes = 0; /* copied elsewhere meanwhile */
+    c->clipboard->pasted = digest;
+    if (own) shift[0] = shift[1] = STEP * bat_view_pixel(view) * ++c->clipboard->pastes;
     bat_document_bounds(document, box);
     if (!(box[0] <= box[2]) || !(view->width > 0 && view->height > 0)) return;
     bat_view_to_screen(view, (double[]){box[0] + shift[0], box[1] + shift[1]}, low);
@@ -76,7 +77,7 @@ static void find_shift(bat_editor *editor, const bat_document *document, bool ow
                 fmax(low[1], high[1]) > 0 && fmin(low[1], high[1]) < view->height;
     if (own && seen) return;
     /* At the pointer, or in the middle when it is elsewhere. */
-    if (!own && editor->pen_near) to[0] = editor->pen[0], to[1] = editor->pen[1];
+    if (!own && c->input->pen_near) to[0] = c->input->pen[0], to[1] = c->input->pen[1];
     bat_view_to_document(view, to, shift);
     for (int k = 0; k < 2; k++) shift[k] -= box[k] / 2 + box[k + 2] / 2;
 }
@@ -87,7 +88,7 @@ typedef struct pasting {
     bat_id parent;
 } pasting;
 
-static bat_status paste_one(bat_editor *editor, const bat_document *document, int i, const double matrix[6],
+static bat_status paste_one(bat_context *c, const bat_document *document, int i, const double matrix[6],
                             pasting *p) {
     const bat_object *object = bat_document_at(document, i);
     bat_id outer = bat_object_parent(object);
@@ -97,13 +98,13 @@ static bat_status paste_one(bat_editor *editor, const bat_document *document, in
         return BAT_OK;
     }
     bat_object *loose = NULL, *named = NULL, *placed = NULL, *moved = NULL;
-    p->ids[i] = bat_document_new_id(editor->document);
+    p->ids[i] = bat_document_new_id(c->session->document);
     bat_status status = bat_object_with_parent(object, 0, &loose);
     if (status == BAT_OK) status = bat_object_with_id(loose, p->ids[i], &named);
     if (status == BAT_OK) status = bat_object_with_parent(named, parent, &placed);
     if (status == BAT_OK && !bat_object_is_group(placed))
         status = bat_affine_object(placed, matrix, false, &moved);
-    if (status == BAT_OK) status = bat_transaction_insert(editor, p->index++, moved ? moved : placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, p->index++, moved ? moved : placed);
     bat_object_release(loose);
     bat_object_release(named);
     bat_object_release(placed);
@@ -111,46 +112,44 @@ static bat_status paste_one(bat_editor *editor, const bat_document *document, in
     return status;
 }
 
-static bat_status paste(bat_editor *editor, const bat_document *document, bool own) {
+static bat_status paste(bat_context *c, const bat_document *document, bool own) {
     int count = bat_document_count(document), first = 0;
     double shift[2], matrix[6];
     pasting p = {calloc((size_t)count + 1, sizeof *p.ids), 0, 0};
     if (!p.ids) return BAT_MEMORY;
-    find_shift(editor, document, own, shift);
+    find_shift(c, document, own, shift);
     bat_affine_translation(shift[0], shift[1], matrix);
-    first = p.index = bat_arrange_place(editor, &p.parent);
-    bat_status status = bat_transaction_begin(editor);
+    first = p.index = bat_arrange_place(c, &p.parent);
+    bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        for (int i = 0; i < count && status == BAT_OK; i++)
-            status = paste_one(editor, document, i, matrix, &p);
+        for (int i = 0; i < count && status == BAT_OK; i++) status = paste_one(c, document, i, matrix, &p);
         if (status == BAT_OK && p.index == first) status = BAT_STATE; /* nothing but layers */
         if (status == BAT_OK)
-            status = bat_transaction_commit(editor, BAT_STRING_STEP_PASTE, NULL);
+            status = bat_transaction_commit(c, BAT_STRING_STEP_PASTE, NULL);
         else
-            bat_transaction_cancel(editor);
+            bat_transaction_cancel(c);
     }
     free(p.ids);
     if (status != BAT_OK) return status;
-    if (editor->tool == BAT_TOOL_SKETCH) bat_editor_command(editor, "tool-select");
-    bat_selection_clear(&editor->selection);
+    if (c->choice->tool == BAT_TOOL_SKETCH) bat_command_do(c, "tool-select");
+    bat_selection_clear(&c->choice->selection);
     for (int i = first; i < p.index;
-         i = bat_document_end(editor->document, i)) /* without memory: not selected */
-        bat_selection_add(&editor->selection, bat_object_id(bat_document_at(editor->document, i)));
-    bat_selection_prune(&editor->selection, editor->document);
+         i = bat_document_end(c->session->document, i)) /* without memory: not selected */
+        bat_selection_add(&c->choice->selection, bat_object_id(bat_document_at(c->session->document, i)));
+    bat_selection_prune(&c->choice->selection, c->session->document);
     return BAT_OK;
 }
 
-bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own) {
+bat_status bat_clipboard_paste(bat_context *c, const bat_document *document, bool own) {
     if (!document) return BAT_ARGUMENT;
-    bat_status status = bat_editor_busy(editor) || !bat_document_count(document)
-                            ? BAT_STATE
-                            : paste(editor, document, own);
-    editor->paste_in_place = false;
+    bat_status status = bat_toolbox_busy(c) || !bat_document_count(document) ? BAT_STATE
+                                                                             : paste(c, document, own);
+    c->clipboard->paste_in_place = false;
     if (status == BAT_OK)
-        bat_editor_notice(editor, BAT_STRING_NOTICE_PASTED);
+        bat_notice(c, BAT_STRING_NOTICE_PASTED);
     else if (status == BAT_STATE)
-        bat_editor_notice(editor, BAT_STRING_NOTICE_NOTHING_TO_PASTE);
+        bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_PASTE);
     else
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
     return status;
 }

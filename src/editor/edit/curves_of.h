@@ -2,13 +2,14 @@
 #ifndef BATTEN_EDITOR_EDIT_CURVES_OF_H
 #define BATTEN_EDITOR_EDIT_CURVES_OF_H
 
+#include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include <batten/document.h>
 #include <batten/editor.h>
 
 /* Within a transaction: the object's curve `index` becomes `curve`, which is taken over whatever it returns. */
-bat_status bat_put_curve(bat_editor *editor, bat_id object, int index, bat_curve *curve);
+bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
 /* The same as one step of its own. */
-bat_status bat_commit_curve(bat_editor *editor, bat_id object, int index, bat_curve *curve, bat_string label);
+bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve *curve, bat_string label);
 
 #endif

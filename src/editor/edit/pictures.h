@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_EDIT_PICTURES_H
 #define BATTEN_EDITOR_EDIT_PICTURES_H
 
+#include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include <batten/editor.h>
 
@@ -15,11 +16,14 @@ typedef struct bat_spanning {
 bool bat_tracing_is(bat_property_id property);
 /* Of the pictures selected, else of all: their opacity; the distance of the two places, which scales the pictures
  * selected, else the one in front, about the first place. Steps of the history. */
-bat_status bat_tracing_set(bat_editor *editor, bat_property_id property, double value);
-double bat_tracing_value(const bat_editor *editor, bat_property_id property);
+bat_status bat_tracing_set(bat_context *c, bat_property_id property, double value);
+double bat_tracing_value(const bat_context *c, bat_property_id property);
+/* What bat_editor_add_picture and bat_editor_picture say. */
+bat_status bat_picture_place(bat_context *c, const void *bytes, size_t size, const char *name);
+const bat_picture *bat_picture_shown(const bat_context *c, uint32_t picture);
 int bat_tracing_count(const bat_document *document);
 /* Locks all pictures, or hides them; frees or shows them when all are so. */
-bat_status bat_do_picture_lock(bat_editor *editor, bool down);
-bat_status bat_do_picture_hide(bat_editor *editor, bool down);
+bat_status bat_do_picture_lock(bat_context *c, bool down);
+bat_status bat_do_picture_hide(bat_context *c, bool down);
 
 #endif

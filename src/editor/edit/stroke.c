@@ -1,5 +1,5 @@
 #include "editor/edit/stroke.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/curves_of.h"
 #include <stdlib.h>
@@ -33,16 +33,16 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
     return bat_curve_dimension(target) == 2 ? target : NULL;
 }
 
-static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_curve **out,
+static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve **out,
                           bat_sketch_report *report) {
-    const bat_document *document = editor->document;
+    const bat_document *document = c->session->document;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
     const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
     if (!target) return BAT_ARGUMENT;
     if (edit->kind == BAT_EDIT_LEVEL) {
         bat_shape *shape = NULL;
-        bat_status status = bat_edit_shape(editor, edit, &shape, report);
+        bat_status status = bat_edit_shape(c, edit, &shape, report);
         if (!shape) return status;
         bat_status copied = bat_shape_flatten(shape, out);
         bat_shape_free(shape);
@@ -55,12 +55,11 @@ static bat_status compute(const bat_editor *editor, const bat_edit *edit, bat_cu
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
 
-bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report) {
     bat_curve *curve = NULL;
     *report = (bat_sketch_report){0};
-    bat_status status = live ? bat_sketch_commit(live, &curve, report)
-                             : compute(editor, edit, &curve, report);
+    bat_status status = live ? bat_sketch_commit(live, &curve, report) : compute(c, edit, &curve, report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     if (!curve) return BAT_SINGULAR;
     *out = curve;
@@ -85,17 +84,17 @@ static bat_status without_curve(const bat_object *object, int index, bat_object 
 }
 
 /* The curve is only what has been shown of it. */
-static bat_status put_level(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_shape *shape = NULL;
     bat_curve_free(curve);
     bat_sketch_report report = {0};
-    bat_status status = bat_edit_shape(editor, edit, &shape, &report);
-    return shape ? bat_leveling_put_at(editor, edit->object, edit->curve, shape) : status;
+    bat_status status = bat_edit_shape(c, edit, &shape, &report);
+    return shape ? bat_leveling_put_at(c, edit->object, edit->curve, shape) : status;
 }
 
 /* Takes the curve over, whatever it returns. */
-static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
-    const bat_document *document = editor->document;
+static bat_status insert_new(bat_context *c, const bat_edit *edit, bat_curve *curve) {
+    const bat_document *document = c->session->document;
     bat_object *object = NULL, *placed = NULL;
     bat_status status = bat_object_create_path(edit->object, NULL, &edit->style, 1, &curve, &object);
     if (status != BAT_OK) {
@@ -105,43 +104,43 @@ static bat_status insert_new(bat_editor *editor, const bat_edit *edit, bat_curve
     int layer = edit->parent ? bat_document_find(document, edit->parent) : -1;
     int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
     status = edit->parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, edit->parent, &placed);
-    if (status == BAT_OK) status = bat_transaction_insert(editor, index, placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, index, placed);
     bat_object_release(placed);
     bat_object_release(object);
     return status;
 }
 
-static bat_status remove_curve(bat_editor *editor, bat_id id, int index) {
-    int at = bat_document_find(editor->document, id);
+static bat_status remove_curve(bat_context *c, bat_id id, int index) {
+    int at = bat_document_find(c->session->document, id);
     if (at < 0) return BAT_ARGUMENT;
     bat_object *after = NULL;
-    bat_status status = without_curve(bat_document_at(editor->document, at), index, &after);
+    bat_status status = without_curve(bat_document_at(c->session->document, at), index, &after);
     if (status != BAT_OK) return status;
-    status = after ? bat_transaction_replace(editor, at, after) : bat_transaction_remove(editor, at);
+    status = after ? bat_transaction_replace(c, at, after) : bat_transaction_remove(c, at);
     bat_object_release(after);
     return status;
 }
 
-bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve) {
+bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_text line = {0};
     bat_edit_write(edit, &line);
-    bat_status status = bat_transaction_begin(editor);
+    bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK)
         bat_curve_free(curve);
     else if (edit->kind == BAT_EDIT_NEW)
-        status = insert_new(editor, edit, curve);
+        status = insert_new(c, edit, curve);
     else if (edit->kind == BAT_EDIT_LEVEL)
-        status = put_level(editor, edit, curve);
+        status = put_level(c, edit, curve);
     else
-        status = bat_put_curve(editor, edit->object, edit->curve, curve);
+        status = bat_put_curve(c, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
-        status = remove_curve(editor, edit->other, edit->other_curve);
+        status = remove_curve(c, edit->other, edit->other_curve);
     if (status == BAT_OK)
-        status = bat_transaction_commit(editor, bat_edit_label(edit->kind), &line);
+        status = bat_transaction_commit(c, bat_edit_label(edit->kind), &line);
     else
-        bat_transaction_cancel(editor);
+        bat_transaction_cancel(c);
     bat_text_free(&line);
-    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_first_follow(editor, BAT_FIRST_DRAW);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_first_follow(c, BAT_FIRST_DRAW);
     return status;
 }

@@ -7,6 +7,7 @@
 #ifndef BATTEN_EDITOR_EDIT_STROKE_H
 #define BATTEN_EDITOR_EDIT_STROKE_H
 
+#include "editor/session/context.h"
 #include "editor/input/samples.h"
 #include "editor/tables/tables.h"
 
@@ -51,13 +52,13 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
  * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
  * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.
  */
-bat_status bat_edit_compute(const bat_editor *editor, const bat_edit *edit, bat_sketch_live *live,
+bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report);
 /* The shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
-bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report);
 /* Puts the curve into the document as one step of the history and one line of the journal, or changes
  * nothing. Takes the curve over, whatever it returns. */
-bat_status bat_edit_commit(bat_editor *editor, const bat_edit *edit, bat_curve *curve);
+bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve);
 
 #endif

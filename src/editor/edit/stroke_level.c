@@ -1,6 +1,6 @@
 /* A stroke over a curve with levels: one of them follows it, and what lies above rides along. */
 #include "editor/edit/stroke.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <batten/nearest.h>
 #include <math.h>
 
@@ -50,10 +50,10 @@ static bat_status freely(const bat_shape *from, const bat_edit *edit, bat_shape 
     return status;
 }
 
-bat_status bat_edit_shape(const bat_editor *editor, const bat_edit *edit, bat_shape **out,
+bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report) {
-    const bat_object *object = bat_document_at(editor->document,
-                                               bat_document_find(editor->document, edit->object));
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, edit->object));
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
     if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != 2) return BAT_ARGUMENT;
     int top = bat_shape_levels(from);

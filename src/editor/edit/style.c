@@ -1,7 +1,7 @@
 #include "editor/edit/style.h"
 #include "editor/commands/act.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,19 +45,19 @@ static void give(bat_style *style, bat_property_id property, double value) {
     }
 }
 
-bat_style bat_editor_new_style(const bat_editor *editor) {
+bat_style bat_styling_new(const bat_context *c) {
     bat_style style = bat_style_defaults();
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
-        if (bat_styling_is((bat_property_id)i)) give(&style, (bat_property_id)i, editor->values[i]);
+        if (bat_styling_is((bat_property_id)i)) give(&style, (bat_property_id)i, c->settings->values[i]);
     return style;
 }
 
-const bat_style *bat_styling_selected(const bat_editor *editor) {
-    const bat_document *document = editor->document;
+const bat_style *bat_styling_selected(const bat_context *c) {
+    const bat_document *document = c->session->document;
     const bat_style *found = NULL;
-    for (int i = 0; i < bat_document_count(document) && editor->selection.count;) {
+    for (int i = 0; i < bat_document_count(document) && c->choice->selection.count;) {
         int end = i + 1;
-        if (bat_selection_has(&editor->selection, bat_object_id(bat_document_at(document, i)))) {
+        if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
             end = bat_document_end(document, i);
             for (int k = i; k < end; k++)
                 if (!bat_object_is_group(bat_document_at(document, k)))
@@ -76,62 +76,62 @@ static bool same_style(const bat_style *a, const bat_style *b) {
     return true;
 }
 
-static bat_status restyle(bat_editor *editor, int index, int count, const bat_styling *values) {
-    const bat_object *object = bat_document_at(editor->document, index);
+static bat_status restyle(bat_context *c, int index, int count, const bat_styling *values) {
+    const bat_object *object = bat_document_at(c->session->document, index);
     bat_style style = *bat_object_style(object);
     for (int i = 0; i < count; i++) give(&style, values[i].property, values[i].value);
     if (same_style(&style, bat_object_style(object))) return BAT_OK;
     bat_object *after = NULL;
     bat_status status = bat_object_with_style(object, &style, &after);
-    if (status == BAT_OK) status = bat_transaction_replace(editor, index, after);
+    if (status == BAT_OK) status = bat_transaction_replace(c, index, after);
     bat_object_release(after);
     return status;
 }
 
-bat_status bat_styling_set(bat_editor *editor, int count, const bat_styling *values) {
-    for (int i = 0; i < count; i++) editor->values[values[i].property] = values[i].value;
-    if (!editor->selection.count || bat_editor_busy(editor) || editor->transaction.open) return BAT_OK;
+bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values) {
+    for (int i = 0; i < count; i++) c->settings->values[values[i].property] = values[i].value;
+    if (!c->choice->selection.count || bat_toolbox_busy(c) || c->session->transaction.open) return BAT_OK;
     int *roots, root_count;
-    bat_status status = bat_arrange_roots(editor, &roots, &root_count);
+    bat_status status = bat_arrange_roots(c, &roots, &root_count);
     if (status != BAT_OK) return status;
-    status = bat_transaction_begin(editor);
+    status = bat_transaction_begin(c);
     for (int i = 0; i < root_count && status == BAT_OK; i++)
-        for (int k = roots[i]; k < bat_document_end(editor->document, roots[i]) && status == BAT_OK; k++)
-            if (!bat_object_is_group(bat_document_at(editor->document, k)))
-                status = restyle(editor, k, count, values);
+        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]) && status == BAT_OK; k++)
+            if (!bat_object_is_group(bat_document_at(c->session->document, k)))
+                status = restyle(c, k, count, values);
     free(roots);
-    if (status == BAT_OK) return bat_transaction_commit(editor, BAT_STRING_STEP_STYLE, NULL);
-    bat_transaction_cancel(editor);
+    if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_STYLE, NULL);
+    bat_transaction_cancel(c);
     return status;
 }
 
 /* ---- presets ---- */
 
-static bat_status preset(bat_editor *editor, bool stroked, double width, double opacity, bool filled) {
+static bat_status preset(bat_context *c, bool stroked, double width, double opacity, bool filled) {
     bat_styling values[] = {{BAT_PROPERTY_STROKED, stroked},
                             {BAT_PROPERTY_FILLED, filled},
                             {BAT_PROPERTY_OPACITY, opacity},
                             {BAT_PROPERTY_STROKE_CAP, BAT_CAP_ROUND},
                             {BAT_PROPERTY_STROKE_JOIN, BAT_JOIN_ROUND},
                             {BAT_PROPERTY_STROKE_WIDTH, width}};
-    bat_status status = bat_styling_set(editor, stroked ? 6 : 5, values);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    bat_status status = bat_styling_set(c, stroked ? 6 : 5, values);
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
-bat_status bat_do_style_hairline(bat_editor *editor, bool down) {
+bat_status bat_do_style_hairline(bat_context *c, bool down) {
     (void)down;
-    return preset(editor, true, 0.5, 1, false);
+    return preset(c, true, 0.5, 1, false);
 }
-bat_status bat_do_style_pen(bat_editor *editor, bool down) {
+bat_status bat_do_style_pen(bat_context *c, bool down) {
     (void)down;
-    return preset(editor, true, 2, 1, false);
+    return preset(c, true, 2, 1, false);
 }
-bat_status bat_do_style_marker(bat_editor *editor, bool down) {
+bat_status bat_do_style_marker(bat_context *c, bool down) {
     (void)down;
-    return preset(editor, true, 12, 0.5, false);
+    return preset(c, true, 12, 0.5, false);
 }
-bat_status bat_do_style_shape(bat_editor *editor, bool down) {
+bat_status bat_do_style_shape(bat_context *c, bool down) {
     (void)down;
-    return preset(editor, false, 0, 1, true);
+    return preset(c, false, 0, 1, true);
 }

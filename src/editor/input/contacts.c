@@ -1,4 +1,4 @@
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -24,24 +24,24 @@ void bat_contacts_remove(bat_contacts *contacts, int index) {
 
 static const double DETENT = 6; /* degrees */
 
-void bat_contacts_pinch(bat_editor *editor) {
-    double angle = editor->view.angle;
-    editor->contacts.turn = angle == 0 ? 0 : angle + copysign(DETENT, angle);
+void bat_contacts_pinch(bat_context *c) {
+    double angle = c->view->angle;
+    c->input->contacts.turn = angle == 0 ? 0 : angle + copysign(DETENT, angle);
 }
 
-static void turn(bat_editor *editor, const double about[2], double radians) {
-    double *fingers = &editor->contacts.turn;
+static void turn(bat_context *c, const double about[2], double radians) {
+    double *fingers = &c->input->contacts.turn;
     *fingers = remainder(*fingers + radians * (180 / BAT_PI), 360 + 2 * DETENT);
     double angle = fabs(*fingers) <= DETENT ? 0 : *fingers - copysign(DETENT, *fingers);
-    bat_view_rotate(&editor->view, about, angle - editor->view.angle);
+    bat_view_rotate(c->view, about, angle - c->view->angle);
 }
 
-void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
-    bat_contact *moved = &editor->contacts.list[index];
+void bat_contacts_navigate(bat_context *c, int index, const double to[2]) {
+    bat_contact *moved = &c->input->contacts.list[index];
     const bat_contact *other = NULL;
-    for (int i = 0; i < editor->contacts.count; i++)
-        if (i != index && editor->contacts.list[i].duty == BAT_DUTY_NAVIGATE)
-            other = &editor->contacts.list[i];
+    for (int i = 0; i < c->input->contacts.count; i++)
+        if (i != index && c->input->contacts.list[i].duty == BAT_DUTY_NAVIGATE)
+            other = &c->input->contacts.list[i];
     if (other) {
         /* About the middle between them; past the detent both fingers keep their document points. */
         double before[2], after[2];
@@ -52,14 +52,14 @@ void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]) {
         double apart = bat_hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
         double now = bat_hypot(to[0] - other->at[0], to[1] - other->at[1]);
         if (apart >= 1 && now >= 1) {
-            bat_view_zoom(&editor->view, before, now / apart);
+            bat_view_zoom(c->view, before, now / apart);
             double x0 = moved->at[0] - other->at[0], y0 = moved->at[1] - other->at[1];
             double x1 = to[0] - other->at[0], y1 = to[1] - other->at[1];
-            turn(editor, before, bat_atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1));
+            turn(c, before, bat_atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1));
         }
-        bat_view_pan(&editor->view, before, after);
+        bat_view_pan(c->view, before, after);
     } else {
-        bat_view_pan(&editor->view, moved->at, to);
+        bat_view_pan(c->view, moved->at, to);
     }
     memcpy(moved->at, to, sizeof moved->at);
 }

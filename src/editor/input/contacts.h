@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_INPUT_CONTACTS_H
 #define BATTEN_EDITOR_INPUT_CONTACTS_H
 
+#include "editor/session/context.h"
 #include <batten/editor.h>
 
 enum { BAT_CONTACTS_MAX = 16 };
@@ -32,9 +33,9 @@ int bat_contacts_find(const bat_contacts *contacts, bat_device device, uint32_t 
 int bat_contacts_count(const bat_contacts *contacts, bat_duty duty, int *first);
 void bat_contacts_remove(bat_contacts *contacts, int index);
 /* A second contact navigates from here on: the turn begins at the view's angle. */
-void bat_contacts_pinch(bat_editor *editor);
+void bat_contacts_pinch(bat_context *c);
 /* A navigating contact has come to `to`: pans, or pinches with the one other: zooms and turns. Upright is a
  * detent: the view rests there while the fingers turn by DETENT degrees to either side. */
-void bat_contacts_navigate(bat_editor *editor, int index, const double to[2]);
+void bat_contacts_navigate(bat_context *c, int index, const double to[2]);
 
 #endif

@@ -1,18 +1,18 @@
 /* What a pen's pressure counts as. It scales the reach of the smooth brush and of the eraser. */
 #include "base/real.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <math.h>
 
 static const double LEAST = 0.25; /* of the reach, at the lightest touch */
 
-double bat_editor_pressure(const bat_editor *editor, double pressure) {
-    if (editor->values[BAT_PROPERTY_PRESSURE] == 0 || isnan(pressure)) return 1;
+double bat_pressure(const bat_context *c, double pressure) {
+    if (c->settings->values[BAT_PROPERTY_PRESSURE] == 0 || isnan(pressure)) return 1;
     double p = fmin(fmax(pressure, 0), 1);
-    if (p > 0) p = bat_exp(bat_log(p) * editor->values[BAT_PROPERTY_PRESSURE_CURVE]);
+    if (p > 0) p = bat_exp(bat_log(p) * c->settings->values[BAT_PROPERTY_PRESSURE_CURVE]);
     return LEAST + (1 - LEAST) * p;
 }
 
-double bat_pressure_of(const bat_editor *editor, const bat_pointer *event) {
+double bat_pressure_of(const bat_context *c, const bat_pointer *event) {
     bool pressed = event->phase == BAT_POINTER_DOWN || event->phase == BAT_POINTER_MOVE;
-    return pressed && event->device == BAT_DEVICE_PEN ? bat_editor_pressure(editor, event->pressure) : 1;
+    return pressed && event->device == BAT_DEVICE_PEN ? bat_pressure(c, event->pressure) : 1;
 }

@@ -1,35 +1,35 @@
 #include "base/real.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 
 static const double TAP_TIME = 250; /* ms from the first finger down to the last one up */
 static const double TAP_NEAR = 10;  /* px that a finger may travel */
 static const double PEN_AWAY = 500; /* ms since the pen was there */
 
-void bat_taps_down(bat_editor *editor, const bat_pointer *event) {
-    bat_taps *taps = &editor->taps;
+void bat_taps_down(bat_context *c, const bat_pointer *event) {
+    bat_taps *taps = &c->input->taps;
     bool finger = event->device == BAT_DEVICE_TOUCH;
-    if (!editor->contacts.count) {
-        bool pen = editor->pen_seen && event->time - editor->pen_time < PEN_AWAY;
-        *taps = (bat_taps){0, pen, event->time, editor->view, editor->sketching.has_pending};
+    if (!c->input->contacts.count) {
+        bool pen = c->input->pen_seen && event->time - c->input->pen_time < PEN_AWAY;
+        *taps = (bat_taps){0, pen, event->time, (*c->view), c->toolbox->sketching.has_pending};
     }
     taps->fingers += finger;
     taps->spoiled = taps->spoiled || !finger || event->time - taps->began > TAP_TIME;
 }
 
-void bat_taps_move(bat_editor *editor, const bat_pointer *event, const double start[2]) {
-    if (bat_hypot(event->x - start[0], event->y - start[1]) > TAP_NEAR) editor->taps.spoiled = true;
+void bat_taps_move(bat_context *c, const bat_pointer *event, const double start[2]) {
+    if (bat_hypot(event->x - start[0], event->y - start[1]) > TAP_NEAR) c->input->taps.spoiled = true;
 }
 
-void bat_taps_end(bat_editor *editor, const bat_pointer *event) {
-    bat_taps *taps = &editor->taps;
+void bat_taps_end(bat_context *c, const bat_pointer *event) {
+    bat_taps *taps = &c->input->taps;
     taps->spoiled = taps->spoiled || event->phase == BAT_POINTER_CANCEL ||
                     event->time - taps->began > TAP_TIME;
-    if (taps->spoiled || editor->contacts.count || taps->fingers < 2 || taps->fingers > 3) return;
-    if (editor->view.width == taps->view.width && editor->view.height == taps->view.height)
-        editor->view = taps->view;
+    if (taps->spoiled || c->input->contacts.count || taps->fingers < 2 || taps->fingers > 3) return;
+    if (c->view->width == taps->view.width && c->view->height == taps->view.height) (*c->view) = taps->view;
     if (taps->fingers == 3)
-        bat_command_run(editor, BAT_COMMAND_REDO, true);
-    else if (!taps->pending || editor->sketching.has_pending) /* else the first finger has taken that back */
-        bat_command_run(editor, BAT_COMMAND_UNDO, true);
+        bat_command_run(c, BAT_COMMAND_REDO, true);
+    else if (!taps->pending ||
+             c->toolbox->sketching.has_pending) /* else the first finger has taken that back */
+        bat_command_run(c, BAT_COMMAND_UNDO, true);
     taps->fingers = 0;
 }

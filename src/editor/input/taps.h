@@ -3,6 +3,7 @@
 #ifndef BATTEN_EDITOR_INPUT_TAPS_H
 #define BATTEN_EDITOR_INPUT_TAPS_H
 
+#include "editor/session/context.h"
 #include "editor/view/view.h"
 #include <batten/editor.h>
 
@@ -15,8 +16,8 @@ typedef struct bat_taps {
 } bat_taps;
 
 /* Told of every contact: before it gets its duty, as it moves, and after it is gone. */
-void bat_taps_down(bat_editor *editor, const bat_pointer *event);
-void bat_taps_move(bat_editor *editor, const bat_pointer *event, const double start[2]);
-void bat_taps_end(bat_editor *editor, const bat_pointer *event);
+void bat_taps_down(bat_context *c, const bat_pointer *event);
+void bat_taps_move(bat_context *c, const bat_pointer *event, const double start[2]);
+void bat_taps_end(bat_context *c, const bat_pointer *event);
 
 #endif

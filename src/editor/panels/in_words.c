@@ -1,6 +1,6 @@
 #include "editor/panels/in_words.h"
 #include "document/nesting.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/show/handles.h"
 #include <math.h>
 #include <stdio.h>
@@ -10,8 +10,8 @@
 enum { ROWS_MAX = 500, POINTS_MAX = 1000 };
 
 /* The words with each % replaced by the next value. */
-static void fill(const bat_editor *editor, bat_text *text, bat_string words, const char *const *values) {
-    const char *at = bat_editor_text(editor, words);
+static void fill(const bat_context *c, bat_text *text, bat_string words, const char *const *values) {
+    const char *at = bat_word(c, words);
     for (const char *hole; (hole = strchr(at, '%')); at = hole + 1, values++) {
         bat_text_add(text, at, (size_t)(hole - at));
         bat_text_string(text, *values);
@@ -19,10 +19,10 @@ static void fill(const bat_editor *editor, bat_text *text, bat_string words, con
     bat_text_string(text, at);
 }
 
-static void fill_number(const bat_editor *editor, bat_text *text, bat_string words, int number) {
+static void fill_number(const bat_context *c, bat_text *text, bat_string words, int number) {
     char value[16];
     snprintf(value, sizeof value, "%d", number);
-    fill(editor, text, words, (const char *const[]){value});
+    fill(c, text, words, (const char *const[]){value});
 }
 
 /* ---- points: a spline's, else the control points of all curves, one after the other ---- */
@@ -61,30 +61,30 @@ static bool place_of(const bat_object *object, int index, double out[2]) {
 }
 
 /* words: with holes for x and y, or for which, of how many, x and y. */
-static void place_words(const bat_editor *editor, bat_text *text, bat_string words, int index, int count,
+static void place_words(const bat_context *c, bat_text *text, bat_string words, int index, int count,
                         const double at[2]) {
     char values[4][32];
     snprintf(values[0], sizeof values[0], "%d", index + 1);
     snprintf(values[1], sizeof values[1], "%d", count);
     for (int k = 0; k < 2; k++) snprintf(values[2 + k], sizeof values[2], "%.4g", at[k] + 0.0);
     const char *list[] = {values[0], values[1], values[2], values[3]};
-    fill(editor, text, words, list + (count ? 0 : 2));
+    fill(c, text, words, list + (count ? 0 : 2));
 }
 
-static void point_words(const bat_editor *editor, bat_text *text, const bat_object *object, int index) {
+static void point_words(const bat_context *c, bat_text *text, const bat_object *object, int index) {
     double at[2];
     if (place_of(object, index, at))
-        place_words(editor, text, BAT_STRING_OUTLINE_POINT, index, points_of(object), at);
+        place_words(c, text, BAT_STRING_OUTLINE_POINT, index, points_of(object), at);
 }
 
 /* ---- objects ---- */
 
-static void add(const bat_editor *editor, bat_text *text, bat_string words) {
+static void add(const bat_context *c, bat_text *text, bat_string words) {
     bat_text_string(text, ", ");
-    bat_text_string(text, bat_editor_text(editor, words));
+    bat_text_string(text, bat_word(c, words));
 }
 
-void bat_outline_words(const bat_editor *editor, const bat_object *object, bat_text *text) {
+void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
     static const bat_string kinds[] = {
         [BAT_KIND_PATH] = BAT_STRING_KIND_PATH,       [BAT_KIND_SPLINE] = BAT_STRING_KIND_SPLINE,
         [BAT_KIND_GROUP] = BAT_STRING_KIND_GROUP,     [BAT_KIND_LAYER] = BAT_STRING_KIND_LAYER,
@@ -94,25 +94,25 @@ void bat_outline_words(const bat_editor *editor, const bat_object *object, bat_t
     int curves = bat_object_curve_count(object), points = points_of(object);
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");
-    if (!*name || curves < 2) bat_text_string(text, bat_editor_text(editor, kinds[bat_object_kind(object)]));
+    if (!*name || curves < 2) bat_text_string(text, bat_word(c, kinds[bat_object_kind(object)]));
     if (!*name) { /* by its number: it has to be called something */
         bat_text_string(text, " ");
         bat_text_integer(text, bat_object_id(object));
     }
     if (curves == 1)
-        add(editor, text,
+        add(c, text,
             bat_curve_closed(bat_object_curve(object, 0)) ? BAT_STRING_OUTLINE_CLOSED
                                                           : BAT_STRING_OUTLINE_OPEN);
     if (curves > 1) {
         bat_text_string(text, ", ");
-        fill_number(editor, text, BAT_STRING_OUTLINE_CURVES, curves);
+        fill_number(c, text, BAT_STRING_OUTLINE_CURVES, curves);
     }
     if (points) {
         bat_text_string(text, ", ");
-        fill_number(editor, text, BAT_STRING_OUTLINE_POINTS, points);
+        fill_number(c, text, BAT_STRING_OUTLINE_POINTS, points);
     }
-    if (bat_object_hidden(object)) add(editor, text, BAT_STRING_OUTLINE_HIDDEN);
-    if (bat_object_locked(object)) add(editor, text, BAT_STRING_OUTLINE_LOCKED);
+    if (bat_object_hidden(object)) add(c, text, BAT_STRING_OUTLINE_HIDDEN);
+    if (bat_object_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
 }
 
 /* As a JSON string; frees the words. */
@@ -123,15 +123,15 @@ static void quote(bat_text *json, bat_text *words) {
     bat_text_free(words);
 }
 
-static const char *keep(bat_editor *editor, bat_text *text) {
+static const char *keep(bat_context *c, bat_text *text) {
     bat_text_add(text, "", 1);
     if (text->failed) {
         bat_text_free(text);
         return NULL;
     }
-    free(editor->outline);
-    editor->outline = text->data;
-    return editor->outline;
+    free(c->panels->outline);
+    c->panels->outline = text->data;
+    return c->panels->outline;
 }
 
 static void member(bat_text *json, const char *name, int64_t value) {
@@ -140,9 +140,9 @@ static void member(bat_text *json, const char *name, int64_t value) {
     bat_text_integer(json, (uint64_t)(value < 0 ? -value : value));
 }
 
-const char *bat_editor_outline(bat_editor *editor, int first, int count) {
-    const bat_document *document = editor->document;
-    const bat_selection *selection = &editor->selection;
+const char *bat_panel_outline(bat_context *c, int first, int count) {
+    const bat_document *document = c->session->document;
+    const bat_selection *selection = &c->choice->selection;
     bat_text json = {0};
     bat_nesting nesting = {0};
     int total = bat_document_count(document), made = 0;
@@ -162,62 +162,65 @@ const char *bat_editor_outline(bat_editor *editor, int first, int count) {
         member(&json, ",\"points\":", points_of(object));
         bat_text_string(&json, bat_selection_has(selection, id) ? ",\"selected\":true,\"words\":"
                                                                 : ",\"selected\":false,\"words\":");
-        bat_outline_words(editor, object, &words);
+        bat_outline_words(c, object, &words);
         quote(&json, &words);
         bat_text_string(&json, "}");
     }
     bat_text_string(&json, "]}");
-    return keep(editor, &json);
+    return keep(c, &json);
 }
 
 /* Which of the object's points is chosen, -1: none. */
-static int chosen_of(const bat_editor *editor, const bat_object *object) {
-    const bat_pointing *p = &editor->pointing;
+static int chosen_of(const bat_context *c, const bat_object *object) {
+    const bat_pointing *p = &c->toolbox->pointing;
     bat_id id = bat_object_id(object);
-    if (editor->tool == BAT_TOOL_TANGENTS && bat_object_spline(object))
-        return editor->splining.object == id ? editor->splining.point : -1;
-    if (editor->tool != BAT_TOOL_POINTS || p->object != id || p->chosen.kind != BAT_HANDLE_POINT) return -1;
+    if (c->choice->tool == BAT_TOOL_TANGENTS && bat_object_spline(object))
+        return c->toolbox->splining.object == id ? c->toolbox->splining.point : -1;
+    if (c->choice->tool != BAT_TOOL_POINTS || p->object != id || p->chosen.kind != BAT_HANDLE_POINT)
+        return -1;
     int index = p->chosen.index;
     for (int i = 0; i < p->curve; i++) index += bat_curve_count(bat_object_curve(object, i));
     return bat_object_spline(object) ? -1 : index;
 }
 
-const char *bat_editor_outline_points(bat_editor *editor, bat_id id) {
-    const bat_object *object = bat_document_at(editor->document, bat_document_find(editor->document, id));
+const char *bat_panel_points(bat_context *c, bat_id id) {
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, id));
     bat_text json = {0};
     int count = object ? points_of(object) : 0;
-    member(&json, "{\"at\":", object ? chosen_of(editor, object) : -1);
+    member(&json, "{\"at\":", object ? chosen_of(c, object) : -1);
     bat_text_string(&json, ",\"points\":[");
     for (int i = 0; i < count && i < POINTS_MAX; i++) {
         bat_text words = {0};
         if (i) bat_text_string(&json, ",");
-        point_words(editor, &words, object, i);
+        point_words(c, &words, object, i);
         quote(&json, &words);
     }
     bat_text_string(&json, "]}");
-    return keep(editor, &json);
+    return keep(c, &json);
 }
 
-bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point) {
-    const bat_object *object = bat_document_at(editor->document, bat_document_find(editor->document, id));
+bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, id));
     double at[2];
     if (!object || !place_of(object, point, at)) return BAT_ARGUMENT;
     bool spline = bat_object_spline(object) != NULL;
     bat_tool_id tool = spline ? BAT_TOOL_TANGENTS : BAT_TOOL_POINTS;
-    bat_range_end(editor);
-    bat_status status = editor->tool == tool ? BAT_OK
-                                             : bat_command_run(editor, bat_tool_at(tool)->command, true);
-    if (status == BAT_OK) status = bat_editor_select(editor, id, false);
-    if (status != BAT_OK || !bat_selection_has(&editor->selection, id))
+    bat_range_end(c);
+    bat_status status = c->choice->tool == tool ? BAT_OK
+                                                : bat_command_run(c, bat_tool_at(tool)->command, true);
+    if (status == BAT_OK) status = bat_choice_select(c, id, false);
+    if (status != BAT_OK || !bat_selection_has(&c->choice->selection, id))
         return BAT_STATE; /* locked or hidden */
-    bat_view_show(&editor->view, at, 40);
+    bat_view_show(c->view, at, 40);
     if (spline) {
-        editor->splining.object = id;
-        editor->splining.point = point;
-        editor->splining.placing = editor->splining.on_direction = false;
+        c->toolbox->splining.object = id;
+        c->toolbox->splining.point = point;
+        c->toolbox->splining.placing = c->toolbox->splining.on_direction = false;
         return BAT_OK;
     }
-    bat_pointing *p = &editor->pointing;
+    bat_pointing *p = &c->toolbox->pointing;
     int index = point, which = 0;
     const bat_curve *curve = curve_of(object, &index, &which);
     p->object = p->adopted = id;
@@ -232,29 +235,30 @@ bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point) {
 enum { MODE_NONE, MODE_POINT, MODE_DIRECTION, MODE_KNOT, MODE_RANGE, MODE_WAYPOINT };
 
 /* What the keys would move, and where it is. */
-static void look(const bat_editor *editor, bat_told *now) {
-    const bat_document *document = editor->document;
-    const bat_waypoints *w = &editor->waypoints;
-    const bat_pointing *p = &editor->pointing;
+static void look(const bat_context *c, bat_told *now) {
+    const bat_document *document = c->session->document;
+    const bat_waypoints *w = &c->toolbox->waypoints;
+    const bat_pointing *p = &c->toolbox->pointing;
     if (w->on) {
         *now = (bat_told){.mode = MODE_WAYPOINT, .point = w->chosen};
         memcpy(now->at, w->points + 2 * w->chosen, sizeof now->at);
-    } else if (bat_range_curve(editor)) {
-        *now = (bat_told){.mode = MODE_RANGE, .object = editor->range.object, .point = editor->range.end};
-        bat_curve_eval(bat_range_curve(editor), editor->range.u[editor->range.end], 0, now->at);
-    } else if (editor->tool == BAT_TOOL_POINTS && p->chosen.kind) {
+    } else if (bat_range_curve(c)) {
+        *now = (bat_told){
+            .mode = MODE_RANGE, .object = c->toolbox->range.object, .point = c->toolbox->range.end};
+        bat_curve_eval(bat_range_curve(c), c->toolbox->range.u[c->toolbox->range.end], 0, now->at);
+    } else if (c->choice->tool == BAT_TOOL_POINTS && p->chosen.kind) {
         const bat_curve *curve = bat_edit_target(document, p->object, p->curve);
         bool point = p->chosen.kind == BAT_HANDLE_POINT;
         if (!curve || (point && p->chosen.index >= bat_curve_count(curve))) return;
         *now = (bat_told){
             .mode = point ? MODE_POINT : MODE_KNOT, .object = p->object, .point = p->chosen.index};
         bat_handle_place(curve, &p->chosen, now->at);
-    } else if (editor->tool == BAT_TOOL_TANGENTS && editor->splining.object) {
+    } else if (c->choice->tool == BAT_TOOL_TANGENTS && c->toolbox->splining.object) {
         const bat_object *object = bat_document_at(document,
-                                                   bat_document_find(document, editor->splining.object));
-        now->mode = editor->splining.on_direction ? MODE_DIRECTION : MODE_POINT;
-        now->object = editor->splining.object;
-        now->point = editor->splining.point;
+                                                   bat_document_find(document, c->toolbox->splining.object));
+        now->mode = c->toolbox->splining.on_direction ? MODE_DIRECTION : MODE_POINT;
+        now->object = c->toolbox->splining.object;
+        now->point = c->toolbox->splining.point;
         if (!object || !place_of(object, now->point, now->at)) *now = (bat_told){0};
     }
 }
@@ -263,69 +267,70 @@ static void next_sentence(bat_text *text) {
     if (text->size && text->data[text->size - 1] != ' ') bat_text_string(text, ". ");
 }
 
-static void say_place(const bat_editor *editor, bat_text *text, const bat_told *now) {
-    const bat_object *object = bat_document_at(editor->document,
-                                               bat_document_find(editor->document, now->object));
+static void say_place(const bat_context *c, bat_text *text, const bat_told *now) {
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, now->object));
     if (now->mode == MODE_POINT && object)
-        place_words(editor, text, BAT_STRING_OUTLINE_POINT, now->point,
+        place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point,
                     bat_object_spline(object)
                         ? points_of(object)
-                        : bat_curve_count(bat_object_curve(object, editor->pointing.curve)),
+                        : bat_curve_count(bat_object_curve(object, c->toolbox->pointing.curve)),
                     now->at);
     if (now->mode == MODE_WAYPOINT)
-        place_words(editor, text, BAT_STRING_OUTLINE_POINT, now->point, editor->waypoints.count, now->at);
-    if (now->mode == MODE_DIRECTION) place_words(editor, text, BAT_STRING_SAID_DIRECTION, 0, 0, now->at);
-    if (now->mode == MODE_KNOT) place_words(editor, text, BAT_STRING_SAID_KNOT, 0, 0, now->at);
-    if (now->mode == MODE_RANGE && object && now->object != editor->told.object) {
-        bat_outline_words(editor, object, text); /* another curve */
+        place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point, c->toolbox->waypoints.count, now->at);
+    if (now->mode == MODE_DIRECTION) place_words(c, text, BAT_STRING_SAID_DIRECTION, 0, 0, now->at);
+    if (now->mode == MODE_KNOT) place_words(c, text, BAT_STRING_SAID_KNOT, 0, 0, now->at);
+    if (now->mode == MODE_RANGE && object && now->object != c->panels->told.object) {
+        bat_outline_words(c, object, text); /* another curve */
         next_sentence(text);
     }
     if (now->mode == MODE_RANGE)
-        place_words(editor, text, now->point ? BAT_STRING_SAID_RANGE_END : BAT_STRING_SAID_RANGE_START, 0, 0,
+        place_words(c, text, now->point ? BAT_STRING_SAID_RANGE_END : BAT_STRING_SAID_RANGE_START, 0, 0,
                     now->at);
 }
 
-static void say_selection(const bat_editor *editor, bat_text *text, int before) {
-    const bat_selection *selection = &editor->selection;
+static void say_selection(const bat_context *c, bat_text *text, int before) {
+    const bat_selection *selection = &c->choice->selection;
     bat_text words = {0};
     if (selection->count == 1) {
-        int at = bat_document_find(editor->document, selection->ids[0]);
-        bat_outline_words(editor, bat_document_at(editor->document, at), &words);
+        int at = bat_document_find(c->session->document, selection->ids[0]);
+        bat_outline_words(c, bat_document_at(c->session->document, at), &words);
         bat_text_add(&words, "", 1);
-        if (!words.failed) fill(editor, text, BAT_STRING_SAID_SELECTED, (const char *const[]){words.data});
+        if (!words.failed) fill(c, text, BAT_STRING_SAID_SELECTED, (const char *const[]){words.data});
         bat_text_free(&words);
     } else if (selection->count) {
-        fill_number(editor, text, BAT_STRING_SAID_SELECTED_MANY, selection->count);
+        fill_number(c, text, BAT_STRING_SAID_SELECTED_MANY, selection->count);
     } else if (before) {
-        bat_text_string(text, bat_editor_text(editor, BAT_STRING_SAID_DESELECTED));
+        bat_text_string(text, bat_word(c, BAT_STRING_SAID_DESELECTED));
     }
 }
 
-const char *bat_editor_said(bat_editor *editor) {
-    bat_told *told = &editor->told, now = {0};
-    const bat_history *history = &editor->history;
+const char *bat_panel_said(bat_context *c) {
+    bat_told *told = &c->panels->told, now = {0};
+    const bat_history *history = &c->session->history;
     bat_text text = {0};
-    if (bat_editor_busy(editor)) return ""; /* it is not over yet */
-    look(editor, &now);
+    if (bat_toolbox_busy(c)) return ""; /* it is not over yet */
+    look(c, &now);
     now.begun = true;
-    now.tool = (int)editor->tool;
+    now.tool = (int)c->choice->tool;
     now.state = history->state;
-    now.selection = editor->selection.version;
-    now.selected = editor->selection.count;
+    now.selection = c->choice->selection.version;
+    now.selected = c->choice->selection.count;
     /* Undo and redo are told by their notices. */
-    bool undone = editor->notice == BAT_STRING_NOTICE_UNDONE || editor->notice == BAT_STRING_NOTICE_REDONE;
+    bool undone = c->notices->notice == BAT_STRING_NOTICE_UNDONE ||
+                  c->notices->notice == BAT_STRING_NOTICE_REDONE;
     bool changed = now.state != told->state && !undone && history->done > 0;
     if (told->begun && now.tool != told->tool)
-        bat_text_string(&text, bat_editor_text(editor, bat_tool_at(editor->tool)->label));
+        bat_text_string(&text, bat_word(c, bat_tool_at(c->choice->tool)->label));
     next_sentence(&text);
     if (told->begun && changed)
-        bat_text_string(&text, bat_editor_text(editor, (bat_string)history->steps[history->done - 1].label));
+        bat_text_string(&text, bat_word(c, (bat_string)history->steps[history->done - 1].label));
     next_sentence(&text);
-    if (told->begun && now.selection != told->selection) say_selection(editor, &text, told->selected);
+    if (told->begun && now.selection != told->selection) say_selection(c, &text, told->selected);
     next_sentence(&text);
     if (told->begun && (now.mode != told->mode || now.object != told->object || now.point != told->point ||
                         memcmp(now.at, told->at, sizeof now.at) != 0))
-        say_place(editor, &text, &now);
+        say_place(c, &text, &now);
     *told = now;
     size_t size = text.failed ? 0 : text.size;
     if (size >= sizeof told->text) { /* cut between letters */

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_PANELS_IN_WORDS_H
 #define BATTEN_EDITOR_PANELS_IN_WORDS_H
 
+#include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
 #include <batten/editor.h>
@@ -22,6 +23,6 @@ typedef struct bat_told {
 } bat_told;
 
 /* The object in words: name, kind, open or closed, how many points. */
-void bat_outline_words(const bat_editor *editor, const bat_object *object, bat_text *text);
+void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text);
 
 #endif

@@ -1,5 +1,5 @@
 /* The level strip: what it shows, as JSON, and what its faders and buttons do. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,24 +24,24 @@ static void number(bat_text *text, const char *name, double value) {
     bat_line_number(text, value);
 }
 
-static void row(const bat_editor *editor, const bat_shape *shape, int level, bat_text *text) {
+static void row(const bat_context *c, const bat_shape *shape, int level, bat_text *text) {
     bat_text_string(text, level ? ",{" : "{");
     number(text, "\"points\":", bat_curve_count(bat_shape_curve(shape, level)));
     number(text, ",\"gain\":", level ? bat_shape_gain(shape, level) : 1);
     number(text, ",\"muted\":", level && bat_shape_muted(shape, level));
     number(text, ",\"solo\":", solo(shape, level));
-    number(text, ",\"active\":", level == editor->leveling.level);
+    number(text, ",\"active\":", level == c->toolbox->leveling.level);
     bat_text_string(text, "}");
 }
 
-const char *bat_editor_levels(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    bat_leveling_settle(editor);
-    const bat_curve *curve = bat_leveling_curve(editor);
-    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(editor);
+const char *bat_panel_levels(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling_settle(c);
+    const bat_curve *curve = bat_leveling_curve(c);
+    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
     bat_text text = {0};
     bat_text_string(&text, "{\"rows\":[");
-    for (int k = 0; shape && k <= bat_shape_levels(shape); k++) row(editor, shape, k, &text);
+    for (int k = 0; shape && k <= bat_shape_levels(shape); k++) row(c, shape, k, &text);
     number(&text, "],\"points\":", curve ? bat_curve_count(curve) : 0);
     number(&text, ",\"apart\":", l->apart != NULL);
     number(&text, ",\"copying\":", l->copying);
@@ -57,10 +57,10 @@ const char *bat_editor_levels(bat_editor *editor) {
 
 /* ---- what it does ---- */
 
-static bat_status begin_fade(bat_editor *editor, const bat_shape *shape) {
-    bat_leveling *l = &editor->leveling;
+static bat_status begin_fade(bat_context *c, const bat_shape *shape) {
+    bat_leveling *l = &c->toolbox->leveling;
     bat_status status = bat_shape_copy(shape, &l->base);
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_shape_free(l->base);
         l->base = NULL;
@@ -69,36 +69,35 @@ static bat_status begin_fade(bat_editor *editor, const bat_shape *shape) {
     return status;
 }
 
-static bat_status end_fade(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
+static bat_status end_fade(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
     bat_shape_free(l->base);
     l->base = NULL;
     l->fading = false;
-    return bat_transaction_commit(editor, BAT_STRING_STEP_GAIN, NULL);
+    return bat_transaction_commit(c, BAT_STRING_STEP_GAIN, NULL);
 }
 
-static bat_status fade(bat_editor *editor, const bat_shape *shape, int level, double gain, bool done) {
-    bat_leveling *l = &editor->leveling;
+static bat_status fade(bat_context *c, const bat_shape *shape, int level, double gain, bool done) {
+    bat_leveling *l = &c->toolbox->leveling;
     bat_shape *edited = NULL;
     bat_status status = l->fading                              ? BAT_OK
                         : bat_shape_gain(shape, level) == gain ? BAT_STATE
-                                                               : begin_fade(editor, shape);
+                                                               : begin_fade(c, shape);
     if (status == BAT_STATE) return BAT_OK; /* it is there already */
     if (status == BAT_OK) status = bat_shape_copy(l->base, &edited);
     if (status == BAT_OK) {
         status = bat_shape_set_gain(edited, level, gain);
         if (status == BAT_OK)
-            status = bat_leveling_put(editor, edited);
+            status = bat_leveling_put(c, edited);
         else
             bat_shape_free(edited);
     }
-    if (status == BAT_OK && done) status = end_fade(editor);
-    if (status != BAT_OK) bat_leveling_let_go(editor);
+    if (status == BAT_OK && done) status = end_fade(c);
+    if (status != BAT_OK) bat_leveling_let_go(c);
     return status;
 }
 
-static bat_status silence(bat_editor *editor, const bat_shape *shape, bat_level_act act, int level,
-                          bool muted) {
+static bat_status silence(bat_context *c, const bat_shape *shape, bat_level_act act, int level, bool muted) {
     int top = bat_shape_levels(shape);
     bool alone = act == BAT_LEVEL_SOLO && (level == top || solo(shape, level)); /* let all sound again */
     bat_shape *edited = NULL;
@@ -112,18 +111,18 @@ static bat_status silence(bat_editor *editor, const bat_shape *shape, bat_level_
         if (then != now) status = bat_shape_set_muted(edited, l, then);
     }
     if (status == BAT_OK)
-        return bat_leveling_commit(editor, edited,
+        return bat_leveling_commit(c, edited,
                                    act == BAT_LEVEL_SOLO ? BAT_STRING_STEP_SOLO : BAT_STRING_STEP_MUTE);
     bat_shape_free(edited);
     return status;
 }
 
-bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, double value, bool done) {
-    bat_leveling *l = &editor->leveling;
+bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done) {
+    bat_leveling *l = &c->toolbox->leveling;
     if (isnan(value)) return BAT_NUMBER;
-    if (!l->fading && (bat_editor_busy(editor) || editor->transaction.open)) return BAT_STATE;
-    if (!l->fading) bat_leveling_settle(editor);
-    const bat_shape *shape = bat_leveling_shape(editor);
+    if (!l->fading && (bat_toolbox_busy(c) || c->session->transaction.open)) return BAT_STATE;
+    if (!l->fading) bat_leveling_settle(c);
+    const bat_shape *shape = bat_leveling_shape(c);
     if (!shape || l->apart) return BAT_STATE;
     bool whole = act == BAT_LEVEL_CHOOSE || act == BAT_LEVEL_SOLO;
     if (level < (whole ? 0 : 1) || level > bat_shape_levels(shape)) return BAT_ARGUMENT;
@@ -136,11 +135,11 @@ bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, do
         return BAT_OK;
     case BAT_LEVEL_GAIN:
         if (!(fabs(value) <= 1e6)) return BAT_ARGUMENT;
-        status = fade(editor, shape, level, value, done);
+        status = fade(c, shape, level, value, done);
         break;
     case BAT_LEVEL_MUTE:
-    case BAT_LEVEL_SOLO: status = silence(editor, shape, act, level, value != 0); break;
+    case BAT_LEVEL_SOLO: status = silence(c, shape, act, level, value != 0); break;
     }
-    if (status != BAT_OK && status != BAT_ARGUMENT) bat_editor_notice_failure(editor, status);
+    if (status != BAT_OK && status != BAT_ARGUMENT) bat_notice_failure(c, status);
     return status;
 }

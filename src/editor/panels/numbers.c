@@ -2,33 +2,33 @@
 #include "base/real.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <math.h>
 #include <string.h>
 
 /* The chosen control point, or point of a spline. */
-static bool point_now(bat_editor *editor, double place[2]) {
-    if (editor->tool == BAT_TOOL_POINTS) return bat_pointing_chosen(editor, place);
-    const bat_spline *spline = editor->tool == BAT_TOOL_TANGENTS ? bat_splining_spline(editor) : NULL;
-    int point = editor->splining.point;
+static bool point_now(bat_context *c, double place[2]) {
+    if (c->choice->tool == BAT_TOOL_POINTS) return bat_pointing_chosen(c, place);
+    const bat_spline *spline = c->choice->tool == BAT_TOOL_TANGENTS ? bat_splining_spline(c) : NULL;
+    int point = c->toolbox->splining.point;
     if (!spline || point < 0 || point >= spline->count || spline->dimension != 2) return false;
     memcpy(place, spline->points + 2 * point, 2 * sizeof *place);
     return true;
 }
 
-bool bat_number_now(bat_editor *editor, bat_number_id id, double *value) {
+bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
     double box[4], zero[2], place[2], at;
-    bat_editor_zero(editor, zero);
+    bat_unit_origin(c, zero);
     switch (id) {
     case BAT_NUMBER_POINT_X:
     case BAT_NUMBER_POINT_Y: {
         int axis = id == BAT_NUMBER_POINT_Y;
-        if (!point_now(editor, place)) return false;
+        if (!point_now(c, place)) return false;
         *value = place[axis] - zero[axis];
         return true;
     }
     case BAT_NUMBER_GUIDE: {
-        const bat_object *guide = bat_document_at(editor->document, bat_guide_chosen(editor));
+        const bat_object *guide = bat_document_at(c->session->document, bat_guide_chosen(c));
         int axis = guide ? bat_object_guide(guide, &at) : -1;
         if (axis < 0) return false;
         *value = at - zero[axis];
@@ -36,7 +36,7 @@ bool bat_number_now(bat_editor *editor, bat_number_id id, double *value) {
     }
     default: break;
     }
-    if (!bat_arrange_selection_box(editor, box)) return false;
+    if (!bat_arrange_selection_box(c, box)) return false;
     switch (id) {
     case BAT_NUMBER_X: *value = box[0] - zero[0]; break;
     case BAT_NUMBER_Y: *value = box[1] - zero[1]; break;
@@ -48,10 +48,10 @@ bool bat_number_now(bat_editor *editor, bat_number_id id, double *value) {
 }
 
 /* Of the selection: about its upper left corner, turns about its middle and against the clock. */
-static bat_status change_selection(bat_editor *editor, bat_number_id id, double from, double to) {
+static bat_status change_selection(bat_context *c, bat_number_id id, double from, double to) {
     double box[4], matrix[6], factor = to / from;
     bat_string step = BAT_STRING_STEP_MOVE;
-    bat_arrange_selection_box(editor, box);
+    bat_arrange_selection_box(c, box);
     if (id == BAT_NUMBER_X || id == BAT_NUMBER_Y) {
         bat_affine_translation(id == BAT_NUMBER_X ? to - from : 0, id == BAT_NUMBER_Y ? to - from : 0,
                                matrix);
@@ -66,72 +66,72 @@ static bat_status change_selection(bat_editor *editor, bat_number_id id, double 
                            matrix);
         step = BAT_STRING_STEP_SCALE;
     }
-    return bat_arrange_transform(editor, matrix, step);
+    return bat_arrange_transform(c, matrix, step);
 }
 
-static bat_status change_point(bat_editor *editor, int axis, double by) {
+static bat_status change_point(bat_context *c, int axis, double by) {
     double delta[2] = {axis ? 0 : by, axis ? by : 0};
-    if (editor->tool == BAT_TOOL_POINTS) return bat_pointing_shift(editor, delta);
-    bat_splining *s = &editor->splining;
-    bat_status status = bat_splining_load(editor);
+    if (c->choice->tool == BAT_TOOL_POINTS) return bat_pointing_shift(c, delta);
+    bat_splining *s = &c->toolbox->splining;
+    bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
     s->draft.points[2 * s->point + axis] += by;
-    return bat_splining_commit(editor, BAT_STRING_STEP_MOVE_POINT);
+    return bat_splining_commit(c, BAT_STRING_STEP_MOVE_POINT);
 }
 
-static bat_status change(bat_editor *editor, bat_number_id id, double from, double to) {
+static bat_status change(bat_context *c, bat_number_id id, double from, double to) {
     if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
-        return change_point(editor, id == BAT_NUMBER_POINT_Y, to - from);
-    if (id != BAT_NUMBER_GUIDE) return change_selection(editor, id, from, to);
+        return change_point(c, id == BAT_NUMBER_POINT_Y, to - from);
+    if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);
     double at;
-    int axis = bat_object_guide(bat_document_at(editor->document, bat_guide_chosen(editor)), &at);
-    return bat_guide_put(editor, editor->guiding.chosen, axis, at + to - from);
+    int axis = bat_object_guide(bat_document_at(c->session->document, bat_guide_chosen(c)), &at);
+    return bat_guide_put(c, c->toolbox->guiding.chosen, axis, at + to - from);
 }
 
-static bat_status enter_property(bat_editor *editor, const char *name, const char *text) {
+static bat_status enter_property(bat_context *c, const char *name, const char *text) {
     bat_property_id id = bat_property_named(name);
     double value;
     if (id == BAT_PROPERTY_COUNT || bat_property_at(id)->type != BAT_PROPERTY_NUMBER) return BAT_UNSUPPORTED;
     bool length = !strcmp(bat_property_at(id)->unit, "unit");
-    bat_status status = bat_unit_read(editor, text, !length, &value);
-    return status == BAT_OK ? bat_editor_set(editor, name, value) : status;
+    bat_status status = bat_unit_read(c, text, !length, &value);
+    return status == BAT_OK ? bat_property_set(c, name, value) : status;
 }
 
-bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text) {
+bat_status bat_panel_enter(bat_context *c, const char *name, const char *text) {
     bat_number_id id = bat_number_named(name);
     double from, to;
     if (!name || !text) return BAT_ARGUMENT;
-    if (id == BAT_NUMBER_COUNT) return enter_property(editor, name, text);
-    if (bat_editor_busy(editor) || editor->transaction.open || !bat_number_now(editor, id, &from))
+    if (id == BAT_NUMBER_COUNT) return enter_property(c, name, text);
+    if (bat_toolbox_busy(c) || c->session->transaction.open || !bat_number_now(c, id, &from))
         return BAT_STATE;
-    bat_status status = bat_unit_read(editor, text, id == BAT_NUMBER_TURN, &to);
+    bat_status status = bat_unit_read(c, text, id == BAT_NUMBER_TURN, &to);
     if (status != BAT_OK) return status;
     if (!(fabs(to) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (to == from) return BAT_OK;
-    status = change(editor, id, from, to);
-    if (status == BAT_MEMORY) bat_editor_notice_failure(editor, status);
+    status = change(c, id, from, to);
+    if (status == BAT_MEMORY) bat_notice_failure(c, status);
     return status;
 }
 
-const char *bat_editor_number(bat_editor *editor, const char *name) {
+const char *bat_panel_number(bat_context *c, const char *name) {
     bat_number_id id = bat_number_named(name);
-    char *text = editor->number_text;
+    char *text = c->panels->number_text;
     double value;
     *text = 0;
     if (id != BAT_NUMBER_COUNT) {
-        if (!bat_number_now(editor, id, &value)) return text;
+        if (!bat_number_now(c, id, &value)) return text;
         if (id == BAT_NUMBER_TURN)
             strcpy(text, "0°");
         else
-            bat_unit_write(editor, value, text);
+            bat_unit_write(c, value, text);
         return text;
     }
     bat_property_id property = bat_property_named(name);
-    if (property == BAT_PROPERTY_COUNT || bat_editor_get(editor, name, &value) != BAT_OK) return text;
+    if (property == BAT_PROPERTY_COUNT || bat_property_get(c, name, &value) != BAT_OK) return text;
     const char *unit = bat_property_at(property)->unit;
     bool pixels = !strcmp(unit, "px"); /* of the view */
     if (pixels || !strcmp(unit, "unit"))
-        bat_unit_write(editor, pixels ? value * bat_view_pixel(&editor->view) : value, text);
+        bat_unit_write(c, pixels ? value * bat_view_pixel(c->view) : value, text);
     else
         bat_unit_number(value, text);
     return text;

@@ -2,10 +2,11 @@
 #ifndef BATTEN_EDITOR_PANELS_NUMBERS_H
 #define BATTEN_EDITOR_PANELS_NUMBERS_H
 
+#include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"
 
 /* Document units, or degrees; lengths along an axis count from the page's corner. False: there is no such thing now. */
-bool bat_number_now(bat_editor *editor, bat_number_id id, double *value);
+bool bat_number_now(bat_context *c, bat_number_id id, double *value);
 
 #endif

@@ -1,6 +1,6 @@
 /* Which commands the selection makes possible: what a row of buttons shows. */
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <stdlib.h>
 
 typedef struct facts {
@@ -9,14 +9,14 @@ typedef struct facts {
     bool page;                 /* there is one to align a single root to */
 } facts;
 
-static bat_status find(const bat_editor *editor, facts *f) {
-    const bat_document *document = editor->document;
+static bat_status find(const bat_context *c, facts *f) {
+    const bat_document *document = c->session->document;
     int *roots, count;
     double page[4];
     *f = (facts){0};
     bat_document_page(document, page);
     f->page = page[2] > 0 && page[3] > 0;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status == BAT_STATE ? BAT_OK : status;
     f->roots = count;
     for (int i = 0; i < count; i++) {
@@ -24,8 +24,8 @@ static bat_status find(const bat_editor *editor, facts *f) {
         f->layers += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
         for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) {
             const bat_object *object = bat_document_at(document, k);
-            for (int c = 0; c < bat_object_curve_count(object); c++)
-                ++*(bat_curve_closed(bat_object_curve(object, c)) ? &f->closed : &f->open);
+            for (int j = 0; j < bat_object_curve_count(object); j++)
+                ++*(bat_curve_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);
         }
     }
     free(roots);
@@ -57,12 +57,12 @@ static bool possible(const facts *f, bat_command_id id, bool point) {
     }
 }
 
-const char *bat_editor_actions(bat_editor *editor) {
+const char *bat_panel_actions(bat_context *c) {
     bat_text text = {0};
     facts f;
-    if (find(editor, &f) != BAT_OK) return NULL;
-    for (int i = 0; i < BAT_COMMAND_COUNT && editor->tool == BAT_TOOL_SELECT; i++) {
-        if (!possible(&f, (bat_command_id)i, editor->selecting.has_point)) continue;
+    if (find(c, &f) != BAT_OK) return NULL;
+    for (int i = 0; i < BAT_COMMAND_COUNT && c->choice->tool == BAT_TOOL_SELECT; i++) {
+        if (!possible(&f, (bat_command_id)i, c->toolbox->selecting.has_point)) continue;
         if (text.size) bat_text_string(&text, " ");
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
     }
@@ -71,7 +71,7 @@ const char *bat_editor_actions(bat_editor *editor) {
         bat_text_free(&text);
         return NULL;
     }
-    free(editor->actions);
-    editor->actions = text.data;
-    return editor->actions;
+    free(c->panels->actions);
+    c->panels->actions = text.data;
+    return c->panels->actions;
 }

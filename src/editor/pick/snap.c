@@ -1,6 +1,6 @@
 #include "editor/pick/snap.h"
 #include "base/real.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <math.h>
 #include <string.h>
 
@@ -15,7 +15,7 @@ typedef struct branch {
 } branch;
 
 typedef struct search {
-    bat_editor *editor;
+    bat_context *c;
     unsigned kinds;
     double point[2], within;
     int count;
@@ -62,7 +62,7 @@ static void try_ends(search *s, const bat_curve *curve) {
 }
 
 static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
-    const bat_finder *finder = bat_scene_finder(&s->editor->scene, entry, index);
+    const bat_finder *finder = bat_scene_finder(s->c->scene, entry, index);
     bat_near near[TURNS];
     int found = 0;
     if (!finder) return;
@@ -77,7 +77,7 @@ static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
 }
 
 static void try_curves(search *s) {
-    const bat_scene *scene = &s->editor->scene;
+    const bat_scene *scene = s->c->scene;
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || s->point[0] < entry->box[0] - s->within ||
@@ -151,7 +151,7 @@ typedef struct lines {
 } lines;
 
 static lines near_guides(search *s) {
-    const bat_scene *scene = &s->editor->scene;
+    const bat_scene *scene = s->c->scene;
     lines found = {{false, false}, {0, 0}};
     for (int i = 0; i < scene->count; i++) {
         double at;
@@ -166,9 +166,9 @@ static lines near_guides(search *s) {
 
 static lines near_grid(const search *s) {
     lines found = {{false, false}, {0, 0}};
-    double step = bat_grid_step(s->editor), origin[2];
+    double step = bat_grid_step(s->c), origin[2];
     if (!(step > 0)) return found;
-    bat_editor_zero(s->editor, origin);
+    bat_unit_origin(s->c, origin);
     for (int k = 0; k < 2; k++) {
         found.at[k] = origin[k] + step * round((s->point[k] - origin[k]) / step);
         found.there[k] = fabs(found.at[k] - s->point[k]) <= s->within;
@@ -205,28 +205,28 @@ static void run(search *s) {
     try_lines(s, &guides, &grid);
 }
 
-static unsigned switched_on(const bat_editor *editor) {
+static unsigned switched_on(const bat_context *c) {
     static const bat_property_id switches[] = {
         [BAT_SNAP_END] = BAT_PROPERTY_SNAP_ENDS,     [BAT_SNAP_CROSSING] = BAT_PROPERTY_SNAP_CROSSINGS,
         [BAT_SNAP_GUIDE] = BAT_PROPERTY_SNAP_GUIDES, [BAT_SNAP_CURVE] = BAT_PROPERTY_SNAP_CURVES,
         [BAT_SNAP_GRID] = BAT_PROPERTY_SNAP_GRID,
     };
     unsigned kinds = 0;
-    if (editor->values[BAT_PROPERTY_SNAP] == 0 || editor->modifiers & (BAT_CTRL | BAT_META)) return 0;
+    if (c->settings->values[BAT_PROPERTY_SNAP] == 0 || c->modifiers & (BAT_CTRL | BAT_META)) return 0;
     for (unsigned k = BAT_SNAP_END; k <= BAT_SNAP_GRID; k++)
-        if (editor->values[switches[k]] != 0) kinds |= 1u << k;
+        if (c->settings->values[switches[k]] != 0) kinds |= 1u << k;
     return kinds;
 }
 
-bat_snap bat_snap_find(bat_editor *editor, int count, const int *but, int source_count,
+bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
                        const bat_snap_source *sources, const double delta[2], int *which) {
     bat_snap best = {0};
-    unsigned kinds = switched_on(editor);
+    unsigned kinds = switched_on(c);
     for (int i = 0; i < source_count && kinds; i++) {
-        search s = {.editor = editor,
+        search s = {.c = c,
                     .kinds = kinds & sources[i].kinds,
                     .point = {sources[i].point[0] + delta[0], sources[i].point[1] + delta[1]},
-                    .within = REACH * bat_view_pixel(&editor->view),
+                    .within = REACH * bat_view_pixel(c->view),
                     .count = count,
                     .but = but};
         if (s.kinds) run(&s);
@@ -237,37 +237,37 @@ bat_snap bat_snap_find(bat_editor *editor, int count, const int *but, int source
     return best;
 }
 
-void bat_snap_point(bat_editor *editor, int count, const int *but, double point[2]) {
+void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) {
     bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
-    bat_editor_sync(editor);
-    editor->snap = bat_snap_find(editor, count, but, 1, &source, (double[]){0, 0}, NULL);
-    if (editor->snap.kind) memcpy(point, editor->snap.point, sizeof editor->snap.point);
+    bat_stage_sync(c);
+    (*c->snap) = bat_snap_find(c, count, but, 1, &source, (double[]){0, 0}, NULL);
+    if (c->snap->kind) memcpy(point, c->snap->point, sizeof c->snap->point);
 }
 
-void bat_snap_angle(bat_editor *editor, const double origin[2], double point[2]) {
+void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
     double x = point[0] - origin[0], y = point[1] - origin[1];
-    bool fine = editor->values[BAT_PROPERTY_SNAP_ANGLES] != 0;
+    bool fine = c->settings->values[BAT_PROPERTY_SNAP_ANGLES] != 0;
     int turn = (int)round(bat_atan2(y, x) / STEP); /* of 24 a whole turn */
     if (!fine) turn = fabs(x) >= fabs(y) ? 0 : 6;
-    double c = bat_cos(turn * STEP), v = bat_sin(turn * STEP);
-    if (turn % 6 == 0) c = turn % 12 == 0, v = !(turn % 12 == 0); /* upright to the last bit */
-    double length = x * c + y * v;
-    point[0] = origin[0] + length * c;
+    double u = bat_cos(turn * STEP), v = bat_sin(turn * STEP);
+    if (turn % 6 == 0) u = turn % 12 == 0, v = !(turn % 12 == 0); /* upright to the last bit */
+    double length = x * u + y * v;
+    point[0] = origin[0] + length * u;
     point[1] = origin[1] + length * v;
-    editor->snap = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
+    (*c->snap) = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
 }
 
 /* ---- picture ---- */
 
-void bat_snap_show(const bat_editor *editor, bat_overlay *overlay) {
+void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
     static const bat_string words[] = {
         [BAT_SNAP_END] = BAT_STRING_SNAP_WORD_END,     [BAT_SNAP_CROSSING] = BAT_STRING_SNAP_WORD_CROSSING,
         [BAT_SNAP_GUIDE] = BAT_STRING_SNAP_WORD_GUIDE, [BAT_SNAP_CURVE] = BAT_STRING_SNAP_WORD_CURVE,
         [BAT_SNAP_GRID] = BAT_STRING_SNAP_WORD_GRID,
     };
-    const bat_snap *snap = &editor->snap;
+    const bat_snap *snap = c->snap;
     const double *at = snap->point;
-    double size = 5 * bat_view_pixel(&editor->view);
+    double size = 5 * bat_view_pixel(c->view);
     char angle[BAT_UNIT_ROOM];
     if (snap->kind == BAT_SNAP_NONE) return;
     bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
@@ -291,5 +291,5 @@ void bat_snap_show(const bat_editor *editor, bat_overlay *overlay) {
         bat_path_line(&overlay->path, at[0] - b, at[1] - size);
     }
     bat_overlay_label(overlay, BAT_ROLE_GUIDE, at, 30, 16,
-                      snap->kind == BAT_SNAP_ANGLE ? angle : bat_editor_text(editor, words[snap->kind]));
+                      snap->kind == BAT_SNAP_ANGLE ? angle : bat_word(c, words[snap->kind]));
 }

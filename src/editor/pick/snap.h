@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_PICK_SNAP_H
 #define BATTEN_EDITOR_PICK_SNAP_H
 
+#include "editor/session/context.h"
 #include "editor/show/overlay.h"
 
 typedef enum bat_snap_kind {
@@ -39,18 +40,18 @@ typedef struct bat_snap_source {
  * ascending, are left aside: what moves. The scene must be in step. Costs a box test an object and source, and the
  * finders of what is near. *which (may be NULL): the source that snapped.
  */
-bat_snap bat_snap_find(bat_editor *editor, int count, const int *but, int source_count,
+bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
                        const bat_snap_source *sources, const double delta[2], int *which);
 /* The same for one place; kept for the picture. `point` becomes the place snapped to. */
-void bat_snap_point(bat_editor *editor, int count, const int *but, double point[2]);
+void bat_snap_point(bat_context *c, int count, const int *but, double point[2]);
 /* `point` goes to the nearest ray of 15 degrees (or, with that switched off, axis) from the origin; kept for the
  * picture. */
-void bat_snap_angle(bat_editor *editor, const double origin[2], double point[2]);
+void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
 /* Marks what was snapped to, with a word. */
-void bat_snap_show(const bat_editor *editor, bat_overlay *overlay);
+void bat_snap_show(const bat_context *c, bat_overlay *overlay);
 
 /* The distance of the grid's lines as they are drawn, document units; 0: no grid is shown. */
-double bat_grid_step(const bat_editor *editor);
-void bat_grid_show(const bat_editor *editor, bat_overlay *overlay);
+double bat_grid_step(const bat_context *c);
+void bat_grid_show(const bat_context *c, bat_overlay *overlay);
 
 #endif

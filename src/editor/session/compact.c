@@ -1,68 +1,67 @@
 /* The journal made short: a snapshot of a later document, then the steps that can still be undone. */
 #include "editor/session/record.h"
-#include "editor/editor.h"
+#include "editor/session/session.h"
 
 enum { STEPS = 250 }; /* that stay undoable */
 
-static bat_status write_step(bat_editor *editor, const bat_step *step, bat_document *document) {
+static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
     bat_status status = bat_deltas_apply(step->deltas, step->count, document, true);
     for (int i = 0; i < step->count && status == BAT_OK; i++) {
         const bat_object *after = step->deltas[i].after;
         const bat_picture *picture = after ? bat_object_picture(after) : NULL;
-        if (picture) status = bat_editor_keep_picture(editor, picture);
+        if (picture) status = bat_session_keep_picture(session, picture);
     }
     if (status != BAT_OK) return status;
     bat_change_write(step->deltas, step->count, (bat_string)step->label, &line);
-    return bat_editor_log(editor, &line, document);
+    return bat_session_log(session, &line, document);
 }
 
-static bat_status write_undo(bat_editor *editor, const bat_step *step, bat_document *document) {
+static bat_status write_undo(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
     bat_status status = bat_deltas_apply(step->deltas, step->count, document, false);
     if (status != BAT_OK) return status;
     bat_text_string(&line, "{\"do\":\"undo\"");
-    return bat_editor_log(editor, &line, document);
+    return bat_session_log(session, &line, document);
 }
 
-/* All of it, into the editor's empty journal. document: a copy, which comes to be as it is now. */
-static bat_status write_all(bat_editor *editor, bat_document *document) {
-    const bat_history *history = &editor->history;
+/* All of it, into the empty journal. document: a copy, which comes to be as it is now. */
+static bat_status write_all(bat_session *session, bat_document *document) {
+    const bat_history *history = &session->history;
     int first = history->done > STEPS ? history->done - STEPS : 0;
     bat_status status = BAT_OK;
     for (int i = history->done - 1; i >= first && status == BAT_OK; i--) {
         status = bat_deltas_apply(history->steps[i].deltas, history->steps[i].count, document, false);
     }
     if (status == BAT_OK)
-        status = bat_editor_begin_journal(document, editor->name, &editor->journal, &editor->pictures);
+        status = bat_session_begin_journal(document, session->name, &session->journal, &session->pictures);
     for (int i = first; i < history->count && status == BAT_OK; i++) {
-        status = write_step(editor, &history->steps[i], document);
+        status = write_step(session, &history->steps[i], document);
     }
     for (int i = history->count - 1; i >= history->done && status == BAT_OK; i--) {
-        status = write_undo(editor, &history->steps[i], document);
+        status = write_undo(session, &history->steps[i], document);
     }
     return status;
 }
 
-bat_status bat_editor_compact(bat_editor *editor) {
-    if (!editor) return BAT_ARGUMENT;
-    if (editor->transaction.open || bat_editor_busy(editor)) return BAT_STATE;
+bat_status bat_session_compact(bat_session *session) {
+    if (session->transaction.open) return BAT_STATE;
     bat_document *document = NULL;
-    bat_status status = bat_document_copy(editor->document, &document);
+    bat_status status = bat_document_copy(session->document, &document);
     if (status != BAT_OK) return status;
-    bat_journal journal = editor->journal;
-    bat_pictures pictures = editor->pictures;
-    editor->journal = (bat_journal){0};
-    editor->pictures = (bat_pictures){0};
-    status = write_all(editor, document);
+    bat_journal journal = session->journal;
+    bat_pictures pictures = session->pictures;
+    session->journal = (bat_journal){0};
+    session->pictures = (bat_pictures){0};
+    status = write_all(session, document);
     if (status == BAT_OK) {
         bat_journal_free(&journal);
         bat_pictures_free(&pictures);
     } else {
-        bat_journal_free(&editor->journal);
-        bat_pictures_free(&editor->pictures);
-        editor->journal = journal;
-        editor->pictures = pictures;
+        bat_journal_free(&session->journal);
+        bat_pictures_free(&session->pictures);
+        session->journal = journal;
+        session->pictures = pictures;
     }
     bat_document_free(document);
     return status;

@@ -1,5 +1,5 @@
 #include "editor/session/record.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "format/native/native.h"
 #include <math.h>
 #include <string.h>
@@ -43,42 +43,43 @@ static double whole(const bat_json *json, uint32_t node, double limit) {
     return value >= 0 && value <= limit && value == floor(value) ? value : -1;
 }
 
-static bat_status perform(bat_editor *editor, const bat_json *json, uint32_t node, bat_problem *problem) {
+static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, bat_problem *problem) {
     double at = whole(json, bat_json_member(json, node, "at"), 2147483647);
     if (at < 0) return bat_json_complain(json, node, BAT_SYNTAX, "at", "an index", problem);
     uint32_t insert = bat_json_member(json, node, "insert"), replace = bat_json_member(json, node, "replace");
     uint32_t removed = bat_json_member(json, node, "remove");
     bat_status status;
     if (removed) {
-        const bat_object *before = bat_document_at(editor->document, (int)at);
+        const bat_object *before = bat_document_at(c->session->document, (int)at);
         if (!before || whole(json, removed, 9e15) != (double)bat_object_id(before))
             return bat_json_complain(json, node, BAT_ARGUMENT, "remove", "the id of the object there",
                                      problem);
-        status = bat_transaction_remove(editor, (int)at);
+        status = bat_transaction_remove(c, (int)at);
     } else {
         bat_object *object = NULL;
-        status = bat_object_from_json(json, insert ? insert : replace, &editor->pictures, &object, problem);
+        status = bat_object_from_json(json, insert ? insert : replace, &c->session->pictures, &object,
+                                      problem);
         if (status != BAT_OK) return status;
-        status = insert ? bat_transaction_insert(editor, (int)at, object)
-                        : bat_transaction_replace(editor, (int)at, object);
+        status = insert ? bat_transaction_insert(c, (int)at, object)
+                        : bat_transaction_replace(c, (int)at, object);
         bat_object_release(object);
     }
     return status == BAT_OK ? status : say(json, node, status, problem);
 }
 
-bat_status bat_change_perform(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem *problem) {
     uint32_t list = bat_json_member(json, 1, "changes");
     const char *label = bat_json_text(json, bat_json_member(json, 1, "label"));
     if (bat_json_count(json, list) == 0)
         return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "changes", "a list of changes", problem);
-    bat_status status = bat_transaction_begin(editor);
+    bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return say(json, 1, status, problem);
     for (uint32_t node = bat_json_first(json, list); node && status == BAT_OK; node = json->nodes[node].next)
-        status = perform(editor, json, node, problem);
+        status = perform(c, json, node, problem);
     if (status != BAT_OK) {
-        bat_transaction_cancel(editor);
+        bat_transaction_cancel(c);
         return status;
     }
-    status = bat_transaction_commit(editor, label_named(label ? label : ""), NULL);
+    status = bat_transaction_commit(c, label_named(label ? label : ""), NULL);
     return status == BAT_OK ? status : say(json, 1, status, problem);
 }

@@ -12,6 +12,7 @@
 #ifndef BATTEN_EDITOR_SESSION_RECORD_H
 #define BATTEN_EDITOR_SESSION_RECORD_H
 
+#include "editor/session/context.h"
 #include "editor/session/history.h"
 #include "editor/tables/tables.h"
 #include "text/json.h"
@@ -21,6 +22,6 @@
 /* Without the digest and the closing brace. */
 void bat_change_write(const bat_delta *deltas, int count, bat_string label, bat_text *line);
 /* Makes the change of a journal's line, as one step; all of it or nothing. */
-bat_status bat_change_perform(bat_editor *editor, const bat_json *json, bat_problem *problem);
+bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem *problem);
 
 #endif

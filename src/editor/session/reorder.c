@@ -1,5 +1,5 @@
 #include "editor/session/reorder.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <stdlib.h>
 
 void bat_listing_free(bat_listing *listing) {
@@ -78,9 +78,9 @@ static void find_run(const int *old, int count, int *ends, int *before, bool *st
     for (int i = length ? ends[length - 1] : -1; i >= 0; i = before[i]) stays[old[i]] = true;
 }
 
-bat_status bat_listing_apply(const bat_listing *listing, bat_editor *editor) {
+bat_status bat_listing_apply(const bat_listing *listing, bat_context *c) {
     if (listing->failed) return BAT_MEMORY;
-    const bat_document *document = editor->document;
+    const bat_document *document = c->session->document;
     int count = bat_document_count(document), wanted = listing->count;
     place *places = calloc((size_t)count + 1, sizeof *places);
     int *numbers = calloc(3 * ((size_t)wanted + 1), sizeof *numbers);
@@ -91,13 +91,13 @@ bat_status bat_listing_apply(const bat_listing *listing, bat_editor *editor) {
         find_old(listing, document, places, old);
         find_run(old, wanted, numbers + wanted + 1, numbers + 2 * ((size_t)wanted + 1), stays);
         for (int i = count - 1; i >= 0 && status == BAT_OK; i--)
-            if (!stays[i]) status = bat_transaction_remove(editor, i);
+            if (!stays[i]) status = bat_transaction_remove(c, i);
         for (int i = 0; i < wanted && status == BAT_OK; i++) {
             bat_object *object = listing->objects[i];
             if (old[i] < 0 || !stays[old[i]])
-                status = bat_transaction_insert(editor, i, object);
+                status = bat_transaction_insert(c, i, object);
             else if (bat_document_at(document, i) != object)
-                status = bat_transaction_replace(editor, i, object);
+                status = bat_transaction_replace(c, i, object);
         }
     }
     free(places);

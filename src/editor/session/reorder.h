@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_SESSION_REORDER_H
 #define BATTEN_EDITOR_SESSION_REORDER_H
 
+#include "editor/session/context.h"
 #include <batten/editor.h>
 
 typedef struct bat_listing {
@@ -20,6 +21,6 @@ void bat_listing_take(bat_listing *listing, bat_object *object);      /* takes i
 void bat_listing_range(bat_listing *listing, const bat_document *document, int first, int end);
 /* Makes the document so: objects keep their place when they can (a longest ascending run stays), those with
  * another pointer are replaced. Needs an open transaction. O(n log n) and n for every change. */
-bat_status bat_listing_apply(const bat_listing *listing, bat_editor *editor);
+bat_status bat_listing_apply(const bat_listing *listing, bat_context *c);
 
 #endif

@@ -1,16 +1,16 @@
 #include "document/document.h"
 #include "editor/session/record.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <stdlib.h>
 
-bat_status bat_transaction_begin(bat_editor *editor) {
-    if (editor->transaction.open) return BAT_STATE;
-    editor->transaction.open = true;
+bat_status bat_transaction_begin(bat_context *c) {
+    if (c->session->transaction.open) return BAT_STATE;
+    c->session->transaction.open = true;
     return BAT_OK;
 }
 
-static bat_status add(bat_editor *editor, int index, const bat_object *before, bat_object *after) {
-    bat_transaction *transaction = &editor->transaction;
+static bat_status add(bat_context *c, int index, const bat_object *before, bat_object *after) {
+    bat_transaction *transaction = &c->session->transaction;
     if (!transaction->open) return BAT_STATE;
     if (transaction->count == transaction->room) {
         int room = transaction->room ? 2 * transaction->room : 4;
@@ -21,7 +21,7 @@ static bat_status add(bat_editor *editor, int index, const bat_object *before, b
     }
     bat_delta delta = {index, before ? bat_object_retain(before) : NULL,
                        after ? bat_object_retain(after) : NULL};
-    bat_status status = bat_delta_apply(&delta, editor->document, true);
+    bat_status status = bat_delta_apply(&delta, c->session->document, true);
     if (status != BAT_OK) {
         bat_object_release(delta.before);
         bat_object_release(delta.after);
@@ -29,12 +29,12 @@ static bat_status add(bat_editor *editor, int index, const bat_object *before, b
     }
     transaction->deltas[transaction->count++] = delta;
     if (!before || !after) transaction->moved = true;
-    editor->revision++;
+    c->session->revision++;
     return BAT_OK;
 }
 
-bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *object) {
-    return object ? add(editor, index, NULL, object) : BAT_ARGUMENT;
+bat_status bat_transaction_insert(bat_context *c, int index, bat_object *object) {
+    return object ? add(c, index, NULL, object) : BAT_ARGUMENT;
 }
 
 /* A drag replaces the same objects again and again: one delta an object for all of it. NULL: none yet. Indices
@@ -53,23 +53,23 @@ static bat_delta *replaced(bat_transaction *transaction, int index) {
     return NULL;
 }
 
-bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object) {
-    bat_transaction *transaction = &editor->transaction;
-    const bat_object *before = bat_document_at(editor->document, index);
+bat_status bat_transaction_replace(bat_context *c, int index, bat_object *object) {
+    bat_transaction *transaction = &c->session->transaction;
+    const bat_object *before = bat_document_at(c->session->document, index);
     if (!before || !object) return BAT_ARGUMENT;
     bat_delta *delta = replaced(transaction, index);
-    if (!delta) return add(editor, index, before, object);
-    bat_status status = bat_document_replace(editor->document, index, object);
+    if (!delta) return add(c, index, before, object);
+    bat_status status = bat_document_replace(c->session->document, index, object);
     if (status != BAT_OK) return status;
     bat_object_release(delta->after);
     delta->after = bat_object_retain(object);
-    editor->revision++;
+    c->session->revision++;
     return BAT_OK;
 }
 
-bat_status bat_transaction_remove(bat_editor *editor, int index) {
-    const bat_object *before = bat_document_at(editor->document, index);
-    return before ? add(editor, index, before, NULL) : BAT_ARGUMENT;
+bat_status bat_transaction_remove(bat_context *c, int index) {
+    const bat_object *before = bat_document_at(c->session->document, index);
+    return before ? add(c, index, before, NULL) : BAT_ARGUMENT;
 }
 
 /* Whether curves that were made of something are plain now. */
@@ -83,54 +83,55 @@ static bool frees(const bat_transaction *transaction) {
     return false;
 }
 
-bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line) {
-    bat_transaction *transaction = &editor->transaction;
+bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *line) {
+    bat_transaction *transaction = &c->session->transaction;
     if (!transaction->open) return BAT_STATE;
     if (transaction->count == 0) {
-        bat_transaction_cancel(editor);
+        bat_transaction_cancel(c);
         return BAT_OK;
     }
-    bool refused = bat_editor_refuses(editor);
-    if (refused || bat_document_check_nesting(editor->document)) {
-        bat_transaction_cancel(editor);
+    bool refused = bat_session_refuses(c);
+    if (refused || bat_document_check_nesting(c->session->document)) {
+        bat_transaction_cancel(c);
         return refused ? BAT_STATE : BAT_ARGUMENT;
     }
     bat_text own = {0};
     if (!line) bat_change_write(transaction->deltas, transaction->count, label, line = &own);
     bat_text_string(line, ",\"digest\":");
-    bat_line_digest(line, bat_document_digest(editor->document));
+    bat_line_digest(line, bat_document_digest(c->session->document));
     bat_text_string(line, "}");
-    bat_status status = bat_history_reserve(&editor->history);
+    bat_status status = bat_history_reserve(&c->session->history);
     for (int i = 0; i < transaction->count && status == BAT_OK; i++) {
         const bat_object *after = transaction->deltas[i].after;
         const bat_picture *picture = after ? bat_object_picture(after) : NULL;
-        if (picture) status = bat_editor_keep_picture(editor, picture);
+        if (picture) status = bat_session_keep_picture(c->session, picture);
     }
-    if (status == BAT_OK) status = bat_journal_append(&editor->journal, line->data, line->size, line->failed);
+    if (status == BAT_OK)
+        status = bat_journal_append(&c->session->journal, line->data, line->size, line->failed);
     bat_text_free(&own);
     if (status != BAT_OK) {
-        bat_transaction_cancel(editor);
+        bat_transaction_cancel(c);
         return status;
     }
     /* Whichever tool it was: told now, and again should the tool have something to say of its own. */
     if (frees(transaction)) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_FREED);
-        editor->freed = true;
+        bat_notice(c, BAT_STRING_NOTICE_FREED);
+        c->session->freed = true;
     }
-    bat_history_push(&editor->history, (int)label, transaction->count, transaction->deltas);
+    bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas);
     *transaction = (bat_transaction){0};
-    bat_editor_follow(editor);
+    bat_choice_follow(c);
     return BAT_OK;
 }
 
-void bat_transaction_cancel(bat_editor *editor) {
-    bat_transaction *transaction = &editor->transaction;
+void bat_transaction_cancel(bat_context *c) {
+    bat_transaction *transaction = &c->session->transaction;
     /* Taking back needs no memory: the document keeps the room it had. */
     if (transaction->count) {
-        bat_deltas_apply(transaction->deltas, transaction->count, editor->document, false);
-        editor->revision++;
+        bat_deltas_apply(transaction->deltas, transaction->count, c->session->document, false);
+        c->session->revision++;
     }
     bat_deltas_free(transaction->deltas, transaction->count);
     *transaction = (bat_transaction){0};
-    bat_editor_follow(editor);
+    bat_choice_follow(c);
 }

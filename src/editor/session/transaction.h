@@ -6,6 +6,7 @@
 #ifndef BATTEN_EDITOR_SESSION_TRANSACTION_H
 #define BATTEN_EDITOR_SESSION_TRANSACTION_H
 
+#include "editor/session/context.h"
 #include "editor/session/history.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
@@ -20,16 +21,16 @@ typedef struct bat_transaction {
 } bat_transaction;
 
 /* BAT_STATE when one is open. */
-bat_status bat_transaction_begin(bat_editor *editor);
+bat_status bat_transaction_begin(bat_context *c);
 /* Each changes the document at once; on failure the transaction stays open and as it was. */
-bat_status bat_transaction_insert(bat_editor *editor, int index, bat_object *object);
-bat_status bat_transaction_replace(bat_editor *editor, int index, bat_object *object);
-bat_status bat_transaction_remove(bat_editor *editor, int index);
+bat_status bat_transaction_insert(bat_context *c, int index, bat_object *object);
+bat_status bat_transaction_replace(bat_context *c, int index, bat_object *object);
+bat_status bat_transaction_remove(bat_context *c, int index);
 /* Ends it. label: what undo would take back, one of the texts. line: the journal's line for it, without the
  * digest and the closing brace, which are added here; NULL: the line is made of the changes themselves
  * (change.h), so that a tool needs no codec of its own. On failure everything is taken back: BAT_MEMORY,
  * BAT_ARGUMENT when a group would fall apart, BAT_COUNT when pictures would be too many. A transaction without changes makes no step. */
-bat_status bat_transaction_commit(bat_editor *editor, bat_string label, bat_text *line);
-void bat_transaction_cancel(bat_editor *editor);
+bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *line);
+void bat_transaction_cancel(bat_context *c);
 
 #endif

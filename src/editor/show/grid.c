@@ -1,23 +1,23 @@
 /* The grid: as its spacing says, or fewer of its lines when they would crowd. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/pick/snap.h"
 #include <math.h>
 
 static const double CROWDED = 8; /* px that lines are apart at least */
 enum { LINES_MAX = 2000, STRONG = 10 };
 
-double bat_grid_step(const bat_editor *editor) {
-    if (editor->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
-    double step = editor->values[BAT_PROPERTY_GRID_SPACING];
-    for (int i = 0; step * editor->view.zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
+double bat_grid_step(const bat_context *c) {
+    if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
+    double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
+    for (int i = 0; step * c->view->zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
     return step;
 }
 
-void bat_grid_show(const bat_editor *editor, bat_overlay *overlay) {
-    double step = bat_grid_step(editor), zero[2], box[4];
+void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
+    double step = bat_grid_step(c), zero[2], box[4];
     if (!(step > 0)) return;
-    bat_editor_zero(editor, zero);
-    bat_view_box(&editor->view, box);
+    bat_unit_origin(c, zero);
+    bat_view_box(c->view, box);
     for (int strong = 0; strong < 2; strong++) {
         bat_overlay_item(overlay, strong ? BAT_ROLE_GRID_STRONG : BAT_ROLE_GRID, BAT_ITEM_STROKED, 1);
         for (int k = 0; k < 2; k++) {

@@ -1,5 +1,5 @@
 #include "editor/show/inspect.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include "editor/show/handles.h"
 #include "editor/pick/pick.h"
@@ -114,41 +114,41 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view 
 }
 
 /* The curve that is looked at. */
-static const bat_curve *look(bat_editor *editor) {
-    bat_insight *insight = &editor->insight;
-    const bat_sketching *sketching = &editor->sketching;
+static const bat_curve *look(bat_context *c) {
+    bat_insight *insight = &c->toolbox->insight;
+    const bat_sketching *sketching = &c->toolbox->sketching;
     if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
         return sketching->preview.curve;
-    if (editor->brushing.preview) return editor->brushing.preview;
-    if (editor->pen_near && !bat_editor_busy(editor) && !editor->contacts.count) {
+    if (c->toolbox->brushing.preview) return c->toolbox->brushing.preview;
+    if (c->input->pen_near && !bat_toolbox_busy(c) && !c->input->contacts.count) {
         double point[2];
-        bat_view_to_document(&editor->view, editor->pen, point);
-        bat_pick pick = bat_pick_nearest(&editor->scene, point, REACH * bat_view_pixel(&editor->view));
+        bat_view_to_document(c->view, c->input->pen, point);
+        bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_view_pixel(c->view));
         if (pick.object) *insight = (bat_insight){pick.object, pick.curve};
     }
     const bat_curve *curve = insight->object
-                                 ? bat_edit_target(editor->document, insight->object, insight->curve)
+                                 ? bat_edit_target(c->session->document, insight->object, insight->curve)
                                  : NULL;
-    if (!curve && editor->selection.count)
-        curve = bat_edit_target(editor->document, editor->selection.ids[0], 0);
+    if (!curve && c->choice->selection.count)
+        curve = bat_edit_target(c->session->document, c->choice->selection.ids[0], 0);
     return curve;
 }
 
-void bat_insight_show(bat_editor *editor, bat_overlay *overlay) {
-    bool comb = editor->values[BAT_PROPERTY_SHOW_COMB] != 0;
-    bool knots = editor->values[BAT_PROPERTY_SHOW_KNOTS] != 0;
-    bool length = editor->values[BAT_PROPERTY_SHOW_LENGTH] != 0;
+void bat_insight_show(bat_context *c, bat_overlay *overlay) {
+    bool comb = c->settings->values[BAT_PROPERTY_SHOW_COMB] != 0;
+    bool knots = c->settings->values[BAT_PROPERTY_SHOW_KNOTS] != 0;
+    bool length = c->settings->values[BAT_PROPERTY_SHOW_LENGTH] != 0;
     if (!comb && !knots && !length) return;
-    const bat_curve *curve = look(editor);
+    const bat_curve *curve = look(c);
     if (!curve) return;
-    if (comb) bat_comb_show(overlay, curve, &editor->view);
-    if (knots) bat_handles_show_knots(overlay, curve, &editor->view);
-    if (length && editor->pen_near) {
+    if (comb) bat_comb_show(overlay, curve, c->view);
+    if (knots) bat_handles_show_knots(overlay, curve, c->view);
+    if (length && c->input->pen_near) {
         double domain[2], at[2];
         char text[64];
         bat_curve_domain(curve, domain);
-        bat_unit_write(editor, bat_curve_length(curve, domain[0], domain[1], 1e-6), text);
-        bat_view_to_document(&editor->view, editor->pen, at);
+        bat_unit_write(c, bat_curve_length(curve, domain[0], domain[1], 1e-6), text);
+        bat_view_to_document(c->view, c->input->pen, at);
         bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 16, -20, text);
     }
 }

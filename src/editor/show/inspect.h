@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_SHOW_INSPECT_H
 #define BATTEN_EDITOR_SHOW_INSPECT_H
 
+#include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/view/view.h"
 
@@ -17,6 +18,6 @@ typedef struct bat_insight {
  * this zoom; a line through their ends; marks on the inflections. Planar curves. */
 void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view *view);
 /* Once a frame, before the overlay of the tool. */
-void bat_insight_show(bat_editor *editor, bat_overlay *overlay);
+void bat_insight_show(bat_context *c, bat_overlay *overlay);
 
 #endif

@@ -1,9 +1,12 @@
+#include <stdlib.h>
 #include "editor/show/overlay.h"
 #include "base/real.h"
 #include <batten/refine.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+void bat_overlay_free(bat_overlay *overlay) { free(overlay->path.data); }
 
 void bat_overlay_begin(bat_overlay *overlay, const double origin[2]) {
     overlay->count = overlay->label_count = 0;

@@ -16,6 +16,7 @@ typedef struct bat_overlay {
     uint32_t label_count;
 } bat_overlay;
 
+void bat_overlay_free(bat_overlay *overlay);
 /* Empties the list, keeps the memory. */
 void bat_overlay_begin(bat_overlay *overlay, const double origin[2]);
 /* A new item; what is added to overlay->path from now on is its path. width: view pixels. */

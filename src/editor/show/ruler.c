@@ -1,5 +1,5 @@
 #include "editor/show/ruler.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/view/unit.h"
 #include <math.h>
 #include <string.h>
@@ -8,12 +8,12 @@ static const double LABEL_APART = 64, TICK_APART = 5; /* px at least */
 static const double TICK = 4, MIDDLE = 8;             /* px long */
 enum { TICKS_MAX = 4000 };
 
-bool bat_rulers_on(const bat_editor *editor) {
-    return editor->values[BAT_PROPERTY_SHOW_RULERS] != 0 && editor->view.angle == 0;
+bool bat_rulers_on(const bat_context *c) {
+    return c->settings->values[BAT_PROPERTY_SHOW_RULERS] != 0 && c->view->angle == 0;
 }
 
-int bat_ruler_at(const bat_editor *editor, const double pixel[2]) {
-    if (!bat_rulers_on(editor) || pixel[0] < 0 || pixel[1] < 0) return -1;
+int bat_ruler_at(const bat_context *c, const double pixel[2]) {
+    if (!bat_rulers_on(c) || pixel[0] < 0 || pixel[1] < 0) return -1;
     bool left = pixel[0] < BAT_RULER_WIDTH, top = pixel[1] < BAT_RULER_WIDTH;
     return left == top ? -1 : top;
 }
@@ -36,10 +36,10 @@ static double round_up(double value) {
 }
 
 /* Axis 0 is the upper ruler, along x. */
-static void show_ticks(const bat_editor *editor, bat_overlay *overlay, int axis) {
-    const bat_view *view = &editor->view;
-    double zero[2], unit = bat_unit_size(editor), scale = unit * view->zoom, R = BAT_RULER_WIDTH;
-    bat_editor_zero(editor, zero);
+static void show_ticks(const bat_context *c, bat_overlay *overlay, int axis) {
+    const bat_view *view = c->view;
+    double zero[2], unit = bat_unit_size(c), scale = unit * view->zoom, R = BAT_RULER_WIDTH;
+    bat_unit_origin(c, zero);
     double low = ((axis ? view->y : view->x) - zero[axis]) / unit;
     double high = low + (axis ? view->height : view->width) / scale, step = round_up(LABEL_APART / scale);
     int parts = 10;
@@ -72,20 +72,20 @@ static void strip(bat_overlay *overlay, const bat_view *view, const double box[4
     bat_path_close(&overlay->path);
 }
 
-void bat_rulers_show(const bat_editor *editor, bat_overlay *overlay) {
-    const bat_view *view = &editor->view;
+void bat_rulers_show(const bat_context *c, bat_overlay *overlay) {
+    const bat_view *view = c->view;
     double R = BAT_RULER_WIDTH;
-    if (!bat_rulers_on(editor)) return;
+    if (!bat_rulers_on(c)) return;
     bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_FILLED, 0);
     strip(overlay, view, (double[]){0, 0, view->width, R});
     strip(overlay, view, (double[]){0, R, R, view->height});
     bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_STROKED, 1);
     across(overlay, view, 1, R - 0.5, 0, view->width);
     across(overlay, view, 0, R - 0.5, 0, view->height);
-    show_ticks(editor, overlay, 0);
-    show_ticks(editor, overlay, 1);
-    if (!editor->pen_near) return;
+    show_ticks(c, overlay, 0);
+    show_ticks(c, overlay, 1);
+    if (!c->input->pen_near) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
     for (int k = 0; k < 2; k++)
-        if (editor->pen[k] >= R) across(overlay, view, k, editor->pen[k], 0, R);
+        if (c->input->pen[k] >= R) across(overlay, view, k, c->input->pen[k], 0, R);
 }

@@ -1,5 +1,5 @@
 /* The tables as JSON, for the shells. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/edit/style.h"
 #include <stdlib.h>
 #include <string.h>
@@ -41,23 +41,21 @@ static void number(bat_text *line, const char *name, double value) {
     bat_line_number(line, value);
 }
 
-const char *bat_editor_tables(bat_editor *editor) {
+const char *bat_panel_tables(bat_context *c) {
     static const char *const types[] = {"number", "switch", "colour", "choice"};
     bat_text line = {0};
     bat_text_string(&line, "{\"commands\":[");
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         const bat_command_row *row = bat_command_at((bat_command_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
-                  bat_editor_text(editor, row->help));
-        list_of(&line, ",\"keys\":[", editor->keys[i]);
+        begin_row(&line, i, row->name, bat_word(c, row->label), bat_word(c, row->help));
+        list_of(&line, ",\"keys\":[", c->settings->keys[i]);
         field(&line, "section", bat_string_key(bat_command_section((bat_command_id)i)));
         bat_text_string(&line, row->hold ? ",\"hold\":true}" : ",\"hold\":false}");
     }
     bat_text_string(&line, "],\"properties\":[");
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
-                  bat_editor_text(editor, row->help));
+        begin_row(&line, i, row->name, bat_word(c, row->label), bat_word(c, row->help));
         field(&line, "type", types[row->type]);
         number(&line, "default", row->standard);
         number(&line, "low", row->low);
@@ -78,10 +76,9 @@ const char *bat_editor_tables(bat_editor *editor) {
     bat_text_string(&line, "],\"tools\":[");
     for (int i = 0; i < BAT_TOOL_COUNT; i++) {
         const bat_tool_row *row = bat_tool_at((bat_tool_id)i);
-        begin_row(&line, i, row->name, bat_editor_text(editor, row->label),
-                  bat_editor_text(editor, row->help));
+        begin_row(&line, i, row->name, bat_word(c, row->label), bat_word(c, row->help));
         field(&line, "command", bat_command_at(row->command)->name);
-        list_of(&line, ",\"keys\":[", editor->keys[row->command]);
+        list_of(&line, ",\"keys\":[", c->settings->keys[row->command]);
         bat_text_string(&line, "}");
     }
     bat_text_string(&line, "],\"numbers\":[");
@@ -95,7 +92,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         if (i) bat_text_string(&line, ",");
         bat_text_json_string(&line, bat_string_key((bat_string)i));
         bat_text_string(&line, ":");
-        bat_text_json_string(&line, bat_editor_text(editor, (bat_string)i));
+        bat_text_json_string(&line, bat_word(c, (bat_string)i));
     }
     bat_text_string(&line, "}}");
     bat_text_add(&line, "", 1);
@@ -103,7 +100,7 @@ const char *bat_editor_tables(bat_editor *editor) {
         bat_text_free(&line);
         return NULL;
     }
-    free(editor->tables);
-    editor->tables = line.data;
-    return editor->tables;
+    free(c->panels->tables);
+    c->panels->tables = line.data;
+    return c->panels->tables;
 }

@@ -1,5 +1,6 @@
 /* Shortcuts as the tables write them: "Ctrl+Shift+Z Ctrl+Y [ Space". */
-#include "editor/editor.h"
+#include <batten/editor.h>
+#include "editor/tables/keys.h"
 #include <string.h>
 
 /* One shortcut: its modifiers, and where its key lies. */

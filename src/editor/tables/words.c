@@ -1,5 +1,5 @@
 /* The words of another language than English. */
-#include "editor/editor.h"
+#include "editor/tables/words.h"
 #include "text/json.h"
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +10,7 @@ static int holes(const char *text) {
     return count;
 }
 
-bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
+bat_status bat_words_read(bat_settings *settings, const char *text, size_t size) {
     const char **words = NULL;
     if (text) {
         bat_json json;
@@ -33,7 +33,7 @@ bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
         }
         bat_json_free(&json);
     }
-    free(editor->words);
-    editor->words = words;
+    free(settings->words);
+    settings->words = words;
     return BAT_OK;
 }

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_BRUSHING_H
 #define BATTEN_EDITOR_TOOLS_BRUSHING_H
 
+#include "editor/session/context.h"
 #include "editor/edit/cut_out.h"
 #include "editor/pick/pick.h"
 
@@ -33,6 +34,6 @@ typedef struct bat_brushing {
 /* Nothing under way; the memory is given back. */
 void bat_brushing_end(bat_brushing *brushing);
 /* Cuts the stretch u[0]..u[1] out of a curve as the eraser would; closed: it may run over the seam. One step. */
-bat_status bat_erase_stretch(bat_editor *editor, bat_id object, int curve, const double u[2]);
+bat_status bat_erase_stretch(bat_context *c, bat_id object, int curve, const double u[2]);
 
 #endif

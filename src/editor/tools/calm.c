@@ -1,5 +1,5 @@
 #include "editor/tools/calm.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/edit/curves_of.h"
 #include <batten/measure.h>
 #include <math.h>
@@ -47,73 +47,74 @@ bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double 
 }
 
 /* What the command would calm: the range, or the stretch that is measured, else that around the pen. */
-static const bat_curve *find(bat_editor *editor, bat_id *object, int *curve, double range[2]) {
-    const bat_pointing *pointing = &editor->pointing;
-    if (editor->range.on) {
-        *object = editor->range.object;
-        *curve = editor->range.curve;
-        range[0] = editor->range.u[0];
-        range[1] = editor->range.u[1];
-        return bat_range_curve(editor);
+static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double range[2]) {
+    const bat_pointing *pointing = &c->toolbox->pointing;
+    if (c->toolbox->range.on) {
+        *object = c->toolbox->range.object;
+        *curve = c->toolbox->range.curve;
+        range[0] = c->toolbox->range.u[0];
+        range[1] = c->toolbox->range.u[1];
+        return bat_range_curve(c);
     }
-    if (editor->tool == BAT_TOOL_POINTS && pointing->measured) {
+    if (c->choice->tool == BAT_TOOL_POINTS && pointing->measured) {
         *object = pointing->object;
         *curve = pointing->curve;
         range[0] = pointing->stretch[0];
         range[1] = pointing->stretch[1];
-        return bat_edit_target(editor->document, *object, *curve);
+        return bat_edit_target(c->session->document, *object, *curve);
     }
-    if (!editor->pen_near) return NULL;
-    double point[2], pixel = bat_view_pixel(&editor->view);
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, editor->pen, point);
-    bat_pick pick = bat_pick_nearest(&editor->scene, point, REACH * pixel);
+    if (!c->input->pen_near) return NULL;
+    double point[2], pixel = bat_view_pixel(c->view);
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, c->input->pen, point);
+    bat_pick pick = bat_pick_nearest(c->scene, point, REACH * pixel);
     if (!pick.object) return NULL;
-    const bat_curve *target = bat_edit_target(editor->document, pick.object, pick.curve);
+    const bat_curve *target = bat_edit_target(c->session->document, pick.object, pick.curve);
     *object = pick.object;
     *curve = pick.curve;
-    if (target) bat_calm_range(target, pick.near.u, editor->values[BAT_PROPERTY_BRUSH_SIZE] * pixel, range);
+    if (target)
+        bat_calm_range(target, pick.near.u, c->settings->values[BAT_PROPERTY_BRUSH_SIZE] * pixel, range);
     return target;
 }
 
-bat_status bat_calm_command(bat_editor *editor, bool down) {
-    bool was = editor->calming;
-    editor->calming = false;
-    if (bat_editor_busy(editor) || editor->transaction.open) return BAT_STATE;
+bat_status bat_calm_command(bat_context *c, bool down) {
+    bool was = c->input->calming;
+    c->input->calming = false;
+    if (bat_toolbox_busy(c) || c->session->transaction.open) return BAT_STATE;
     if (down) {
-        editor->calming = true;
+        c->input->calming = true;
         return BAT_OK;
     }
     if (!was) return BAT_STATE;
     bat_id object;
     int index;
-    double range[2], pixel = bat_view_pixel(&editor->view);
-    const bat_curve *curve = find(editor, &object, &index, range);
+    double range[2], pixel = bat_view_pixel(c->view);
+    const bat_curve *curve = find(c, &object, &index, range);
     if (!curve) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
+        bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
         return BAT_STATE;
     }
     bat_curve *faired = NULL;
-    bat_status status = bat_calm_curve(curve, range, editor->values[BAT_PROPERTY_TOLERANCE] * pixel, pixel,
-                                       &faired);
+    bat_status status = bat_calm_curve(curve, range, c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel,
+                                       pixel, &faired);
     double there = 0, back = 0;
     if (status == BAT_OK) bat_curve_distance(curve, faired, 8, &there, &back);
-    if (status == BAT_OK) status = bat_commit_curve(editor, object, index, faired, BAT_STRING_STEP_CALM);
+    if (status == BAT_OK) status = bat_commit_curve(c, object, index, faired, BAT_STRING_STEP_CALM);
     if (status != BAT_OK) {
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
         return status;
     }
     char number[32];
     snprintf(number, sizeof number, "%.3g", fmax(there, back));
-    bat_editor_notice_value(editor, BAT_STRING_NOTICE_CALMED, number);
+    bat_notice_value(c, BAT_STRING_NOTICE_CALMED, number);
     return BAT_OK;
 }
 
-void bat_calm_show(bat_editor *editor, bat_overlay *overlay) {
+void bat_calm_show(bat_context *c, bat_overlay *overlay) {
     bat_id object;
     int index;
     double range[2];
-    const bat_curve *curve = editor->calming ? find(editor, &object, &index, range) : NULL;
+    const bat_curve *curve = c->input->calming ? find(c, &object, &index, range) : NULL;
     if (!curve) return;
     bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, 5);
     bat_overlay_stretch(overlay, curve, range[0], range[1]);

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_CALM_H
 #define BATTEN_EDITOR_TOOLS_CALM_H
 
+#include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include <batten/sketch.h>
 
@@ -13,7 +14,7 @@ void bat_calm_range(const bat_curve *curve, double u, double reach, double range
 bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double limit, double pixel,
                           bat_curve **out);
 /* The command: down shows what would be calmed, up does it. */
-bat_status bat_calm_command(bat_editor *editor, bool down);
-void bat_calm_show(bat_editor *editor, bat_overlay *overlay);
+bat_status bat_calm_command(bat_context *c, bool down);
+void bat_calm_show(bat_context *c, bat_overlay *overlay);
 
 #endif

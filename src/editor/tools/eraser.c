@@ -2,7 +2,7 @@
  * The eraser. What lies within its circle is marked while it moves and goes when it is lifted: a curve loses its end,
  * falls into two, or opens when it was closed. The pen's eraser end is this tool, whatever tool is chosen.
  */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/edit/cut_out.h"
 #include <math.h>
 #include <stdlib.h>
@@ -22,9 +22,9 @@ void bat_brushing_end(bat_brushing *b) {
     b->object = 0;
 }
 
-static double radius(const bat_editor *editor) {
-    return editor->values[BAT_PROPERTY_ERASER_SIZE] * editor->brushing.pressure *
-           bat_view_pixel(&editor->view);
+static double radius(const bat_context *c) {
+    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * c->toolbox->brushing.pressure *
+           bat_view_pixel(c->view);
 }
 
 static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
@@ -41,33 +41,33 @@ static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
     return &b->rubbed[b->count++];
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
-    bat_brushing_end(&editor->brushing);
-    bat_editor_notice_failure(editor, status);
+static void give_up(bat_context *c, bat_status status) {
+    bat_brushing_end(&c->toolbox->brushing);
+    bat_notice_failure(c, status);
 }
 
 /* From one place of the eraser to the next, both view pixels. */
-static void rub(bat_editor *editor, const double from[2], const double to[2]) {
-    bat_brushing *b = &editor->brushing;
-    const bat_scene *scene = &editor->scene;
-    double a[2], c[2], r = radius(editor);
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, from, a);
-    bat_view_to_document(&editor->view, to, c);
+static void rub(bat_context *c, const double from[2], const double to[2]) {
+    bat_brushing *b = &c->toolbox->brushing;
+    const bat_scene *scene = c->scene;
+    double a[2], end[2], r = radius(c);
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, from, a);
+    bat_view_to_document(c->view, to, end);
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         const double *box = entry->box;
         if (entry->hidden || entry->locked) continue;
-        if (fmax(a[0], c[0]) + r < box[0] || fmin(a[0], c[0]) - r > box[2] || fmax(a[1], c[1]) + r < box[1] ||
-            fmin(a[1], c[1]) - r > box[3])
+        if (fmax(a[0], end[0]) + r < box[0] || fmin(a[0], end[0]) - r > box[2] ||
+            fmax(a[1], end[1]) + r < box[1] || fmin(a[1], end[1]) - r > box[3])
             continue;
         for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
             const bat_curve *curve = bat_object_curve(entry->object, j);
             if (bat_curve_dimension(curve) != 2) continue;
             bat_rubbed *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
-            bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, c, r) : BAT_MEMORY;
+            bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, end, r) : BAT_MEMORY;
             if (status != BAT_OK) {
-                give_up(editor, status);
+                give_up(c, status);
                 return;
             }
         }
@@ -88,8 +88,8 @@ static void rest_free(rest *r) {
     *r = (rest){0};
 }
 
-static bat_status rest_of(const bat_editor *editor, const bat_object *object, rest *out) {
-    const bat_brushing *b = &editor->brushing;
+static bat_status rest_of(const bat_context *c, const bat_object *object, rest *out) {
+    const bat_brushing *b = &c->toolbox->brushing;
     static const bat_spans none = {0};
     for (int j = 0; j < bat_object_curve_count(object); j++) {
         const bat_spans *spans = &none;
@@ -101,7 +101,7 @@ static bat_status rest_of(const bat_editor *editor, const bat_object *object, re
         const bat_curve *curve = bat_object_curve(object, j);
         bat_status status;
         if (spans->count) {
-            double least = LEAST * bat_view_pixel(&editor->view);
+            double least = LEAST * bat_view_pixel(c->view);
             status = bat_spans_rest(spans, curve, least, &pieces, &count);
         } else if ((pieces = calloc(1, sizeof *pieces))) {
             status = bat_curve_copy(curve, pieces);
@@ -142,22 +142,21 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
 }
 
 /* An object of one curve falls into objects of one curve; one of several stays one. */
-static bat_status cut(bat_editor *editor, bat_id id) {
-    int at = bat_document_find(editor->document, id);
+static bat_status cut(bat_context *c, bat_id id) {
+    int at = bat_document_find(c->session->document, id);
     if (at < 0) return BAT_OK;
-    bat_object *object = bat_object_retain(bat_document_at(editor->document, at));
+    bat_object *object = bat_object_retain(bat_document_at(c->session->document, at));
     rest r = {0};
-    bat_status status = rest_of(editor, object, &r);
+    bat_status status = rest_of(c, object, &r);
     bool apart = bat_object_curve_count(object) == 1;
-    if (status == BAT_OK && r.count == 0) status = bat_transaction_remove(editor, at);
+    if (status == BAT_OK && r.count == 0) status = bat_transaction_remove(c, at);
     int parts = r.count == 0 ? 0 : apart ? r.count : 1;
     for (int i = 0; i < parts && status == BAT_OK; i++) {
         bat_object *part = NULL;
         status = copy_with(object, &r, apart ? i : 0, apart ? 1 : r.count,
-                           i ? bat_document_new_id(editor->document) : 0, &part);
+                           i ? bat_document_new_id(c->session->document) : 0, &part);
         if (status == BAT_OK)
-            status = i ? bat_transaction_insert(editor, at + i, part)
-                       : bat_transaction_replace(editor, at, part);
+            status = i ? bat_transaction_insert(c, at + i, part) : bat_transaction_replace(c, at, part);
         bat_object_release(part);
     }
     rest_free(&r);
@@ -165,9 +164,9 @@ static bat_status cut(bat_editor *editor, bat_id id) {
     return status;
 }
 
-static bat_status cut_all(bat_editor *editor) {
-    const bat_brushing *b = &editor->brushing;
-    bat_status status = bat_transaction_begin(editor);
+static bat_status cut_all(bat_context *c) {
+    const bat_brushing *b = &c->toolbox->brushing;
+    bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     for (int i = 0; i < b->count && status == BAT_OK; i++) {
         bool touched = false, before = false;
@@ -176,16 +175,16 @@ static bat_status cut_all(bat_editor *editor) {
             touched = touched || b->rubbed[k].spans.count > 0;
             before = before || k < i;
         }
-        if (touched && !before) status = cut(editor, b->rubbed[i].object);
+        if (touched && !before) status = cut(c, b->rubbed[i].object);
     }
-    if (status == BAT_OK) return bat_transaction_commit(editor, BAT_STRING_STEP_ERASE, NULL);
-    bat_transaction_cancel(editor);
+    if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_ERASE, NULL);
+    bat_transaction_cancel(c);
     return status;
 }
 
-bat_status bat_erase_stretch(bat_editor *editor, bat_id object, int curve, const double u[2]) {
-    bat_brushing *b = &editor->brushing;
-    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+bat_status bat_erase_stretch(bat_context *c, bat_id object, int curve, const double u[2]) {
+    bat_brushing *b = &c->toolbox->brushing;
+    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     double domain[2];
     if (!target) return BAT_ARGUMENT;
     bat_curve_domain(target, domain);
@@ -194,87 +193,88 @@ bat_status bat_erase_stretch(bat_editor *editor, bat_id object, int curve, const
     bat_status status = rubbed ? bat_spans_add(&rubbed->spans, u[0], fmin(u[1], domain[1])) : BAT_MEMORY;
     if (status == BAT_OK && u[1] > domain[1]) /* over the seam */
         status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (u[1] - domain[1]));
-    if (status == BAT_OK) status = cut_all(editor);
+    if (status == BAT_OK) status = cut_all(c);
     bat_brushing_end(b);
     return status;
 }
 
 /* ---- the tool ---- */
 
-static void note(bat_editor *editor, const bat_pointer *event) {
-    bat_brushing *b = &editor->brushing;
+static void note(bat_context *c, const bat_pointer *event) {
+    bat_brushing *b = &c->toolbox->brushing;
     b->hovering = true;
     b->device = event->device;
     b->at[0] = event->x;
     b->at[1] = event->y;
-    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(editor, event);
+    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(c, event);
 }
 
-static void hover(bat_editor *editor, const bat_pointer *event) { note(editor, event); }
-static void leave(bat_editor *editor) { editor->brushing.hovering = false; }
+static void hover(bat_context *c, const bat_pointer *event) { note(c, event); }
+static void leave(bat_context *c) { c->toolbox->brushing.hovering = false; }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_brushing *b = &editor->brushing;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_brushing *b = &c->toolbox->brushing;
     bat_brushing_end(b);
-    note(editor, event);
+    note(c, event);
     b->painting = true;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
-    rub(editor, b->at, b->at);
+    bat_notice(c, BAT_STRING_COUNT);
+    rub(c, b->at, b->at);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_brushing *b = &editor->brushing;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_brushing *b = &c->toolbox->brushing;
     if (!b->painting || event->predicted) return;
     double from[2] = {b->at[0], b->at[1]};
-    note(editor, event);
-    if (from[0] != b->at[0] || from[1] != b->at[1]) rub(editor, from, b->at);
+    note(c, event);
+    if (from[0] != b->at[0] || from[1] != b->at[1]) rub(c, from, b->at);
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
+static void up(bat_context *c, const bat_pointer *event) {
     (void)event;
-    if (!editor->brushing.painting) return;
-    bat_status status = cut_all(editor);
-    bat_brushing_end(&editor->brushing);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    if (!c->toolbox->brushing.painting) return;
+    bat_status status = cut_all(c);
+    bat_brushing_end(&c->toolbox->brushing);
+    if (status != BAT_OK) bat_notice_failure(c, status);
 }
 
-static bool cancel(bat_editor *editor) {
-    if (!editor->brushing.painting) return false;
-    bat_brushing_end(&editor->brushing);
-    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+static bool cancel(bat_context *c) {
+    if (!c->toolbox->brushing.painting) return false;
+    bat_brushing_end(&c->toolbox->brushing);
+    bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static bool busy(const bat_editor *editor) { return editor->brushing.painting; }
+static bool busy(const bat_context *c) { return c->toolbox->brushing.painting; }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_brushing *b = &editor->brushing;
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_brushing *b = &c->toolbox->brushing;
     double point[2];
-    if (!b->hovering || editor->holding_pan) return;
+    if (!b->hovering || c->input->holding_pan) return;
     bat_overlay_item(list, BAT_ROLE_ERASED, BAT_ITEM_STROKED, ERASED_WIDTH);
     for (int i = 0; i < b->count; i++) {
-        const bat_curve *curve = bat_edit_target(editor->document, b->rubbed[i].object, b->rubbed[i].curve);
+        const bat_curve *curve = bat_edit_target(c->session->document, b->rubbed[i].object,
+                                                 b->rubbed[i].curve);
         for (int k = 0; k < b->rubbed[i].spans.count && curve; k++)
             bat_overlay_stretch(list, curve, b->rubbed[i].spans.list[k][0], b->rubbed[i].spans.list[k][1]);
     }
-    bat_view_to_document(&editor->view, b->at, point);
+    bat_view_to_document(c->view, b->at, point);
     bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
-    bat_overlay_circle(list, point, radius(editor));
+    bat_overlay_circle(list, point, radius(c));
 }
 
-static bat_string hint(const bat_editor *editor) {
-    return editor->brushing.painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
+static bat_string hint(const bat_context *c) {
+    return c->toolbox->brushing.painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    (void)editor;
+static bat_cursor cursor(const bat_context *c) {
+    (void)c;
     return BAT_CURSOR_CROSS;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_brushing *b = &editor->brushing;
+static const char *check(const bat_context *c) {
+    const bat_brushing *b = &c->toolbox->brushing;
     if (!b->painting && b->rubbed) return "an eraser is lifted and has not let go";
-    if (b->painting && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+    if (b->painting && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "an eraser without a pen";
     return NULL;
 }

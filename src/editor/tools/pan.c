@@ -1,13 +1,13 @@
 /* The hand: every contact navigates while it is chosen (events.c), so it has no state of its own. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 
-static bat_string hint(const bat_editor *editor) {
-    return bat_contacts_count(&editor->contacts, BAT_DUTY_NAVIGATE, NULL) ? BAT_STRING_HINT_PANNING
-                                                                          : BAT_STRING_HINT_PAN;
+static bat_string hint(const bat_context *c) {
+    return bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL) ? BAT_STRING_HINT_PANNING
+                                                                            : BAT_STRING_HINT_PAN;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    (void)editor;
+static bat_cursor cursor(const bat_context *c) {
+    (void)c;
     return BAT_CURSOR_GRAB;
 }
 

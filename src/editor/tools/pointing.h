@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_POINTING_H
 #define BATTEN_EDITOR_TOOLS_POINTING_H
 
+#include "editor/session/context.h"
 #include "editor/show/handles.h"
 
 typedef struct bat_pointing {
@@ -27,7 +28,7 @@ typedef struct bat_pointing {
 } bat_pointing;
 
 /* The place of the chosen control point or knot; false: none is chosen. Moving it is a step. */
-bool bat_pointing_chosen(bat_editor *editor, double place[2]);
-bat_status bat_pointing_shift(bat_editor *editor, const double delta[2]);
+bool bat_pointing_chosen(bat_context *c, double place[2]);
+bat_status bat_pointing_shift(bat_context *c, const double delta[2]);
 
 #endif

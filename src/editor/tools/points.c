@@ -6,7 +6,7 @@
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
  * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
  */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/pull.h"
@@ -23,15 +23,15 @@ static const double TOUCH = 2.2;                                         /* as f
 static const double TAP = 4, DOUBLE_TAP = 400;                           /* px, ms */
 static const float STRETCH_WIDTH = 4, HIGHLIGHT_WIDTH = 3;
 
-static double reach(const bat_editor *editor, double pixels) {
-    double factor = editor->pointing.device == BAT_DEVICE_TOUCH ? TOUCH : 1;
-    return pixels * factor * bat_view_pixel(&editor->view);
+static double reach(const bat_context *c, double pixels) {
+    double factor = c->toolbox->pointing.device == BAT_DEVICE_TOUCH ? TOUCH : 1;
+    return pixels * factor * bat_view_pixel(c->view);
 }
 
 /* The chosen curve, NULL when there is none or it is gone. */
-static const bat_curve *chosen_curve(const bat_editor *editor) {
-    const bat_pointing *p = &editor->pointing;
-    return p->object ? bat_edit_target(editor->document, p->object, p->curve) : NULL;
+static const bat_curve *chosen_curve(const bat_context *c) {
+    const bat_pointing *p = &c->toolbox->pointing;
+    return p->object ? bat_edit_target(c->session->document, p->object, p->curve) : NULL;
 }
 
 static void choose_nothing(bat_pointing *p) {
@@ -40,20 +40,20 @@ static void choose_nothing(bat_pointing *p) {
 }
 
 /* What has been selected elsewhere is shown here, once. */
-static void adopt(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
-    if (editor->selection.count != 1 || editor->selection.ids[0] == p->adopted) return;
-    p->object = p->adopted = editor->selection.ids[0];
+static void adopt(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
+    if (c->choice->selection.count != 1 || c->choice->selection.ids[0] == p->adopted) return;
+    p->object = p->adopted = c->choice->selection.ids[0];
     p->curve = 0;
     choose_nothing(p);
 }
 
 /* Undo and other commands may have taken away what is chosen. */
-static void settle(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
-    adopt(editor);
-    const bat_curve *curve = chosen_curve(editor);
-    if (!curve || bat_editor_out_of_reach(editor, bat_document_find(editor->document, p->object))) {
+static void settle(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
+    adopt(c);
+    const bat_curve *curve = chosen_curve(c);
+    if (!curve || bat_stage_out_of_reach(c, bat_document_find(c->session->document, p->object))) {
         p->object = 0;
         choose_nothing(p);
         return;
@@ -68,45 +68,45 @@ static bool same(const bat_handle *a, const bat_handle *b) {
            a->u == b->u;
 }
 
-static void choose_curve(bat_editor *editor, bat_id object, int curve) {
-    bat_pointing *p = &editor->pointing;
+static void choose_curve(bat_context *c, bat_id object, int curve) {
+    bat_pointing *p = &c->toolbox->pointing;
     if (p->object != object || p->curve != curve) choose_nothing(p);
     p->object = object;
     p->curve = curve;
     p->adopted = object;
-    bat_selection_clear(&editor->selection);
-    if (object) bat_selection_add(&editor->selection, object); /* without memory: not selected */
+    bat_selection_clear(&c->choice->selection);
+    if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
 }
 
 /* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
  * polygon is close to the curve, the curve could not be pulled otherwise. */
-static bool handle_at(const bat_editor *editor, const bat_curve *curve, const double point[2],
+static bool handle_at(const bat_context *c, const bat_curve *curve, const double point[2],
                       const bat_pick *pick, bat_handle *out) {
     double at[2];
-    if (!bat_handle_find(curve, point, reach(editor, HANDLE_REACH), out)) return false;
+    if (!bat_handle_find(curve, point, reach(c, HANDLE_REACH), out)) return false;
     if (!pick->object) return true;
     bat_handle_place(curve, out, at);
     double distance = bat_hypot(at[0] - point[0], at[1] - point[1]);
-    return distance <= pick->near.distance + reach(editor, HANDLE_LEAD);
+    return distance <= pick->near.distance + reach(c, HANDLE_LEAD);
 }
 
 /* What a press here would take hold of: handles of the curve shown before curves. */
-static bat_handle find(bat_editor *editor, const double pixel[2]) {
-    const bat_pointing *p = &editor->pointing;
+static bat_handle find(bat_context *c, const double pixel[2]) {
+    const bat_pointing *p = &c->toolbox->pointing;
     double point[2];
     bat_handle handle = {0};
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, pixel, point);
-    bat_pick pick = bat_pick_nearest(&editor->scene, point, reach(editor, CURVE_REACH));
-    const bat_curve *curve = chosen_curve(editor);
-    if (curve && handle_at(editor, curve, point, &pick, &handle)) {
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, pixel, point);
+    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, CURVE_REACH));
+    const bat_curve *curve = chosen_curve(c);
+    if (curve && handle_at(c, curve, point, &pick, &handle)) {
         handle.object = p->object;
         handle.curve = p->curve;
         return handle;
     }
     if (!pick.object) return (bat_handle){0};
-    curve = bat_edit_target(editor->document, pick.object, pick.curve);
-    if (!curve || !handle_at(editor, curve, point, &pick, &handle)) {
+    curve = bat_edit_target(c->session->document, pick.object, pick.curve);
+    if (!curve || !handle_at(c, curve, point, &pick, &handle)) {
         handle.kind = BAT_HANDLE_CURVE;
         handle.index = 0;
         handle.u = pick.near.u;
@@ -118,9 +118,9 @@ static bat_handle find(bat_editor *editor, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
-static bat_status moved(const bat_editor *editor, const bat_curve *base, const bat_handle *grip,
+static bat_status moved(const bat_context *c, const bat_curve *base, const bat_handle *grip,
                         const double delta[2], bat_curve **out) {
-    const bat_handle *held = &editor->pointing.chosen;
+    const bat_handle *held = &c->toolbox->pointing.chosen;
     if (grip->kind == BAT_HANDLE_POINT) return bat_curve_move_point(base, grip->index, delta, out);
     double u[2] = {grip->u, held->u}, deltas[4] = {delta[0], delta[1], 0, 0};
     bool holds = held->kind == BAT_HANDLE_KNOT && held->object == grip->object &&
@@ -130,18 +130,18 @@ static bat_status moved(const bat_editor *editor, const bat_curve *base, const b
 }
 
 /* From the press to where the pen is, document units; what is held snaps, Shift steps by angles. */
-static void drag_delta(bat_editor *editor, double delta[2]) {
-    const bat_pointing *p = &editor->pointing;
+static void drag_delta(bat_context *c, double delta[2]) {
+    const bat_pointing *p = &c->toolbox->pointing;
     double from[2], to[2], held[2];
-    int own = bat_document_find(editor->document, p->grip.object);
-    bat_view_to_document(&editor->view, p->start, from);
-    bat_view_to_document(&editor->view, p->at, to);
+    int own = bat_document_find(c->session->document, p->grip.object);
+    bat_view_to_document(c->view, p->start, from);
+    bat_view_to_document(c->view, p->at, to);
     bat_handle_place(p->base, &p->grip, held);
     double place[2] = {held[0] + to[0] - from[0], held[1] + to[1] - from[1]};
-    if (editor->modifiers & BAT_SHIFT)
-        bat_snap_angle(editor, held, place);
+    if (c->modifiers & BAT_SHIFT)
+        bat_snap_angle(c, held, place);
     else
-        bat_snap_point(editor, 1, &own, place);
+        bat_snap_point(c, 1, &own, place);
     delta[0] = place[0] - held[0];
     delta[1] = place[1] - held[1];
 }
@@ -152,127 +152,127 @@ static void release(bat_pointing *p) {
     p->pressed = p->dragging = p->due = false;
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
-    release(&editor->pointing);
-    bat_transaction_cancel(editor);
-    bat_editor_notice_failure(editor, status);
+static void give_up(bat_context *c, bat_status status) {
+    release(&c->toolbox->pointing);
+    bat_transaction_cancel(c);
+    bat_notice_failure(c, status);
 }
 
-static void drag(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
+static void drag(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
     double delta[2];
     bat_curve *curve = NULL;
     if (!p->dragging || !p->due) return;
     p->due = false;
-    drag_delta(editor, delta);
-    bat_status status = moved(editor, p->base, &p->grip, delta, &curve);
-    if (status == BAT_OK) status = bat_put_curve(editor, p->grip.object, p->grip.curve, curve);
-    if (status != BAT_OK) give_up(editor, status);
+    drag_delta(c, delta);
+    bat_status status = moved(c, p->base, &p->grip, delta, &curve);
+    if (status == BAT_OK) status = bat_put_curve(c, p->grip.object, p->grip.curve, curve);
+    if (status != BAT_OK) give_up(c, status);
 }
 
-static void begin_drag(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *target = bat_edit_target(editor->document, p->grip.object, p->grip.curve);
+static void begin_drag(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *target = bat_edit_target(c->session->document, p->grip.object, p->grip.curve);
     bat_status status = target ? bat_curve_copy(target, &p->base) : BAT_STATE;
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(p);
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
         return;
     }
-    choose_curve(editor, p->grip.object, p->grip.curve);
+    choose_curve(c, p->grip.object, p->grip.curve);
     if (p->grip.kind != BAT_HANDLE_CURVE) p->chosen = p->grip;
     p->measured = false;
     p->dragging = true;
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_pointing *p = &editor->pointing;
-    settle(editor);
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_pointing *p = &c->toolbox->pointing;
+    settle(c);
     p->device = event->device;
     p->hovering = true;
     p->hover[0] = p->start[0] = p->at[0] = event->x;
     p->hover[1] = p->start[1] = p->at[1] = event->y;
-    p->grip = p->hot = find(editor, p->start);
+    p->grip = p->hot = find(c, p->start);
     p->pressed = true;
     p->dragging = p->due = false;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
+    bat_notice(c, BAT_STRING_COUNT);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_pointing *p = &editor->pointing;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_pointing *p = &c->toolbox->pointing;
     if (!p->pressed || event->predicted) return;
     p->at[0] = p->hover[0] = event->x;
     p->at[1] = p->hover[1] = event->y;
     p->due = true;
     bool far = bat_hypot(p->at[0] - p->start[0], p->at[1] - p->start[1]) > TAP;
-    if (!p->dragging && far && p->grip.kind) begin_drag(editor);
+    if (!p->dragging && far && p->grip.kind) begin_drag(c);
 }
 
 /* ---- knots ---- */
 
-static void notice_number(bat_editor *editor, bat_string text, double value) {
+static void notice_number(bat_context *c, bat_string text, double value) {
     char number[32];
     snprintf(number, sizeof number, "%.3g", value);
-    bat_editor_notice_value(editor, text, number);
+    bat_notice_value(c, text, number);
 }
 
-static bat_status done(bat_editor *editor, bat_status status) {
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+static bat_status done(bat_context *c, bat_status status) {
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
 /* Inserts u until it is there `times` more; the shape stays. The knot is chosen then. */
-static bat_status insert(bat_editor *editor, const bat_curve *curve, double u, int times, bat_string label) {
-    bat_pointing *p = &editor->pointing;
+static bat_status insert(bat_context *c, const bat_curve *curve, double u, int times, bat_string label) {
+    bat_pointing *p = &c->toolbox->pointing;
     bat_curve *after = NULL;
     bat_status status = bat_curve_insert_knot(curve, u, times, &after);
     if (status == BAT_KNOTS) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_KNOT_FULL);
+        bat_notice(c, BAT_STRING_NOTICE_KNOT_FULL);
         return BAT_STATE;
     }
-    if (status != BAT_OK) return done(editor, status);
-    status = bat_commit_curve(editor, p->object, p->curve, after, label);
-    if (status != BAT_OK) return done(editor, status);
+    if (status != BAT_OK) return done(c, status);
+    status = bat_commit_curve(c, p->object, p->curve, after, label);
+    if (status != BAT_OK) return done(c, status);
     p->measured = false;
     double knot;
-    if (bat_knot_near(chosen_curve(editor), u, &knot))
+    if (bat_knot_near(chosen_curve(c), u, &knot))
         p->chosen = (bat_handle){BAT_HANDLE_KNOT, p->object, p->curve, 0, knot};
     return BAT_OK;
 }
 
 /* Takes out `times` copies of a knot when the curve then moves by no more than `within` document units. */
-static bat_status take_out(bat_editor *editor, double u, int times, double within, bat_string label) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
+static bat_status take_out(bat_context *c, double u, int times, double within, bat_string label) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
     bat_curve *after = NULL;
     int removed = 0;
     double error = 0;
     /* A bound without bounds tells what it would cost. */
     bat_status status = bat_curve_remove_knot(curve, u, times, bat_curve_size(curve) * 1e6, &after, &removed,
                                               &error);
-    if (status != BAT_OK) return done(editor, status);
+    if (status != BAT_OK) return done(c, status);
     if (removed < times) {
         bat_curve_free(after);
-        bat_editor_notice(editor, BAT_STRING_NOTICE_KNOT_NEEDED);
+        bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);
         return BAT_STATE;
     }
     if (error > within) {
         bat_curve_free(after);
-        notice_number(editor, BAT_STRING_NOTICE_KNOT_KEPT, error);
+        notice_number(c, BAT_STRING_NOTICE_KNOT_KEPT, error);
         return BAT_STATE;
     }
-    status = bat_commit_curve(editor, p->object, p->curve, after, label);
-    if (status != BAT_OK) return done(editor, status);
-    settle(editor);
-    notice_number(editor, BAT_STRING_NOTICE_MOVED_BY, error);
+    status = bat_commit_curve(c, p->object, p->curve, after, label);
+    if (status != BAT_OK) return done(c, status);
+    settle(c);
+    notice_number(c, BAT_STRING_NOTICE_MOVED_BY, error);
     return BAT_OK;
 }
 
 /* The knot that commands mean: the chosen one, or the one nearest to the chosen point. */
-static bool meant_knot(const bat_editor *editor, double *u) {
-    const bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
+static bool meant_knot(const bat_context *c, double *u) {
+    const bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
     if (!curve || !p->chosen.kind) return false;
     if (p->chosen.kind == BAT_HANDLE_KNOT) {
         *u = p->chosen.u;
@@ -281,27 +281,27 @@ static bool meant_knot(const bat_editor *editor, double *u) {
     return bat_knot_near(curve, p->chosen.u, u);
 }
 
-static bat_status delete_knot(bat_editor *editor) {
-    const bat_pointing *p = &editor->pointing;
+static bat_status delete_knot(bat_context *c) {
+    const bat_pointing *p = &c->toolbox->pointing;
     double u;
     if (!p->chosen.kind) return BAT_STATE;
-    if (!meant_knot(editor, &u)) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_KNOT_NEEDED);
+    if (!meant_knot(c, &u)) {
+        bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);
         return BAT_STATE;
     }
-    double within = editor->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(&editor->view);
-    return take_out(editor, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
+    double within = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(c->view);
+    return take_out(c, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
 }
 
 /* Where a knot without a place of its own goes: under the pen, or into the middle of the span behind what is chosen.
  */
-static bat_status insert_knot(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
+static bat_status insert_knot(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
     if (p->hovering && p->hot.kind == BAT_HANDLE_CURVE) {
-        choose_curve(editor, p->hot.object, p->hot.curve);
-        return insert(editor, chosen_curve(editor), p->hot.u, 1, BAT_STRING_STEP_KNOT_IN);
+        choose_curve(c, p->hot.object, p->hot.curve);
+        return insert(c, chosen_curve(c), p->hot.u, 1, BAT_STRING_STEP_KNOT_IN);
     }
-    const bat_curve *curve = chosen_curve(editor);
+    const bat_curve *curve = chosen_curve(c);
     if (!curve) return BAT_STATE;
     double domain[2], from, to;
     bat_curve_domain(curve, domain);
@@ -314,40 +314,40 @@ static bat_status insert_knot(bat_editor *editor) {
         from = start;
     }
     if (!bat_knot_next(curve, from, &to, NULL)) to = domain[1];
-    return insert(editor, curve, from + (to - from) / 2, 1, BAT_STRING_STEP_KNOT_IN);
+    return insert(c, curve, from + (to - from) / 2, 1, BAT_STRING_STEP_KNOT_IN);
 }
 
-static bat_status make_corner(bat_editor *editor) {
-    const bat_curve *curve = chosen_curve(editor);
+static bat_status make_corner(bat_context *c) {
+    const bat_curve *curve = chosen_curve(c);
     double u;
-    if (!curve || !meant_knot(editor, &u)) return BAT_STATE;
+    if (!curve || !meant_knot(c, &u)) return BAT_STATE;
     int more = bat_curve_degree(curve) - bat_knot_held(curve, u);
     if (more <= 0) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_CORNER_ALREADY);
+        bat_notice(c, BAT_STRING_NOTICE_CORNER_ALREADY);
         return BAT_STATE;
     }
-    return insert(editor, curve, u, more, BAT_STRING_STEP_CORNER);
+    return insert(c, curve, u, more, BAT_STRING_STEP_CORNER);
 }
 
 /* Down to as many copies as leave the curve C2 (degree 2: C1), whatever it costs; what it cost is said. */
-static bat_status smooth_corner(bat_editor *editor) {
-    const bat_curve *curve = chosen_curve(editor);
+static bat_status smooth_corner(bat_context *c) {
+    const bat_curve *curve = chosen_curve(c);
     double u;
-    if (!curve || !meant_knot(editor, &u)) return BAT_STATE;
+    if (!curve || !meant_knot(c, &u)) return BAT_STATE;
     int left = bat_curve_degree(curve) > 2 ? bat_curve_degree(curve) - 2 : 1;
     int less = bat_knot_held(curve, u) - left;
     if (less <= 0) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_SMOOTH_ALREADY);
+        bat_notice(c, BAT_STRING_NOTICE_SMOOTH_ALREADY);
         return BAT_STATE;
     }
-    return take_out(editor, u, less, INFINITY, BAT_STRING_STEP_CORNER_OUT);
+    return take_out(c, u, less, INFINITY, BAT_STRING_STEP_CORNER_OUT);
 }
 
 /* ---- taps ---- */
 
-static void measure_to(bat_editor *editor, double u) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
+static void measure_to(bat_context *c, double u) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
     double domain[2];
     bat_curve_domain(curve, domain);
     p->stretch[0] = fmin(p->chosen.u, u);
@@ -361,8 +361,8 @@ static void measure_to(bat_editor *editor, double u) {
     p->measured = p->stretch[0] < p->stretch[1];
 }
 
-static void tap(bat_editor *editor, const bat_pointer *event) {
-    bat_pointing *p = &editor->pointing;
+static void tap(bat_context *c, const bat_pointer *event) {
+    bat_pointing *p = &c->toolbox->pointing;
     const bat_handle grip = p->grip;
     bool twice = p->tapped && event->time - p->tap_time <= DOUBLE_TAP &&
                  bat_hypot(event->x - p->tap[0], event->y - p->tap[1]) <= 2 * TAP;
@@ -371,42 +371,42 @@ static void tap(bat_editor *editor, const bat_pointer *event) {
     p->tap[1] = event->y;
     p->tap_time = event->time;
     if (twice && grip.kind == BAT_HANDLE_CURVE) {
-        choose_curve(editor, grip.object, grip.curve);
-        insert(editor, chosen_curve(editor), grip.u, 1, BAT_STRING_STEP_KNOT_IN);
+        choose_curve(c, grip.object, grip.curve);
+        insert(c, chosen_curve(c), grip.u, 1, BAT_STRING_STEP_KNOT_IN);
         return;
     }
     bool on = grip.object && grip.object == p->object && grip.curve == p->curve;
     if (on && p->chosen.kind == BAT_HANDLE_KNOT && grip.kind != BAT_HANDLE_POINT &&
         event->modifiers & BAT_SHIFT) {
-        measure_to(editor, grip.u);
+        measure_to(c, grip.u);
         return;
     }
-    choose_curve(editor, grip.object, grip.curve);
+    choose_curve(c, grip.object, grip.curve);
     choose_nothing(p);
     if (grip.kind == BAT_HANDLE_POINT || grip.kind == BAT_HANDLE_KNOT) p->chosen = grip;
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
-    bat_pointing *p = &editor->pointing;
+static void up(bat_context *c, const bat_pointer *event) {
+    bat_pointing *p = &c->toolbox->pointing;
     if (!p->pressed) return;
-    drag(editor);
+    drag(c);
     if (!p->pressed) return; /* it failed */
     bool dragged = p->dragging;
     bat_string label = p->grip.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
                                                         : BAT_STRING_STEP_PULL;
     release(p);
     if (dragged)
-        done(editor, bat_transaction_commit(editor, label, NULL));
+        done(c, bat_transaction_commit(c, label, NULL));
     else
-        tap(editor, event);
+        tap(c, event);
 }
 
-static bool cancel(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
+static bool cancel(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
     if (p->dragging) {
         release(p);
-        bat_transaction_cancel(editor);
-        bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+        bat_transaction_cancel(c);
+        bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
         return true;
     }
     if (p->pressed) { /* it has chosen nothing yet: a tap does when it is lifted */
@@ -420,22 +420,22 @@ static bool cancel(bat_editor *editor) {
 }
 
 /* Undo takes back the drag under way, but what is chosen stays chosen. */
-static bool undo(bat_editor *editor) { return editor->pointing.dragging && cancel(editor); }
+static bool undo(bat_context *c) { return c->toolbox->pointing.dragging && cancel(c); }
 
 /* ---- commands ---- */
 
-static bat_status step(bat_editor *editor, int direction) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
+static bat_status step(bat_context *c, int direction) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
     if (!curve) { /* what is selected, else the first curve there is */
-        bat_editor_sync(editor);
+        bat_stage_sync(c);
         for (int pass = 0; pass < 2 && !curve; pass++)
-            for (int i = 0; i < bat_document_count(editor->document) && !curve; i++) {
-                bat_id id = bat_object_id(bat_document_at(editor->document, i));
-                if (pass == 0 && !bat_selection_has(&editor->selection, id)) continue;
-                if (bat_editor_out_of_reach(editor, i)) continue;
-                if (!(curve = bat_edit_target(editor->document, id, 0))) continue;
-                choose_curve(editor, id, 0);
+            for (int i = 0; i < bat_document_count(c->session->document) && !curve; i++) {
+                bat_id id = bat_object_id(bat_document_at(c->session->document, i));
+                if (pass == 0 && !bat_selection_has(&c->choice->selection, id)) continue;
+                if (bat_stage_out_of_reach(c, i)) continue;
+                if (!(curve = bat_edit_target(c->session->document, id, 0))) continue;
+                choose_curve(c, id, 0);
             }
         if (!curve) return BAT_STATE;
         choose_nothing(p);
@@ -451,10 +451,10 @@ static bat_status step(bat_editor *editor, int direction) {
     return BAT_OK;
 }
 
-static bat_status step_knot(bat_editor *editor, int direction) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
-    if (!curve) return step(editor, direction);
+static bat_status step_knot(bat_context *c, int direction) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
+    if (!curve) return step(c, direction);
     double u, best = 0, from = p->chosen.kind ? p->chosen.u : direction > 0 ? -INFINITY : INFINITY;
     bool found = false;
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL); after = u) {
@@ -468,76 +468,77 @@ static bat_status step_knot(bat_editor *editor, int direction) {
     return BAT_OK;
 }
 
-bool bat_pointing_chosen(bat_editor *editor, double place[2]) {
-    settle(editor);
-    const bat_curve *curve = chosen_curve(editor);
-    if (!curve || !editor->pointing.chosen.kind) return false;
-    bat_handle_place(curve, &editor->pointing.chosen, place);
+bool bat_pointing_chosen(bat_context *c, double place[2]) {
+    settle(c);
+    const bat_curve *curve = chosen_curve(c);
+    if (!curve || !c->toolbox->pointing.chosen.kind) return false;
+    bat_handle_place(curve, &c->toolbox->pointing.chosen, place);
     return true;
 }
 
-bat_status bat_pointing_shift(bat_editor *editor, const double delta[2]) {
-    bat_pointing *p = &editor->pointing;
-    const bat_curve *curve = chosen_curve(editor);
+bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
+    bat_pointing *p = &c->toolbox->pointing;
+    const bat_curve *curve = chosen_curve(c);
     if (!curve || !p->chosen.kind) return BAT_STATE;
     bat_curve *after = NULL;
-    bat_status status = moved(editor, curve, &p->chosen, delta, &after);
+    bat_status status = moved(c, curve, &p->chosen, delta, &after);
     if (status == BAT_OK)
-        status = bat_commit_curve(editor, p->object, p->curve, after,
+        status = bat_commit_curve(c, p->object, p->curve, after,
                                   p->chosen.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
                                                                      : BAT_STRING_STEP_PULL);
-    return done(editor, status);
+    return done(c, status);
 }
 
-static bat_status nudge(bat_editor *editor, double x, double y) {
-    double far = (editor->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(&editor->view);
-    return bat_pointing_shift(editor, (double[]){x * far, y * far});
+static bat_status nudge(bat_context *c, double x, double y) {
+    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(c->view);
+    return bat_pointing_shift(c, (double[]){x * far, y * far});
 }
 
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    settle(editor);
+static bat_status command(bat_context *c, bat_command_id id) {
+    settle(c);
     switch (id) {
-    case BAT_COMMAND_POINT_NEXT: return step(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step(editor, -1);
-    case BAT_COMMAND_KNOT_NEXT: return step_knot(editor, 1);
-    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(editor, -1);
-    case BAT_COMMAND_POINT_ADD: return insert_knot(editor);
-    case BAT_COMMAND_POINT_DELETE: return delete_knot(editor);
-    case BAT_COMMAND_CORNER_MAKE: return make_corner(editor);
-    case BAT_COMMAND_CORNER_SMOOTH: return smooth_corner(editor);
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(editor, -1, 0);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(editor, 1, 0);
-    case BAT_COMMAND_NUDGE_UP: return nudge(editor, 0, -1);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(editor, 0, 1);
+    case BAT_COMMAND_POINT_NEXT: return step(c, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step(c, -1);
+    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, -1);
+    case BAT_COMMAND_POINT_ADD: return insert_knot(c);
+    case BAT_COMMAND_POINT_DELETE: return delete_knot(c);
+    case BAT_COMMAND_CORNER_MAKE: return make_corner(c);
+    case BAT_COMMAND_CORNER_SMOOTH: return smooth_corner(c);
+    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
+    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
+    case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
+    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, 0, 1);
     default: return BAT_STATE;
     }
 }
 
 /* ---- hover and picture ---- */
 
-static void hover(bat_editor *editor, const bat_pointer *event) {
-    bat_pointing *p = &editor->pointing;
+static void hover(bat_context *c, const bat_pointer *event) {
+    bat_pointing *p = &c->toolbox->pointing;
     p->hovering = true;
     p->device = event->device;
     p->hover[0] = event->x;
     p->hover[1] = event->y;
 }
 
-static void leave(bat_editor *editor) {
-    editor->pointing.adopted = editor->pointing.object; /* what is selected elsewhere meanwhile is taken up */
-    editor->pointing.hovering = false;
-    editor->pointing.hot = (bat_handle){0};
+static void leave(bat_context *c) {
+    c->toolbox->pointing.adopted =
+        c->toolbox->pointing.object; /* what is selected elsewhere meanwhile is taken up */
+    c->toolbox->pointing.hovering = false;
+    c->toolbox->pointing.hot = (bat_handle){0};
 }
 
-static void modifiers(bat_editor *editor) { editor->pointing.due = editor->pointing.dragging; }
-static bool busy(const bat_editor *editor) { return editor->pointing.pressed; }
+static void modifiers(bat_context *c) { c->toolbox->pointing.due = c->toolbox->pointing.dragging; }
+static bool busy(const bat_context *c) { return c->toolbox->pointing.pressed; }
 
-static void update(bat_editor *editor) {
-    bat_pointing *p = &editor->pointing;
-    settle(editor);
-    drag(editor);
+static void update(bat_context *c) {
+    bat_pointing *p = &c->toolbox->pointing;
+    settle(c);
+    drag(c);
     if (p->pressed) return;
-    p->hot = p->hovering ? find(editor, p->hover) : (bat_handle){0};
+    p->hot = p->hovering ? find(c, p->hover) : (bat_handle){0};
 }
 
 /* The stretch that a drag at u changes: the support of the basis functions there. */
@@ -548,21 +549,22 @@ static void show_support(bat_overlay *list, const bat_curve *curve, double u) {
     bat_overlay_stretch(list, curve, range[0], range[1]);
 }
 
-static void show_length(const bat_editor *editor, bat_overlay *list, const bat_curve *curve) {
-    const bat_pointing *p = &editor->pointing;
+static void show_length(const bat_context *c, bat_overlay *list, const bat_curve *curve) {
+    const bat_pointing *p = &c->toolbox->pointing;
     double at[2], length = bat_curve_length(curve, p->stretch[0], p->stretch[1], 1e-6);
     char text[64];
-    bat_unit_write(editor, length, text);
+    bat_unit_write(c, length, text);
     bat_curve_eval(curve, (p->stretch[0] + p->stretch[1]) / 2, 0, at);
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 14, -14, text);
 }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_pointing *p = &editor->pointing;
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_pointing *p = &c->toolbox->pointing;
     const bat_handle *hot = p->dragging ? &p->grip : &p->hot;
-    const bat_curve *curve = chosen_curve(editor);
-    const bat_curve *under = hot->object ? bat_edit_target(editor->document, hot->object, hot->curve) : NULL;
-    if (editor->holding_pan) under = NULL;
+    const bat_curve *curve = chosen_curve(c);
+    const bat_curve *under = hot->object ? bat_edit_target(c->session->document, hot->object, hot->curve)
+                                         : NULL;
+    if (c->input->holding_pan) under = NULL;
     bool other = under && under != curve;
     if (other) {
         bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, HIGHLIGHT_WIDTH);
@@ -572,21 +574,20 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     if (curve && p->measured) {
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, STRETCH_WIDTH);
         bat_overlay_stretch(list, curve, p->stretch[0], p->stretch[1]);
-        show_length(editor, list, curve);
+        show_length(c, list, curve);
     }
     const bat_curve *shown = curve ? curve : under;
     if (shown) {
-        bat_handles_show_points(list, shown, &editor->view);
-        bat_handles_show_knots(list, shown, &editor->view);
+        bat_handles_show_points(list, shown, c->view);
+        bat_handles_show_knots(list, shown, c->view);
     }
-    if (curve && p->chosen.kind)
-        bat_handles_show_one(list, curve, &p->chosen, BAT_ROLE_CHOSEN, &editor->view);
+    if (curve && p->chosen.kind) bat_handles_show_one(list, curve, &p->chosen, BAT_ROLE_CHOSEN, c->view);
     if (under && !(same(hot, &p->chosen) && curve))
-        bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, &editor->view);
+        bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, c->view);
 }
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_pointing *p = &editor->pointing;
+static bat_string hint(const bat_context *c) {
+    const bat_pointing *p = &c->toolbox->pointing;
     if (p->dragging) return BAT_STRING_HINT_DRAGGING;
     if (p->measured) return BAT_STRING_HINT_MEASURED;
     if (p->hot.kind == BAT_HANDLE_POINT) return BAT_STRING_HINT_CONTROL_POINT;
@@ -598,18 +599,18 @@ static bat_string hint(const bat_editor *editor) {
     return BAT_STRING_HINT_POINTS;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    const bat_pointing *p = &editor->pointing;
+static bat_cursor cursor(const bat_context *c) {
+    const bat_pointing *p = &c->toolbox->pointing;
     if (p->dragging) return BAT_CURSOR_MOVE;
     return p->hot.kind ? BAT_CURSOR_MOVE : BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_pointing *p = &editor->pointing;
+static const char *check(const bat_context *c) {
+    const bat_pointing *p = &c->toolbox->pointing;
     if (p->dragging && !p->pressed) return "a drag without a press";
     if (p->dragging != (p->base != NULL)) return "a drag without its curve, or a curve without its drag";
-    if (p->dragging && !editor->transaction.open) return "a drag without a transaction";
-    if (p->pressed && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+    if (p->dragging && !c->session->transaction.open) return "a drag without a transaction";
+    if (p->pressed && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a press without a pointer";
     return NULL;
 }

@@ -9,7 +9,7 @@
  */
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -48,12 +48,12 @@ static bool handle_place(const bat_view *view, const double box[4], int handle, 
     return true;
 }
 
-static int handle_at(const bat_editor *editor, const double pixel[2], bat_device device) {
+static int handle_at(const bat_context *c, const double pixel[2], bat_device device) {
     double box[4], place[2], best = reach(device);
     int found = BAT_GRIP_NONE;
-    if (!bat_arrange_selection_box(editor, box)) return found;
+    if (!bat_arrange_selection_box(c, box)) return found;
     for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
-        if (!handle_place(&editor->view, box, i, place)) continue;
+        if (!handle_place(c->view, box, i, place)) continue;
         double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
         if (away <= best) {
             best = away;
@@ -64,20 +64,20 @@ static int handle_at(const bat_editor *editor, const double pixel[2], bat_device
 }
 
 /* What a click here means: the whole group, or with deep the object itself. 0: nothing. */
-static bat_id object_at(bat_editor *editor, const double pixel[2], bat_device device, bool deep) {
+static bat_id object_at(bat_context *c, const double pixel[2], bat_device device, bool deep) {
     double point[2];
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, pixel, point);
-    int index = bat_pick_object(&editor->scene, point, reach(device) * bat_view_pixel(&editor->view));
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, pixel, point);
+    int index = bat_pick_object(c->scene, point, reach(device) * bat_view_pixel(c->view));
     if (index < 0) return 0;
-    if (!deep) index = bat_arrange_whole(editor, index);
-    return bat_object_id(bat_document_at(editor->document, index));
+    if (!deep) index = bat_arrange_whole(c, index);
+    return bat_object_id(bat_document_at(c->session->document, index));
 }
 
-bool bat_selecting_hits(bat_editor *editor, const bat_pointer *event) {
+bool bat_selecting_hits(bat_context *c, const bat_pointer *event) {
     double pixel[2] = {event->x, event->y};
-    return handle_at(editor, pixel, event->device) != BAT_GRIP_NONE ||
-           object_at(editor, pixel, event->device, false) != 0;
+    return handle_at(c, pixel, event->device) != BAT_GRIP_NONE ||
+           object_at(c, pixel, event->device, false) != 0;
 }
 
 static void forget_drag(bat_selecting *s) {
@@ -95,39 +95,39 @@ static void forget_drag(bat_selecting *s) {
 }
 
 /* Begins another selection, without losing the one there is: a press may yet be cancelled. */
-static void replace_selection(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
-    bat_selection_swap(&editor->selection, &s->earlier);
-    bat_selection_clear(&editor->selection);
+static void replace_selection(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
+    bat_selection_swap(&c->choice->selection, &s->earlier);
+    bat_selection_clear(&c->choice->selection);
     s->replaced = true;
 }
 
 /* What is selected is again what was before the press. */
-static void take_press_back(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static void take_press_back(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     if (s->replaced)
-        bat_selection_swap(&editor->selection, &s->earlier);
+        bat_selection_swap(&c->choice->selection, &s->earlier);
     else if (s->pressed && !s->was_selected)
-        bat_selection_remove(&editor->selection, s->pressed);
-    bat_selection_prune(&editor->selection, editor->document);
-    editor->entered = bat_document_find(editor->document, s->entered) < 0 ? 0 : s->entered;
+        bat_selection_remove(&c->choice->selection, s->pressed);
+    bat_selection_prune(&c->choice->selection, c->session->document);
+    c->choice->entered = bat_document_find(c->session->document, s->entered) < 0 ? 0 : s->entered;
     s->replaced = false;
     s->clicked_at = 0;
 }
 
 /* Takes the drag back; the copies are gone, what they were made of is selected as before the press. */
-static void take_back(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
-    bat_transaction_cancel(editor);
+static void take_back(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
+    bat_transaction_cancel(c);
     for (int i = 0; s->originals && i < s->original_count; i++)
-        bat_selection_add(&editor->selection, s->originals[i]); /* there is room: they were in it */
-    take_press_back(editor);
+        bat_selection_add(&c->choice->selection, s->originals[i]); /* there is room: they were in it */
+    take_press_back(c);
     forget_drag(s);
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
-    take_back(editor);
-    bat_editor_notice_failure(editor, status);
+static void give_up(bat_context *c, bat_status status) {
+    take_back(c);
+    bat_notice_failure(c, status);
 }
 
 static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
@@ -135,13 +135,13 @@ static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
 }
 
 /* What of the selection snaps: the box to lines, ends of curves and the place held to everything. */
-static void find_sources(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static void find_sources(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     double held[2], domain[2], end[2];
     s->source_count = 0;
     for (int i = 0; i < 4; i++) add_source(s, s->box[i & 1 ? 2 : 0], s->box[i & 2 ? 3 : 1], BAT_SNAP_LINES);
     add_source(s, s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2, BAT_SNAP_LINES);
-    bat_view_to_document(&editor->view, s->start, held);
+    bat_view_to_document(c->view, s->start, held);
     add_source(s, held[0], held[1], BAT_SNAP_ALL & ~BAT_SNAP_LINES);
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
@@ -156,11 +156,11 @@ static void find_sources(bat_editor *editor) {
 }
 
 /* Keeps what the drag is going to change, as it is now. */
-static bat_status take_hold(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
-    const bat_document *document = editor->document;
+static bat_status take_hold(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
+    const bat_document *document = c->session->document;
     int *roots, count;
-    bat_status status = bat_arrange_roots(editor, &roots, &count);
+    bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     size_t room = (size_t)bat_document_count(document);
     s->indices = malloc(room * sizeof *s->indices);
@@ -175,23 +175,23 @@ static bat_status take_hold(bat_editor *editor) {
                 s->indices[s->count] = k;
                 s->before[s->count++] = bat_object_retain(object);
             }
-        bat_arrange_selection_box(editor, s->box);
-        find_sources(editor);
-        if (!editor->transaction.open) status = bat_transaction_begin(editor);
+        bat_arrange_selection_box(c, s->box);
+        find_sources(c);
+        if (!c->session->transaction.open) status = bat_transaction_begin(c);
     }
     free(roots);
     return status;
 }
 
 /* Copies in place of the selection, to be dragged. */
-static bat_status lift(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
-    size_t size = (size_t)editor->selection.count * sizeof *s->originals;
+static bat_status lift(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
+    size_t size = (size_t)c->choice->selection.count * sizeof *s->originals;
     s->originals = malloc(size);
     if (!s->originals) return BAT_MEMORY;
-    memcpy(s->originals, editor->selection.ids, size);
-    s->original_count = editor->selection.count;
-    return bat_arrange_lift(editor);
+    memcpy(s->originals, c->choice->selection.ids, size);
+    s->original_count = c->choice->selection.count;
+    return bat_arrange_lift(c);
 }
 
 /* ---- what the drag makes ---- */
@@ -230,56 +230,56 @@ static void rotating(const bat_selecting *s, uint32_t modifiers, const double fr
     bat_affine_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
 }
 
-static void moving(bat_editor *editor, const double from[2], double to[2], double matrix[6]) {
-    const bat_selecting *s = &editor->selecting;
-    if (editor->modifiers & BAT_SHIFT) {
-        bat_snap_angle(editor, from, to);
+static void moving(bat_context *c, const double from[2], double to[2], double matrix[6]) {
+    const bat_selecting *s = &c->toolbox->selecting;
+    if (c->modifiers & BAT_SHIFT) {
+        bat_snap_angle(c, from, to);
         bat_affine_translation(to[0] - from[0], to[1] - from[1], matrix);
         return;
     }
     double by[2] = {to[0] - from[0], to[1] - from[1]};
     int which = 0;
-    editor->snap = bat_snap_find(editor, s->count, s->indices, s->source_count, s->sources, by, &which);
-    for (int k = 0; k < 2 && editor->snap.kind; k++)
-        if (editor->snap.bound[k]) by[k] = editor->snap.point[k] - s->sources[which].point[k];
+    (*c->snap) = bat_snap_find(c, s->count, s->indices, s->source_count, s->sources, by, &which);
+    for (int k = 0; k < 2 && c->snap->kind; k++)
+        if (c->snap->bound[k]) by[k] = c->snap->point[k] - s->sources[which].point[k];
     bat_affine_translation(by[0], by[1], matrix);
 }
 
 /* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
-static void snap_handle(bat_editor *editor, const double from[2], double to[2]) {
-    const bat_selecting *s = &editor->selecting;
+static void snap_handle(bat_context *c, const double from[2], double to[2]) {
+    const bat_selecting *s = &c->toolbox->selecting;
     double share[2], by[2] = {to[0] - from[0], to[1] - from[1]};
     handle_share(s->handle, share);
     bat_snap_source source = {.kinds = BAT_SNAP_ALL};
     for (int k = 0; k < 2; k++) source.point[k] = s->box[k] + share[k] * (s->box[k + 2] - s->box[k]);
-    editor->snap = bat_snap_find(editor, s->count, s->indices, 1, &source, by, NULL);
+    (*c->snap) = bat_snap_find(c, s->count, s->indices, 1, &source, by, NULL);
     bool used = false;
-    for (int k = 0; k < 2 && editor->snap.kind; k++)
-        if (editor->snap.bound[k] && share[k] != 0.5) {
-            to[k] = from[k] + editor->snap.point[k] - source.point[k];
+    for (int k = 0; k < 2 && c->snap->kind; k++)
+        if (c->snap->bound[k] && share[k] != 0.5) {
+            to[k] = from[k] + c->snap->point[k] - source.point[k];
             used = true;
         }
-    if (!used) editor->snap.kind = BAT_SNAP_NONE;
+    if (!used) c->snap->kind = BAT_SNAP_NONE;
 }
 
-static bat_status change(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static bat_status change(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     double from[2], to[2], matrix[6];
-    bat_view_to_document(&editor->view, s->start, from);
-    bat_view_to_document(&editor->view, s->at, to);
-    bat_editor_sync(editor);
-    if (s->state == BAT_SELECTING_SCALING && !(editor->modifiers & BAT_SHIFT)) snap_handle(editor, from, to);
+    bat_view_to_document(c->view, s->start, from);
+    bat_view_to_document(c->view, s->at, to);
+    bat_stage_sync(c);
+    if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, from, to);
     if (s->state == BAT_SELECTING_SCALING)
-        scaling(s, editor->modifiers, from, to, matrix);
+        scaling(s, c->modifiers, from, to, matrix);
     else if (s->state == BAT_SELECTING_ROTATING)
-        rotating(s, editor->modifiers, from, to, matrix);
+        rotating(s, c->modifiers, from, to, matrix);
     else
-        moving(editor, from, to, matrix);
-    bool strokes = editor->values[BAT_PROPERTY_SCALE_STROKES] != 0;
+        moving(c, from, to, matrix);
+    bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = 0; i < s->count; i++) {
         bat_object *after = NULL;
         bat_status status = bat_affine_object(s->before[i], matrix, strokes, &after);
-        if (status == BAT_OK) status = bat_transaction_replace(editor, s->indices[i], after);
+        if (status == BAT_OK) status = bat_transaction_replace(c, s->indices[i], after);
         bat_object_release(after);
         if (status != BAT_OK) return status;
     }
@@ -291,85 +291,85 @@ static bool dragging(const bat_selecting *s) { return s->state >= BAT_SELECTING_
 
 /* ---- events ---- */
 
-static void hover(bat_editor *editor, const bat_pointer *event) {
-    bat_selecting *s = &editor->selecting;
+static void hover(bat_context *c, const bat_pointer *event) {
+    bat_selecting *s = &c->toolbox->selecting;
     s->hovering = true;
     s->device = event->device;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
-    s->handle = handle_at(editor, s->at, event->device);
-    s->hovered = s->handle == BAT_GRIP_NONE
-                     ? object_at(editor, s->at, event->device, event->modifiers & BAT_CTRL)
-                     : 0;
+    s->handle = handle_at(c, s->at, event->device);
+    s->hovered = s->handle == BAT_GRIP_NONE ? object_at(c, s->at, event->device, event->modifiers & BAT_CTRL)
+                                            : 0;
 }
 
-static void leave(bat_editor *editor) {
-    editor->selecting.hovering = false;
-    editor->selecting.hovered = 0;
-    editor->selecting.handle = BAT_GRIP_NONE;
+static void leave(bat_context *c) {
+    c->toolbox->selecting.hovering = false;
+    c->toolbox->selecting.hovered = 0;
+    c->toolbox->selecting.handle = BAT_GRIP_NONE;
 }
 
-static void press(bat_editor *editor, const bat_pointer *event) {
-    bat_selecting *s = &editor->selecting;
-    bat_selection *selection = &editor->selection;
+static void press(bat_context *c, const bat_pointer *event) {
+    bat_selecting *s = &c->toolbox->selecting;
+    bat_selection *selection = &c->choice->selection;
     bool near = bat_hypot(s->start[0] - s->clicked[0], s->start[1] - s->clicked[1]) <= reach(event->device);
     bool twice = near && s->clicked_at > 0 && event->time - s->clicked_at <= TWICE;
     memcpy(s->clicked, s->start, sizeof s->clicked);
     s->clicked_at = twice ? 0 : event->time;
-    s->pressed = object_at(editor, s->start, event->device, event->modifiers & BAT_CTRL);
-    int index = s->pressed ? bat_document_find(editor->document, s->pressed) : -1;
-    if (index < 0 || !bat_arrange_entered(editor, index)) editor->entered = 0;
-    if (twice && index >= 0 && bat_object_kind(bat_document_at(editor->document, index)) == BAT_KIND_GROUP) {
-        editor->entered = s->pressed;
-        s->pressed = object_at(editor, s->start, event->device, false);
+    s->pressed = object_at(c, s->start, event->device, event->modifiers & BAT_CTRL);
+    int index = s->pressed ? bat_document_find(c->session->document, s->pressed) : -1;
+    if (index < 0 || !bat_arrange_entered(c, index)) c->choice->entered = 0;
+    if (twice && index >= 0 &&
+        bat_object_kind(bat_document_at(c->session->document, index)) == BAT_KIND_GROUP) {
+        c->choice->entered = s->pressed;
+        s->pressed = object_at(c, s->start, event->device, false);
     }
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
-        if (!adds) replace_selection(editor);
+        if (!adds) replace_selection(c);
         s->state = BAT_SELECTING_MARQUEE;
         return;
     }
     s->state = BAT_SELECTING_PRESSED;
     if (s->was_selected) return;
-    if (!adds) replace_selection(editor);
+    if (!adds) replace_selection(c);
     bat_status status = bat_selection_add(selection, s->pressed);
-    if (status != BAT_OK) give_up(editor, status);
+    if (status != BAT_OK) give_up(c, status);
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_selecting *s = &editor->selecting;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_selecting *s = &c->toolbox->selecting;
     forget_drag(s);
     s->pressed = 0;
     s->replaced = false;
-    s->entered = editor->entered;
+    s->entered = c->choice->entered;
     s->device = event->device;
     s->hovering = event->device != BAT_DEVICE_TOUCH;
     memcpy(s->start, (double[]){event->x, event->y}, sizeof s->start);
     memcpy(s->at, s->start, sizeof s->at);
-    bat_view_to_document(&editor->view, s->start, s->point);
+    bat_view_to_document(c->view, s->start, s->point);
     s->has_point = true;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
-    s->handle = handle_at(editor, s->start, event->device);
+    bat_notice(c, BAT_STRING_COUNT);
+    s->handle = handle_at(c, s->start, event->device);
     if (s->handle == BAT_GRIP_NONE) {
-        press(editor, event);
+        press(c, event);
         return;
     }
     s->hovered = 0;
     s->state = s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
-    bat_status status = take_hold(editor);
-    if (status != BAT_OK) give_up(editor, status);
+    bat_status status = take_hold(c);
+    if (status != BAT_OK) give_up(c, status);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_selecting *s = &editor->selecting;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_selecting *s = &c->toolbox->selecting;
     if (event->predicted || s->state == BAT_SELECTING_IDLE) return;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
     bool far = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > STILL;
     if (s->state == BAT_SELECTING_PRESSED && far) {
-        bat_status status = event->modifiers & BAT_ALT ? lift(editor) : BAT_OK;
-        if (status == BAT_OK) status = take_hold(editor);
+        bat_status status = event->modifiers & BAT_ALT ? lift(c) : BAT_OK;
+        if (status == BAT_OK) status = take_hold(c);
         if (status != BAT_OK) {
-            give_up(editor, status);
+            give_up(c, status);
             return;
         }
         s->state = BAT_SELECTING_MOVING;
@@ -377,11 +377,11 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     s->due = dragging(s);
 }
 
-static void click(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
-    bat_selection *selection = &editor->selection;
+static void click(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
+    bat_selection *selection = &c->choice->selection;
     if (!s->was_selected) return;
-    if (editor->modifiers & BAT_SHIFT) {
+    if (c->modifiers & BAT_SHIFT) {
         bat_selection_remove(selection, s->pressed);
         return;
     }
@@ -390,81 +390,81 @@ static void click(bat_editor *editor) {
 }
 
 /* The marquee, view pixels, low before high. */
-static void marquee(const bat_editor *editor, double box[4]) {
-    const double *a = editor->selecting.start, *b = editor->selecting.at;
+static void marquee(const bat_context *c, double box[4]) {
+    const double *a = c->toolbox->selecting.start, *b = c->toolbox->selecting.at;
     memcpy(box, (double[]){fmin(a[0], b[0]), fmin(a[1], b[1]), fmax(a[0], b[0]), fmax(a[1], b[1])},
            4 * sizeof *box);
 }
 
-static void select_box(bat_editor *editor) {
+static void select_box(bat_context *c) {
     double box[4];
-    marquee(editor, box);
-    bat_editor_sync(editor);
-    for (int i = 0; i < editor->scene.count; i++) {
-        if (!bat_pick_touches(&editor->scene, i, &editor->view, box)) continue;
-        if (!bat_arrange_entered(editor, i)) continue;
-        int whole = bat_arrange_whole(editor, i);
-        bat_status status = bat_selection_add(&editor->selection,
-                                              bat_object_id(bat_document_at(editor->document, whole)));
+    marquee(c, box);
+    bat_stage_sync(c);
+    for (int i = 0; i < c->scene->count; i++) {
+        if (!bat_pick_touches(c->scene, i, c->view, box)) continue;
+        if (!bat_arrange_entered(c, i)) continue;
+        int whole = bat_arrange_whole(c, i);
+        bat_status status = bat_selection_add(&c->choice->selection,
+                                              bat_object_id(bat_document_at(c->session->document, whole)));
         if (status != BAT_OK) {
-            bat_editor_notice_failure(editor, status);
+            bat_notice_failure(c, status);
             return;
         }
     }
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
+static void up(bat_context *c, const bat_pointer *event) {
     static const bat_string labels[] = {[BAT_SELECTING_MOVING] = BAT_STRING_STEP_MOVE,
                                         [BAT_SELECTING_SCALING] = BAT_STRING_STEP_SCALE,
                                         [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE};
-    bat_selecting *s = &editor->selecting;
+    bat_selecting *s = &c->toolbox->selecting;
     bat_selecting_state state = s->state;
-    if (state == BAT_SELECTING_PRESSED) click(editor);
-    if (state == BAT_SELECTING_MARQUEE) select_box(editor);
+    if (state == BAT_SELECTING_PRESSED) click(c);
+    if (state == BAT_SELECTING_MARQUEE) select_box(c);
     if (dragging(s)) {
         /* A handle that was only touched changes nothing. */
         bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
-        bat_status status = moved ? change(editor) : BAT_OK;
+        bat_status status = moved ? change(c) : BAT_OK;
         if (status == BAT_OK)
-            status = bat_transaction_commit(editor, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[state],
+            status = bat_transaction_commit(c, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[state],
                                             NULL);
         if (status != BAT_OK) {
-            give_up(editor, status);
+            give_up(c, status);
             return;
         }
     }
     forget_drag(s);
-    if (event->device != BAT_DEVICE_TOUCH) hover(editor, event);
+    if (event->device != BAT_DEVICE_TOUCH) hover(c, event);
 }
 
-static bool cancel(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static bool cancel(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     bool busy = s->state != BAT_SELECTING_IDLE;
     if (!busy) return false;
-    take_back(editor);
-    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+    take_back(c);
+    bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static void modifiers(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static void modifiers(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     s->due = s->due || dragging(s);
 }
 
 /* The next of what a click could select, back to front; past the last one the keyboard goes on. */
-static bat_status step_object(bat_editor *editor, int direction) {
-    bat_selection *selection = &editor->selection;
-    const bat_document *document = editor->document;
-    bat_editor_sync(editor);
-    int count = editor->scene.count, i = direction > 0 ? 0 : count - 1;
+static bat_status step_object(bat_context *c, int direction) {
+    bat_selection *selection = &c->choice->selection;
+    const bat_document *document = c->session->document;
+    bat_stage_sync(c);
+    int count = c->scene->count, i = direction > 0 ? 0 : count - 1;
     if (selection->count) {
         i = bat_document_find(document, selection->ids[direction > 0 ? selection->count - 1 : 0]);
         i = direction > 0 ? bat_document_end(document, i) : i - 1;
     }
     for (; i >= 0 && i < count; i += direction) {
-        const bat_scene_entry *entry = &editor->scene.entries[i];
+        const bat_scene_entry *entry = &c->scene->entries[i];
         if (entry->hidden || entry->locked || !bat_object_is_drawn(entry->object)) continue;
-        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(editor, i)));
+        bat_id id = bat_object_id(bat_document_at(document, bat_arrange_whole(c, i)));
         bat_selection_clear(selection);
         return bat_selection_add(selection, id);
     }
@@ -472,11 +472,11 @@ static bat_status step_object(bat_editor *editor, int direction) {
 }
 
 /* By a degree or a hundredth about the middle, with Shift by more. */
-static bat_status turn_or_scale(bat_editor *editor, bat_command_id id, double matrix[6]) {
-    bool far = editor->modifiers & BAT_SHIFT,
+static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix[6]) {
+    bool far = c->modifiers & BAT_SHIFT,
          turns = id == BAT_COMMAND_ROTATE_LEFT || id == BAT_COMMAND_ROTATE_RIGHT;
     double box[4], factor = far ? 1.1 : 1.01;
-    if (!bat_arrange_selection_box(editor, box)) return BAT_STATE;
+    if (!bat_arrange_selection_box(c, box)) return BAT_STATE;
     double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
     if (id == BAT_COMMAND_SCALE_DOWN) factor = 1 / factor;
     if (turns)
@@ -484,39 +484,39 @@ static bat_status turn_or_scale(bat_editor *editor, bat_command_id id, double ma
                             matrix);
     else
         bat_affine_scaling(factor, factor, about, matrix);
-    return bat_arrange_transform(editor, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
+    return bat_arrange_transform(c, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
 }
 
 /* Nudges: one document unit, with Shift ten. */
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    double step = editor->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
-    if (id == BAT_COMMAND_POINT_NEXT) return step_object(editor, 1);
-    if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(editor, -1);
+static bat_status command(bat_context *c, bat_command_id id) {
+    double step = c->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
+    if (id == BAT_COMMAND_POINT_NEXT) return step_object(c, 1);
+    if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(c, -1);
     if (id >= BAT_COMMAND_ROTATE_LEFT && id <= BAT_COMMAND_SCALE_DOWN) {
-        bat_status status = turn_or_scale(editor, id, matrix);
-        if (status != BAT_OK && status != BAT_STATE) bat_editor_notice_failure(editor, status);
+        bat_status status = turn_or_scale(c, id, matrix);
+        if (status != BAT_OK && status != BAT_STATE) bat_notice_failure(c, status);
         return status;
     }
     double dx = id == BAT_COMMAND_NUDGE_LEFT ? -step : id == BAT_COMMAND_NUDGE_RIGHT ? step : 0;
     double dy = id == BAT_COMMAND_NUDGE_UP ? -step : id == BAT_COMMAND_NUDGE_DOWN ? step : 0;
     if (dx == 0 && dy == 0) return BAT_STATE;
     bat_affine_translation(dx, dy, matrix);
-    bat_status status = bat_arrange_transform(editor, matrix, BAT_STRING_STEP_MOVE);
-    if (status != BAT_OK && status != BAT_STATE) bat_editor_notice_failure(editor, status);
+    bat_status status = bat_arrange_transform(c, matrix, BAT_STRING_STEP_MOVE);
+    if (status != BAT_OK && status != BAT_STATE) bat_notice_failure(c, status);
     return status;
 }
 
-static bool busy(const bat_editor *editor) { return editor->selecting.state != BAT_SELECTING_IDLE; }
+static bool busy(const bat_context *c) { return c->toolbox->selecting.state != BAT_SELECTING_IDLE; }
 
-static void update(bat_editor *editor) {
-    bat_selecting *s = &editor->selecting;
+static void update(bat_context *c) {
+    bat_selecting *s = &c->toolbox->selecting;
     if (!dragging(s) || !s->due) return;
-    bat_status status = change(editor);
+    bat_status status = change(c);
     if (status != BAT_OK) {
-        give_up(editor, status);
+        give_up(c, status);
         return;
     }
-    bat_editor_sync(editor);
+    bat_stage_sync(c);
 }
 
 /* ---- what is shown ---- */
@@ -545,13 +545,13 @@ static void show_box(bat_overlay *overlay, const bat_view *view, const double bo
     bat_path_close(&overlay->path);
 }
 
-static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
-    const bat_view *view = &editor->view;
+static void show_selection(const bat_context *c, bat_overlay *overlay) {
+    const bat_view *view = c->view;
     double box[4], place[2], line[4];
-    if (!bat_arrange_selection_box(editor, box)) return;
+    if (!bat_arrange_selection_box(c, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     show_box(overlay, NULL, box);
-    if (dragging(&editor->selecting)) return;
+    if (dragging(&c->toolbox->selecting)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
     line[3] = box[1] - ROTATE_AWAY * bat_view_pixel(view);
@@ -563,42 +563,42 @@ static void show_selection(const bat_editor *editor, bat_overlay *overlay) {
 }
 
 /* The box of the group that was entered, and its name. */
-static void show_entered(const bat_editor *editor, bat_overlay *list) {
+static void show_entered(const bat_context *c, bat_overlay *list) {
     double box[4];
-    int at = editor->entered ? bat_document_find(editor->document, editor->entered) : -1;
-    if (at < 0 || !bat_arrange_box(editor->document, at, bat_document_end(editor->document, at), box)) return;
-    const char *name = bat_object_name(bat_document_at(editor->document, at));
+    int at = c->choice->entered ? bat_document_find(c->session->document, c->choice->entered) : -1;
+    if (at < 0 || !bat_arrange_box(c->session->document, at, bat_document_end(c->session->document, at), box))
+        return;
+    const char *name = bat_object_name(bat_document_at(c->session->document, at));
     bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     bat_overlay_polyline(
         list, 5, (double[]){box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]});
     bat_overlay_label(list, BAT_ROLE_VALUE, (double[]){box[0], box[1]}, 24, -12,
-                      *name ? name : bat_editor_text(editor, BAT_STRING_GROUP_NAME));
+                      *name ? name : bat_word(c, BAT_STRING_GROUP_NAME));
 }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_selecting *s = &editor->selecting;
-    show_entered(editor, list);
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_selecting *s = &c->toolbox->selecting;
+    show_entered(c, list);
     if (s->state == BAT_SELECTING_IDLE && s->hovering && s->hovered &&
-        !bat_selection_has(&editor->selection, s->hovered)) {
-        int index = bat_document_find(editor->document, s->hovered);
-        int end = index < 0 ? 0 : bat_document_end(editor->document, index);
+        !bat_selection_has(&c->choice->selection, s->hovered)) {
+        int index = bat_document_find(c->session->document, s->hovered);
+        int end = index < 0 ? 0 : bat_document_end(c->session->document, index);
         bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, 2);
-        for (int i = index; i >= 0 && i < end && i < editor->scene.count; i++)
-            if (editor->scene.entries[i].path)
-                bat_path_copy(&list->path, editor->scene.entries[i].path,
-                              editor->scene.entries[i].item.path_count);
+        for (int i = index; i >= 0 && i < end && i < c->scene->count; i++)
+            if (c->scene->entries[i].path)
+                bat_path_copy(&list->path, c->scene->entries[i].path, c->scene->entries[i].item.path_count);
     }
-    show_selection(editor, list);
+    show_selection(c, list);
     if (s->state == BAT_SELECTING_MARQUEE) {
         double box[4];
-        marquee(editor, box);
+        marquee(c, box);
         bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-        show_box(list, &editor->view, box);
+        show_box(list, c->view, box);
     }
 }
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_selecting *s = &editor->selecting;
+static bat_string hint(const bat_context *c) {
+    const bat_selecting *s = &c->toolbox->selecting;
     switch (s->state) {
     case BAT_SELECTING_MARQUEE: return BAT_STRING_HINT_MARQUEE;
     case BAT_SELECTING_MOVING: return BAT_STRING_HINT_MOVING_SELECTION;
@@ -608,28 +608,28 @@ static bat_string hint(const bat_editor *editor) {
     }
     if (s->handle == BAT_GRIP_ROTATE) return BAT_STRING_HINT_ROTATE;
     if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
-    if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
+    if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
     if (s->hovered) return BAT_STRING_HINT_SELECT;
-    return editor->entered ? BAT_STRING_HINT_ENTERED : BAT_STRING_HINT_SELECT_NOTHING;
+    return c->choice->entered ? BAT_STRING_HINT_ENTERED : BAT_STRING_HINT_SELECT_NOTHING;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
+static bat_cursor cursor(const bat_context *c) {
     static const bat_cursor handles[] = {BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS, BAT_CURSOR_RESIZE_NESW,
                                          BAT_CURSOR_RESIZE_EW};
-    const bat_selecting *s = &editor->selecting;
+    const bat_selecting *s = &c->toolbox->selecting;
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
     if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
     if (s->handle != BAT_GRIP_NONE) /* the handles lie as the view is turned */
-        return handles[(s->handle + 8 + (int)round(editor->view.angle / 45)) % 4];
-    if (s->hovered && bat_selection_has(&editor->selection, s->hovered)) return BAT_CURSOR_MOVE;
+        return handles[(s->handle + 8 + (int)round(c->view->angle / 45)) % 4];
+    if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_CURSOR_MOVE;
     return BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_selecting *s = &editor->selecting;
+static const char *check(const bat_context *c) {
+    const bat_selecting *s = &c->toolbox->selecting;
     if (dragging(s) != (s->before != NULL)) return "a drag and what it changes are out of step";
-    if (dragging(s) && !editor->transaction.open) return "a drag without a transaction";
+    if (dragging(s) && !c->session->transaction.open) return "a drag without a transaction";
     return NULL;
 }
 

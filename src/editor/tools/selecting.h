@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_SELECTING_H
 #define BATTEN_EDITOR_TOOLS_SELECTING_H
 
+#include "editor/session/context.h"
 #include "editor/choice/selection.h"
 #include "editor/pick/snap.h"
 
@@ -47,6 +48,6 @@ typedef struct bat_selecting {
 } bat_selecting;
 
 /* Whether a press would be on an object or a handle. */
-bool bat_selecting_hits(bat_editor *editor, const bat_pointer *event);
+bool bat_selecting_hits(bat_context *c, const bat_pointer *event);
 
 #endif

@@ -6,31 +6,32 @@
 #ifndef BATTEN_EDITOR_TOOLS_TOOL_H
 #define BATTEN_EDITOR_TOOLS_TOOL_H
 
+#include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
 
 typedef struct bat_tool {
-    void (*hover)(bat_editor *editor, const bat_pointer *event);
-    void (*leave)(bat_editor *editor);
-    void (*down)(bat_editor *editor, const bat_pointer *event);
-    void (*move)(bat_editor *editor, const bat_pointer *event); /* also predicted samples, flagged */
-    void (*up)(bat_editor *editor, const bat_pointer *event);
+    void (*hover)(bat_context *c, const bat_pointer *event);
+    void (*leave)(bat_context *c);
+    void (*down)(bat_context *c, const bat_pointer *event);
+    void (*move)(bat_context *c, const bat_pointer *event); /* also predicted samples, flagged */
+    void (*up)(bat_context *c, const bat_pointer *event);
     /* Drops whatever is under way, or waits for a yes; true when there was something. Nothing changes. */
-    bool (*cancel)(bat_editor *editor);
+    bool (*cancel)(bat_context *c);
     /* Drops what has not been committed, before undo and redo go through the history; NULL: cancel. */
-    bool (*undo)(bat_editor *editor);
+    bool (*undo)(bat_context *c);
     /* Commands of tools (commands.def says which); BAT_STATE: there is nothing to do it to. */
-    bat_status (*command)(bat_editor *editor, bat_command_id id);
+    bat_status (*command)(bat_context *c, bat_command_id id);
     /* Says yes to what waits for it; false when nothing does. */
-    bool (*accept)(bat_editor *editor);
-    void (*modifiers)(bat_editor *editor);  /* editor->modifiers has changed */
-    bool (*busy)(const bat_editor *editor); /* between down and up */
+    bool (*accept)(bat_context *c);
+    void (*modifiers)(bat_context *c);  /* c->modifiers has changed */
+    bool (*busy)(const bat_context *c); /* between down and up */
     /* Once a frame, before the overlay: the costly part (previews, picking for the highlight). */
-    void (*update)(bat_editor *editor);
-    void (*overlay)(bat_editor *editor, bat_overlay *overlay);
-    bat_string (*hint)(const bat_editor *editor);
-    bat_cursor (*cursor)(const bat_editor *editor);
-    const char *(*check)(const bat_editor *editor); /* invariants; NULL when all hold */
+    void (*update)(bat_context *c);
+    void (*overlay)(bat_context *c, bat_overlay *overlay);
+    bat_string (*hint)(const bat_context *c);
+    bat_cursor (*cursor)(const bat_context *c);
+    const char *(*check)(const bat_context *c); /* invariants; NULL when all hold */
 } bat_tool;
 
 #define TOOL(id, name, command, behaviour) const bat_tool *behaviour(void);

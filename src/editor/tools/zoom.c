@@ -1,36 +1,36 @@
 /* The zoom tool: a click comes nearer, with Alt goes away; a rectangle drawn fills the window. Documents never
  * change by it. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 
 #define CLICK 5.0 /* pixels of travel that are still a click */
 #define STEP 2.0  /* of a click */
 
-static bool away(const bat_editor *editor) { return editor->modifiers & BAT_ALT; }
+static bool away(const bat_context *c) { return c->modifiers & BAT_ALT; }
 
 static bool drawn(const bat_zooming *z) {
     return z->down && bat_hypot(z->at[0] - z->start[0], z->at[1] - z->start[1]) > CLICK;
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_zooming *z = &editor->zooming;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_zooming *z = &c->toolbox->zooming;
     z->down = true;
     z->start[0] = z->at[0] = event->x;
     z->start[1] = z->at[1] = event->y;
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
+static void move(bat_context *c, const bat_pointer *event) {
     if (event->predicted) return;
-    editor->zooming.at[0] = event->x;
-    editor->zooming.at[1] = event->y;
+    c->toolbox->zooming.at[0] = event->x;
+    c->toolbox->zooming.at[1] = event->y;
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
-    bat_zooming *z = &editor->zooming;
-    bat_view *view = &editor->view;
+static void up(bat_context *c, const bat_pointer *event) {
+    bat_zooming *z = &c->toolbox->zooming;
+    bat_view *view = c->view;
     if (!z->down) return; /* cancelled */
-    move(editor, event);
+    move(c, event);
     if (drawn(z) && view->width > 0 && view->height > 0) {
         double size[2] = {fabs(z->at[0] - z->start[0]), fabs(z->at[1] - z->start[1])};
         double middle[2] = {(z->at[0] + z->start[0]) / 2, (z->at[1] + z->start[1]) / 2};
@@ -38,40 +38,38 @@ static void up(bat_editor *editor, const bat_pointer *event) {
         /* One side is over CLICK / sqrt(2), so the factor is finite. */
         double factor = fmin(view->width / fmax(size[0], 1e-3), view->height / fmax(size[1], 1e-3));
         bat_view_pan(view, middle, centre);
-        bat_view_zoom(view, centre, away(editor) ? 1 / factor : factor);
+        bat_view_zoom(view, centre, away(c) ? 1 / factor : factor);
     } else {
-        bat_view_zoom(view, z->at, away(editor) ? 1 / STEP : STEP);
+        bat_view_zoom(view, z->at, away(c) ? 1 / STEP : STEP);
     }
     z->down = false;
 }
 
-static bool cancel(bat_editor *editor) {
-    bool had = editor->zooming.down;
-    editor->zooming.down = false;
+static bool cancel(bat_context *c) {
+    bool had = c->toolbox->zooming.down;
+    c->toolbox->zooming.down = false;
     return had;
 }
 
-static bool busy(const bat_editor *editor) { return editor->zooming.down; }
+static bool busy(const bat_context *c) { return c->toolbox->zooming.down; }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_zooming *z = &editor->zooming;
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_zooming *z = &c->toolbox->zooming;
     if (!drawn(z)) return;
     bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
     double corners[8] = {z->start[0], z->start[1], z->at[0],    z->start[1],
                          z->at[0],    z->at[1],    z->start[0], z->at[1]};
     for (int i = 0; i < 4; i++)
-        bat_view_to_document(&editor->view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
+        bat_view_to_document(c->view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
     bat_overlay_polyline(list, 4, corners);
     bat_path_close(&list->path);
 }
 
-static bat_string hint(const bat_editor *editor) {
-    return drawn(&editor->zooming) ? BAT_STRING_HINT_ZOOMING : BAT_STRING_HINT_ZOOM;
+static bat_string hint(const bat_context *c) {
+    return drawn(&c->toolbox->zooming) ? BAT_STRING_HINT_ZOOMING : BAT_STRING_HINT_ZOOM;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    return away(editor) ? BAT_CURSOR_ZOOM_OUT : BAT_CURSOR_ZOOM_IN;
-}
+static bat_cursor cursor(const bat_context *c) { return away(c) ? BAT_CURSOR_ZOOM_OUT : BAT_CURSOR_ZOOM_IN; }
 
 const bat_tool *bat_tool_zoom(void) {
     static const bat_tool tool = {.down = down,

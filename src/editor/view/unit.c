@@ -1,5 +1,5 @@
 #include "editor/view/unit.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "text/number.h"
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 static const double SIZES[] = {1, 96 / 25.4, 96}; /* as the property numbers them */
 
-double bat_unit_size(const bat_editor *editor) { return SIZES[(int)editor->values[BAT_PROPERTY_UNIT]]; }
+double bat_unit_size(const bat_context *c) { return SIZES[(int)c->settings->values[BAT_PROPERTY_UNIT]]; }
 
 void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {
     if (fabs(value) >= 1e15) {
@@ -21,17 +21,17 @@ void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {
     if (!strcmp(out, "-0")) strcpy(out, "0");
 }
 
-void bat_unit_write(const bat_editor *editor, double length, char out[BAT_UNIT_ROOM]) {
+void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]) {
     static const bat_string words[] = {BAT_STRING_UNIT_PX, BAT_STRING_UNIT_MM, BAT_STRING_UNIT_IN};
     char number[BAT_UNIT_ROOM];
-    bat_unit_number(length / bat_unit_size(editor), number);
+    bat_unit_number(length / bat_unit_size(c), number);
     snprintf(out, BAT_UNIT_ROOM, "%.22s %.8s", number,
-             bat_editor_text(editor, words[(int)editor->values[BAT_PROPERTY_UNIT]]));
+             bat_word(c, words[(int)c->settings->values[BAT_PROPERTY_UNIT]]));
 }
 
-void bat_editor_zero(const bat_editor *editor, double origin[2]) {
+void bat_unit_origin(const bat_context *c, double origin[2]) {
     double page[4];
-    bat_document_page(editor->document, page);
+    bat_document_page(c->session->document, page);
     bool there = page[2] > 0;
     origin[0] = there ? page[0] : 0;
     origin[1] = there ? page[1] : 0;
@@ -148,8 +148,8 @@ static quantity sum(reading *r) {
     return left;
 }
 
-bat_status bat_unit_read(const bat_editor *editor, const char *text, bool angle, double *value) {
-    reading r = {text, bat_unit_size(editor), angle, 0, false};
+bat_status bat_unit_read(const bat_context *c, const char *text, bool angle, double *value) {
+    reading r = {text, bat_unit_size(c), angle, 0, false};
     quantity found = sum(&r);
     if (r.wrong || peek(&r)) return BAT_SYNTAX;
     if (!angle) as_length(&r, &found);

@@ -3,14 +3,15 @@
 #ifndef BATTEN_EDITOR_VIEW_UNIT_H
 #define BATTEN_EDITOR_VIEW_UNIT_H
 
+#include "editor/session/context.h"
 #include <batten/editor.h>
 
 enum { BAT_UNIT_ROOM = 32 };
 
 /* Document units in one of the unit in force. */
-double bat_unit_size(const bat_editor *editor);
+double bat_unit_size(const bat_context *c);
 /* "12.5 mm": three decimals at most. */
-void bat_unit_write(const bat_editor *editor, double length, char out[BAT_UNIT_ROOM]);
+void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]);
 /* A number with at most three decimals and no needless zeros. */
 void bat_unit_number(double value, char out[BAT_UNIT_ROOM]);
 /*
@@ -18,8 +19,8 @@ void bat_unit_number(double value, char out[BAT_UNIT_ROOM]);
  * a number without a unit is in the unit in force, or a factor. angle: plain numbers or degrees, nothing else.
  * BAT_SYNTAX: it is no such text; BAT_NUMBER: not finite.
  */
-bat_status bat_unit_read(const bat_editor *editor, const char *text, bool angle, double *value);
+bat_status bat_unit_read(const bat_context *c, const char *text, bool angle, double *value);
 /* Where rulers and numbers count from: the page's corner, or the document's origin. */
-void bat_editor_zero(const bat_editor *editor, double origin[2]);
+void bat_unit_origin(const bat_context *c, double origin[2]);
 
 #endif

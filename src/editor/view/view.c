@@ -11,6 +11,14 @@ static void keep_in_reach(bat_view *view) {
 
 bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1}; }
 
+void bat_view_look_afresh(bat_view *view) {
+    bat_view afresh = bat_view_defaults();
+    afresh.width = view->width;
+    afresh.height = view->height;
+    afresh.ratio = view->ratio;
+    *view = afresh;
+}
+
 void bat_view_turn(bat_view *view, double degrees) {
     if (!isfinite(degrees)) return;
     double angle = round(remainder(degrees, 360) * 100) / 100;

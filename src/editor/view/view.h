@@ -14,9 +14,12 @@ typedef struct bat_view {
     double x, y, zoom;           /* document coordinates of the top left corner; pixels per unit, > 0 */
     double angle, cosine, sine;  /* degrees, (-180, 180], whole hundredths; bat_view_turn sets all three */
     double width, height, ratio; /* view pixels; device pixels per view pixel */
+    bool fit_wanted;             /* all is to be shown as soon as the window has a size */
 } bat_view;
 
 bat_view bat_view_defaults(void);
+/* At the origin, upright, one to one; the window stays as it is. */
+void bat_view_look_afresh(bat_view *view);
 /* Brings the angle, any number of degrees, into its range and its steps. */
 void bat_view_turn(bat_view *view, double degrees);
 /* Size of a view pixel in document units. */

@@ -7,7 +7,7 @@
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a
  * tap. cancel: a drag is taken back, else taking apart or copying dropped.
  */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <batten/measure.h>
@@ -21,14 +21,14 @@ static const double CLOSE = 0.02;               /* px between the pen and the pl
 static const double AXIS = 18, AXES_APART = 26; /* px: length of an axis, and between frames */
 enum { AXES_MAX = 400 };
 
-static double reach(const bat_editor *editor, double pixels) {
-    return pixels * (editor->leveling.device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_view_pixel(&editor->view);
+static double reach(const bat_context *c, double pixels) {
+    return pixels * (c->toolbox->leveling.device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_view_pixel(c->view);
 }
 
 /* The control polygon that can be dragged. */
-static const bat_curve *active(const bat_editor *editor) {
-    const bat_shape *shape = bat_leveling_shape(editor);
-    return shape && !editor->leveling.apart ? bat_shape_curve(shape, editor->leveling.level) : NULL;
+static const bat_curve *active(const bat_context *c) {
+    const bat_shape *shape = bat_leveling_shape(c);
+    return shape && !c->toolbox->leveling.apart ? bat_shape_curve(shape, c->toolbox->leveling.level) : NULL;
 }
 
 static double near_point(const bat_curve *curve, const double at[2], int *index) {
@@ -43,17 +43,17 @@ static double near_point(const bat_curve *curve, const double at[2], int *index)
 
 /* What a press here would take hold of: points of the active level before curves, but a curve under the pen
  * before a point beside it. */
-static bat_handle find(bat_editor *editor, const double pixel[2]) {
-    const bat_leveling *l = &editor->leveling;
+static bat_handle find(bat_context *c, const double pixel[2]) {
+    const bat_leveling *l = &c->toolbox->leveling;
     double point[2];
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, pixel, point);
-    bat_pick pick = bat_pick_nearest(&editor->scene, point, reach(editor, CURVE_REACH));
-    const bat_curve *polygon = l->copying ? NULL : active(editor);
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, pixel, point);
+    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, CURVE_REACH));
+    const bat_curve *polygon = l->copying ? NULL : active(c);
     int index = 0;
     double distance = polygon ? near_point(polygon, point, &index) : INFINITY;
-    if (distance <= reach(editor, HANDLE_REACH) &&
-        (!pick.object || distance <= pick.near.distance + reach(editor, HANDLE_LEAD)))
+    if (distance <= reach(c, HANDLE_REACH) &&
+        (!pick.object || distance <= pick.near.distance + reach(c, HANDLE_LEAD)))
         return (bat_handle){BAT_HANDLE_POINT, l->object, l->curve, index, 0};
     if (!pick.object) return (bat_handle){0};
     return (bat_handle){BAT_HANDLE_CURVE, pick.object, pick.curve, 0, pick.near.u};
@@ -62,20 +62,20 @@ static bat_handle find(bat_editor *editor, const double pixel[2]) {
 /* ---- dragging ---- */
 
 /* The session's shape with the grip moved by delta from where it was. */
-static bat_status moved(const bat_editor *editor, bat_shape_live *live, const bat_handle *grip,
+static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                         const double delta[2]) {
     if (grip->kind == BAT_HANDLE_POINT) return bat_shape_live_move(live, grip->index, 1, delta);
-    bat_status status = bat_shape_live_drag_finest(live, grip->u, delta,
-                                                   CLOSE * bat_view_pixel(&editor->view), NULL);
+    bat_status status = bat_shape_live_drag_finest(live, grip->u, delta, CLOSE * bat_view_pixel(c->view),
+                                                   NULL);
     /* Where the details turn faster than the sweep moves, the sweep alone follows. */
     return status == BAT_TOLERANCE ? bat_shape_live_drag(live, grip->u, delta) : status;
 }
 
 /* The same, as a shape of its own. */
-static bat_status edited(const bat_editor *editor, bat_shape_live *live, const bat_handle *grip,
+static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                          const double delta[2], bat_shape **out) {
     bat_shape *shape = NULL;
-    bat_status status = moved(editor, live, grip, delta);
+    bat_status status = moved(c, live, grip, delta);
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
     if (status == BAT_OK) status = bat_shape_commit(shape);
     if (status != BAT_OK)
@@ -85,11 +85,11 @@ static bat_status edited(const bat_editor *editor, bat_shape_live *live, const b
     return status;
 }
 
-static void tell(bat_editor *editor, bat_status status) {
+static void tell(bat_context *c, bat_status status) {
     if (status == BAT_STATE)
-        bat_editor_notice(editor, BAT_STRING_NOTICE_MUTED);
+        bat_notice(c, BAT_STRING_NOTICE_MUTED);
     else if (status != BAT_OK)
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
 }
 
 static void release(bat_leveling *l) {
@@ -98,126 +98,126 @@ static void release(bat_leveling *l) {
     l->pressed = l->dragging = l->due = false;
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
-    release(&editor->leveling);
-    bat_transaction_cancel(editor);
-    tell(editor, status);
+static void give_up(bat_context *c, bat_status status) {
+    release(&c->toolbox->leveling);
+    bat_transaction_cancel(c);
+    tell(c, status);
 }
 
-static void drag(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
+static void drag(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
     double from[2], to[2];
     if (!l->dragging || !l->due) return;
     l->due = false;
-    bat_view_to_document(&editor->view, l->start, from);
-    bat_view_to_document(&editor->view, l->at, to);
+    bat_view_to_document(c->view, l->start, from);
+    bat_view_to_document(c->view, l->at, to);
     double delta[2] = {to[0] - from[0], to[1] - from[1]};
-    if (editor->modifiers & BAT_SHIFT) {
-        bat_snap_angle(editor, from, to);
+    if (c->modifiers & BAT_SHIFT) {
+        bat_snap_angle(c, from, to);
         for (int k = 0; k < 2; k++) delta[k] = to[k] - from[k];
     } else {
-        editor->snap.kind = BAT_SNAP_NONE;
+        c->snap->kind = BAT_SNAP_NONE;
     }
     bat_shape *shape = NULL;
-    bat_status status = edited(editor, l->live, &l->grip, delta, &shape);
-    if (status == BAT_OK) status = bat_leveling_put(editor, shape);
-    if (status != BAT_OK) give_up(editor, status);
+    bat_status status = edited(c, l->live, &l->grip, delta, &shape);
+    if (status == BAT_OK) status = bat_leveling_put(c, shape);
+    if (status != BAT_OK) give_up(c, status);
 }
 
-static void begin_drag(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    bat_apart_drop(editor);
-    bat_leveling_choose(editor, l->grip.object, l->grip.curve);
-    bat_leveling_settle(editor);
-    const bat_shape *shape = bat_leveling_shape(editor);
+static void begin_drag(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    bat_apart_drop(c);
+    bat_leveling_choose(c, l->grip.object, l->grip.curve);
+    bat_leveling_settle(c);
+    const bat_shape *shape = bat_leveling_shape(c);
     if (!shape) { /* nothing to bend it by */
         l->pressed = false;
-        bat_editor_notice(editor, BAT_STRING_NOTICE_NO_LEVELS);
+        bat_notice(c, BAT_STRING_NOTICE_NO_LEVELS);
         return;
     }
     bat_status status = bat_shape_live_begin(shape, l->level, &l->live);
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(l);
-        tell(editor, status);
+        tell(c, status);
         return;
     }
     if (l->grip.kind == BAT_HANDLE_POINT) l->chosen = l->grip.index;
     l->dragging = true;
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_leveling *l = &editor->leveling;
-    bat_leveling_settle(editor);
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling_settle(c);
     l->device = event->device;
     l->hovering = true;
     l->hover[0] = l->start[0] = l->at[0] = event->x;
     l->hover[1] = l->start[1] = l->at[1] = event->y;
-    l->grip = l->hot = find(editor, l->start);
+    l->grip = l->hot = find(c, l->start);
     l->pressed = true;
     l->dragging = l->due = false;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
+    bat_notice(c, BAT_STRING_COUNT);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_leveling *l = &editor->leveling;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_leveling *l = &c->toolbox->leveling;
     if (!l->pressed || event->predicted) return;
     l->at[0] = l->hover[0] = event->x;
     l->at[1] = l->hover[1] = event->y;
     l->due = true;
     bool far = bat_hypot(l->at[0] - l->start[0], l->at[1] - l->start[1]) > TAP;
-    if (!l->dragging && far && l->grip.kind && !l->copying) begin_drag(editor);
+    if (!l->dragging && far && l->grip.kind && !l->copying) begin_drag(c);
 }
 
-static void tap(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
+static void tap(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
     const bat_handle grip = l->grip;
     bool same = grip.object == l->object && grip.curve == l->curve;
     if (l->copying) {
         if (!grip.object || same) return;
         l->copying = false;
-        bat_leveling_copy_to(editor, grip.object, grip.curve);
+        bat_leveling_copy_to(c, grip.object, grip.curve);
         return;
     }
     if (l->apart && same) return;
-    bat_apart_drop(editor);
-    bat_leveling_choose(editor, grip.object, grip.curve);
+    bat_apart_drop(c);
+    bat_leveling_choose(c, grip.object, grip.curve);
     l->chosen = grip.kind == BAT_HANDLE_POINT ? grip.index : -1;
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
-    bat_leveling *l = &editor->leveling;
+static void up(bat_context *c, const bat_pointer *event) {
+    bat_leveling *l = &c->toolbox->leveling;
     (void)event;
     if (!l->pressed) return;
-    drag(editor);
+    drag(c);
     if (!l->pressed) return; /* it failed */
     bool dragged = l->dragging;
     bat_string label = l->grip.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_LEVEL_POINT
                                                         : BAT_STRING_STEP_LEVEL_PULL;
     release(l);
     if (!dragged)
-        tap(editor);
+        tap(c);
     else
-        tell(editor, bat_transaction_commit(editor, label, NULL));
+        tell(c, bat_transaction_commit(c, label, NULL));
 }
 
-static bool undo(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    if (!l->dragging) return bat_apart_drop(editor);
+static bool undo(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    if (!l->dragging) return bat_apart_drop(c);
     release(l);
-    bat_transaction_cancel(editor);
-    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+    bat_transaction_cancel(c);
+    bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
 /* What is chosen stays chosen for the other tools; the command then deselects it. */
-static bool cancel(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
+static bool cancel(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
     if (l->pressed && !l->dragging) { /* a finger of a pinch, say: what waits for a yes goes on waiting */
         release(l);
         return true;
     }
-    if (undo(editor)) return true;
+    if (undo(c)) return true;
     bool any = l->copying;
     l->copying = false;
     return any;
@@ -225,15 +225,16 @@ static bool cancel(bat_editor *editor) {
 
 /* ---- the keyboard ---- */
 
-static bat_status step(bat_editor *editor, int direction) {
-    bat_leveling *l = &editor->leveling;
-    bat_editor_sync(editor);
-    for (int i = 0; i < bat_document_count(editor->document) && !l->object; i++) { /* the first there is */
-        bat_id id = bat_object_id(bat_document_at(editor->document, i));
-        if (bat_edit_target(editor->document, id, 0) && !bat_editor_out_of_reach(editor, i))
-            bat_leveling_choose(editor, id, 0);
+static bat_status step(bat_context *c, int direction) {
+    bat_leveling *l = &c->toolbox->leveling;
+    bat_stage_sync(c);
+    for (int i = 0; i < bat_document_count(c->session->document) && !l->object;
+         i++) { /* the first there is */
+        bat_id id = bat_object_id(bat_document_at(c->session->document, i));
+        if (bat_edit_target(c->session->document, id, 0) && !bat_stage_out_of_reach(c, i))
+            bat_leveling_choose(c, id, 0);
     }
-    const bat_curve *polygon = active(editor);
+    const bat_curve *polygon = active(c);
     if (!polygon) return l->object ? BAT_OK : BAT_STATE;
     int count = bat_curve_count(polygon), at = l->chosen + direction;
     if (l->chosen < 0) at = direction > 0 ? 0 : count - 1;
@@ -241,58 +242,58 @@ static bat_status step(bat_editor *editor, int direction) {
     return l->chosen < 0 ? BAT_STATE : BAT_OK;
 }
 
-static bat_status nudge(bat_editor *editor, double x, double y) {
-    bat_leveling *l = &editor->leveling;
-    if (l->chosen < 0 || !active(editor)) return BAT_STATE;
-    double far = (editor->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(&editor->view);
+static bat_status nudge(bat_context *c, double x, double y) {
+    bat_leveling *l = &c->toolbox->leveling;
+    if (l->chosen < 0 || !active(c)) return BAT_STATE;
+    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(c->view);
     const double delta[2] = {x * far, y * far};
     const bat_handle grip = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
     bat_shape_live *live = NULL;
     bat_shape *shape = NULL;
-    bat_status status = bat_shape_live_begin(bat_leveling_shape(editor), l->level, &live);
-    if (status == BAT_OK) status = edited(editor, live, &grip, delta, &shape);
+    bat_status status = bat_shape_live_begin(bat_leveling_shape(c), l->level, &live);
+    if (status == BAT_OK) status = edited(c, live, &grip, delta, &shape);
     bat_shape_live_cancel(live);
-    if (status == BAT_OK) status = bat_leveling_commit(editor, shape, BAT_STRING_STEP_LEVEL_POINT);
-    tell(editor, status);
+    if (status == BAT_OK) status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_POINT);
+    tell(c, status);
     return status == BAT_STATE ? BAT_OK : status; /* muted: said, and the view does not move instead */
 }
 
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    bat_leveling_settle(editor);
+static bat_status command(bat_context *c, bat_command_id id) {
+    bat_leveling_settle(c);
     switch (id) {
-    case BAT_COMMAND_POINT_NEXT: return step(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step(editor, -1);
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(editor, -1, 0);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(editor, 1, 0);
-    case BAT_COMMAND_NUDGE_UP: return nudge(editor, 0, -1);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(editor, 0, 1);
+    case BAT_COMMAND_POINT_NEXT: return step(c, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step(c, -1);
+    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
+    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
+    case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
+    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, 0, 1);
     default: return BAT_STATE;
     }
 }
 
 /* ---- hover and picture ---- */
 
-static void hover(bat_editor *editor, const bat_pointer *event) {
-    bat_leveling *l = &editor->leveling;
+static void hover(bat_context *c, const bat_pointer *event) {
+    bat_leveling *l = &c->toolbox->leveling;
     l->hovering = true;
     l->device = event->device;
     l->hover[0] = event->x;
     l->hover[1] = event->y;
 }
 
-static void leave(bat_editor *editor) {
-    editor->leveling.hovering = false;
-    editor->leveling.hot = (bat_handle){0};
+static void leave(bat_context *c) {
+    c->toolbox->leveling.hovering = false;
+    c->toolbox->leveling.hot = (bat_handle){0};
 }
 
-static void modifiers(bat_editor *editor) { editor->leveling.due = editor->leveling.dragging; }
-static bool busy(const bat_editor *editor) { return editor->leveling.pressed; }
+static void modifiers(bat_context *c) { c->toolbox->leveling.due = c->toolbox->leveling.dragging; }
+static bool busy(const bat_context *c) { return c->toolbox->leveling.pressed; }
 
-static void update(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    if (!l->dragging) bat_leveling_settle(editor);
-    drag(editor);
-    if (!l->pressed) l->hot = l->hovering ? find(editor, l->hover) : (bat_handle){0};
+static void update(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    if (!l->dragging) bat_leveling_settle(c);
+    drag(c);
+    if (!l->pressed) l->hot = l->hovering ? find(c, l->hover) : (bat_handle){0};
 }
 
 static void line(bat_overlay *list, bat_role role, float width, const bat_curve *curve) {
@@ -301,9 +302,9 @@ static void line(bat_overlay *list, bat_role role, float width, const bat_curve 
 }
 
 /* One axis of the frames at the nodes of the level above, thinned to what can be told apart. */
-static void show_axis(const bat_editor *editor, bat_overlay *list, bat_role role, size_t count,
+static void show_axis(const bat_context *c, bat_overlay *list, bat_role role, size_t count,
                       const bat_frame3 *frames, bool across) {
-    double pixel = bat_view_pixel(&editor->view), last[2] = {INFINITY, INFINITY};
+    double pixel = bat_view_pixel(c->view), last[2] = {INFINITY, INFINITY};
     bat_overlay_item(list, role, BAT_ITEM_STROKED, 1.5F);
     for (size_t i = 0; i < count; i++) {
         const double *p = frames[i].point, *v = across ? frames[i].s : frames[i].t;
@@ -314,9 +315,9 @@ static void show_axis(const bat_editor *editor, bat_overlay *list, bat_role role
     }
 }
 
-static void show_frames(const bat_editor *editor, bat_overlay *list, const bat_shape *shape) {
+static void show_frames(const bat_context *c, bat_overlay *list, const bat_shape *shape) {
     int top = bat_shape_levels(shape),
-        level = editor->leveling.level < top ? editor->leveling.level : top - 1;
+        level = c->toolbox->leveling.level < top ? c->toolbox->leveling.level : top - 1;
     if (level < 0) return;
     const bat_shape_options *o = bat_shape_options_of(shape);
     bat_frame_options options = bat_frame_defaults();
@@ -328,29 +329,29 @@ static void show_frames(const bat_editor *editor, bat_overlay *list, const bat_s
     bat_frame3 *frames = malloc(AXES_MAX * sizeof *frames);
     for (int i = 0; u && i < AXES_MAX; i++) u[i] = domain[0] + (domain[1] - domain[0]) * i / AXES_MAX;
     if (u && frames && bat_frames(curve, &options, AXES_MAX, u, frames, NULL) == BAT_OK) {
-        show_axis(editor, list, BAT_ROLE_ARROW, AXES_MAX, frames, false);
-        show_axis(editor, list, BAT_ROLE_GUIDE, AXES_MAX, frames, true);
+        show_axis(c, list, BAT_ROLE_ARROW, AXES_MAX, frames, false);
+        show_axis(c, list, BAT_ROLE_GUIDE, AXES_MAX, frames, true);
     }
     free(u);
     free(frames);
 }
 
-static void show_levels(const bat_editor *editor, bat_overlay *list, const bat_shape *shape, int level,
+static void show_levels(const bat_context *c, bat_overlay *list, const bat_shape *shape, int level,
                         bool all) {
     for (int k = 0; all && k <= bat_shape_levels(shape); k++)
         if (k != level) line(list, BAT_ROLE_GHOST, 1, bat_shape_curve(shape, k));
     const bat_curve *curve = bat_shape_curve(shape, level);
     if (level < bat_shape_levels(shape)) line(list, BAT_ROLE_FIT, 1.5F, curve);
-    bat_handles_show_points(list, curve, &editor->view);
+    bat_handles_show_points(list, curve, c->view);
 }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_leveling *l = &editor->leveling;
-    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(editor);
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
     const bat_handle *hot = l->dragging ? &l->grip : &l->hot;
-    const bat_curve *chosen = bat_leveling_curve(editor), *under = NULL;
-    if (hot->object && !editor->holding_pan)
-        under = bat_edit_target(editor->document, hot->object, hot->curve);
+    const bat_curve *chosen = bat_leveling_curve(c), *under = NULL;
+    if (hot->object && !c->input->holding_pan)
+        under = bat_edit_target(c->session->document, hot->object, hot->curve);
     if (under && under != chosen) line(list, BAT_ROLE_HIGHLIGHT, 3, under);
     if (!shape) return;
     int level = l->apart ? 0 : l->level;
@@ -361,16 +362,16 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, 4);
         bat_overlay_stretch(list, under, range[0], range[1]);
     }
-    show_levels(editor, list, shape, level, l->apart || editor->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
-    if (editor->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(editor, list, shape);
+    show_levels(c, list, shape, level, l->apart || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
+    if (c->settings->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(c, list, shape);
     bat_handle one = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
-    if (l->chosen >= 0 && !l->apart) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, &editor->view);
+    if (l->chosen >= 0 && !l->apart) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->view);
     if (under && hot->kind == BAT_HANDLE_POINT && hot->index != l->chosen)
-        bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, &editor->view);
+        bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, c->view);
 }
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_leveling *l = &editor->leveling;
+static bat_string hint(const bat_context *c) {
+    const bat_leveling *l = &c->toolbox->leveling;
     if (l->dragging) return BAT_STRING_HINT_DRAGGING;
     if (l->copying) return BAT_STRING_HINT_COPY_TO;
     if (l->apart) return BAT_STRING_HINT_APART;
@@ -378,23 +379,23 @@ static bat_string hint(const bat_editor *editor) {
     bool own = l->hot.object && l->hot.object == l->object && l->hot.curve == l->curve;
     if (l->hot.kind && !own) return BAT_STRING_HINT_CHOOSE;
     if (!l->object) return BAT_STRING_HINT_LEVELS;
-    return bat_leveling_shape(editor) ? BAT_STRING_HINT_LEVEL_PULL : BAT_STRING_HINT_LEVELS_NONE;
+    return bat_leveling_shape(c) ? BAT_STRING_HINT_LEVEL_PULL : BAT_STRING_HINT_LEVELS_NONE;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    const bat_leveling *l = &editor->leveling;
+static bat_cursor cursor(const bat_context *c) {
+    const bat_leveling *l = &c->toolbox->leveling;
     if (l->copying) return BAT_CURSOR_PEN;
     return l->dragging || l->hot.kind ? BAT_CURSOR_MOVE : BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_leveling *l = &editor->leveling;
-    const bat_shape *shape = bat_leveling_shape(editor);
+static const char *check(const bat_context *c) {
+    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_shape *shape = bat_leveling_shape(c);
     if (l->dragging && !l->pressed) return "a drag without a press";
     if (l->dragging != (l->live != NULL)) return "a drag without its session, or the reverse";
     if (l->fading != (l->base != NULL)) return "a fader without its shape, or the reverse";
-    if (l->dragging && !editor->transaction.open) return "a drag without a transaction";
-    if (l->pressed && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+    if (l->dragging && !c->session->transaction.open) return "a drag without a transaction";
+    if (l->pressed && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a press without a pointer";
     if (l->dragging && (!shape || l->level > bat_shape_levels(shape)))
         return "a level is dragged that is not there";

@@ -1,7 +1,7 @@
 /* The chosen curve and its levels: finding them, and changing them as steps. */
 #include "editor/tools/levels/state.h"
 #include "document/digest.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include <stdlib.h>
 
 void bat_leveling_free(bat_leveling *l) {
@@ -12,100 +12,99 @@ void bat_leveling_free(bat_leveling *l) {
     *l = (bat_leveling){.chosen = -1, .version = l->version};
 }
 
-const bat_curve *bat_leveling_curve(const bat_editor *editor) {
-    const bat_leveling *l = &editor->leveling;
-    return l->object ? bat_edit_target(editor->document, l->object, l->curve) : NULL;
+const bat_curve *bat_leveling_curve(const bat_context *c) {
+    const bat_leveling *l = &c->toolbox->leveling;
+    return l->object ? bat_edit_target(c->session->document, l->object, l->curve) : NULL;
 }
 
-const bat_shape *bat_leveling_shape(const bat_editor *editor) {
-    const bat_leveling *l = &editor->leveling;
-    if (!bat_leveling_curve(editor)) return NULL;
-    return bat_object_shape(bat_document_at(editor->document, bat_document_find(editor->document, l->object)),
-                            l->curve);
+const bat_shape *bat_leveling_shape(const bat_context *c) {
+    const bat_leveling *l = &c->toolbox->leveling;
+    if (!bat_leveling_curve(c)) return NULL;
+    return bat_object_shape(
+        bat_document_at(c->session->document, bat_document_find(c->session->document, l->object)), l->curve);
 }
 
-void bat_leveling_settle(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    const bat_selection *selection = &editor->selection;
+void bat_leveling_settle(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    const bat_selection *selection = &c->choice->selection;
     if (selection->count == 1 && selection->ids[0] != l->adopted) {
         l->object = l->adopted = selection->ids[0];
         l->curve = 0;
         l->chosen = -1;
     }
-    int at = bat_document_find(editor->document, l->object);
-    if (!bat_leveling_curve(editor) || bat_editor_out_of_reach(editor, at)) {
+    int at = bat_document_find(c->session->document, l->object);
+    if (!bat_leveling_curve(c) || bat_stage_out_of_reach(c, at)) {
         l->object = 0;
         l->copying = false;
     }
-    const bat_shape *shape = bat_leveling_shape(editor);
+    const bat_shape *shape = bat_leveling_shape(c);
     int top = shape ? bat_shape_levels(shape) : 0;
     if (l->level > top) l->level = top, l->chosen = -1;
     if (!shape || l->chosen >= bat_curve_count(bat_shape_curve(shape, l->level))) l->chosen = -1;
-    if (l->apart && (!l->object || l->apart_revision != editor->revision)) bat_apart_drop(editor);
+    if (l->apart && (!l->object || l->apart_revision != c->session->revision)) bat_apart_drop(c);
 }
 
-void bat_leveling_choose(bat_editor *editor, bat_id object, int curve) {
-    bat_leveling *l = &editor->leveling;
+void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
+    bat_leveling *l = &c->toolbox->leveling;
     if (l->object != object || l->curve != curve) l->chosen = -1;
     l->object = l->adopted = object;
     l->curve = curve;
-    bat_selection_clear(&editor->selection);
-    if (object) bat_selection_add(&editor->selection, object); /* without memory: not selected */
+    bat_selection_clear(&c->choice->selection);
+    if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
 }
 
-bat_status bat_leveling_put_at(bat_editor *editor, bat_id id, int curve, bat_shape *shape) {
-    int at = bat_document_find(editor->document, id);
+bat_status bat_leveling_put_at(bat_context *c, bat_id id, int curve, bat_shape *shape) {
+    int at = bat_document_find(c->session->document, id);
     bat_object *after = NULL;
     bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_shape(bat_document_at(editor->document, at), curve, shape,
-                                                       &after);
+                               : bat_object_with_shape(bat_document_at(c->session->document, at), curve,
+                                                       shape, &after);
     if (status != BAT_OK) {
         bat_shape_free(shape);
         return status;
     }
-    status = bat_transaction_replace(editor, at, after);
+    status = bat_transaction_replace(c, at, after);
     bat_object_release(after);
     return status;
 }
 
-bat_status bat_leveling_commit_at(bat_editor *editor, bat_id id, int curve, bat_shape *shape,
-                                  bat_string label) {
+bat_status bat_leveling_commit_at(bat_context *c, bat_id id, int curve, bat_shape *shape, bat_string label) {
     bat_status status = bat_shape_commit(shape);
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_shape_free(shape);
         return status;
     }
-    status = bat_leveling_put_at(editor, id, curve, shape);
-    if (status == BAT_OK) return bat_transaction_commit(editor, label, NULL);
-    bat_transaction_cancel(editor);
+    status = bat_leveling_put_at(c, id, curve, shape);
+    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
     return status;
 }
 
-bat_status bat_leveling_put(bat_editor *editor, bat_shape *shape) {
-    return bat_leveling_put_at(editor, editor->leveling.object, editor->leveling.curve, shape);
+bat_status bat_leveling_put(bat_context *c, bat_shape *shape) {
+    return bat_leveling_put_at(c, c->toolbox->leveling.object, c->toolbox->leveling.curve, shape);
 }
 
-bat_status bat_leveling_commit(bat_editor *editor, bat_shape *shape, bat_string label) {
-    return bat_leveling_commit_at(editor, editor->leveling.object, editor->leveling.curve, shape, label);
+bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label) {
+    return bat_leveling_commit_at(c, c->toolbox->leveling.object, c->toolbox->leveling.curve, shape, label);
 }
 
-bool bat_leveling_let_go(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
+bool bat_leveling_let_go(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
     if (!l->fading) return false;
     bat_shape_free(l->base);
     l->base = NULL;
     l->fading = false;
-    bat_transaction_cancel(editor);
+    bat_transaction_cancel(c);
     return true;
 }
 
-uint32_t bat_leveling_version(bat_editor *editor) {
-    bat_leveling *l = &editor->leveling;
-    bool levels = editor->tool == BAT_TOOL_LEVELS, sketch = editor->tool == BAT_TOOL_SKETCH;
-    if (!(levels && bat_leveling_curve(editor)) && !(sketch && bat_leveling_shape(editor))) return 0;
-    const uint64_t parts[] = {l->object,  (uint64_t)l->curve, (uint64_t)l->level,
-                              l->copying, editor->revision,   l->apart != NULL,
+uint32_t bat_leveling_version(bat_context *c) {
+    bat_leveling *l = &c->toolbox->leveling;
+    bool levels = c->choice->tool == BAT_TOOL_LEVELS, sketch = c->choice->tool == BAT_TOOL_SKETCH;
+    if (!(levels && bat_leveling_curve(c)) && !(sketch && bat_leveling_shape(c))) return 0;
+    const uint64_t parts[] = {l->object,  (uint64_t)l->curve,   (uint64_t)l->level,
+                              l->copying, c->session->revision, l->apart != NULL,
                               levels};
     const bat_property_id values[] = {BAT_PROPERTY_SHOW_LEVELS,  BAT_PROPERTY_SHOW_FRAMES,
                                       BAT_PROPERTY_FRAME_RULE,   BAT_PROPERTY_LEVEL_SKETCH,
@@ -113,7 +112,7 @@ uint32_t bat_leveling_version(bat_editor *editor) {
     uint64_t shown = bat_digest_begin();
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) shown = bat_digest_number(shown, parts[i]);
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-        shown = bat_digest_double(shown, editor->values[values[i]]);
+        shown = bat_digest_double(shown, c->settings->values[values[i]]);
     if (shown != l->shown || !l->version) {
         l->shown = shown;
         if (++l->version == 0) l->version = 1;

@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 #define BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 
+#include "editor/session/context.h"
 #include "editor/show/handles.h"
 #include "editor/tables/tables.h"
 #include <batten/editor.h>
@@ -40,32 +41,32 @@ typedef struct bat_leveling {
 
 void bat_leveling_free(bat_leveling *leveling);
 /* Takes up the selection, forgets what is gone. */
-void bat_leveling_settle(bat_editor *editor);
-void bat_leveling_choose(bat_editor *editor, bat_id object, int curve);
+void bat_leveling_settle(bat_context *c);
+void bat_leveling_choose(bat_context *c, bat_id object, int curve);
 /* The chosen curve and its levels; NULL: none. */
-const bat_curve *bat_leveling_curve(const bat_editor *editor);
-const bat_shape *bat_leveling_shape(const bat_editor *editor);
+const bat_curve *bat_leveling_curve(const bat_context *c);
+const bat_shape *bat_leveling_shape(const bat_context *c);
 /* The chosen curve with this shape, within the open transaction, or as a step of its own. Takes the shape over,
  * whatever it returns. */
-bat_status bat_leveling_put(bat_editor *editor, bat_shape *shape);
-bat_status bat_leveling_commit(bat_editor *editor, bat_shape *shape, bat_string label);
+bat_status bat_leveling_put(bat_context *c, bat_shape *shape);
+bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label);
 /* The same for any curve. */
-bat_status bat_leveling_put_at(bat_editor *editor, bat_id object, int curve, bat_shape *shape);
-bat_status bat_leveling_commit_at(bat_editor *editor, bat_id object, int curve, bat_shape *shape,
+bat_status bat_leveling_put_at(bat_context *c, bat_id object, int curve, bat_shape *shape);
+bat_status bat_leveling_commit_at(bat_context *c, bat_id object, int curve, bat_shape *shape,
                                   bat_string label);
 /* A hand on a fader is taken off, and what it did taken back; false: there was none. */
-bool bat_leveling_let_go(bat_editor *editor);
+bool bat_leveling_let_go(bat_context *c);
 /* Whether the strip is to be seen, and the number of what it shows then; 0: not. */
-uint32_t bat_leveling_version(bat_editor *editor);
+uint32_t bat_leveling_version(bat_context *c);
 
 /* Taking apart: the preview anew, dropped (false: there was none), made so. */
-bat_status bat_apart_make(bat_editor *editor);
-bool bat_apart_drop(bat_editor *editor);
-bool bat_apart_accept(bat_editor *editor);
+bat_status bat_apart_make(bat_context *c);
+bool bat_apart_drop(bat_context *c);
+bool bat_apart_accept(bat_context *c);
 /* Properties of levels: what follows from a new value; what FRAME_RULE is. */
-bat_status bat_leveling_set(bat_editor *editor, bat_property_id id, double value);
+bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value);
 bool bat_leveling_is(bat_property_id id);
 /* Detail of the chosen curve to another. */
-bat_status bat_leveling_copy_to(bat_editor *editor, bat_id object, int curve);
+bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve);
 
 #endif

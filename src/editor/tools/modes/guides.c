@@ -5,7 +5,7 @@
 #include "editor/tools/modes/guides.h"
 #include "document/document.h"
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/show/ruler.h"
 #include "editor/pick/snap.h"
 #include "editor/view/unit.h"
@@ -13,85 +13,84 @@
 
 static const double REACH = 4, REACH_TOUCH = 12, STILL = 2; /* px */
 
-int bat_guide_chosen(const bat_editor *editor) {
-    return editor->guiding.chosen ? bat_document_find(editor->document, editor->guiding.chosen) : -1;
+int bat_guide_chosen(const bat_context *c) {
+    return c->toolbox->guiding.chosen ? bat_document_find(c->session->document, c->toolbox->guiding.chosen)
+                                      : -1;
 }
 
 /* Commits, or takes everything back and tells. */
-static bat_status finish(bat_editor *editor, bat_status status) {
+static bat_status finish(bat_context *c, bat_status status) {
     if (status == BAT_OK)
-        status = bat_transaction_commit(editor, BAT_STRING_STEP_GUIDE, NULL);
+        status = bat_transaction_commit(c, BAT_STRING_STEP_GUIDE, NULL);
     else
-        bat_transaction_cancel(editor);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+        bat_transaction_cancel(c);
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
-bat_status bat_guide_put(bat_editor *editor, bat_id id, int axis, double at) {
+bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at) {
     bat_object *guide = NULL;
-    int index = id ? bat_document_find(editor->document, id) : 0;
-    bat_status status = bat_object_create_guide(id ? id : bat_document_next(editor->document), axis, at,
+    int index = id ? bat_document_find(c->session->document, id) : 0;
+    bat_status status = bat_object_create_guide(id ? id : bat_document_next(c->session->document), axis, at,
                                                 &guide);
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_object_release(guide);
         return status;
     }
     bat_id made = bat_object_id(guide);
-    status = id ? bat_transaction_replace(editor, index, guide)
-                : bat_transaction_insert(editor, index, guide);
+    status = id ? bat_transaction_replace(c, index, guide) : bat_transaction_insert(c, index, guide);
     bat_object_release(guide);
-    status = finish(editor, status);
-    if (status == BAT_OK) editor->guiding.chosen = made;
+    status = finish(c, status);
+    if (status == BAT_OK) c->toolbox->guiding.chosen = made;
     return status;
 }
 
-static bat_status take_away(bat_editor *editor, bat_id id) {
-    int index = bat_document_find(editor->document, id);
-    bat_status status = bat_transaction_begin(editor);
+static bat_status take_away(bat_context *c, bat_id id) {
+    int index = bat_document_find(c->session->document, id);
+    bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
-    status = finish(editor, bat_transaction_remove(editor, index));
-    if (status == BAT_OK) bat_editor_notice(editor, BAT_STRING_NOTICE_GUIDE_GONE);
+    status = finish(c, bat_transaction_remove(c, index));
+    if (status == BAT_OK) bat_notice(c, BAT_STRING_NOTICE_GUIDE_GONE);
     return status;
 }
 
 /* ---- commands ---- */
 
-bat_status bat_guide_delete(bat_editor *editor, bool down) {
+bat_status bat_guide_delete(bat_context *c, bool down) {
     (void)down;
-    if (bat_guide_chosen(editor) < 0) return BAT_STATE;
-    bat_status status = take_away(editor, editor->guiding.chosen);
-    if (status == BAT_OK) editor->guiding.chosen = 0;
+    if (bat_guide_chosen(c) < 0) return BAT_STATE;
+    bat_status status = take_away(c, c->toolbox->guiding.chosen);
+    if (status == BAT_OK) c->toolbox->guiding.chosen = 0;
     return status;
 }
 
-static bat_status add(bat_editor *editor, int axis) {
+static bat_status add(bat_context *c, int axis) {
     double box[4], middle[2];
-    bat_view_to_document(&editor->view, (double[]){editor->view.width / 2, editor->view.height / 2}, middle);
-    if (bat_arrange_selection_box(editor, box)) middle[axis] = box[axis] / 2 + box[axis + 2] / 2;
-    bat_status status = bat_guide_put(editor, 0, axis, middle[axis]);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    bat_view_to_document(c->view, (double[]){c->view->width / 2, c->view->height / 2}, middle);
+    if (bat_arrange_selection_box(c, box)) middle[axis] = box[axis] / 2 + box[axis + 2] / 2;
+    bat_status status = bat_guide_put(c, 0, axis, middle[axis]);
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
-bat_status bat_guide_level(bat_editor *editor, bool down) {
+bat_status bat_guide_level(bat_context *c, bool down) {
     (void)down;
-    return add(editor, 1);
+    return add(c, 1);
 }
-bat_status bat_guide_upright(bat_editor *editor, bool down) {
+bat_status bat_guide_upright(bat_context *c, bool down) {
     (void)down;
-    return add(editor, 0);
+    return add(c, 0);
 }
 
 /* ---- by hand ---- */
 
 /* The nearest guide within reach of the pixel. */
-static bat_id guide_at(const bat_editor *editor, const double pixel[2], bat_device device, int *axis) {
-    double point[2],
-        best = (device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH) * bat_view_pixel(&editor->view);
+static bat_id guide_at(const bat_context *c, const double pixel[2], bat_device device, int *axis) {
+    double point[2], best = (device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH) * bat_view_pixel(c->view);
     bat_id found = 0;
-    bat_view_to_document(&editor->view, pixel, point);
-    for (int i = 0; i < bat_document_count(editor->document); i++) {
-        const bat_object *object = bat_document_at(editor->document, i);
+    bat_view_to_document(c->view, pixel, point);
+    for (int i = 0; i < bat_document_count(c->session->document); i++) {
+        const bat_object *object = bat_document_at(c->session->document, i);
         double at;
         int k = bat_object_guide(object, &at);
         if (k < 0 || bat_object_hidden(object) || bat_object_locked(object)) continue;
@@ -103,97 +102,97 @@ static bat_id guide_at(const bat_editor *editor, const double pixel[2], bat_devi
     return found;
 }
 
-int bat_guides_hot(bat_editor *editor) {
-    if (editor->guiding.on) return editor->guiding.axis;
-    if (!editor->pen_near || bat_editor_busy(editor)) return -1;
-    int axis = bat_ruler_at(editor, editor->pen);
-    if (axis >= 0 || editor->tool != BAT_TOOL_SELECT) return axis;
-    const bat_selecting *s = &editor->selecting;
+int bat_guides_hot(bat_context *c) {
+    if (c->toolbox->guiding.on) return c->toolbox->guiding.axis;
+    if (!c->input->pen_near || bat_toolbox_busy(c)) return -1;
+    int axis = bat_ruler_at(c, c->input->pen);
+    if (axis >= 0 || c->choice->tool != BAT_TOOL_SELECT) return axis;
+    const bat_selecting *s = &c->toolbox->selecting;
     if (s->hovered || s->handle != BAT_GRIP_NONE) return -1;
-    return guide_at(editor, editor->pen, s->device, &axis) ? axis : -1;
+    return guide_at(c, c->input->pen, s->device, &axis) ? axis : -1;
 }
 
-bool bat_guides_take(bat_editor *editor, const bat_pointer *event) {
+bool bat_guides_take(bat_context *c, const bat_pointer *event) {
     double pixel[2] = {event->x, event->y};
-    int axis = bat_ruler_at(editor, pixel);
+    int axis = bat_ruler_at(c, pixel);
     bat_id id = 0;
-    editor->guiding.chosen = 0;
+    c->toolbox->guiding.chosen = 0;
     if (axis < 0) {
-        if (editor->tool != BAT_TOOL_SELECT || bat_editor_tool(editor) != bat_tool_select()) return false;
-        id = guide_at(editor, pixel, event->device, &axis);
-        if (!id || bat_selecting_hits(editor, event)) return false;
+        if (c->choice->tool != BAT_TOOL_SELECT || bat_toolbox_tool(c) != bat_tool_select()) return false;
+        id = guide_at(c, pixel, event->device, &axis);
+        if (!id || bat_selecting_hits(c, event)) return false;
     }
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->leave) tool->leave(editor);
-    editor->guiding = (bat_guiding){.on = true, .id = id, .axis = axis, .dropping = !id};
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->leave) tool->leave(c);
+    c->toolbox->guiding = (bat_guiding){.on = true, .id = id, .axis = axis, .dropping = !id};
     return true;
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_guiding *g = &editor->guiding;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_guiding *g = &c->toolbox->guiding;
     double pixel[2] = {event->x, event->y}, point[2];
     if (event->predicted) return;
     g->moved = g->moved || fabs(pixel[g->axis] - g->start[g->axis]) > STILL;
-    int but = g->id ? bat_document_find(editor->document, g->id) : -1;
-    bat_view_to_document(&editor->view, pixel, point);
+    int but = g->id ? bat_document_find(c->session->document, g->id) : -1;
+    bat_view_to_document(c->view, pixel, point);
     bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
-    bat_editor_sync(editor);
-    editor->snap = bat_snap_find(editor, but >= 0, &but, 1, &source, (double[]){0, 0}, NULL);
-    if (!editor->snap.bound[g->axis])
-        editor->snap.kind = BAT_SNAP_NONE;
+    bat_stage_sync(c);
+    (*c->snap) = bat_snap_find(c, but >= 0, &but, 1, &source, (double[]){0, 0}, NULL);
+    if (!c->snap->bound[g->axis])
+        c->snap->kind = BAT_SNAP_NONE;
     else
-        point[g->axis] = editor->snap.point[g->axis];
+        point[g->axis] = c->snap->point[g->axis];
     g->at = point[g->axis];
-    double edge = bat_rulers_on(editor) ? BAT_RULER_WIDTH : 0;
-    g->dropping = pixel[0] < edge || pixel[1] < edge || pixel[0] > editor->view.width ||
-                  pixel[1] > editor->view.height;
-    if (g->dropping) editor->snap.kind = BAT_SNAP_NONE;
+    double edge = bat_rulers_on(c) ? BAT_RULER_WIDTH : 0;
+    g->dropping = pixel[0] < edge || pixel[1] < edge || pixel[0] > c->view->width ||
+                  pixel[1] > c->view->height;
+    if (g->dropping) c->snap->kind = BAT_SNAP_NONE;
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_guiding *g = &editor->guiding;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_guiding *g = &c->toolbox->guiding;
     g->start[0] = event->x;
     g->start[1] = event->y;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
-    int index = g->id ? bat_document_find(editor->document, g->id) : -1;
-    if (index >= 0) bat_object_guide(bat_document_at(editor->document, index), &g->at);
+    bat_notice(c, BAT_STRING_COUNT);
+    int index = g->id ? bat_document_find(c->session->document, g->id) : -1;
+    if (index >= 0) bat_object_guide(bat_document_at(c->session->document, index), &g->at);
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
+static void up(bat_context *c, const bat_pointer *event) {
     (void)event; /* its place has been told as a move */
-    bat_guiding held = editor->guiding;
-    editor->guiding = (bat_guiding){.chosen = held.id};
+    bat_guiding held = c->toolbox->guiding;
+    c->toolbox->guiding = (bat_guiding){.chosen = held.id};
     if (!held.moved) return;
     if (!held.dropping)
-        bat_guide_put(editor, held.id, held.axis, held.at);
+        bat_guide_put(c, held.id, held.axis, held.at);
     else if (held.id)
-        take_away(editor, held.id);
+        take_away(c, held.id);
 }
 
-static bool cancel(bat_editor *editor) {
-    bool was = editor->guiding.on;
-    editor->guiding = (bat_guiding){0};
-    if (was) bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+static bool cancel(bat_context *c) {
+    bool was = c->toolbox->guiding.on;
+    c->toolbox->guiding = (bat_guiding){0};
+    if (was) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return was;
 }
 
-static bool busy(const bat_editor *editor) { return editor->guiding.on; }
+static bool busy(const bat_context *c) { return c->toolbox->guiding.on; }
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_guiding *g = &editor->guiding;
+static bat_string hint(const bat_context *c) {
+    const bat_guiding *g = &c->toolbox->guiding;
     return !g->dropping ? BAT_STRING_HINT_GUIDE
            : g->id      ? BAT_STRING_HINT_GUIDE_DROP
                         : BAT_STRING_HINT_GUIDE_NEW;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    return editor->guiding.axis ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
+static bat_cursor cursor(const bat_context *c) {
+    return c->toolbox->guiding.axis ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
 }
 
-static const char *check(const bat_editor *editor) {
-    if (bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+static const char *check(const bat_context *c) {
+    if (bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a guide is held without a pen";
-    if (editor->guiding.id && bat_document_find(editor->document, editor->guiding.id) < 0)
+    if (c->toolbox->guiding.id && bat_document_find(c->session->document, c->toolbox->guiding.id) < 0)
         return "the guide that is held is gone";
     return NULL;
 }
@@ -217,14 +216,14 @@ static void line(bat_overlay *overlay, const double box[4], int axis, double at)
     bat_path_line(&overlay->path, axis ? box[2] : at, axis ? at : box[3]);
 }
 
-void bat_guides_show(const bat_editor *editor, bat_overlay *overlay) {
-    const bat_guiding *g = &editor->guiding;
+void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
+    const bat_guiding *g = &c->toolbox->guiding;
     double box[4];
-    bat_view_box(&editor->view, box);
+    bat_view_box(c->view, box);
     for (int chosen = 0; chosen < 2; chosen++) {
         bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED, chosen ? 2 : 1);
-        for (int i = 0; i < bat_document_count(editor->document); i++) {
-            const bat_object *object = bat_document_at(editor->document, i);
+        for (int i = 0; i < bat_document_count(c->session->document); i++) {
+            const bat_object *object = bat_document_at(c->session->document, i);
             double at;
             int axis = bat_object_hidden(object) ? -1 : bat_object_guide(object, &at);
             bat_id id = bat_object_id(object);
@@ -237,8 +236,8 @@ void bat_guides_show(const bat_editor *editor, bat_overlay *overlay) {
     line(overlay, box, g->axis, g->at);
     double zero[2], at[2];
     char text[BAT_UNIT_ROOM];
-    bat_editor_zero(editor, zero);
-    bat_unit_write(editor, g->at - zero[g->axis], text);
-    bat_view_to_document(&editor->view, editor->pen, at);
+    bat_unit_origin(c, zero);
+    bat_unit_write(c, g->at - zero[g->axis], text);
+    bat_view_to_document(c->view, c->input->pen, at);
     bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 36, -18, text);
 }

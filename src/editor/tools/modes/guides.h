@@ -3,6 +3,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_MODES_GUIDES_H
 #define BATTEN_EDITOR_TOOLS_MODES_GUIDES_H
 
+#include "editor/session/context.h"
 #include "editor/tools/tool.h"
 
 typedef struct bat_guiding {
@@ -17,18 +18,18 @@ typedef struct bat_guiding {
 } bat_guiding;
 
 /* The pointer has come down: true when it takes hold of a guide. */
-bool bat_guides_take(bat_editor *editor, const bat_pointer *event);
+bool bat_guides_take(bat_context *c, const bat_pointer *event);
 /* The axis of what the pointer could take hold of where it is, -1: nothing. */
-int bat_guides_hot(bat_editor *editor);
-void bat_guides_show(const bat_editor *editor, bat_overlay *overlay);
+int bat_guides_hot(bat_context *c);
+void bat_guides_show(const bat_context *c, bat_overlay *overlay);
 /* The chosen guide's document index, -1: none. */
-int bat_guide_chosen(const bat_editor *editor);
+int bat_guide_chosen(const bat_context *c);
 /* As a step: the guide (0: a new one) goes there. It is chosen then. */
-bat_status bat_guide_put(bat_editor *editor, bat_id id, int axis, double at);
+bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at);
 
-bat_status bat_guide_delete(bat_editor *editor, bool down);
-bat_status bat_guide_level(bat_editor *editor, bool down);
-bat_status bat_guide_upright(bat_editor *editor, bool down);
+bat_status bat_guide_delete(bat_context *c, bool down);
+bat_status bat_guide_level(bat_context *c, bool down);
+bat_status bat_guide_upright(bat_context *c, bool down);
 const bat_tool *bat_tool_guides(void);
 
 #endif

@@ -2,7 +2,7 @@
 #include "editor/edit/arrange.h"
 #include "editor/tools/brushing.h"
 #include "editor/tools/calm.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "editor/show/handles.h"
 #include "editor/edit/curves_of.h"
 #include <batten/measure.h>
@@ -13,9 +13,9 @@
 static const double STEP = 4, LEAST = 2, MARGIN = 40; /* px along the curve; from the window's border */
 static const float RANGE_WIDTH = 5, CURVE_WIDTH = 2;
 
-const bat_curve *bat_range_curve(const bat_editor *editor) {
-    const bat_range *r = &editor->range;
-    return r->on ? bat_edit_target(editor->document, r->object, r->curve) : NULL;
+const bat_curve *bat_range_curve(const bat_context *c) {
+    const bat_range *r = &c->toolbox->range;
+    return r->on ? bat_edit_target(c->session->document, r->object, r->curve) : NULL;
 }
 
 static double period_of(const bat_curve *curve) {
@@ -47,9 +47,9 @@ static void reset(bat_range *r, const bat_curve *curve) {
 }
 
 /* Undo may have taken the curve away, or made it shorter. */
-static const bat_curve *settle(bat_editor *editor) {
-    bat_range *r = &editor->range;
-    const bat_curve *curve = bat_range_curve(editor);
+static const bat_curve *settle(bat_context *c) {
+    bat_range *r = &c->toolbox->range;
+    const bat_curve *curve = bat_range_curve(c);
     double domain[2];
     if (!curve) {
         r->on = false;
@@ -61,67 +61,66 @@ static const bat_curve *settle(bat_editor *editor) {
     return curve;
 }
 
-static void show(bat_editor *editor, const bat_curve *curve) {
+static void show(bat_context *c, const bat_curve *curve) {
     double at[2];
-    bat_curve_eval(curve, editor->range.u[editor->range.end], 0, at);
-    bat_view_show(&editor->view, at, MARGIN);
+    bat_curve_eval(curve, c->toolbox->range.u[c->toolbox->range.end], 0, at);
+    bat_view_show(c->view, at, MARGIN);
 }
 
-static bool choose(bat_editor *editor, bat_id object, int curve) {
-    bat_range *r = &editor->range;
-    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+static bool choose(bat_context *c, bat_id object, int curve) {
+    bat_range *r = &c->toolbox->range;
+    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return false;
     bool same = r->object == object && r->curve == curve;
     r->on = true;
     r->object = object;
     r->curve = curve;
     if (same)
-        settle(editor);
+        settle(c);
     else
         reset(r, target);
-    show(editor, target);
+    show(c, target);
     return true;
 }
 
-bat_status bat_range_begin(bat_editor *editor, bool down) {
+bat_status bat_range_begin(bat_context *c, bool down) {
     (void)down;
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->cancel && editor->tool != BAT_TOOL_SELECT && editor->tool != BAT_TOOL_POINTS)
-        tool->cancel(editor);
-    if (tool->leave) tool->leave(editor);
-    bat_editor_sync(editor);
-    const bat_scene *scene = &editor->scene;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->cancel && c->choice->tool != BAT_TOOL_SELECT && c->choice->tool != BAT_TOOL_POINTS)
+        tool->cancel(c);
+    if (tool->leave) tool->leave(c);
+    bat_stage_sync(c);
+    const bat_scene *scene = c->scene;
     int end = 0; /* of the selected group that the walk is in */
-    for (int i = 0; i < scene->count && editor->selection.count; i++) {
+    for (int i = 0; i < scene->count && c->choice->selection.count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         bat_id id = bat_object_id(entry->object);
-        if (i >= end && bat_selection_has(&editor->selection, id))
-            end = bat_document_end(editor->document, i);
-        bool again = id == editor->range.object;
-        if (i < end && !entry->hidden && !entry->locked &&
-            choose(editor, id, again ? editor->range.curve : 0))
+        if (i >= end && bat_selection_has(&c->choice->selection, id))
+            end = bat_document_end(c->session->document, i);
+        bool again = id == c->toolbox->range.object;
+        if (i < end && !entry->hidden && !entry->locked && choose(c, id, again ? c->toolbox->range.curve : 0))
             return BAT_OK;
     }
-    double at[2] = {editor->view.width / 2, editor->view.height / 2}, point[2];
-    if (editor->pen_near) memcpy(at, editor->pen, sizeof at);
-    bat_view_to_document(&editor->view, at, point);
-    bat_pick pick = bat_pick_nearest(&editor->scene, point, INFINITY);
-    if (pick.object && choose(editor, pick.object, pick.curve)) return BAT_OK;
-    bat_editor_notice(editor, BAT_STRING_NOTICE_NO_CURVE);
+    double at[2] = {c->view->width / 2, c->view->height / 2}, point[2];
+    if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
+    bat_view_to_document(c->view, at, point);
+    bat_pick pick = bat_pick_nearest(c->scene, point, INFINITY);
+    if (pick.object && choose(c, pick.object, pick.curve)) return BAT_OK;
+    bat_notice(c, BAT_STRING_NOTICE_NO_CURVE);
     return BAT_STATE;
 }
 
-void bat_range_end(bat_editor *editor) {
-    bat_waypoints_end(editor);
-    editor->range.on = false;
+void bat_range_end(bat_context *c) {
+    bat_waypoints_end(c);
+    c->toolbox->range.on = false;
 }
 
 /* ---- keys ---- */
 
 /* The end goes along the curve, but not past the other one. */
-static bat_status move(bat_editor *editor, const bat_curve *curve, double u) {
-    bat_range *r = &editor->range;
-    double domain[2], period = period_of(curve), pixel = bat_view_pixel(&editor->view);
+static bat_status move(bat_context *c, const bat_curve *curve, double u) {
+    bat_range *r = &c->toolbox->range;
+    double domain[2], period = period_of(curve), pixel = bat_view_pixel(c->view);
     bool closed = bat_curve_closed(curve);
     bat_curve_domain(curve, domain);
     double near = along(curve, r->u[1 - r->end], (r->end ? 1 : -1) * LEAST * pixel);
@@ -133,18 +132,19 @@ static bat_status move(bat_editor *editor, const bat_curve *curve, double u) {
     double turns = closed ? floor((r->u[0] - domain[0]) / period) * period : 0;
     r->u[0] -= turns;
     r->u[1] -= turns;
-    show(editor, curve);
+    show(c, curve);
     return BAT_OK;
 }
 
-static bat_status step(bat_editor *editor, const bat_curve *curve, int direction) {
-    double length = direction * STEP * bat_view_pixel(&editor->view);
-    if (editor->modifiers & BAT_SHIFT) length *= 10;
-    return move(editor, curve, along(curve, editor->range.u[editor->range.end], length));
+static bat_status step(bat_context *c, const bat_curve *curve, int direction) {
+    double length = direction * STEP * bat_view_pixel(c->view);
+    if (c->modifiers & BAT_SHIFT) length *= 10;
+    return move(c, curve, along(curve, c->toolbox->range.u[c->toolbox->range.end], length));
 }
 
-static bat_status step_knot(bat_editor *editor, const bat_curve *curve, int direction) {
-    double u = editor->range.u[editor->range.end], domain[2], period = period_of(curve), knot, best = NAN;
+static bat_status step_knot(bat_context *c, const bat_curve *curve, int direction) {
+    double u = c->toolbox->range.u[c->toolbox->range.end], domain[2], period = period_of(curve), knot,
+           best = NAN;
     bat_curve_domain(curve, domain);
     for (int turn = -1; turn <= 2; turn++) {
         if (turn && !bat_curve_closed(curve)) continue;
@@ -157,104 +157,103 @@ static bat_status step_knot(bat_editor *editor, const bat_curve *curve, int dire
             if (direction > 0 ? v > u && !(best <= v) : v < u && !(best >= v)) best = v;
         }
     }
-    return isnan(best) ? BAT_OK : move(editor, curve, best);
+    return isnan(best) ? BAT_OK : move(c, curve, best);
 }
 
 /* The curves of the drawing, back to front; past the last one the keyboard goes on to what lies behind it. */
-static bat_status step_curve(bat_editor *editor, int direction) {
-    bat_range *r = &editor->range;
-    bat_editor_sync(editor);
-    int i = bat_document_find(editor->document, r->object), j = r->curve + direction;
-    for (; i >= 0 && i < editor->scene.count; i += direction) {
-        const bat_scene_entry *entry = &editor->scene.entries[i];
+static bat_status step_curve(bat_context *c, int direction) {
+    bat_range *r = &c->toolbox->range;
+    bat_stage_sync(c);
+    int i = bat_document_find(c->session->document, r->object), j = r->curve + direction;
+    for (; i >= 0 && i < c->scene->count; i += direction) {
+        const bat_scene_entry *entry = &c->scene->entries[i];
         int count = entry->hidden || entry->locked ? 0 : bat_object_curve_count(entry->object);
-        if (i != bat_document_find(editor->document, r->object)) j = direction > 0 ? 0 : count - 1;
+        if (i != bat_document_find(c->session->document, r->object)) j = direction > 0 ? 0 : count - 1;
         for (; j >= 0 && j < count; j += direction)
-            if (choose(editor, bat_object_id(entry->object), j)) return BAT_OK;
+            if (choose(c, bat_object_id(entry->object), j)) return BAT_OK;
     }
     r->on = false;
     return BAT_STATE;
 }
 
-static bat_status erase(bat_editor *editor) {
-    bat_range *r = &editor->range;
+static bat_status erase(bat_context *c) {
+    bat_range *r = &c->toolbox->range;
     r->on = false;
-    bat_status status = bat_erase_stretch(editor, r->object, r->curve, r->u);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    bat_status status = bat_erase_stretch(c, r->object, r->curve, r->u);
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
-static bat_status fair(bat_editor *editor, const bat_curve *curve) {
-    bat_range *r = &editor->range;
-    double pixel = bat_view_pixel(&editor->view);
+static bat_status fair(bat_context *c, const bat_curve *curve) {
+    bat_range *r = &c->toolbox->range;
+    double pixel = bat_view_pixel(c->view);
     bat_curve *faired = NULL;
-    bat_status status = bat_calm_curve(curve, r->u, editor->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel, pixel,
-                                       &faired);
+    bat_status status = bat_calm_curve(curve, r->u, c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel,
+                                       pixel, &faired);
     r->on = false;
-    if (status == BAT_OK)
-        status = bat_commit_curve(editor, r->object, r->curve, faired, BAT_STRING_STEP_SMOOTH);
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
+    if (status == BAT_OK) status = bat_commit_curve(c, r->object, r->curve, faired, BAT_STRING_STEP_SMOOTH);
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
-static bool accept(bat_editor *editor) {
-    const bat_curve *curve = settle(editor);
+static bool accept(bat_context *c) {
+    const bat_curve *curve = settle(c);
     if (!curve) return false;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
-    if (editor->tool == BAT_TOOL_SMOOTH)
-        fair(editor, curve);
-    else if (editor->tool == BAT_TOOL_ERASER)
-        erase(editor);
+    bat_notice(c, BAT_STRING_COUNT);
+    if (c->choice->tool == BAT_TOOL_SMOOTH)
+        fair(c, curve);
+    else if (c->choice->tool == BAT_TOOL_ERASER)
+        erase(c);
     else
-        bat_waypoints_over(editor, editor->range.object, editor->range.curve, editor->range.u);
+        bat_waypoints_over(c, c->toolbox->range.object, c->toolbox->range.curve, c->toolbox->range.u);
     return true;
 }
 
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    const bat_curve *curve = settle(editor);
+static bat_status command(bat_context *c, bat_command_id id) {
+    const bat_curve *curve = settle(c);
     if (!curve) return BAT_STATE;
     switch ((int)id) {
-    case BAT_COMMAND_NUDGE_LEFT: return step(editor, curve, -1);
-    case BAT_COMMAND_NUDGE_RIGHT: return step(editor, curve, 1);
+    case BAT_COMMAND_NUDGE_LEFT: return step(c, curve, -1);
+    case BAT_COMMAND_NUDGE_RIGHT: return step(c, curve, 1);
     case BAT_COMMAND_NUDGE_UP:
     case BAT_COMMAND_NUDGE_DOWN:
-        editor->range.end = 1 - editor->range.end;
-        show(editor, curve);
+        c->toolbox->range.end = 1 - c->toolbox->range.end;
+        show(c, curve);
         return BAT_OK;
-    case BAT_COMMAND_KNOT_NEXT: return step_knot(editor, curve, 1);
-    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(editor, curve, -1);
-    case BAT_COMMAND_POINT_NEXT: return step_curve(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step_curve(editor, -1);
-    case BAT_COMMAND_POINT_DELETE: return erase(editor);
+    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, curve, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, curve, -1);
+    case BAT_COMMAND_POINT_NEXT: return step_curve(c, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step_curve(c, -1);
+    case BAT_COMMAND_POINT_DELETE: return erase(c);
     default: return BAT_STATE;
     }
 }
 
-static bool cancel(bat_editor *editor) {
-    bool was = editor->range.on;
-    editor->range.on = false;
+static bool cancel(bat_context *c) {
+    bool was = c->toolbox->range.on;
+    c->toolbox->range.on = false;
     return was;
 }
 
 /* Undo goes through the history; the range stays where it can. */
-static bool undo(bat_editor *editor) {
-    (void)editor;
+static bool undo(bat_context *c) {
+    (void)c;
     return false;
 }
 
 /* ---- picture ---- */
 
-static void update(bat_editor *editor) { settle(editor); }
+static void update(bat_context *c) { settle(c); }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_range *r = &editor->range;
-    const bat_curve *curve = bat_range_curve(editor);
-    double at[2], pixel = bat_view_pixel(&editor->view);
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_range *r = &c->toolbox->range;
+    const bat_curve *curve = bat_range_curve(c);
+    double at[2], pixel = bat_view_pixel(c->view);
     char text[32];
     if (!curve) return;
     bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, CURVE_WIDTH);
     bat_path_curve(&list->path, curve);
-    bat_role role = editor->tool == BAT_TOOL_ERASER ? BAT_ROLE_ERASED : BAT_ROLE_FIT;
+    bat_role role = c->choice->tool == BAT_TOOL_ERASER ? BAT_ROLE_ERASED : BAT_ROLE_FIT;
     bat_overlay_item(list, role, BAT_ITEM_STROKED, RANGE_WIDTH);
     bat_overlay_stretch(list, curve, r->u[0], r->u[1]);
     for (int i = 0; i < 2; i++) {
@@ -269,14 +268,14 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     }
 }
 
-static bat_string hint(const bat_editor *editor) {
-    return editor->tool == BAT_TOOL_SMOOTH   ? BAT_STRING_HINT_RANGE_SMOOTH
-           : editor->tool == BAT_TOOL_ERASER ? BAT_STRING_HINT_RANGE_ERASE
-                                             : BAT_STRING_HINT_RANGE;
+static bat_string hint(const bat_context *c) {
+    return c->choice->tool == BAT_TOOL_SMOOTH   ? BAT_STRING_HINT_RANGE_SMOOTH
+           : c->choice->tool == BAT_TOOL_ERASER ? BAT_STRING_HINT_RANGE_ERASE
+                                                : BAT_STRING_HINT_RANGE;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_range *r = &editor->range;
+static const char *check(const bat_context *c) {
+    const bat_range *r = &c->toolbox->range;
     if (!(r->u[0] < r->u[1])) return "a range without an extent";
     return r->end == 0 || r->end == 1 ? NULL : "a range has a third end";
 }

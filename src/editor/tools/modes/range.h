@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_MODES_RANGE_H
 #define BATTEN_EDITOR_TOOLS_MODES_RANGE_H
 
+#include "editor/session/context.h"
 #include "editor/tools/tool.h"
 
 typedef struct bat_range {
@@ -17,11 +18,11 @@ typedef struct bat_range {
 
 /* Begins on the selected curve, else on that nearest to the pen or the middle of the view; where it was before when
  * that is the same curve. BAT_STATE: there is no curve to be seen. */
-bat_status bat_range_begin(bat_editor *editor, bool down);
+bat_status bat_range_begin(bat_context *c, bool down);
 /* No range, and no waypoints over it. */
-void bat_range_end(bat_editor *editor);
+void bat_range_end(bat_context *c);
 /* The curve it lies on, NULL: it is off, or the curve is gone. */
-const bat_curve *bat_range_curve(const bat_editor *editor);
+const bat_curve *bat_range_curve(const bat_context *c);
 /* Lies over the chosen tool while the range is on. */
 const bat_tool *bat_tool_range(void);
 

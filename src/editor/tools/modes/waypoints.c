@@ -1,5 +1,5 @@
 #include "editor/tools/modes/waypoints.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
@@ -11,44 +11,45 @@ enum { OVER_RANGE = 5, SAMPLES_MIN = 6, SAMPLES_MAX = 400 };
 static const double SAMPLE = 2, MARGIN = 40, CLOSE = 8, SAME = 0.5; /* px */
 static const double FAR = 10, FARTHER = 100;                        /* px: with Shift, with Ctrl */
 
-static double pixel_of(const bat_editor *editor) { return bat_view_pixel(&editor->view); }
+static double pixel_of(const bat_context *c) { return bat_view_pixel(c->view); }
 
-static bool meet(const bat_editor *editor, int i, int j, double pixels) {
-    const double *p = editor->waypoints.points;
-    return bat_hypot(p[2 * i] - p[2 * j], p[2 * i + 1] - p[2 * j + 1]) <= pixels * pixel_of(editor);
+static bool meet(const bat_context *c, int i, int j, double pixels) {
+    const double *p = c->toolbox->waypoints.points;
+    return bat_hypot(p[2 * i] - p[2 * j], p[2 * i + 1] - p[2 * j + 1]) <= pixels * pixel_of(c);
 }
 
 /* The last one has just been put and lies on the one before it. */
-static bool resting(const bat_editor *editor) {
-    int last = editor->waypoints.count - 1;
-    return last > 0 && !editor->waypoints.object && meet(editor, last, last - 1, SAME);
+static bool resting(const bat_context *c) {
+    int last = c->toolbox->waypoints.count - 1;
+    return last > 0 && !c->toolbox->waypoints.object && meet(c, last, last - 1, SAME);
 }
 
-bat_status bat_waypoints_begin(bat_editor *editor, bool down) {
+bat_status bat_waypoints_begin(bat_context *c, bool down) {
     (void)down;
-    bat_waypoints *w = &editor->waypoints;
-    if ((editor->tool != BAT_TOOL_SKETCH && editor->tool != BAT_TOOL_TANGENTS) || w->on || editor->range.on)
+    bat_waypoints *w = &c->toolbox->waypoints;
+    if ((c->choice->tool != BAT_TOOL_SKETCH && c->choice->tool != BAT_TOOL_TANGENTS) || w->on ||
+        c->toolbox->range.on)
         return BAT_STATE;
     /* A chosen spline is being shaped: Escape first lets go of it. */
-    if (editor->tool == BAT_TOOL_TANGENTS && bat_splining_spline(editor)) return BAT_STATE;
-    const bat_tool *tool = bat_editor_tool(editor);
-    if (tool->cancel) tool->cancel(editor);
-    if (tool->leave) tool->leave(editor);
-    double at[2] = {editor->view.width / 2, editor->view.height / 2};
-    if (editor->pen_near) memcpy(at, editor->pen, sizeof at);
+    if (c->choice->tool == BAT_TOOL_TANGENTS && bat_splining_spline(c)) return BAT_STATE;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (tool->cancel) tool->cancel(c);
+    if (tool->leave) tool->leave(c);
+    double at[2] = {c->view->width / 2, c->view->height / 2};
+    if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
     *w = (bat_waypoints){.on = true, .due = true, .count = 1};
-    bat_view_to_document(&editor->view, at, w->points);
-    bat_editor_notice(editor, BAT_STRING_COUNT);
+    bat_view_to_document(c->view, at, w->points);
+    bat_notice(c, BAT_STRING_COUNT);
     return BAT_OK;
 }
 
-void bat_waypoints_over(bat_editor *editor, bat_id object, int curve, const double u[2]) {
-    bat_waypoints *w = &editor->waypoints;
-    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]) {
+    bat_waypoints *w = &c->toolbox->waypoints;
+    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return;
     double from = u[0], length = bat_curve_length(target, u[0], u[1], 1e-9), domain[2], d[4];
     bat_curve_domain(target, domain);
-    if (editor->tool != BAT_TOOL_SKETCH) bat_editor_command(editor, "tool-sketch");
+    if (c->choice->tool != BAT_TOOL_SKETCH) bat_command_do(c, "tool-sketch");
     *w = (bat_waypoints){.on = true, .due = true, .object = object, .curve = curve};
     for (; w->count < OVER_RANGE; w->count++) {
         bool last = w->count == OVER_RANGE - 1;
@@ -61,25 +62,25 @@ void bat_waypoints_over(bat_editor *editor, bat_id object, int curve, const doub
     w->chosen = OVER_RANGE / 2;
 }
 
-void bat_waypoints_end(bat_editor *editor) {
-    if (!editor->waypoints.on) return;
-    editor->waypoints.on = false;
-    bat_sketching_drop(editor);
+void bat_waypoints_end(bat_context *c) {
+    if (!c->toolbox->waypoints.on) return;
+    c->toolbox->waypoints.on = false;
+    bat_sketching_drop(c);
 }
 
 /* ---- the stroke ---- */
 
 /* The spline through the points; the last one counts once it has been moved. Closed only for the tangents tool. */
-static bat_spline spline_of(const bat_editor *editor, double *tangents) {
-    const bat_waypoints *w = &editor->waypoints;
-    bat_spline spline = {.dimension = 2, .count = w->count - resting(editor), .points = w->points};
+static bat_spline spline_of(const bat_context *c, double *tangents) {
+    const bat_waypoints *w = &c->toolbox->waypoints;
+    bat_spline spline = {.dimension = 2, .count = w->count - resting(c), .points = w->points};
     if (w->object) {
         memset(tangents, 0, 2 * BAT_WAYPOINTS_MAX * sizeof *tangents);
         memcpy(tangents, w->leads, 2 * sizeof *tangents);
         memcpy(tangents + 2 * (spline.count - 1), w->leads + 2, 2 * sizeof *tangents);
         spline.tangents = tangents;
-    } else if (editor->tool == BAT_TOOL_TANGENTS && spline.count > 3 &&
-               meet(editor, 0, spline.count - 1, CLOSE)) {
+    } else if (c->choice->tool == BAT_TOOL_TANGENTS && spline.count > 3 &&
+               meet(c, 0, spline.count - 1, CLOSE)) {
         spline.closed = true;
         spline.count--;
     }
@@ -87,9 +88,9 @@ static bat_spline spline_of(const bat_editor *editor, double *tangents) {
 }
 
 /* Points of the stroke, evenly enough for a pen's; *count of them. */
-static bat_status sample(const bat_editor *editor, double **out, size_t *count) {
+static bat_status sample(const bat_context *c, double **out, size_t *count) {
     double tangents[2 * BAT_WAYPOINTS_MAX], *bezier = NULL;
-    bat_spline spline = spline_of(editor, tangents);
+    bat_spline spline = spline_of(c, tangents);
     int segments = 0;
     bat_status status = bat_tangents(&spline, NULL, NULL, &bezier, &segments, NULL);
     if (status != BAT_OK) return status;
@@ -99,12 +100,12 @@ static bat_status sample(const bat_editor *editor, double **out, size_t *count) 
         const double *b = bezier + 8 * s;
         double length = 0;
         for (int i = 2; i < 8; i += 2) length += bat_hypot(b[i] - b[i - 2], b[i + 1] - b[i - 1]);
-        int steps = (int)fmin(fmax(ceil(length / (SAMPLE * pixel_of(editor))), SAMPLES_MIN), SAMPLES_MAX);
+        int steps = (int)fmin(fmax(ceil(length / (SAMPLE * pixel_of(c))), SAMPLES_MIN), SAMPLES_MAX);
         for (int i = s ? 1 : 0; i <= steps; i++, made++) {
             double t = (double)i / steps, r = 1 - t;
-            for (int c = 0; c < 2; c++)
-                points[2 * made + (size_t)c] = r * r * r * b[c] + 3 * r * r * t * b[2 + c] +
-                                               3 * r * t * t * b[4 + c] + t * t * t * b[6 + c];
+            for (int k = 0; k < 2; k++)
+                points[2 * made + (size_t)k] = r * r * r * b[k] + 3 * r * r * t * b[2 + k] +
+                                               3 * r * t * t * b[4 + k] + t * t * t * b[6 + k];
         }
     }
     bat_free(bezier);
@@ -115,54 +116,54 @@ static bat_status sample(const bat_editor *editor, double **out, size_t *count) 
 }
 
 /* The sketch tool is given the stroke as if a pen had drawn it and were still down. */
-static bat_status trace(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status trace(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     double *points = NULL;
     size_t count = 0;
     w->due = false;
-    bat_sketching_drop(editor);
-    if (editor->tool != BAT_TOOL_SKETCH) return BAT_OK;
-    bat_status status = sample(editor, &points, &count);
-    if (status == BAT_OK) bat_sketching_trace(editor, points, count, w->object, w->curve);
+    bat_sketching_drop(c);
+    if (c->choice->tool != BAT_TOOL_SKETCH) return BAT_OK;
+    bat_status status = sample(c, &points, &count);
+    if (status == BAT_OK) bat_sketching_trace(c, points, count, w->object, w->curve);
     free(points);
     return status;
 }
 
-static void finish(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
+static void finish(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     double tangents[2 * BAT_WAYPOINTS_MAX];
     bat_status status = BAT_OK;
-    if (editor->tool == BAT_TOOL_TANGENTS) {
-        bat_spline spline = spline_of(editor, tangents);
-        status = bat_splining_make(editor, &spline);
+    if (c->choice->tool == BAT_TOOL_TANGENTS) {
+        bat_spline spline = spline_of(c, tangents);
+        status = bat_splining_make(c, &spline);
     } else {
-        status = trace(editor);
-        if (status == BAT_OK) bat_sketching_lift(editor);
+        status = trace(c);
+        if (status == BAT_OK) bat_sketching_lift(c);
     }
     if (status == BAT_COUNT) { /* nothing but one place */
-        bat_editor_notice(editor, BAT_STRING_NOTICE_DOT);
+        bat_notice(c, BAT_STRING_NOTICE_DOT);
         return;
     }
-    if (status != BAT_OK) bat_editor_notice_failure(editor, status);
-    w->on = editor->range.on = false;
+    if (status != BAT_OK) bat_notice_failure(c, status);
+    w->on = c->toolbox->range.on = false;
 }
 
 /* ---- keys ---- */
 
-static bat_status nudge(bat_editor *editor, double x, double y, double far) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status nudge(bat_context *c, double x, double y, double far) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     double *point = w->points + 2 * w->chosen, screen[2];
-    bat_view_to_screen(&editor->view, point, screen);
+    bat_view_to_screen(c->view, point, screen);
     screen[0] += x * far;
     screen[1] += y * far;
-    bat_view_to_document(&editor->view, screen, point);
-    bat_view_show(&editor->view, point, MARGIN);
+    bat_view_to_document(c->view, screen, point);
+    bat_view_show(c->view, point, MARGIN);
     w->due = true;
     return BAT_OK;
 }
 
-static bat_status insert(bat_editor *editor, int index, const double point[2]) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status insert(bat_context *c, int index, const double point[2]) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     if (w->count == BAT_WAYPOINTS_MAX) return BAT_STATE;
     memmove(w->points + 2 * (index + 1), w->points + 2 * index,
             (size_t)(w->count - index) * 2 * sizeof *w->points);
@@ -174,17 +175,17 @@ static bat_status insert(bat_editor *editor, int index, const double point[2]) {
 }
 
 /* Half way to the next one; behind the last, half way to the one before it. */
-static bat_status add(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status add(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     int left = w->chosen < w->count - 1 ? w->chosen : w->chosen - 1;
     if (left < 0) return BAT_STATE;
     const double *a = w->points + 2 * left;
-    return insert(editor, left + 1, (double[]){(a[0] + a[2]) / 2, (a[1] + a[3]) / 2});
+    return insert(c, left + 1, (double[]){(a[0] + a[2]) / 2, (a[1] + a[3]) / 2});
 }
 
 /* The ends of a redrawn stretch stay; a new line keeps the point that is being placed. */
-static bat_status take_out(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status take_out(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     int i = w->chosen;
     if (w->object ? i == 0 || i == w->count - 1 : w->count == 1) return BAT_OK;
     if (!w->object && i == w->count - 1) i--; /* the one that Enter has put last */
@@ -195,70 +196,70 @@ static bat_status take_out(bat_editor *editor) {
     return BAT_OK;
 }
 
-static bat_status choose(bat_editor *editor, int step) {
-    bat_waypoints *w = &editor->waypoints;
+static bat_status choose(bat_context *c, int step) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     w->chosen = (w->chosen + step + w->count) % w->count;
-    bat_view_show(&editor->view, w->points + 2 * w->chosen, MARGIN);
+    bat_view_show(c->view, w->points + 2 * w->chosen, MARGIN);
     return BAT_OK;
 }
 
-static bat_status command(bat_editor *editor, bat_command_id id) {
-    double far = editor->modifiers & BAT_SHIFT ? FAR : 1;
+static bat_status command(bat_context *c, bat_command_id id) {
+    double far = c->modifiers & BAT_SHIFT ? FAR : 1;
     switch ((int)id) {
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(editor, -1, 0, far);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(editor, 1, 0, far);
-    case BAT_COMMAND_NUDGE_UP: return nudge(editor, 0, -1, far);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(editor, 0, 1, far);
-    case BAT_COMMAND_ROTATE_LEFT: return nudge(editor, -1, 0, FARTHER);
-    case BAT_COMMAND_ROTATE_RIGHT: return nudge(editor, 1, 0, FARTHER);
-    case BAT_COMMAND_SCALE_UP: return nudge(editor, 0, -1, FARTHER);
-    case BAT_COMMAND_SCALE_DOWN: return nudge(editor, 0, 1, FARTHER);
-    case BAT_COMMAND_POINT_NEXT: return choose(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return choose(editor, -1);
-    case BAT_COMMAND_POINT_ADD: return add(editor);
-    case BAT_COMMAND_POINT_DELETE: return take_out(editor);
+    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0, far);
+    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0, far);
+    case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1, far);
+    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, 0, 1, far);
+    case BAT_COMMAND_ROTATE_LEFT: return nudge(c, -1, 0, FARTHER);
+    case BAT_COMMAND_ROTATE_RIGHT: return nudge(c, 1, 0, FARTHER);
+    case BAT_COMMAND_SCALE_UP: return nudge(c, 0, -1, FARTHER);
+    case BAT_COMMAND_SCALE_DOWN: return nudge(c, 0, 1, FARTHER);
+    case BAT_COMMAND_POINT_NEXT: return choose(c, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return choose(c, -1);
+    case BAT_COMMAND_POINT_ADD: return add(c);
+    case BAT_COMMAND_POINT_DELETE: return take_out(c);
     default: return BAT_STATE;
     }
 }
 
 /* A new line: puts the point, or ends where one has just been put. */
-static bool accept(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
+static bool accept(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
     int last = w->count - 1;
-    if (w->object || (last > 0 && resting(editor)))
-        finish(editor);
+    if (w->object || (last > 0 && resting(c)))
+        finish(c);
     else if (w->chosen < last)
-        choose(editor, last - w->chosen);
+        choose(c, last - w->chosen);
     else
-        insert(editor, w->count, (double[]){w->points[2 * last], w->points[2 * last + 1]});
+        insert(c, w->count, (double[]){w->points[2 * last], w->points[2 * last + 1]});
     return true;
 }
 
 /* Back to the range, if that is what they lie on. */
-static bool cancel(bat_editor *editor) {
-    if (!editor->waypoints.on) return false;
-    bat_waypoints_end(editor);
-    if (!editor->range.on) bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+static bool cancel(bat_context *c) {
+    if (!c->toolbox->waypoints.on) return false;
+    bat_waypoints_end(c);
+    if (!c->toolbox->range.on) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
 /* ---- picture ---- */
 
-static void update(bat_editor *editor) {
-    bat_waypoints *w = &editor->waypoints;
-    if (w->object && !bat_edit_target(editor->document, w->object, w->curve)) {
-        bat_range_end(editor);
+static void update(bat_context *c) {
+    bat_waypoints *w = &c->toolbox->waypoints;
+    if (w->object && !bat_edit_target(c->session->document, w->object, w->curve)) {
+        bat_range_end(c);
         return;
     }
-    if (memcmp(&editor->view, &w->view, sizeof w->view)) w->due = true;
-    w->view = editor->view;
-    if (w->due) trace(editor); /* one place alone has no stroke */
-    if (editor->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->update(editor);
+    if (memcmp(c->view, &w->view, sizeof w->view)) w->due = true;
+    w->view = (*c->view);
+    if (w->due) trace(c); /* one place alone has no stroke */
+    if (c->toolbox->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->update(c);
 }
 
-static void show_spline(const bat_editor *editor, bat_overlay *list) {
+static void show_spline(const bat_context *c, bat_overlay *list) {
     double tangents[2 * BAT_WAYPOINTS_MAX];
-    bat_spline spline = spline_of(editor, tangents);
+    bat_spline spline = spline_of(c, tangents);
     bat_curve *curve = NULL;
     if (bat_tangents(&spline, NULL, NULL, NULL, NULL, &curve) != BAT_OK) return;
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
@@ -266,11 +267,11 @@ static void show_spline(const bat_editor *editor, bat_overlay *list) {
     bat_curve_free(curve);
 }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_waypoints *w = &editor->waypoints;
-    double pixel = pixel_of(editor);
-    if (editor->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->overlay(editor, list);
-    if (editor->tool == BAT_TOOL_TANGENTS) show_spline(editor, list);
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_waypoints *w = &c->toolbox->waypoints;
+    double pixel = pixel_of(c);
+    if (c->toolbox->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->overlay(c, list);
+    if (c->choice->tool == BAT_TOOL_TANGENTS) show_spline(c, list);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
     for (int i = 0; i < w->count; i++)
         if (i != w->chosen) bat_overlay_circle(list, w->points + 2 * i, 5 * pixel);
@@ -286,13 +287,13 @@ static void overlay(bat_editor *editor, bat_overlay *list) {
     }
 }
 
-static bat_string hint(const bat_editor *editor) {
-    if (editor->waypoints.object) return BAT_STRING_HINT_WAYPOINTS_OVER;
-    return resting(editor) ? BAT_STRING_HINT_WAYPOINTS_END : BAT_STRING_HINT_WAYPOINTS;
+static bat_string hint(const bat_context *c) {
+    if (c->toolbox->waypoints.object) return BAT_STRING_HINT_WAYPOINTS_OVER;
+    return resting(c) ? BAT_STRING_HINT_WAYPOINTS_END : BAT_STRING_HINT_WAYPOINTS;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_waypoints *w = &editor->waypoints;
+static const char *check(const bat_context *c) {
+    const bat_waypoints *w = &c->toolbox->waypoints;
     if (w->count < 1 || w->count > BAT_WAYPOINTS_MAX) return "waypoints without a point";
     if (w->chosen < 0 || w->chosen >= w->count) return "a waypoint is chosen that is not there";
     return NULL;

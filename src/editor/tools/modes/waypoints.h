@@ -6,6 +6,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_MODES_WAYPOINTS_H
 #define BATTEN_EDITOR_TOOLS_MODES_WAYPOINTS_H
 
+#include "editor/session/context.h"
 #include "editor/tools/tool.h"
 #include "editor/view/view.h"
 
@@ -22,10 +23,10 @@ typedef struct bat_waypoints {
 } bat_waypoints;
 
 /* The first point, where the pen is or in the middle of the view. BAT_STATE: this tool draws nothing. */
-bat_status bat_waypoints_begin(bat_editor *editor, bool down);
+bat_status bat_waypoints_begin(bat_context *c, bool down);
 /* Points along the stretch u[0]..u[1] of a curve, which is to be redrawn; the tool is the sketch tool then. */
-void bat_waypoints_over(bat_editor *editor, bat_id object, int curve, const double u[2]);
-void bat_waypoints_end(bat_editor *editor);
+void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]);
+void bat_waypoints_end(bat_context *c);
 /* Lies over the chosen tool while there are waypoints. */
 const bat_tool *bat_tool_waypoints(void);
 

@@ -8,7 +8,7 @@
  * anywhere.
  */
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -22,11 +22,11 @@ static const double KNOT_RADIUS = 3.5; /* px */
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
-static bat_pick pick_at(bat_editor *editor, const double pixel[2], bat_device device) {
+static bat_pick pick_at(bat_context *c, const double pixel[2], bat_device device) {
     double point[2];
-    bat_editor_sync(editor);
-    bat_view_to_document(&editor->view, pixel, point);
-    return bat_pick_nearest(&editor->scene, point, reach(device) * bat_view_pixel(&editor->view));
+    bat_stage_sync(c);
+    bat_view_to_document(c->view, pixel, point);
+    return bat_pick_nearest(c->scene, point, reach(device) * bat_view_pixel(c->view));
 }
 
 /* ---- preview ---- */
@@ -50,15 +50,15 @@ static void drop_pending(bat_sketching *s) {
 }
 
 /* The session, begun at need, is given the samples it has not had. */
-static bat_status feed(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static bat_status feed(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (!s->live) {
         static const bat_sketch_kind kinds[] = {[BAT_EDIT_NEW] = BAT_SKETCH_NEW,
                                                 [BAT_EDIT_REDRAW] = BAT_SKETCH_REDRAW,
                                                 [BAT_EDIT_SMOOTH] = BAT_SKETCH_SMOOTH};
         const bat_curve *target = NULL;
         if (s->edit.kind != BAT_EDIT_NEW)
-            target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
+            target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
         if (s->edit.kind != BAT_EDIT_NEW && !target) return BAT_STATE;
         s->fed = 0;
         bat_status status = bat_sketch_begin(target, kinds[s->edit.kind], &s->edit.options, 2, &s->live);
@@ -84,17 +84,17 @@ static void keep_blends(bat_sketching_preview *preview, const bat_sketch_preview
     memcpy(preview->blend_counts, counts, sizeof counts);
 }
 
-static void refresh_preview(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static void refresh_preview(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     s->preview_due = false;
     drop_preview(s);
     bat_sketch_preview_info info = {0};
     bat_curve *curve = NULL;
     bat_status status;
     if (s->edit.kind == BAT_EDIT_LEVEL) {
-        status = bat_edit_compute(editor, &s->edit, NULL, &curve, &info.report);
+        status = bat_edit_compute(c, &s->edit, NULL, &curve, &info.report);
     } else {
-        status = feed(editor);
+        status = feed(c);
         if (status == BAT_OK) status = bat_sketch_preview(s->live, &curve, &info);
     }
     s->preview.status = status;
@@ -106,14 +106,14 @@ static void refresh_preview(bat_editor *editor) {
 
 /* ---- the stroke ---- */
 
-static bat_sketch_options options(const bat_editor *editor) {
-    double pixel = bat_view_pixel(&editor->view);
+static bat_sketch_options options(const bat_context *c) {
+    double pixel = bat_view_pixel(c->view);
     bat_sketch_options options = bat_sketch_defaults();
     options.pixel = pixel;
-    options.tolerance = editor->values[BAT_PROPERTY_TOLERANCE] * pixel;
-    options.width = editor->values[BAT_PROPERTY_TRANSITION_WIDTH];
-    options.keep_corners = editor->values[BAT_PROPERTY_KEEP_CORNERS] != 0;
-    options.smooth_limit = editor->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
+    options.tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
+    options.width = c->settings->values[BAT_PROPERTY_TRANSITION_WIDTH];
+    options.keep_corners = c->settings->values[BAT_PROPERTY_KEEP_CORNERS] != 0;
+    options.smooth_limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
     return options;
 }
 
@@ -159,20 +159,21 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     return status;
 }
 
-static void give_up(bat_editor *editor, bat_status status) {
-    end_stroke(&editor->sketching);
-    bat_editor_notice_failure(editor, status);
+static void give_up(bat_context *c, bat_status status) {
+    end_stroke(&c->toolbox->sketching);
+    bat_notice_failure(c, status);
 }
 
 /* A curve with levels is redrawn at one of them: the active one when it is the chosen curve. */
-static bool meant_level(const bat_editor *editor, const bat_pick *pick, int *level) {
-    const bat_leveling *l = &editor->leveling;
-    int at = bat_document_find(editor->document, pick->object);
-    const bat_shape *shape = at < 0 ? NULL
-                                    : bat_object_shape(bat_document_at(editor->document, at), pick->curve);
+static bool meant_level(const bat_context *c, const bat_pick *pick, int *level) {
+    const bat_leveling *l = &c->toolbox->leveling;
+    int at = bat_document_find(c->session->document, pick->object);
+    const bat_shape *shape = at < 0
+                                 ? NULL
+                                 : bat_object_shape(bat_document_at(c->session->document, at), pick->curve);
     if (!shape) return false;
     bool chosen = l->object == pick->object && l->curve == pick->curve;
-    int way = (int)editor->values[BAT_PROPERTY_LEVEL_SKETCH];
+    int way = (int)c->settings->values[BAT_PROPERTY_LEVEL_SKETCH];
     *level = way == 1                                        ? BAT_LEVEL_FREE
              : way == 2                                      ? BAT_LEVEL_BARE
              : chosen && l->level <= bat_shape_levels(shape) ? l->level
@@ -181,21 +182,21 @@ static bool meant_level(const bat_editor *editor, const bat_pick *pick, int *lev
 }
 
 /* pick: the curve that is meant. */
-static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
-    bat_sketching *s = &editor->sketching;
+static void begin(bat_context *c, const bat_pointer *event, bat_pick pick) {
+    bat_sketching *s = &c->toolbox->sketching;
     double pixel[2] = {event->x, event->y};
     bat_samples samples = s->edit.samples;
     samples.count = 0;
     s->edit = (bat_edit){.kind = pick.object ? BAT_EDIT_REDRAW : BAT_EDIT_NEW,
                          .object = pick.object,
                          .curve = pick.curve,
-                         .view = editor->view,
-                         .options = options(editor),
-                         .style = bat_editor_new_style(editor),
+                         .view = (*c->view),
+                         .options = options(c),
+                         .style = bat_styling_new(c),
                          .samples = samples};
-    if (meant_level(editor, &pick, &s->edit.level)) s->edit.kind = BAT_EDIT_LEVEL;
+    if (meant_level(c, &pick, &s->edit.level)) s->edit.kind = BAT_EDIT_LEVEL;
     s->state = BAT_SKETCHING_DRAWING;
-    s->steady = bat_steady_begin(editor->values[BAT_PROPERTY_STABILISER], pixel);
+    s->steady = bat_steady_begin(c->settings->values[BAT_PROPERTY_STABILISER], pixel);
     s->device = event->device;
     memcpy(s->hover, pixel, sizeof s->hover);
     s->pick = pick;
@@ -205,43 +206,42 @@ static void begin(bat_editor *editor, const bat_pointer *event, bat_pick pick) {
     s->closing = false;
     s->predicted_count = 0;
     double point[2];
-    bat_view_to_document(&editor->view, pixel, point);
-    bat_pick at_end = bat_pick_end(&editor->scene, point,
-                                   reach(event->device) * bat_view_pixel(&editor->view), 0, 0);
+    bat_view_to_document(c->view, pixel, point);
+    bat_pick at_end = bat_pick_end(c->scene, point, reach(event->device) * bat_view_pixel(c->view), 0, 0);
     s->starts_at_end = pick.object && at_end.object == pick.object && at_end.curve == pick.curve;
-    if (!s->has_pending) bat_editor_notice(editor, BAT_STRING_COUNT);
+    if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
     bat_status status = add_sample(s, event);
     if (status != BAT_OK)
-        give_up(editor, status);
+        give_up(c, status);
     else if (event->modifiers & BAT_ALT)
         start_smoothing(s);
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    begin(editor, event, pick_at(editor, (double[]){event->x, event->y}, event->device));
+static void down(bat_context *c, const bat_pointer *event) {
+    begin(c, event, pick_at(c, (double[]){event->x, event->y}, event->device));
 }
 
 /* What the place of the pen would mean if it were lifted here. */
-static void look_ahead(bat_editor *editor, const bat_pointer *event) {
-    bat_sketching *s = &editor->sketching;
+static void look_ahead(bat_context *c, const bat_pointer *event) {
+    bat_sketching *s = &c->toolbox->sketching;
     double pixel[2] = {event->x, event->y}, point[2];
     s->join = (bat_pick){0};
     if (s->edit.kind == BAT_EDIT_REDRAW && s->starts_at_end && s->travelled > CLOSING_AFTER) {
-        bat_view_to_document(&editor->view, pixel, point);
-        s->join = bat_pick_end(&editor->scene, point, reach(s->device) * bat_view_pixel(&editor->view),
-                               s->edit.object, s->edit.curve);
+        bat_view_to_document(c->view, pixel, point);
+        s->join = bat_pick_end(c->scene, point, reach(s->device) * bat_view_pixel(c->view), s->edit.object,
+                               s->edit.curve);
     }
     const double *first = s->edit.samples.pixels;
     s->closing = s->edit.kind == BAT_EDIT_NEW && s->travelled > CLOSING_AFTER &&
                  bat_hypot(pixel[0] - first[0], pixel[1] - first[1]) <= REACH;
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_sketching *s = &editor->sketching;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
     if (event->predicted) {
         double point[2];
-        bat_view_to_document(&editor->view, (double[]){event->x, event->y}, point);
+        bat_view_to_document(c->view, (double[]){event->x, event->y}, point);
         if (s->predicted_count < sizeof s->predicted / sizeof *s->predicted / 2)
             memcpy(s->predicted + 2 * s->predicted_count++, point, sizeof point);
         return;
@@ -254,7 +254,7 @@ static void move(bat_editor *editor, const bat_pointer *event) {
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
         status = add_sample(s, event);
     if (status != BAT_OK) {
-        give_up(editor, status);
+        give_up(c, status);
         return;
     }
     if (event->modifiers & BAT_ALT) start_smoothing(s);
@@ -270,27 +270,27 @@ static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
 
 /* Makes the curve: a join where both ends meet curves, else what the session has; far strokes are new curves.
  */
-static bat_status make(bat_editor *editor, bat_curve **curve, bat_sketch_report *report, bool *strayed) {
-    bat_sketching *s = &editor->sketching;
+static bat_status make(bat_context *c, bat_curve **curve, bat_sketch_report *report, bool *strayed) {
+    bat_sketching *s = &c->toolbox->sketching;
     bat_edit *edit = &s->edit;
     if (s->join.object) {
         edit->kind = BAT_EDIT_JOIN;
         edit->other = s->join.object;
         edit->other_curve = s->join.curve;
-        bat_status status = bat_edit_compute(editor, edit, NULL, curve, report);
+        bat_status status = bat_edit_compute(c, edit, NULL, curve, report);
         if (status == BAT_OK || status == BAT_TOLERANCE || status == BAT_MEMORY) return status;
         edit->kind = BAT_EDIT_REDRAW;
     }
     bool level = edit->kind == BAT_EDIT_LEVEL;
-    bat_status status = level ? BAT_OK : feed(editor);
+    bat_status status = level ? BAT_OK : feed(c);
     if (status != BAT_OK) return status;
     bat_sketch_live *live = s->live;
     s->live = NULL;
-    status = bat_edit_compute(editor, edit, live, curve, report);
+    status = bat_edit_compute(c, edit, live, curve, report);
     if (status != BAT_FAR || (edit->kind != BAT_EDIT_REDRAW && !level)) return status;
     edit->kind = BAT_EDIT_NEW;
     *strayed = true;
-    return bat_edit_compute(editor, edit, NULL, curve, report);
+    return bat_edit_compute(c, edit, NULL, curve, report);
 }
 
 static void keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report) {
@@ -303,147 +303,148 @@ static void keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_re
     s->has_pending = true;
 }
 
-static bool accept(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static bool accept(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (!s->has_pending) return false;
     bat_curve *curve = s->pending_curve;
     s->pending_curve = NULL;
     drop_pending(s);
     end_stroke(s);
     bool closed = bat_curve_closed(curve);
-    bat_status status = bat_edit_commit(editor, &s->pending, curve);
+    bat_status status = bat_edit_commit(c, &s->pending, curve);
     if (status != BAT_OK)
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
     else
-        bat_editor_notice(editor, outcome(&s->pending, false, closed));
+        bat_notice(c, outcome(&s->pending, false, closed));
     return true;
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
-    bat_sketching *s = &editor->sketching;
+static void up(bat_context *c, const bat_pointer *event) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (s->state != BAT_SKETCHING_DRAWING) return;
     if (s->has_pending) { /* not dropped by a stroke, so this was a tap */
-        accept(editor);
+        accept(c);
         return;
     }
     if (smooths_nothing(s)) {
         end_stroke(s);
-        bat_editor_notice(editor, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
+        bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
         return;
     }
-    look_ahead(editor, event);
+    look_ahead(c, event);
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bool strayed = false;
-    bat_status status = make(editor, &curve, &report, &strayed);
+    bat_status status = make(c, &curve, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
         if (s->edit.kind == BAT_EDIT_NEW) {
-            s->edit.object = bat_document_new_id(editor->document);
-            bat_arrange_place(editor, &s->edit.parent);
+            s->edit.object = bat_document_new_id(c->session->document);
+            bat_arrange_place(c, &s->edit.parent);
         }
         if (status == BAT_TOLERANCE) {
             keep_pending(s, curve, &report);
-            bat_editor_notice(editor, BAT_STRING_NOTICE_PENDING);
+            bat_notice(c, BAT_STRING_NOTICE_PENDING);
         } else {
             bool closed = bat_curve_closed(curve);
-            status = bat_edit_commit(editor, &s->edit, curve);
+            status = bat_edit_commit(c, &s->edit, curve);
             if (status == BAT_OK)
-                bat_editor_notice(editor, outcome(&s->edit, strayed, closed));
+                bat_notice(c, outcome(&s->edit, strayed, closed));
             else
-                bat_editor_notice_failure(editor, status);
+                bat_notice_failure(c, status);
         }
     } else if (status == BAT_DOT) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_DOT);
+        bat_notice(c, BAT_STRING_NOTICE_DOT);
     } else if (status == BAT_STATE && s->edit.kind == BAT_EDIT_LEVEL) {
-        bat_editor_notice(editor, BAT_STRING_NOTICE_MUTED);
+        bat_notice(c, BAT_STRING_NOTICE_MUTED);
     } else {
-        bat_editor_notice_failure(editor, status);
+        bat_notice_failure(c, status);
     }
     end_stroke(s);
 }
 
 /* ---- a stroke without a pen ---- */
 
-void bat_sketching_drop(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+void bat_sketching_drop(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (s->state == BAT_SKETCHING_DRAWING) end_stroke(s);
 }
 
-void bat_sketching_trace(bat_editor *editor, const double *points, size_t count, bat_id object, int curve) {
+void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat_id object, int curve) {
     for (size_t i = 0; i < count; i++) {
         double at[2];
-        bat_view_to_screen(&editor->view, points + 2 * i, at);
+        bat_view_to_screen(c->view, points + 2 * i, at);
         bat_pointer event = {.x = bat_samples_round(at[0], 100),
                              .y = bat_samples_round(at[1], 100),
                              .pressure = 0.5,
-                             .time = editor->time + 4 * (double)i};
+                             .time = c->time + 4 * (double)i};
         if (i) {
-            move(editor, &event);
+            move(c, &event);
             continue;
         }
         if (object)
-            begin(editor, &event, (bat_pick){.object = object, .curve = curve});
+            begin(c, &event, (bat_pick){.object = object, .curve = curve});
         else
-            down(editor, &event);
-        editor->sketching.steady = bat_steady_begin(0, (double[]){event.x, event.y}); /* no hand trembles */
+            down(c, &event);
+        c->toolbox->sketching.steady = bat_steady_begin(0,
+                                                        (double[]){event.x, event.y}); /* no hand trembles */
     }
 }
 
-void bat_sketching_lift(bat_editor *editor) {
-    const bat_samples *samples = &editor->sketching.edit.samples;
-    if (editor->sketching.state != BAT_SKETCHING_DRAWING) return;
+void bat_sketching_lift(bat_context *c) {
+    const bat_samples *samples = &c->toolbox->sketching.edit.samples;
+    if (c->toolbox->sketching.state != BAT_SKETCHING_DRAWING) return;
     const double *last = samples->pixels + 2 * (samples->count - 1);
-    up(editor, &(bat_pointer){.x = last[0], .y = last[1]});
+    up(c, &(bat_pointer){.x = last[0], .y = last[1]});
 }
 
-static bool cancel(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static bool cancel(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (s->state == BAT_SKETCHING_IDLE) return false;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     drop_pending(s);
     end_stroke(s);
-    bat_editor_notice(editor, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);
+    bat_notice(c, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);
     return true;
 }
 
 /* ---- hover and modifiers ---- */
 
-static void hover(bat_editor *editor, const bat_pointer *event) {
-    bat_sketching *s = &editor->sketching;
+static void hover(bat_context *c, const bat_pointer *event) {
+    bat_sketching *s = &c->toolbox->sketching;
     s->hovering = s->hover_changed = true;
     s->device = event->device;
     s->hover[0] = event->x;
     s->hover[1] = event->y;
 }
 
-static void leave(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static void leave(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     s->hovering = false;
     if (s->state != BAT_SKETCHING_DRAWING) s->pick = (bat_pick){0};
 }
 
-static void modifiers(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
-    if (s->state == BAT_SKETCHING_DRAWING && editor->modifiers & BAT_ALT) start_smoothing(s);
+static void modifiers(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
+    if (s->state == BAT_SKETCHING_DRAWING && c->modifiers & BAT_ALT) start_smoothing(s);
 }
 
-static bool busy(const bat_editor *editor) { return editor->sketching.state == BAT_SKETCHING_DRAWING; }
+static bool busy(const bat_context *c) { return c->toolbox->sketching.state == BAT_SKETCHING_DRAWING; }
 
 /* ---- once a frame ---- */
 
-static void update(bat_editor *editor) {
-    bat_sketching *s = &editor->sketching;
+static void update(bat_context *c) {
+    bat_sketching *s = &c->toolbox->sketching;
     if (s->state == BAT_SKETCHING_DRAWING) {
-        if (s->preview_due && !smooths_nothing(s)) refresh_preview(editor);
-        look_ahead(editor, &(bat_pointer){.x = s->hover[0], .y = s->hover[1]});
+        if (s->preview_due && !smooths_nothing(s)) refresh_preview(c);
+        look_ahead(c, &(bat_pointer){.x = s->hover[0], .y = s->hover[1]});
         return;
     }
-    const bat_view *view = &editor->view;
-    if (s->pick_revision == editor->revision && !memcmp(view, &s->pick_view, sizeof *view) &&
+    const bat_view *view = c->view;
+    if (s->pick_revision == c->session->revision && !memcmp(view, &s->pick_view, sizeof *view) &&
         !s->hover_changed)
         return;
-    s->pick = s->hovering ? pick_at(editor, s->hover, s->device) : (bat_pick){0};
-    s->pick_revision = editor->revision;
+    s->pick = s->hovering ? pick_at(c, s->hover, s->device) : (bat_pick){0};
+    s->pick_revision = c->session->revision;
     s->pick_view = *view;
     s->hover_changed = false;
 }
@@ -482,37 +483,38 @@ static void show_fit(bat_overlay *overlay, bat_role role, const bat_curve *curve
 }
 
 /* The stretch fades the old line, so it has to be as wide. */
-static float stretch_width(const bat_editor *editor, bat_id id) {
-    const bat_object *object = bat_document_at(editor->document, bat_document_find(editor->document, id));
-    double width = object ? bat_object_style(object)->width * editor->view.zoom : 0;
+static float stretch_width(const bat_context *c, bat_id id) {
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, id));
+    double width = object ? bat_object_style(object)->width * c->view->zoom : 0;
     return fmaxf(STRETCH_WIDTH, (float)fmin(width + 2, BAT_PIXELS_MAX));
 }
 
-static void show_stretch(const bat_editor *editor, bat_overlay *overlay, const bat_edit *edit,
+static void show_stretch(const bat_context *c, bat_overlay *overlay, const bat_edit *edit,
                          const bat_sketch_report *report) {
-    const bat_curve *target = bat_edit_target(editor->document, edit->object, edit->curve);
+    const bat_curve *target = bat_edit_target(c->session->document, edit->object, edit->curve);
     if (!target || !(report->changed[0] < report->changed[1])) return;
-    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(editor, edit->object));
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
     bat_overlay_stretch(overlay, target, report->changed[0], report->changed[1]);
 }
 
-static void highlight(const bat_editor *editor, bat_overlay *overlay, bat_id object, int curve) {
-    const bat_curve *target = bat_edit_target(editor->document, object, curve);
+static void highlight(const bat_context *c, bat_overlay *overlay, bat_id object, int curve) {
+    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return;
     bat_overlay_item(overlay, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, HIGHLIGHT_WIDTH);
     bat_path_curve(&overlay->path, target);
 }
 
-static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
-    const bat_sketching *s = &editor->sketching;
+static void show_stroke(const bat_context *c, bat_overlay *overlay) {
+    const bat_sketching *s = &c->toolbox->sketching;
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
     if (s->edit.kind != BAT_EDIT_NEW)
-        target = bat_edit_target(editor->document, s->edit.object, s->edit.curve);
-    if (target && !preview->curve) highlight(editor, overlay, s->edit.object, s->edit.curve);
-    if (s->join.object) highlight(editor, overlay, s->join.object, s->join.curve);
-    if (preview->curve && target) show_stretch(editor, overlay, &s->edit, &preview->report);
+        target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
+    if (target && !preview->curve) highlight(c, overlay, s->edit.object, s->edit.curve);
+    if (s->join.object) highlight(c, overlay, s->join.object, s->join.curve);
+    if (preview->curve && target) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {
@@ -523,37 +525,37 @@ static void show_stroke(const bat_editor *editor, bat_overlay *overlay) {
     }
     if (preview->curve)
         show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, s->edit.kind == BAT_EDIT_NEW,
-                 bat_view_pixel(&editor->view));
+                 bat_view_pixel(c->view));
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink by the pen to what is to come */
         double pen[2];
         bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
         const double *last = samples->points + 2 * (samples->count - 1);
         bat_path_move(&overlay->path, last[0], last[1]);
-        bat_view_to_document(&editor->view, s->hover, pen);
+        bat_view_to_document(c->view, s->hover, pen);
         bat_path_line(&overlay->path, pen[0], pen[1]);
         for (size_t i = 0; i < s->predicted_count; i++)
             bat_path_line(&overlay->path, s->predicted[2 * i], s->predicted[2 * i + 1]);
     }
 }
 
-static void overlay(bat_editor *editor, bat_overlay *list) {
-    const bat_sketching *s = &editor->sketching;
+static void overlay(bat_context *c, bat_overlay *list) {
+    const bat_sketching *s = &c->toolbox->sketching;
     if (s->has_pending) {
         const bat_edit *edit = &s->pending;
         bool whole = edit->kind == BAT_EDIT_NEW || edit->kind == BAT_EDIT_JOIN;
-        if (!whole) show_stretch(editor, list, edit, &s->pending_report);
+        if (!whole) show_stretch(c, list, edit, &s->pending_report);
         show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole,
-                 bat_view_pixel(&editor->view));
+                 bat_view_pixel(c->view));
     }
     if (s->state == BAT_SKETCHING_DRAWING)
-        show_stroke(editor, list);
-    else if (s->pick.object && !editor->holding_pan && !editor->contacts.count)
-        highlight(editor, list, s->pick.object, s->pick.curve);
+        show_stroke(c, list);
+    else if (s->pick.object && !c->input->holding_pan && !c->input->contacts.count)
+        highlight(c, list, s->pick.object, s->pick.curve);
 }
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_sketching *s = &editor->sketching;
+static bat_string hint(const bat_context *c) {
+    const bat_sketching *s = &c->toolbox->sketching;
     if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
         if (smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
@@ -564,32 +566,32 @@ static bat_string hint(const bat_editor *editor) {
             return BAT_STRING_HINT_REDRAWING;
         return s->closing ? BAT_STRING_HINT_CLOSING : BAT_STRING_HINT_DRAWING;
     }
-    if (editor->modifiers & BAT_ALT)
+    if (c->modifiers & BAT_ALT)
         return s->pick.object ? BAT_STRING_HINT_SMOOTH : BAT_STRING_HINT_SMOOTH_NOTHING;
     int level = -1;
-    if (meant_level(editor, &s->pick, &level) && level >= 0) return BAT_STRING_HINT_LEVEL_SKETCH;
+    if (meant_level(c, &s->pick, &level) && level >= 0) return BAT_STRING_HINT_LEVEL_SKETCH;
     return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    return editor->sketching.pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
+static bat_cursor cursor(const bat_context *c) {
+    return c->toolbox->sketching.pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_sketching *s = &editor->sketching;
+static const char *check(const bat_context *c) {
+    const bat_sketching *s = &c->toolbox->sketching;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     if (drawing && !s->edit.samples.count) return "a stroke under way has no samples";
     if (!drawing && s->edit.samples.count) return "samples are left of a stroke that ended";
     if (!drawing && (s->live || s->preview.curve || s->preview.blends))
         return "a preview outlived its stroke";
-    if (drawing && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+    if (drawing && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a stroke without a pen";
     if (s->fed > s->edit.samples.count) return "the session has samples that the stroke has not";
     if (s->has_pending != (s->pending_curve != NULL)) return "a pending fit without a curve";
     if (s->state == BAT_SKETCHING_PENDING && !s->has_pending) return "nothing is pending";
     if (s->state == BAT_SKETCHING_IDLE && s->has_pending) return "a pending fit is forgotten";
     if (drawing && s->edit.kind != BAT_EDIT_NEW &&
-        !bat_edit_target(editor->document, s->edit.object, s->edit.curve))
+        !bat_edit_target(c->session->document, s->edit.object, s->edit.curve))
         return "the curve under the pen is gone";
     return NULL;
 }

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_SKETCHING_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_SKETCHING_H
 
+#include "editor/session/context.h"
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
@@ -55,8 +56,8 @@ typedef struct bat_sketching {
 /* A stroke without a pen. trace: the pen comes down at the first point (document units) and goes through the others;
  * object 0: the first point's place decides what it means. lift: the pen is lifted where it is. drop: the stroke is
  * forgotten. */
-void bat_sketching_trace(bat_editor *editor, const double *points, size_t count, bat_id object, int curve);
-void bat_sketching_lift(bat_editor *editor);
-void bat_sketching_drop(bat_editor *editor);
+void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat_id object, int curve);
+void bat_sketching_lift(bat_context *c);
+void bat_sketching_drop(bat_context *c);
 
 #endif

@@ -1,5 +1,5 @@
 /* The tangents tool: what of its spline, or which other one, lies under the pen. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <math.h>
@@ -12,9 +12,9 @@ typedef struct place {
     double reach;           /* 1, or more for fingers */
 } place;
 
-static place place_at(const bat_editor *editor, const double pixel[2], bat_device device) {
-    place p = {.pixel = bat_view_pixel(&editor->view), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
-    bat_view_to_document(&editor->view, pixel, p.point);
+static place place_at(const bat_context *c, const double pixel[2], bat_device device) {
+    place p = {.pixel = bat_view_pixel(c->view), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
+    bat_view_to_document(c->view, pixel, p.point);
     return p;
 }
 
@@ -70,11 +70,11 @@ static bat_spline_hit find_placing(const place *p, const bat_spline *s, const ba
     return (bat_spline_hit){0};
 }
 
-bat_spline_hit bat_splining_find(bat_editor *editor, const double pixel[2], bat_device device) {
-    bat_splining *s = &editor->splining;
-    place p = place_at(editor, pixel, device);
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
+bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_device device) {
+    bat_splining *s = &c->toolbox->splining;
+    place p = place_at(c, pixel, device);
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
     s->near = -1;
     if (s->placing) return spline && joints ? find_placing(&p, spline, joints) : (bat_spline_hit){0};
     if (spline && joints) {
@@ -94,9 +94,9 @@ bat_spline_hit bat_splining_find(bat_editor *editor, const double pixel[2], bat_
         if (s->near >= 0 && on_ring(&p, spline, s->near))
             return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
     }
-    bat_editor_sync(editor);
-    bat_pick pick = bat_pick_nearest(&editor->scene, p.point, CURVE_REACH * p.reach * p.pixel);
-    const bat_object *object = pick.object ? bat_document_at(editor->document, pick.index) : NULL;
+    bat_stage_sync(c);
+    bat_pick pick = bat_pick_nearest(c->scene, p.point, CURVE_REACH * p.reach * p.pixel);
+    const bat_object *object = pick.object ? bat_document_at(c->session->document, pick.index) : NULL;
     const bat_spline *found = object ? bat_object_spline(object) : NULL;
     if (!found || found->dimension != 2) return (bat_spline_hit){0};
     if (pick.object == s->object) return on_curve(bat_object_curve(object, 0), pick.near.u);

@@ -1,5 +1,5 @@
 /* The tangents tool by the keyboard: its commands. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -7,45 +7,44 @@
 static const double STEP = 15 * BAT_PI / 180;  /* with Shift */
 static const double NUDGE_TURN = BAT_PI / 180; /* radians a key press */
 
-static bat_status nudge(bat_editor *editor, double x, double y) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
+static bat_status nudge(bat_context *c, double x, double y) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
-    bool far = editor->modifiers & BAT_SHIFT;
+    bool far = c->modifiers & BAT_SHIFT;
     int i = s->point;
     double direction[2];
     bat_splining_direction(spline, joints, i, direction);
-    bat_status status = bat_splining_load(editor);
+    bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
     if (s->on_direction) {
-        double turn = x * (far ? STEP : NUDGE_TURN), c = bat_cos(turn), v = bat_sin(turn);
+        double turn = x * (far ? STEP : NUDGE_TURN), u = bat_cos(turn), v = bat_sin(turn);
         double factor = y == 0 ? 1 : far ? 1.25 : 1.05;
-        s->draft.tangents[2 * i] = c * direction[0] - v * direction[1];
-        s->draft.tangents[2 * i + 1] = v * direction[0] + c * direction[1];
+        s->draft.tangents[2 * i] = u * direction[0] - v * direction[1];
+        s->draft.tangents[2 * i + 1] = v * direction[0] + u * direction[1];
         for (int k = 0; k < 2; k++)
             if (y != 0)
                 s->draft.tension[2 * i + k] = bat_splining_tension(
                     y < 0 ? s->draft.tension[2 * i + k] * factor : s->draft.tension[2 * i + k] / factor);
     } else {
-        double way = (far ? 10 : 1) * bat_view_pixel(&editor->view);
+        double way = (far ? 10 : 1) * bat_view_pixel(c->view);
         s->draft.points[2 * i] += x * way;
         s->draft.points[2 * i + 1] += y * way;
     }
-    status = bat_splining_commit(editor,
-                                 s->on_direction ? BAT_STRING_STEP_DIRECTION : BAT_STRING_STEP_MOVE_POINT);
-    bat_splining_tell(editor, status, BAT_STRING_COUNT);
+    status = bat_splining_commit(c, s->on_direction ? BAT_STRING_STEP_DIRECTION : BAT_STRING_STEP_MOVE_POINT);
+    bat_splining_tell(c, status, BAT_STRING_COUNT);
     return BAT_OK;
 }
 
 /* Points and their directions, one after the other; past the last the key is the host's. */
-static bat_status step_point(bat_editor *editor, int step) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    for (int i = 0; !spline && i < bat_document_count(editor->document); i++) {
-        s->object = bat_object_id(bat_document_at(editor->document, i));
+static bat_status step_point(bat_context *c, int step) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
+    for (int i = 0; !spline && i < bat_document_count(c->session->document); i++) {
+        s->object = bat_object_id(bat_document_at(c->session->document, i));
         s->point = -1;
-        spline = bat_splining_spline(editor);
+        spline = bat_splining_spline(c);
     }
     if (!spline) return BAT_STATE;
     int slot = s->point < 0 ? (step > 0 ? 0 : 2 * spline->count - 1) : 2 * s->point + s->on_direction + step;
@@ -56,30 +55,30 @@ static bat_status step_point(bat_editor *editor, int step) {
     return BAT_OK;
 }
 
-static bat_status take_back(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
+static bat_status take_back(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
     if (!s->placing) {
         if (!spline || s->point < 0) return BAT_STATE;
         int point = s->point;
-        bat_status status = bat_splining_remove_point(editor, point);
+        bat_status status = bat_splining_remove_point(c, point);
         if (status == BAT_OK) s->point = s->object ? (point > 0 ? point - 1 : 0) : -1;
         return status;
     }
-    if (!spline) return bat_splining_stop(editor) ? BAT_OK : BAT_STATE;
+    if (!spline) return bat_splining_stop(c) ? BAT_OK : BAT_STATE;
     memcpy(s->first, spline->points, sizeof s->first);
     memcpy(s->first_direction, spline->tangents, sizeof s->first_direction);
-    bat_status status = bat_splining_remove_point(editor, spline->count - 1);
+    bat_status status = bat_splining_remove_point(c, spline->count - 1);
     if (status == BAT_OK) s->point = s->object ? s->draft.count - 1 : 0;
-    bat_editor_notice(editor, BAT_STRING_COUNT);
+    bat_notice(c, BAT_STRING_COUNT);
     return status;
 }
 
 /* In the middle of the segment that follows the point; of the last one, of the segment before it. */
-static bat_status add_behind(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
+static bat_status add_behind(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
     int kept = 0, segment = -1;
     for (int i = 0; i < spline->count; i++) {
@@ -88,24 +87,23 @@ static bat_status add_behind(bat_editor *editor) {
     }
     if (!spline->closed && segment > kept - 2) segment = kept - 2;
     if (segment >= kept) segment = kept - 1;
-    return bat_splining_insert(editor, segment < 0 ? 0 : segment, 0.5);
+    return bat_splining_insert(c, segment < 0 ? 0 : segment, 0.5);
 }
 
-bat_status bat_splining_command(bat_editor *editor, bat_command_id id) {
-    bat_splining *s = &editor->splining;
+bat_status bat_splining_command(bat_context *c, bat_command_id id) {
+    bat_splining *s = &c->toolbox->splining;
     switch ((int)id) {
-    case BAT_COMMAND_POINT_NEXT: return step_point(editor, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step_point(editor, -1);
-    case BAT_COMMAND_POINT_ADD: return add_behind(editor);
-    case BAT_COMMAND_POINT_DELETE: return take_back(editor);
+    case BAT_COMMAND_POINT_NEXT: return step_point(c, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step_point(c, -1);
+    case BAT_COMMAND_POINT_ADD: return add_behind(c);
+    case BAT_COMMAND_POINT_DELETE: return take_back(c);
     case BAT_COMMAND_POINT_DEFAULT:
-        return bat_splining_spline(editor) && s->point >= 0 ? bat_splining_default(editor, s->point)
-                                                            : BAT_STATE;
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(editor, -1, 0);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(editor, 1, 0);
-    case BAT_COMMAND_NUDGE_UP: return nudge(editor, 0, -1);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(editor, 0, 1);
-    case BAT_COMMAND_FREE_CURVE: return bat_splining_give_free(editor);
+        return bat_splining_spline(c) && s->point >= 0 ? bat_splining_default(c, s->point) : BAT_STATE;
+    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
+    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
+    case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
+    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, 0, 1);
+    case BAT_COMMAND_FREE_CURVE: return bat_splining_give_free(c);
     default: return BAT_STATE;
     }
 }

@@ -1,5 +1,5 @@
 /* What the tangents tool knows of its spline, and how it shows it. */
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <batten/bezier.h>
 #include <math.h>
@@ -18,12 +18,12 @@ void bat_splining_free(bat_splining *s) {
     *s = (bat_splining){.point = -1, .near = -1};
 }
 
-const bat_spline *bat_splining_spline(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    int at = s->object ? bat_document_find(editor->document, s->object) : -1;
-    const bat_object *object = at < 0 || bat_editor_out_of_reach(editor, at)
+const bat_spline *bat_splining_spline(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    int at = s->object ? bat_document_find(c->session->document, s->object) : -1;
+    const bat_object *object = at < 0 || bat_stage_out_of_reach(c, at)
                                    ? NULL
-                                   : bat_document_at(editor->document, at);
+                                   : bat_document_at(c->session->document, at);
     const bat_spline *spline = object ? bat_object_spline(object) : NULL;
     if (!spline || spline->dimension != 2) {
         if (s->object)
@@ -37,14 +37,14 @@ const bat_spline *bat_splining_spline(bat_editor *editor) {
     return spline;
 }
 
-const bat_joint *bat_splining_joints(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
+const bat_joint *bat_splining_joints(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
     if (!spline) return NULL;
-    if (s->joints && s->joints_object == s->object && s->joints_revision == editor->revision)
+    if (s->joints && s->joints_object == s->object && s->joints_revision == c->session->revision)
         return s->joints;
-    const bat_object *object = bat_document_at(editor->document,
-                                               bat_document_find(editor->document, s->object));
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, s->object));
     free(s->joints);
     s->joints = malloc((size_t)spline->count * sizeof *s->joints);
     bat_status status = BAT_MEMORY;
@@ -56,7 +56,7 @@ const bat_joint *bat_splining_joints(bat_editor *editor) {
         return NULL;
     }
     s->joints_object = s->object;
-    s->joints_revision = editor->revision;
+    s->joints_revision = c->session->revision;
     return s->joints;
 }
 
@@ -227,12 +227,12 @@ static void say(bat_overlay *list, corner *where, const char *text) {
     where->dy += LINE;
 }
 
-static void values(bat_editor *editor, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
+static void values(bat_context *c, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
                    int point) {
     const bat_joint *joint = &joints[point];
     corner where = value_corner(spline, joints, point);
-    const char *in = bat_editor_text(editor, BAT_STRING_VALUE_IN);
-    const char *out = bat_editor_text(editor, BAT_STRING_VALUE_OUT);
+    const char *in = bat_word(c, BAT_STRING_VALUE_IN);
+    const char *out = bat_word(c, BAT_STRING_VALUE_OUT);
     char text[BAT_LABEL_ROOM];
     double chord[2], direction[2];
     bat_splining_direction(spline, joints, point, direction);
@@ -251,12 +251,12 @@ static void values(bat_editor *editor, bat_overlay *list, const bat_spline *spli
         snprintf(text, sizeof text, "k %.3f | %.3f", joint->k, 1 - joint->k);
         say(list, &where, text);
     } else if (!isnan(joint->angle_in)) {
-        say(list, &where, bat_editor_text(editor, BAT_STRING_VALUE_BEYOND));
+        say(list, &where, bat_word(c, BAT_STRING_VALUE_BEYOND));
     }
     const double *tension = spline->tension + 2 * point;
     if (tension[0] != 1 || tension[1] != 1) {
-        snprintf(text, sizeof text, "%s %.2f | %.2f", bat_editor_text(editor, BAT_STRING_VALUE_TENSION),
-                 tension[0], tension[1]);
+        snprintf(text, sizeof text, "%s %.2f | %.2f", bat_word(c, BAT_STRING_VALUE_TENSION), tension[0],
+                 tension[1]);
         say(list, &where, text);
     }
 }
@@ -264,13 +264,13 @@ static void values(bat_editor *editor, bat_overlay *list, const bat_spline *spli
 /* ---- all of it ---- */
 
 /* A spline of one point: nothing of it is in the document yet. */
-static void first_point(bat_editor *editor, bat_overlay *list) {
-    const bat_splining *s = &editor->splining;
-    double pixel = bat_view_pixel(&editor->view), hover[2];
+static void first_point(bat_context *c, bat_overlay *list) {
+    const bat_splining *s = &c->toolbox->splining;
+    double pixel = bat_view_pixel(c->view), hover[2];
     bool given = s->first_direction[0] != 0 || s->first_direction[1] != 0;
     if (s->hovering) {
         double points[4] = {s->first[0], s->first[1], 0, 0}, tangents[4] = {0}, tension[4] = {1, 1, 1, 1};
-        bat_view_to_document(&editor->view, s->hover, hover);
+        bat_view_to_document(c->view, s->hover, hover);
         memcpy(points + 2, hover, sizeof hover);
         memcpy(tangents, s->first_direction, sizeof s->first_direction);
         bat_draft two = {2, 2, false, points, tangents, tension};
@@ -284,13 +284,13 @@ static void first_point(bat_editor *editor, bat_overlay *list) {
 }
 
 /* The curve as it would be with the next point under the pen, or closed. */
-static void next_point(bat_editor *editor, bat_overlay *list, const bat_spline *spline,
+static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spline,
                        const bat_tangents_options *options) {
-    bat_splining *s = &editor->splining;
+    bat_splining *s = &c->toolbox->splining;
     double hover[2];
     if (!s->hovering || (s->over.part != BAT_PART_NOTHING && s->over.part != BAT_PART_FIRST)) return;
     if (spline->count > GHOST_POINTS_MAX || bat_draft_load(&s->draft, spline) != BAT_OK) return;
-    bat_view_to_document(&editor->view, s->hover, hover);
+    bat_view_to_document(c->view, s->hover, hover);
     bool closes = s->over.part == BAT_PART_FIRST;
     s->draft.closed = closes;
     if (!closes && bat_draft_insert(&s->draft, s->draft.count, hover) != BAT_OK) return;
@@ -298,9 +298,9 @@ static void next_point(bat_editor *editor, bat_overlay *list, const bat_spline *
     beside(list, &s->draft, closes ? 0 : s->draft.count - 1, options);
 }
 
-static void marks(bat_editor *editor, bat_overlay *list, const bat_spline *spline) {
-    const bat_splining *s = &editor->splining;
-    double pixel = bat_view_pixel(&editor->view);
+static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
+    const bat_splining *s = &c->toolbox->splining;
+    double pixel = bat_view_pixel(c->view);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_FILLED | BAT_ITEM_STROKED, 1.5F);
     for (int i = 0; i < spline->count && i < MARKS_MAX; i++)
         if (i != s->point) bat_overlay_circle(list, spline->points + 2 * i, POINT_RADIUS * pixel);
@@ -309,16 +309,16 @@ static void marks(bat_editor *editor, bat_overlay *list, const bat_spline *splin
     if (s->point >= 0) dot(list, BAT_ROLE_CHOSEN, spline->points + 2 * s->point, CHOSEN_RADIUS * pixel);
 }
 
-static void prompt(bat_editor *editor, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
+static void prompt(bat_context *c, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
                    int point) {
-    const bat_splining *s = &editor->splining;
-    double pixel = bat_view_pixel(&editor->view), direction[2], radius = BAT_PROMPT_RADIUS * pixel;
+    const bat_splining *s = &c->toolbox->splining;
+    double pixel = bat_view_pixel(c->view), direction[2], radius = BAT_PROMPT_RADIUS * pixel;
     const double *at = spline->points + 2 * point, *given = spline->tangents + 2 * point;
     bool turning = s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_DIRECTION;
     circle(list, at, radius);
     if (turning) {
         double pen[2], away;
-        bat_view_to_document(&editor->view, s->at, pen);
+        bat_view_to_document(c->view, s->at, pen);
         away = bat_hypot(pen[0] - at[0], pen[1] - at[1]);
         if (s->travelled > 0 && away > BAT_TENSION_RADIUS * pixel) {
             bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
@@ -329,34 +329,34 @@ static void prompt(bat_editor *editor, bat_overlay *list, const bat_spline *spli
     arrow(list, at, direction, radius, ARROW_HEAD * pixel, given[0] == 0 && given[1] == 0);
 }
 
-static void guide(bat_editor *editor, bat_overlay *list, const double at[2]) {
-    const bat_splining *s = &editor->splining;
-    double reach = 3 * BAT_PROMPT_RADIUS * bat_view_pixel(&editor->view);
+static void guide(bat_context *c, bat_overlay *list, const double at[2]) {
+    const bat_splining *s = &c->toolbox->splining;
+    double reach = 3 * BAT_PROMPT_RADIUS * bat_view_pixel(c->view);
     bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     bat_path_move(&list->path, at[0] - reach * s->guide[0], at[1] - reach * s->guide[1]);
     bat_path_line(&list->path, at[0] + reach * s->guide[0], at[1] + reach * s->guide[1]);
 }
 
-void bat_splining_overlay(bat_editor *editor, bat_overlay *list) {
-    bat_splining *s = &editor->splining;
-    const bat_spline *spline = bat_splining_spline(editor);
-    const bat_joint *joints = bat_splining_joints(editor);
+void bat_splining_overlay(bat_context *c, bat_overlay *list) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
     bool dragging = s->state == BAT_SPLINING_DRAGGING;
     if (s->over.part == BAT_PART_OTHER && !dragging) {
-        int at = bat_document_find(editor->document, s->over.object);
+        int at = bat_document_find(c->session->document, s->over.object);
         if (at >= 0) {
             bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, 3);
-            bat_path_curve(&list->path, bat_object_curve(bat_document_at(editor->document, at), 0));
+            bat_path_curve(&list->path, bat_object_curve(bat_document_at(c->session->document, at), 0));
         }
     }
     if (!spline || !joints) {
-        if (s->placing) first_point(editor, list);
+        if (s->placing) first_point(c, list);
         return;
     }
-    const bat_object *object = bat_document_at(editor->document,
-                                               bat_document_find(editor->document, s->object));
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, s->object));
     const bat_tangents_options *options = bat_object_spline_options(object);
-    double pixel = bat_view_pixel(&editor->view);
+    double pixel = bat_view_pixel(c->view);
     int point = dragging ? s->press.point : s->point;
     bool turning = point >= 0 &&
                    (dragging ? s->press.part != BAT_PART_POINT : s->on_direction && !s->placing);
@@ -366,13 +366,13 @@ void bat_splining_overlay(bat_editor *editor, bat_overlay *list) {
         bat_path_curve(&list->path, bat_object_curve(object, 0));
     }
     if (dragging && turning && s->travelled > 0) ghosts(list, &s->draft, point, options);
-    if (s->placing && !dragging) next_point(editor, list, spline, options);
-    if (dragging && s->snapped) guide(editor, list, spline->points + 2 * point);
+    if (s->placing && !dragging) next_point(c, list, spline, options);
+    if (dragging && s->snapped) guide(c, list, spline->points + 2 * point);
     if (point >= 0 && !s->placing) handles(list, spline->points + 2 * point, &joints[point], pixel);
-    if (point >= 0) prompt(editor, list, spline, joints, point);
+    if (point >= 0) prompt(c, list, spline, joints, point);
     if (!dragging && !s->placing && s->hovering && s->near >= 0 && s->near < spline->count &&
         s->near != point)
-        prompt(editor, list, spline, joints, s->near);
-    marks(editor, list, spline);
-    if (turning && !joints[point].dropped) values(editor, list, spline, joints, point);
+        prompt(c, list, spline, joints, s->near);
+    marks(c, list, spline);
+    if (turning && !joints[point].dropped) values(c, list, spline, joints, point);
 }

@@ -3,6 +3,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
+#include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/tangents/draft.h"
@@ -71,39 +72,38 @@ typedef struct bat_splining {
 
 void bat_splining_free(bat_splining *s); /* back to nothing chosen */
 /* The chosen spline, or NULL; lets go of one that is gone. */
-const bat_spline *bat_splining_spline(bat_editor *editor);
+const bat_spline *bat_splining_spline(bat_context *c);
 /* Its joints; NULL when there is none, or no memory. */
-const bat_joint *bat_splining_joints(bat_editor *editor);
+const bat_joint *bat_splining_joints(bat_context *c);
 /* The direction at a point as built, a unit vector. */
 void bat_splining_direction(const bat_spline *spline, const bat_joint *joints, int point, double out[2]);
 /* The chord from one point to the next one, a unit vector; false at the end of an open spline. */
 bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step,
                         double out[2]);
-void bat_splining_overlay(bat_editor *editor, bat_overlay *overlay);
+void bat_splining_overlay(bat_context *c, bat_overlay *overlay);
 /* splining_find.c: what lies under a view pixel; notes the point whose circle is near. */
-bat_spline_hit bat_splining_find(bat_editor *editor, const double pixel[2], bat_device device);
+bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_device device);
 
 /* splining_change.c. The object of the chosen spline; its values into the draft, and back as one step. */
-const bat_object *bat_splining_object(const bat_editor *editor);
-bat_status bat_splining_load(bat_editor *editor);
-bat_status bat_splining_commit(bat_editor *editor, bat_string step);
+const bat_object *bat_splining_object(const bat_context *c);
+bat_status bat_splining_load(bat_context *c);
+bat_status bat_splining_commit(bat_context *c, bat_string step);
 /* Tells what was done, or why it was not. */
-void bat_splining_tell(bat_editor *editor, bat_status status, bat_string done);
+void bat_splining_tell(bat_context *c, bat_status status, bat_string done);
 double bat_splining_tension(double value); /* within limits */
 /* The draft with a point on the curve; *index: which; *deviation may be NULL. */
-bat_status bat_splining_draft_insert(bat_editor *editor, int segment, double t, int *index,
-                                     double *deviation);
+bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int *index, double *deviation);
 /* Each makes one step and tells of it. */
-bat_status bat_splining_insert(bat_editor *editor, int segment, double t);
-bat_status bat_splining_remove_point(bat_editor *editor, int point);
-bat_status bat_splining_default(bat_editor *editor, int point);
-bat_status bat_splining_close(bat_editor *editor);
+bat_status bat_splining_insert(bat_context *c, int segment, double t);
+bat_status bat_splining_remove_point(bat_context *c, int point);
+bat_status bat_splining_default(bat_context *c, int point);
+bat_status bat_splining_close(bat_context *c);
 /* A new object, which is chosen then; tells nothing. */
-bat_status bat_splining_make(bat_editor *editor, const bat_spline *spline);
-bat_status bat_splining_give_free(bat_editor *editor);
+bat_status bat_splining_make(bat_context *c, const bat_spline *spline);
+bat_status bat_splining_give_free(bat_context *c);
 
 /* tool_tangents.c: no more points are placed; false: none were. splining_keys.c: commands of the tool. */
-bool bat_splining_stop(bat_editor *editor);
-bat_status bat_splining_command(bat_editor *editor, bat_command_id id);
+bool bat_splining_stop(bat_context *c);
+bat_status bat_splining_command(bat_context *c, bat_command_id id);
 
 #endif

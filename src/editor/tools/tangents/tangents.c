@@ -7,7 +7,7 @@
  * else nothing is chosen.
  */
 #include "editor/edit/arrange.h"
-#include "editor/editor.h"
+#include "editor/tools/all_parts.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -26,16 +26,16 @@ static void unit(double v[2]) {
 }
 
 /* To steps of 15 degrees, or to a chord or a neighbour's direction nearby. */
-static void snap(bat_editor *editor, double direction[2]) {
-    bat_splining *s = &editor->splining;
+static void snap(bat_context *c, double direction[2]) {
+    bat_splining *s = &c->toolbox->splining;
     s->snapped = false;
-    if (editor->modifiers & BAT_SHIFT) {
+    if (c->modifiers & BAT_SHIFT) {
         double angle = STEP * round(bat_atan2(direction[1], direction[0]) / STEP);
         direction[0] = bat_cos(angle), direction[1] = bat_sin(angle);
         s->snapped = true;
-    } else if (!(editor->modifiers & (BAT_CTRL | BAT_META))) {
-        const bat_spline *spline = bat_splining_spline(editor);
-        const bat_joint *joints = bat_splining_joints(editor);
+    } else if (!(c->modifiers & (BAT_CTRL | BAT_META))) {
+        const bat_spline *spline = bat_splining_spline(c);
+        const bat_joint *joints = bat_splining_joints(c);
         double best = SNAP, found[2] = {0, 0};
         int i = s->press.point;
         for (int which = 0; spline && joints && which < 4; which++) {
@@ -59,14 +59,14 @@ static void snap(bat_editor *editor, double direction[2]) {
 }
 
 /* The lengths of the point's handles were its tension 1. */
-static bool natural_handles(bat_editor *editor, int point, double out[2]) {
-    bat_splining *s = &editor->splining;
+static bool natural_handles(bat_context *c, int point, double out[2]) {
+    bat_splining *s = &c->toolbox->splining;
     bat_joint *joints = malloc((size_t)s->draft.count * sizeof *joints);
     if (!joints) return false;
     s->draft.tension[2 * point] = s->draft.tension[2 * point + 1] = 1;
     bat_spline spline = bat_draft_spline(&s->draft);
-    bat_status status = bat_tangents(&spline, bat_object_spline_options(bat_splining_object(editor)), joints,
-                                     NULL, NULL, NULL);
+    bat_status status = bat_tangents(&spline, bat_object_spline_options(bat_splining_object(c)), joints, NULL,
+                                     NULL, NULL);
     if (status == BAT_OK) {
         out[0] = bat_hypot(joints[point].left[0], joints[point].left[1]) / 3;
         out[1] = bat_hypot(joints[point].right[0], joints[point].right[1]) / 3;
@@ -76,37 +76,37 @@ static bool natural_handles(bat_editor *editor, int point, double out[2]) {
 }
 
 /* A direction, and a length in document units, for the held point. */
-static void pull(bat_editor *editor, double direction[2], double length) {
-    bat_splining *s = &editor->splining;
+static void pull(bat_context *c, double direction[2], double length) {
+    bat_splining *s = &c->toolbox->splining;
     bat_part part = s->press.part;
     int i = s->press.point;
     if (!(length > 0)) return;
     double sign = part == BAT_PART_LEFT ? -1 : 1;
     direction[0] *= sign, direction[1] *= sign;
     unit(direction);
-    snap(editor, direction);
+    snap(c, direction);
     double *tangent = s->draft.tangents + 2 * i, *tension = s->draft.tension + 2 * i, natural[2];
     tangent[0] = direction[0], tangent[1] = direction[1];
     if (part == BAT_PART_DIRECTION) {
-        double further = fmax(length * editor->view.zoom / BAT_TENSION_RADIUS, 1);
+        double further = fmax(length * c->view->zoom / BAT_TENSION_RADIUS, 1);
         for (int k = 0; k < 2; k++)
             tension[k] = further > 1 ? bat_splining_tension(s->base_tension[k] * further)
                                      : s->base_tension[k];
-    } else if (natural_handles(editor, i, natural)) {
+    } else if (natural_handles(c, i, natural)) {
         int side = part == BAT_PART_RIGHT;
-        bool linked = s->base_tension[0] == s->base_tension[1] && !(editor->modifiers & BAT_ALT);
+        bool linked = s->base_tension[0] == s->base_tension[1] && !(c->modifiers & BAT_ALT);
         double factor = natural[side] > 0 ? bat_splining_tension(length / natural[side]) : 1;
         for (int k = 0; k < 2; k++) tension[k] = k == side || linked ? factor : s->base_tension[k];
     }
 }
 
 /* The pen's place, as it now is, goes into the draft and from there into the document. */
-static void apply(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
+static void apply(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
     s->due = false;
     double point[2], start[2];
-    bat_view_to_document(&editor->view, s->at, point);
-    bat_view_to_document(&editor->view, s->start, start);
+    bat_view_to_document(c->view, s->at, point);
+    bat_view_to_document(c->view, s->start, start);
     if (!s->object) { /* the first point of all has nothing but a direction */
         s->first_direction[0] = s->travelled > TAP ? point[0] - s->first[0] : 0;
         s->first_direction[1] = s->travelled > TAP ? point[1] - s->first[1] : 0;
@@ -115,28 +115,28 @@ static void apply(bat_editor *editor) {
     }
     double *own = s->draft.points + 2 * s->press.point;
     if (s->press.part == BAT_PART_POINT) {
-        int index = bat_document_find(editor->document, s->object);
+        int index = bat_document_find(c->session->document, s->object);
         for (int k = 0; k < 2; k++) own[k] = s->base[k] + point[k] - start[k];
-        if (editor->modifiers & BAT_SHIFT)
-            bat_snap_angle(editor, s->base, own);
+        if (c->modifiers & BAT_SHIFT)
+            bat_snap_angle(c, s->base, own);
         else
-            bat_snap_point(editor, 1, &index, own);
+            bat_snap_point(c, 1, &index, own);
     } else {
         if (s->travelled <= TAP) return; /* a tap places a point with the default direction */
         double direction[2] = {point[0] - own[0], point[1] - own[1]};
-        pull(editor, direction, bat_hypot(direction[0], direction[1]));
+        pull(c, direction, bat_hypot(direction[0], direction[1]));
     }
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_object *after = NULL;
-    int at = bat_document_find(editor->document, s->object);
-    bat_status status = bat_object_with_spline(bat_document_at(editor->document, at), &spline, &after);
-    if (status == BAT_OK) status = bat_transaction_replace(editor, at, after);
+    int at = bat_document_find(c->session->document, s->object);
+    bat_status status = bat_object_with_spline(bat_document_at(c->session->document, at), &spline, &after);
+    if (status == BAT_OK) status = bat_transaction_replace(c, at, after);
     s->failed = status != BAT_OK;
     bat_object_release(after);
 }
 
-static void hold(bat_editor *editor, bat_part part, int point) {
-    bat_splining *s = &editor->splining;
+static void hold(bat_context *c, bat_part part, int point) {
+    bat_splining *s = &c->toolbox->splining;
     s->press = (bat_spline_hit){.part = part, .point = point};
     s->point = point;
     s->on_direction = part != BAT_PART_POINT;
@@ -155,8 +155,8 @@ static void let_go(bat_splining *s) {
 }
 
 /* The pen has moved: what it came down on comes along. */
-static void begin_drag(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
+static void begin_drag(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
     bat_spline_hit press = s->press;
     bat_status status;
     s->step = press.part == BAT_PART_POINT || press.part == BAT_PART_FIRST ? BAT_STRING_STEP_MOVE_POINT
@@ -166,27 +166,27 @@ static void begin_drag(bat_editor *editor) {
     if (press.part == BAT_PART_CURVE) {
         s->step = BAT_STRING_STEP_INSERT_POINT;
         press.part = BAT_PART_POINT;
-        status = bat_splining_draft_insert(editor, press.segment, press.t, &press.point, NULL);
+        status = bat_splining_draft_insert(c, press.segment, press.t, &press.point, NULL);
     } else {
-        status = bat_splining_load(editor);
+        status = bat_splining_load(c);
     }
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        hold(editor, press.part, press.point);
+        hold(c, press.part, press.point);
         return;
     }
     s->press = (bat_spline_hit){0};
-    bat_editor_notice_failure(editor, status);
+    bat_notice_failure(c, status);
 }
 
 /* A point at the end, whose direction the pen then drags. */
-static bat_status add_point(bat_editor *editor, const double point[2]) {
-    bat_splining *s = &editor->splining;
+static bat_status add_point(bat_context *c, const double point[2]) {
+    bat_splining *s = &c->toolbox->splining;
     bat_object *object = NULL;
     bat_status status = BAT_OK;
     bat_id id = s->object;
     if (id) {
-        status = bat_splining_load(editor);
+        status = bat_splining_load(c);
     } else {
         s->draft.count = 0;
         s->draft.closed = false;
@@ -196,28 +196,28 @@ static bat_status add_point(bat_editor *editor, const double point[2]) {
     if (status == BAT_OK) status = bat_draft_insert(&s->draft, s->draft.count, point);
     if (status != BAT_OK) return status;
     bat_spline spline = bat_draft_spline(&s->draft);
-    bat_style style = bat_editor_new_style(editor);
+    bat_style style = bat_styling_new(c);
     if (id) {
-        status = bat_object_with_spline(bat_splining_object(editor), &spline, &object);
+        status = bat_object_with_spline(bat_splining_object(c), &spline, &object);
     } else {
         status = bat_object_create_spline(1, NULL, &style, &spline, NULL, &object); /* is it one at all? */
         bat_object_release(object);
         object = NULL;
         if (status != BAT_OK) return status;
-        id = bat_document_new_id(editor->document);
+        id = bat_document_new_id(c->session->document);
         status = bat_object_create_spline(id, NULL, &style, &spline, NULL, &object);
     }
-    if (status == BAT_OK) status = bat_transaction_begin(editor);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        status = s->object ? bat_transaction_replace(editor, bat_document_find(editor->document, id), object)
-                           : bat_arrange_insert(editor, object);
-        if (status != BAT_OK) bat_transaction_cancel(editor);
+        status = s->object ? bat_transaction_replace(c, bat_document_find(c->session->document, id), object)
+                           : bat_arrange_insert(c, object);
+        if (status != BAT_OK) bat_transaction_cancel(c);
     }
     bat_object_release(object);
     if (status != BAT_OK) return status;
     s->step = s->object ? BAT_STRING_STEP_POINT : BAT_STRING_STEP_SPLINE;
     s->object = id;
-    hold(editor, BAT_PART_DIRECTION, s->draft.count - 1);
+    hold(c, BAT_PART_DIRECTION, s->draft.count - 1);
     s->due = false;
     return BAT_OK;
 }
@@ -234,22 +234,22 @@ static bool taps_twice(bat_splining *s, const bat_pointer *event) {
     return twice;
 }
 
-static void tap(bat_editor *editor, const bat_pointer *event) {
-    bat_splining *s = &editor->splining;
+static void tap(bat_context *c, const bat_pointer *event) {
+    bat_splining *s = &c->toolbox->splining;
     bat_spline_hit press = s->press;
     bool twice = taps_twice(s, event);
     let_go(s);
     switch (press.part) {
-    case BAT_PART_FIRST: bat_splining_close(editor); break;
+    case BAT_PART_FIRST: bat_splining_close(c); break;
     case BAT_PART_POINT:
     case BAT_PART_DIRECTION:
     case BAT_PART_LEFT:
     case BAT_PART_RIGHT:
         s->point = press.point;
         s->on_direction = press.part != BAT_PART_POINT;
-        if (twice) bat_splining_default(editor, press.point);
+        if (twice) bat_splining_default(c, press.point);
         break;
-    case BAT_PART_CURVE: bat_splining_insert(editor, press.segment, press.t); break;
+    case BAT_PART_CURVE: bat_splining_insert(c, press.segment, press.t); break;
     case BAT_PART_OTHER:
         s->object = press.object;
         s->point = -1;
@@ -261,33 +261,33 @@ static void tap(bat_editor *editor, const bat_pointer *event) {
 /* ---- events ---- */
 
 /* Where a tap would place a point; Shift: at a step of angle from the last one. */
-static void place_to_snap(bat_editor *editor, double point[2]) {
-    const bat_splining *s = &editor->splining;
-    const bat_spline *spline = s->placing ? bat_splining_spline(editor) : NULL;
-    int own = s->object ? bat_document_find(editor->document, s->object) : -1;
+static void place_to_snap(bat_context *c, double point[2]) {
+    const bat_splining *s = &c->toolbox->splining;
+    const bat_spline *spline = s->placing ? bat_splining_spline(c) : NULL;
+    int own = s->object ? bat_document_find(c->session->document, s->object) : -1;
     const double *last = spline ? spline->points + 2 * (spline->count - 1) : s->placing ? s->first : NULL;
-    if (editor->modifiers & BAT_SHIFT && last)
-        bat_snap_angle(editor, last, point);
+    if (c->modifiers & BAT_SHIFT && last)
+        bat_snap_angle(c, last, point);
     else
-        bat_snap_point(editor, own >= 0, &own, point);
+        bat_snap_point(c, own >= 0, &own, point);
 }
 
-static void down(bat_editor *editor, const bat_pointer *event) {
-    bat_splining *s = &editor->splining;
+static void down(bat_context *c, const bat_pointer *event) {
+    bat_splining *s = &c->toolbox->splining;
     double pixel[2] = {event->x, event->y}, point[2];
     s->device = event->device;
     s->hovering = false;
-    s->press = bat_splining_find(editor, pixel, event->device);
+    s->press = bat_splining_find(c, pixel, event->device);
     s->near = -1;
     s->state = BAT_SPLINING_PRESSED;
     s->travelled = 0;
     s->snapped = false;
     memcpy(s->start, pixel, sizeof pixel);
     memcpy(s->at, pixel, sizeof pixel);
-    bat_editor_notice(editor, BAT_STRING_COUNT);
+    bat_notice(c, BAT_STRING_COUNT);
     if (s->press.part != BAT_PART_NOTHING) return;
-    bat_view_to_document(&editor->view, pixel, point);
-    place_to_snap(editor, point);
+    bat_view_to_document(c->view, pixel, point);
+    place_to_snap(c, point);
     if (!s->placing) {
         s->placing = true;
         s->object = 0;
@@ -299,57 +299,57 @@ static void down(bat_editor *editor, const bat_pointer *event) {
         s->state = BAT_SPLINING_DRAGGING;
         return;
     }
-    bat_status status = add_point(editor, point);
-    if (status != BAT_OK) bat_splining_tell(editor, status, BAT_STRING_COUNT);
+    bat_status status = add_point(c, point);
+    if (status != BAT_OK) bat_splining_tell(c, status, BAT_STRING_COUNT);
 }
 
-static void move(bat_editor *editor, const bat_pointer *event) {
-    bat_splining *s = &editor->splining;
+static void move(bat_context *c, const bat_pointer *event) {
+    bat_splining *s = &c->toolbox->splining;
     if (s->state == BAT_SPLINING_IDLE || event->predicted) return;
     s->at[0] = event->x, s->at[1] = event->y;
     s->travelled = fmax(s->travelled, bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]));
     s->due = true;
-    if (s->state == BAT_SPLINING_PRESSED && s->travelled > TAP) begin_drag(editor);
+    if (s->state == BAT_SPLINING_PRESSED && s->travelled > TAP) begin_drag(c);
 }
 
-static void up(bat_editor *editor, const bat_pointer *event) {
-    bat_splining *s = &editor->splining;
+static void up(bat_context *c, const bat_pointer *event) {
+    bat_splining *s = &c->toolbox->splining;
     if (s->state == BAT_SPLINING_IDLE) return;
     if (s->state == BAT_SPLINING_PRESSED) {
         if (s->travelled <= TAP)
-            tap(editor, event);
+            tap(c, event);
         else
             let_go(s); /* a drag of what cannot be dragged */
         return;
     }
-    apply(editor);
-    bool failed = s->failed, open = editor->transaction.open;
+    apply(c);
+    bool failed = s->failed, open = c->session->transaction.open;
     s->tap_time = 0;
     let_go(s);
     if (!open) return; /* the first point */
     bat_status status = BAT_COUNT;
     if (failed)
-        bat_transaction_cancel(editor);
+        bat_transaction_cancel(c);
     else
-        status = bat_transaction_commit(editor, s->step, NULL);
-    bat_splining_tell(editor, status, BAT_STRING_COUNT);
+        status = bat_transaction_commit(c, s->step, NULL);
+    bat_splining_tell(c, status, BAT_STRING_COUNT);
 }
 
-static bool drop_drag(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
+static bool drop_drag(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
     if (s->state == BAT_SPLINING_IDLE) return false;
-    if (editor->transaction.open)
-        bat_transaction_cancel(editor);
+    if (c->session->transaction.open)
+        bat_transaction_cancel(c);
     else if (s->state == BAT_SPLINING_DRAGGING)
         s->placing = false; /* the first point */
     let_go(s);
-    bat_editor_notice(editor, BAT_STRING_NOTICE_CANCELLED);
+    bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-bool bat_splining_stop(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    bat_splining_spline(editor);
+bool bat_splining_stop(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    bat_splining_spline(c);
     if (!s->placing) return false;
     s->placing = false;
     if (!s->object) s->point = -1;
@@ -357,66 +357,66 @@ bool bat_splining_stop(bat_editor *editor) {
     return true;
 }
 
-static bool cancel(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    if (drop_drag(editor) || bat_splining_stop(editor)) return true;
-    if (!bat_splining_spline(editor)) return false;
+static bool cancel(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    if (drop_drag(c) || bat_splining_stop(c)) return true;
+    if (!bat_splining_spline(c)) return false;
     s->object = 0;
     s->point = s->near = -1;
     s->over = (bat_spline_hit){0};
     return true;
 }
 
-static bool undo(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    if (drop_drag(editor)) return true;
-    return s->placing && !bat_splining_spline(editor) && bat_splining_stop(editor);
+static bool undo(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    if (drop_drag(c)) return true;
+    return s->placing && !bat_splining_spline(c) && bat_splining_stop(c);
 }
 
-static void hover(bat_editor *editor, const bat_pointer *event) {
-    bat_splining *s = &editor->splining;
+static void hover(bat_context *c, const bat_pointer *event) {
+    bat_splining *s = &c->toolbox->splining;
     s->hovering = s->hover_changed = true;
     s->device = event->device;
     s->hover[0] = event->x, s->hover[1] = event->y;
 }
 
-static void leave(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
+static void leave(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
     s->hovering = false;
     s->near = -1;
     s->over = (bat_spline_hit){0};
 }
 
-static void modifiers(bat_editor *editor) {
-    if (editor->splining.state == BAT_SPLINING_DRAGGING) editor->splining.due = true;
+static void modifiers(bat_context *c) {
+    if (c->toolbox->splining.state == BAT_SPLINING_DRAGGING) c->toolbox->splining.due = true;
 }
 
-static bool busy(const bat_editor *editor) { return editor->splining.state != BAT_SPLINING_IDLE; }
+static bool busy(const bat_context *c) { return c->toolbox->splining.state != BAT_SPLINING_IDLE; }
 
-static void update(bat_editor *editor) {
-    bat_splining *s = &editor->splining;
-    const bat_view *view = &editor->view;
+static void update(bat_context *c) {
+    bat_splining *s = &c->toolbox->splining;
+    const bat_view *view = c->view;
     if (s->state != BAT_SPLINING_IDLE) {
         if (s->state == BAT_SPLINING_DRAGGING && s->due) {
-            apply(editor);
-            bat_editor_sync(editor); /* the still list shows the drag */
+            apply(c);
+            bat_stage_sync(c); /* the still list shows the drag */
         }
         return;
     }
-    if (!s->hover_changed && s->over_revision == editor->revision &&
+    if (!s->hover_changed && s->over_revision == c->session->revision &&
         !memcmp(view, &s->over_view, sizeof *view))
         return;
-    s->over = s->hovering ? bat_splining_find(editor, s->hover, s->device) : (bat_spline_hit){0};
+    s->over = s->hovering ? bat_splining_find(c, s->hover, s->device) : (bat_spline_hit){0};
     if (!s->hovering) s->near = -1;
     s->hover_changed = false;
-    s->over_revision = editor->revision;
+    s->over_revision = c->session->revision;
     s->over_view = *view;
 }
 
 /* ---- words ---- */
 
-static bat_string hint(const bat_editor *editor) {
-    const bat_splining *s = &editor->splining;
+static bat_string hint(const bat_context *c) {
+    const bat_splining *s = &c->toolbox->splining;
     static const bat_string over[] = {
         [BAT_PART_POINT] = BAT_STRING_HINT_POINT,  [BAT_PART_DIRECTION] = BAT_STRING_HINT_DIRECTION,
         [BAT_PART_LEFT] = BAT_STRING_HINT_HANDLE,  [BAT_PART_RIGHT] = BAT_STRING_HINT_HANDLE,
@@ -426,7 +426,7 @@ static bat_string hint(const bat_editor *editor) {
         if (s->press.part == BAT_PART_POINT) return BAT_STRING_HINT_MOVING;
         if (s->press.part != BAT_PART_DIRECTION) return BAT_STRING_HINT_TENSING;
         bool known = s->object && s->joints && s->joints_object == s->object &&
-                     s->joints_revision == editor->revision;
+                     s->joints_revision == c->session->revision;
         bool beyond = known && !s->joints[s->press.point].inside &&
                       !isnan(s->joints[s->press.point].angle_in);
         return beyond ? BAT_STRING_HINT_BEYOND : BAT_STRING_HINT_TURNING;
@@ -435,8 +435,8 @@ static bat_string hint(const bat_editor *editor) {
     return s->placing ? BAT_STRING_HINT_PLACE_NEXT : BAT_STRING_HINT_PLACE;
 }
 
-static bat_cursor cursor(const bat_editor *editor) {
-    const bat_splining *s = &editor->splining;
+static bat_cursor cursor(const bat_context *c) {
+    const bat_splining *s = &c->toolbox->splining;
     if (s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_POINT) return BAT_CURSOR_GRABBING;
     bat_part part = s->state == BAT_SPLINING_IDLE ? s->over.part : s->press.part;
     if (part == BAT_PART_NOTHING) return BAT_CURSOR_CROSS;
@@ -444,12 +444,12 @@ static bat_cursor cursor(const bat_editor *editor) {
                                                                                       : BAT_CURSOR_GRAB;
 }
 
-static const char *check(const bat_editor *editor) {
-    const bat_splining *s = &editor->splining;
+static const char *check(const bat_context *c) {
+    const bat_splining *s = &c->toolbox->splining;
     bool dragging = s->state == BAT_SPLINING_DRAGGING;
-    if (editor->transaction.open && !dragging) return "a transaction outlived its drag";
-    if (dragging && s->object && !editor->transaction.open) return "a drag without a transaction";
-    if (s->state != BAT_SPLINING_IDLE && bat_contacts_count(&editor->contacts, BAT_DUTY_TOOL, NULL) != 1)
+    if (c->session->transaction.open && !dragging) return "a transaction outlived its drag";
+    if (dragging && s->object && !c->session->transaction.open) return "a drag without a transaction";
+    if (s->state != BAT_SPLINING_IDLE && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a point is held without a pen";
     if (dragging && s->object && s->press.point >= s->draft.count) return "a point is held that is not there";
     return NULL;

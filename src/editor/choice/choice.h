@@ -1,0 +1,24 @@
+/* What is chosen: by commands acted on; never part of the document, history or journal. */
+#ifndef BATTEN_EDITOR_CHOICE_CHOICE_H
+#define BATTEN_EDITOR_CHOICE_CHOICE_H
+
+#include "editor/choice/isolation.h"
+#include "editor/choice/selection.h"
+#include "editor/session/context.h"
+#include "editor/tables/tables.h"
+
+typedef struct bat_choice {
+    bat_selection selection;
+    bat_id entered; /* the group whose members a click selects; 0: none */
+    bat_id layer;   /* the active one, where new curves go; 0: none */
+    bat_isolation isolation;
+    bat_tool_id tool; /* the one wanted */
+} bat_choice;
+
+void bat_choice_free(bat_choice *choice);
+/* Another document is opened: nothing is chosen. */
+void bat_choice_forget(bat_context *c);
+/* After a step: what is gone is no longer selected, nor the active layer. */
+void bat_choice_follow(bat_context *c);
+
+#endif

@@ -1,0 +1,20 @@
+/* Commands and properties by id and by name. */
+#ifndef BATTEN_EDITOR_COMMANDS_DISPATCH_H
+#define BATTEN_EDITOR_COMMANDS_DISPATCH_H
+
+#include "editor/session/context.h"
+#include "editor/tables/tables.h"
+
+bat_status bat_command_run(bat_context *c, bat_command_id id, bool down);
+/* What the calls of the public header say, which have their names. */
+bat_status bat_command_do(bat_context *c, const char *name);
+bat_status bat_command_bind(bat_context *c, const char *command, const char *keys);
+bat_status bat_property_set(bat_context *c, const char *property, double value);
+bat_status bat_property_get(const bat_context *c, const char *property, double *value);
+bat_status bat_layer_place(bat_context *c, bat_id id, bat_id target);
+bat_status bat_layer_activate(bat_context *c, bat_id id);
+bat_status bat_layer_rename(bat_context *c, bat_id id, const char *name);
+bat_status bat_layer_set_state(bat_context *c, bat_id id, bool hidden, bool locked);
+bat_status bat_choice_select(bat_context *c, bat_id id, bool add);
+
+#endif

@@ -1,0 +1,19 @@
+/* What comes in from the hands, as it stands now. */
+#ifndef BATTEN_EDITOR_INPUT_INPUT_H
+#define BATTEN_EDITOR_INPUT_INPUT_H
+
+#include "editor/input/contacts.h"
+#include "editor/input/taps.h"
+
+typedef struct bat_input {
+    bat_contacts contacts;
+    bat_taps taps;
+    bool holding_pan, pen_seen;
+    double pen_time; /* of the last event of a pen */
+    bool pen_near;   /* a pointer is over the drawing */
+    double pen[2];   /* where it was last, view pixels */
+    bool erasing;    /* the pen's other end is down */
+    bool calming;    /* the key that calms is held */
+} bat_input;
+
+#endif

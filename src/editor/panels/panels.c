@@ -1,0 +1,9 @@
+#include "editor/panels/panels.h"
+#include <stdlib.h>
+
+void bat_panels_free(bat_panels *panels) {
+    free(panels->actions);
+    free(panels->layers);
+    free(panels->outline);
+    free(panels->tables);
+}

@@ -1,0 +1,28 @@
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include <stdio.h>
+#include <string.h>
+
+const char *bat_word(const bat_context *c, bat_string text) { return bat_settings_word(c->settings, text); }
+
+void bat_notice_value(bat_context *c, bat_string text, const char *value) {
+    if (c->session->freed) text = BAT_STRING_NOTICE_FREED;
+    if (c->session->refused) text = BAT_STRING_NOTICE_READ_ONLY;
+    c->session->freed = c->session->refused = false;
+    c->notices->notice = text;
+    if (text == BAT_STRING_COUNT) return;
+    const char *words = bat_word(c, text), *hole = value ? strchr(words, '%') : NULL;
+    if (hole)
+        snprintf(c->notices->notice_text, BAT_NOTICE_ROOM, "%.*s%s%s", (int)(hole - words), words, value,
+                 hole + 1);
+    else
+        snprintf(c->notices->notice_text, BAT_NOTICE_ROOM, "%s", words);
+    c->notices->notice_version++;
+}
+
+void bat_notice(bat_context *c, bat_string text) { bat_notice_value(c, text, NULL); }
+
+void bat_notice_failure(bat_context *c, bat_status status) {
+    bat_notice(c, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
+}

@@ -1,0 +1,103 @@
+/* A session: opened, logged, freed. */
+#include <batten/bezier.h>
+#include "editor/session/session.h"
+#include "editor/session/journal_line.h"
+#include "editor/session/notice.h"
+#include "format/native/native.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* The journal's first line: the document as it is when the journal begins. JSON may be broken over lines; a
+ * journal's line may not, and outside strings a line's end is as good as a space. */
+static bat_status write_head(const bat_document *document, const char *name, bat_journal *journal) {
+    char *text = NULL;
+    size_t size = 0;
+    bat_status status = bat_document_write(document, &text, &size);
+    if (status != BAT_OK) return status;
+    for (size_t i = 0; i < size; i++)
+        if (text[i] == '\n' || text[i] == '\r') text[i] = ' ';
+    while (size && text[size - 1] == ' ') size--;
+    bat_text line = {0};
+    bat_text_string(&line, "{\"journal\":\"batten\",\"version\":1,\"name\":");
+    bat_text_json_string(&line, name);
+    bat_text_string(&line, ",\"digest\":");
+    bat_line_digest(&line, bat_document_digest(document));
+    bat_text_string(&line, ",\"document\":");
+    bat_text_add(&line, text, size);
+    bat_text_string(&line, "}");
+    bat_free(text);
+    status = bat_journal_append(journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
+    return status;
+}
+
+bat_status bat_session_begin_journal(const bat_document *document, const char *name, bat_journal *journal,
+                                     bat_pictures *pictures) {
+    bat_status status = write_head(document, name, journal);
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
+        if (picture) status = bat_pictures_add(pictures, picture);
+    }
+    return status;
+}
+
+bat_status bat_session_log(bat_session *session, bat_text *line, const bat_document *document) {
+    bat_text_string(line, ",\"digest\":");
+    bat_line_digest(line, bat_document_digest(document));
+    bat_text_string(line, "}");
+    bat_status status = bat_journal_append(&session->journal, line->data, line->size, line->failed);
+    bat_text_free(line);
+    return status;
+}
+
+bat_status bat_session_keep_picture(bat_session *session, const bat_picture *picture) {
+    int before = session->pictures.count;
+    bat_status status = bat_pictures_add(&session->pictures, picture);
+    if (status != BAT_OK || session->pictures.count == before) return status;
+    bat_text line = {0};
+    bat_picture_to_json(picture, &line);
+    status = bat_journal_append(&session->journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
+    if (status != BAT_OK) bat_pictures_drop(&session->pictures);
+    return status;
+}
+
+bat_status bat_session_open(bat_session *session, bat_document *document, const char *name) {
+    char *own_name = malloc(strlen(name) + 1);
+    bat_journal journal = {0};
+    bat_pictures pictures = {0};
+    bat_status status = own_name ? bat_session_begin_journal(document, name, &journal, &pictures)
+                                 : BAT_MEMORY;
+    if (status != BAT_OK) {
+        free(own_name);
+        bat_journal_free(&journal);
+        bat_pictures_free(&pictures);
+        return status;
+    }
+    strcpy(own_name, name);
+    bat_session_free(session);
+    session->document = document;
+    session->name = own_name;
+    session->journal = journal;
+    session->pictures = pictures;
+    session->revision++;
+    session->saved_state = session->history.state;
+    session->asked = false;
+    return BAT_OK;
+}
+
+void bat_session_free(bat_session *session) {
+    bat_history_clear(&session->history);
+    bat_journal_free(&session->journal);
+    bat_pictures_free(&session->pictures);
+    bat_document_free(session->document);
+    free(session->name);
+    session->document = NULL;
+    session->name = NULL;
+}
+
+bool bat_session_refuses(bat_context *c) {
+    if (c->session->read_only) bat_notice(c, BAT_STRING_NOTICE_READ_ONLY);
+    c->session->refused = c->session->read_only;
+    return c->session->read_only;
+}

@@ -1,0 +1,23 @@
+#ifndef BATTEN_EDITOR_TOOLS_ALL_PARTS_H
+#define BATTEN_EDITOR_TOOLS_ALL_PARTS_H
+#include "editor/session/session.h"
+#include "editor/session/notice.h"
+#include "editor/session/journal_line.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/keys.h"
+#include "editor/view/view.h"
+#include "editor/view/unit.h"
+#include "editor/input/input.h"
+#include "editor/input/pressure.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/clipboard.h"
+#include "editor/edit/style.h"
+#include "editor/scene/stage.h"
+#include "editor/pick/snap.h"
+#include "editor/tools/toolbox.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/first_hints.h"
+#include "editor/panels/in_words.h"
+#include "editor/commands/dispatch.h"
+#include <stdlib.h>
+#endif
