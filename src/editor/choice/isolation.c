@@ -1,7 +1,18 @@
 #include "editor/choice/isolation.h"
 #include "document/document.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/input/input.h"
+#include "editor/pick/pick.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/view/view.h"
 
 static const double REACH = 16; /* px from the pen to a curve that it means */
 

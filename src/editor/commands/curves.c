@@ -1,7 +1,19 @@
 /* Commands that cut and mend the selected curves. */
 #include "editor/commands/act.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/choice/choice.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/modes/range.h"
+#include "editor/tools/selecting.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
+#include "hands/levels/shape.h"
 #include "base/real.h"
 #include <batten/refine.h>
 #include <math.h>

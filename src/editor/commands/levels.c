@@ -1,7 +1,18 @@
 /* Commands and properties of levels: taking a curve apart, adding a level, stepping, copying, flattening, the
  * frame rule. They act on the curve chosen in the levels tool, or else on what is selected. */
 #include "editor/commands/act.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/commands/dispatch.h"
+#include "editor/edit/stroke.h"
+#include "editor/pick/pick.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
 #include "editor/edit/curves_of.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,11 @@
 /* Property values: numbers within the ranges of the table. */
-#include "editor/tools/all_parts.h"
+#include "editor/commands/dispatch.h"
+#include "editor/edit/pictures.h"
+#include "editor/session/context.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/tool.h"
 #include "editor/edit/style.h"
 #include <math.h>
 

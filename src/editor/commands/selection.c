@@ -2,7 +2,18 @@
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/commands/dispatch.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 
 /* Tells the user why nothing happened. */
 static bat_status told(bat_context *c, bat_status status) {

@@ -1,7 +1,14 @@
 #include "editor/edit/arrange.h"
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
 #include "editor/session/reorder.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,9 @@
 #include "editor/edit/curves_of.h"
-#include "editor/tools/all_parts.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
 
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     int at = bat_document_find(c->session->document, object);

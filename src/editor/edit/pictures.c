@@ -2,7 +2,19 @@
 #include "editor/edit/pictures.h"
 #include "base/real.h"
 #include "editor/edit/affine.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/commands/dispatch.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include <math.h>
 
 static bat_string why(bat_status status) {

@@ -1,6 +1,10 @@
 /* A stroke over a curve with levels: one of them follows it, and what lies above rides along. */
 #include "editor/edit/stroke.h"
-#include "editor/tools/all_parts.h"
+#include "editor/input/samples.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/tools/tool.h"
+#include "hands/levels/shape.h"
 #include <batten/nearest.h>
 #include <math.h>
 

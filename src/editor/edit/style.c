@@ -1,7 +1,16 @@
 #include "editor/edit/style.h"
 #include "editor/commands/act.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,8 @@
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/session/context.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>

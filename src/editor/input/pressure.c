@@ -1,6 +1,9 @@
 /* What a pen's pressure counts as. It scales the reach of the smooth brush and of the eraser. */
 #include "base/real.h"
-#include "editor/tools/all_parts.h"
+#include "editor/input/pressure.h"
+#include "editor/session/context.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
 #include <math.h>
 
 static const double LEAST = 0.25; /* of the reach, at the lightest touch */

@@ -1,5 +1,12 @@
 #include "base/real.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/commands/dispatch.h"
+#include "editor/input/input.h"
+#include "editor/input/taps.h"
+#include "editor/session/context.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 
 static const double TAP_TIME = 250; /* ms from the first finger down to the last one up */
 static const double TAP_NEAR = 10;  /* px that a finger may travel */

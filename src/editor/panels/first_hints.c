@@ -1,5 +1,8 @@
 #include "editor/panels/first_hints.h"
-#include "editor/tools/all_parts.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
 
 static uint32_t followed(const bat_context *c) {
     return c->settings->followed | ((1U << (uint32_t)c->settings->values[BAT_PROPERTY_FIRST_HINTS]) - 1);

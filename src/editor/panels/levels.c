@@ -1,5 +1,15 @@
 /* The level strip: what it shows, as JSON, and what its faders and buttons do. */
-#include "editor/tools/all_parts.h"
+#include "editor/panels/panels.h"
+#include "editor/session/context.h"
+#include "editor/session/journal_line.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "text/text.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

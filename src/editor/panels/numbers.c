@@ -2,7 +2,20 @@
 #include "base/real.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/commands/dispatch.h"
+#include "editor/panels/panels.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/modes/guides.h"
+#include "editor/tools/pointing.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/unit.h"
+#include "editor/view/view.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,13 @@
 /* Which commands the selection makes possible: what a row of buttons shows. */
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/panels/panels.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "text/text.h"
 #include <stdlib.h>
 
 typedef struct facts {

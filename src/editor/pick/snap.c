@@ -1,6 +1,18 @@
 #include "editor/pick/snap.h"
 #include "base/real.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "curve/frames_walk.h"
+#include "editor/scene/path.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/view/unit.h"
+#include "editor/view/view.h"
+#include "hands/levels/shape.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,12 @@
 #include "editor/session/record.h"
-#include "editor/tools/all_parts.h"
+#include "editor/session/context.h"
+#include "editor/session/history.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "text/json.h"
+#include "text/text.h"
 #include "format/native/native.h"
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,8 @@
 #include "editor/session/reorder.h"
-#include "editor/tools/all_parts.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tools/tool.h"
 #include <stdlib.h>
 
 void bat_listing_free(bat_listing *listing) {

@@ -1,6 +1,16 @@
 #include "document/document.h"
 #include "editor/session/record.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/session/context.h"
+#include "editor/session/history.h"
+#include "editor/session/journal.h"
+#include "editor/session/journal_line.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "text/text.h"
 #include <stdlib.h>
 
 bat_status bat_transaction_begin(bat_context *c) {

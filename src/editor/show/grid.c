@@ -1,5 +1,11 @@
 /* The grid: as its spacing says, or fewer of its lines when they would crowd. */
-#include "editor/tools/all_parts.h"
+#include "editor/scene/path.h"
+#include "editor/session/context.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/view/unit.h"
+#include "editor/view/view.h"
 #include "editor/pick/snap.h"
 #include <math.h>
 

@@ -1,5 +1,11 @@
 #include "editor/show/ruler.h"
-#include "editor/tools/all_parts.h"
+#include "editor/input/input.h"
+#include "editor/scene/path.h"
+#include "editor/session/context.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/view/view.h"
 #include "editor/view/unit.h"
 #include <math.h>
 #include <string.h>

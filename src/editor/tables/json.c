@@ -1,5 +1,13 @@
 /* The tables as JSON, for the shells. */
-#include "editor/tools/all_parts.h"
+#include "editor/edit/pictures.h"
+#include "editor/panels/panels.h"
+#include "editor/session/context.h"
+#include "editor/session/journal_line.h"
+#include "editor/session/notice.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "text/text.h"
 #include "editor/edit/style.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,24 @@
  * The eraser. What lies within its circle is marked while it moves and goes when it is lifted: a curve loses its end,
  * falls into two, or opens when it was closed. The pen's eraser end is this tool, whatever tool is chosen.
  */
-#include "editor/tools/all_parts.h"
+#include "editor/edit/stroke.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/input/pressure.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/brushing.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
+#include "hands/levels/shape.h"
 #include "editor/edit/cut_out.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,9 @@
 /* The hand: every contact navigates while it is chosen (events.c), so it has no state of its own. */
-#include "editor/tools/all_parts.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/session/context.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
 
 static bat_string hint(const bat_context *c) {
     return bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL) ? BAT_STRING_HINT_PANNING

@@ -5,7 +5,16 @@
  * let the distance be typed. A third press begins anew.
  */
 #include "base/real.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/edit/pictures.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "editor/view/unit.h"
 #include <string.h>
 

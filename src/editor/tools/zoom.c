@@ -1,6 +1,13 @@
 /* The zoom tool: a click comes nearer, with Alt goes away; a rectangle drawn fills the window. Documents never
  * change by it. */
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/scene/path.h"
+#include "editor/session/context.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
 

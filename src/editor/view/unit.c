@@ -1,5 +1,10 @@
 #include "editor/view/unit.h"
-#include "editor/tools/all_parts.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
 #include "text/number.h"
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,26 @@
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a
  * tap. cancel: a drag is taken back, else taking apart or copying dropped.
  */
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/edit/stroke.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/pick/snap.h"
+#include "editor/scene/path.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/show/handles.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <batten/measure.h>

@@ -1,7 +1,17 @@
 /* The chosen curve and its levels: finding them, and changing them as steps. */
 #include "editor/tools/levels/state.h"
 #include "document/digest.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/edit/stroke.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
 #include <stdlib.h>
 
 void bat_leveling_free(bat_leveling *l) {

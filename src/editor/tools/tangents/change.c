@@ -1,6 +1,16 @@
 /* The tangents tool: its changes of the document, one step each. */
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "editor/edit/style.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tangents/draft.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>

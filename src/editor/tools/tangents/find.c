@@ -1,5 +1,12 @@
 /* The tangents tool: what of its spline, or which other one, lies under the pen. */
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/session.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <math.h>

@@ -1,5 +1,13 @@
 /* The tangents tool by the keyboard: its commands. */
-#include "editor/tools/all_parts.h"
+#include "curve/frames_walk.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>

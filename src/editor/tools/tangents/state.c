@@ -1,5 +1,18 @@
 /* What the tangents tool knows of its spline, and how it shows it. */
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "curve/frames_walk.h"
+#include "editor/scene/path.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tangents/draft.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <batten/bezier.h>
 #include <math.h>

@@ -3,6 +3,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
+#include "editor/view/view.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"

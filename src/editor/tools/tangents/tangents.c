@@ -7,7 +7,23 @@
  * else nothing is chosen.
  */
 #include "editor/edit/arrange.h"
-#include "editor/tools/all_parts.h"
+#include "base/vec.h"
+#include "curve/frames_walk.h"
+#include "editor/edit/style.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/pick/snap.h"
+#include "editor/scene/stage.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/tangents/draft.h"
+#include "editor/tools/tangents/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
