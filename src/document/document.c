@@ -3,6 +3,7 @@
 
 #include "curve/curve.h"
 #include "document/digest.h"
+#include "document/list.h"
 #include "document/nesting.h"
 #include "document/object.h"
 
@@ -11,10 +12,8 @@
 #include <string.h>
 
 struct bat_document {
-    bat_object **objects; /* back to front */
-    int count, room;
-    bat_id next;    /* greater than every id that was ever in the document */
-    bat_id highest; /* greatest id ever in it: a greater one cannot be there, which saves the search */
+    bat_list list; /* back to front */
+    bat_id next;   /* greater than every id that was ever in the document */
     double page[4];
 };
 
@@ -29,22 +28,8 @@ bat_status bat_document_create(bat_document **out) {
 
 void bat_document_free(bat_document *document) {
     if (!document) return;
-    for (int i = 0; i < document->count; i++) bat_object_release(document->objects[i]);
-    free(document->objects);
+    bat_list_free(&document->list);
     free(document);
-}
-
-/* Room for at least `room` objects. */
-static bat_status reserve(bat_document *document, int room) {
-    if (room <= document->room) return BAT_OK;
-    if (room > BAT_POINTS_MAX) return BAT_COUNT;
-    int more = document->room < 8 ? 8 : document->room * 2;
-    if (more < room) more = room;
-    bat_object **objects = realloc(document->objects, (size_t)more * sizeof *objects);
-    if (!objects) return BAT_MEMORY;
-    document->objects = objects;
-    document->room = more;
-    return BAT_OK;
 }
 
 bat_status bat_document_copy(const bat_document *document, bat_document **out) {
@@ -52,32 +37,24 @@ bat_status bat_document_copy(const bat_document *document, bat_document **out) {
     bat_document *copy;
     bat_status status = bat_document_create(&copy);
     if (status != BAT_OK) return status;
-    status = reserve(copy, document->count);
+    status = bat_list_copy(&document->list, &copy->list);
     if (status != BAT_OK) {
         bat_document_free(copy);
         return status;
     }
-    for (int i = 0; i < document->count; i++) copy->objects[i] = bat_object_retain(document->objects[i]);
-    copy->count = document->count;
     copy->next = document->next;
-    copy->highest = document->highest;
     memcpy(copy->page, document->page, sizeof copy->page);
     *out = copy;
     return BAT_OK;
 }
 
-int bat_document_count(const bat_document *document) { return document->count; }
+int bat_document_count(const bat_document *document) { return document->list.count; }
 
 const bat_object *bat_document_at(const bat_document *document, int index) {
-    return index >= 0 && index < document->count ? document->objects[index] : NULL;
+    return index >= 0 && index < document->list.count ? bat_list_at(&document->list, index) : NULL;
 }
 
-int bat_document_find(const bat_document *document, bat_id id) {
-    if (id > document->highest) return -1;
-    for (int i = 0; i < document->count; i++)
-        if (bat_object_id(document->objects[i]) == id) return i;
-    return -1;
-}
+int bat_document_find(const bat_document *document, bat_id id) { return bat_list_find(&document->list, id); }
 
 bat_id bat_document_new_id(bat_document *document) { return document->next++; }
 
@@ -87,73 +64,44 @@ void bat_document_raise_next(bat_document *document, bat_id next) {
     if (next > document->next) document->next = next;
 }
 
-static void note_id(bat_document *document, bat_id id) {
-    if (id > document->highest) document->highest = id;
-    bat_document_raise_next(document, id + 1);
-}
-
 bat_status bat_document_put(bat_document *document, int index, const bat_object *after) {
-    if (!document || !after || index < 0 || index > document->count) return BAT_ARGUMENT;
+    if (!document || !after || index < 0 || index > document->list.count) return BAT_ARGUMENT;
     bat_id id = bat_object_id(after);
-    if (bat_document_find(document, id) >= 0) return BAT_ARGUMENT;
-    bat_status status = reserve(document, document->count + 1);
+    if (bat_list_find(&document->list, id) >= 0) return BAT_ARGUMENT;
+    bat_status status = bat_list_reserve(&document->list, document->list.count + 1);
     if (status != BAT_OK) return status;
-    memmove(document->objects + index + 1, document->objects + index,
-            (size_t)(document->count - index) * sizeof *document->objects);
-    document->objects[index] = bat_object_retain(after);
-    document->count++;
-    note_id(document, id);
+    bat_list_insert(&document->list, index, bat_object_retain(after));
+    bat_document_raise_next(document, id + 1);
     return BAT_OK;
 }
 
 bat_status bat_document_replace(bat_document *document, int index, const bat_object *after) {
-    if (!document || !after || index < 0 || index >= document->count) return BAT_ARGUMENT;
-    bat_object *before = document->objects[index];
-    if (bat_object_id(after) != bat_object_id(before)) return BAT_ARGUMENT;
-    document->objects[index] = bat_object_retain(after);
-    bat_object_release(before);
+    if (!document || !after || index < 0 || index >= document->list.count) return BAT_ARGUMENT;
+    if (bat_object_id(after) != bat_object_id(bat_list_at(&document->list, index))) return BAT_ARGUMENT;
+    bat_object_release(bat_list_exchange(&document->list, index, bat_object_retain(after)));
     return BAT_OK;
 }
 
 bat_status bat_document_remove(bat_document *document, int index) {
-    if (!document || index < 0 || index >= document->count) return BAT_ARGUMENT;
-    bat_object_release(document->objects[index]);
-    document->count--;
-    memmove(document->objects + index, document->objects + index + 1,
-            (size_t)(document->count - index) * sizeof *document->objects);
-    return BAT_OK;
-}
-
-static int compare_ids(const void *a, const void *b) {
-    bat_id x = *(const bat_id *)a, y = *(const bat_id *)b;
-    return (x > y) - (x < y);
-}
-
-/* *repeats: some id is there twice. */
-static bat_status find_repeats(int count, bat_object *const *objects, bool *repeats) {
-    bat_id *ids = malloc(((size_t)count + 1) * sizeof *ids);
-    if (!ids) return BAT_MEMORY;
-    for (int i = 0; i < count; i++) ids[i] = bat_object_id(objects[i]);
-    qsort(ids, (size_t)count, sizeof *ids, compare_ids); /* no ties that could be told apart */
-    *repeats = false;
-    for (int i = 1; i < count; i++) *repeats = *repeats || ids[i] == ids[i - 1];
-    free(ids);
+    if (!document || index < 0 || index >= document->list.count) return BAT_ARGUMENT;
+    bat_object_release(bat_list_take(&document->list, index));
     return BAT_OK;
 }
 
 bat_status bat_document_fill(bat_document *document, int count, bat_object *const *objects) {
-    if (document->count > 0) return BAT_STATE;
-    bool repeats;
-    bat_status status = find_repeats(count, objects, &repeats);
-    if (status == BAT_OK && repeats) status = BAT_ARGUMENT;
-    if (status == BAT_OK) status = reserve(document, count);
+    bat_list *list = &document->list;
+    if (list->count > 0) return BAT_STATE;
+    bat_status status = bat_list_reserve(list, count);
     if (status != BAT_OK) return status;
-    for (int i = 0; i < count; i++) {
-        document->objects[i] = objects[i];
-        note_id(document, bat_object_id(objects[i]));
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        if (bat_list_find(list, bat_object_id(objects[i])) >= 0)
+            status = BAT_ARGUMENT;
+        else
+            bat_list_insert(list, i, objects[i]);
     }
-    document->count = count;
-    return BAT_OK;
+    while (status != BAT_OK && list->count) bat_list_take(list, list->count - 1); /* still the caller's */
+    for (int i = 0; i < list->count; i++) bat_document_raise_next(document, bat_object_id(objects[i]) + 1);
+    return status;
 }
 
 void bat_document_page(const bat_document *document, double page[4]) {
@@ -176,9 +124,9 @@ bat_status bat_document_set_page(bat_document *document, const double page[4]) {
 void bat_document_bounds(const bat_document *document, double box[4]) {
     box[0] = box[1] = INFINITY;
     box[2] = box[3] = -INFINITY;
-    for (int i = 0; i < document->count; i++) {
+    for (int i = 0; i < document->list.count; i++) {
         double own[4];
-        bat_object_bounds(document->objects[i], own);
+        bat_object_bounds(bat_list_at(&document->list, i), own);
         for (int k = 0; k < 2; k++) {
             box[k] = fmin(box[k], own[k]);
             box[k + 2] = fmax(box[k + 2], own[k + 2]);
@@ -193,16 +141,16 @@ int bat_document_end(const bat_document *document, int index) {
     if (!object || !bat_object_is_group(object)) return end;
     /* Inside, every parent is the group itself or one opened since. */
     nesting.open[nesting.depth++] = (bat_nesting_level){.id = bat_object_id(object)};
-    while (end < document->count && bat_object_parent(document->objects[end]) != 0 &&
-           bat_nesting_next(&nesting, document->objects[end], NULL))
+    while (end < document->list.count && bat_object_parent(bat_list_at(&document->list, end)) != 0 &&
+           bat_nesting_next(&nesting, bat_list_at(&document->list, end), NULL))
         end++;
     return end;
 }
 
 const char *bat_document_check_nesting(const bat_document *document) {
     bat_nesting nesting = {0};
-    for (int i = 0; i < document->count; i++) {
-        const bat_object *object = document->objects[i];
+    for (int i = 0; i < document->list.count; i++) {
+        const bat_object *object = bat_list_at(&document->list, i);
         if (!bat_nesting_next(&nesting, object, NULL)) return "an object is not with its group";
         if (bat_object_kind(object) == BAT_KIND_LAYER && nesting.depth > 1 &&
             nesting.open[nesting.depth - 2].kind != BAT_KIND_LAYER)
@@ -235,24 +183,21 @@ static const char *check_object(const bat_object *object) {
 
 const char *bat_document_check(const bat_document *document) {
     if (!page_valid(document->page)) return "the page is out of range";
-    for (int i = 0; i < document->count; i++) {
-        const bat_object *object = document->objects[i];
+    for (int i = 0; i < document->list.count; i++) {
+        const bat_object *object = bat_list_at(&document->list, i);
         bat_id id = bat_object_id(object);
         if (id == 0) return "an object has no id";
-        if (id >= document->next || id > document->highest) return "an id is not below the next one";
+        if (id >= document->next) return "an id is not below the next one";
         const char *wrong = check_object(object);
         if (wrong) return wrong;
     }
-    bool repeats;
-    if (find_repeats(document->count, document->objects, &repeats) == BAT_OK && repeats)
-        return "two objects share an id";
+    if (!bat_list_holds(&document->list)) return "the list and its ids differ";
     return bat_document_check_nesting(document);
 }
 
 uint64_t bat_document_digest(const bat_document *document) {
     uint64_t digest = bat_digest_begin();
     for (int i = 0; i < 4; i++) digest = bat_digest_double(digest, document->page[i]);
-    digest = bat_digest_number(digest, (uint64_t)document->count);
-    for (int i = 0; i < document->count; i++) digest = bat_digest_object(digest, document->objects[i]);
-    return digest;
+    digest = bat_digest_number(digest, (uint64_t)document->list.count);
+    return bat_digest_number(digest, bat_list_digest(&document->list));
 }

@@ -5,7 +5,7 @@
 #include <batten/document.h>
 
 /* Fills an empty document with objects (one use of each is taken over on success), back to front.
- * BAT_ARGUMENT when two share an id. O(n log n). */
+ * BAT_ARGUMENT when two share an id. O(n). */
 bat_status bat_document_fill(bat_document *document, int count, bat_object *const *objects);
 /* The id that bat_document_new_id gives next, and raising it (a lower value changes nothing). */
 bat_id bat_document_next(const bat_document *document);
