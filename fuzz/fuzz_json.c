@@ -7,6 +7,14 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
+/* An object that is taken must survive, too. */
+static void add_guide(bat_document *document, bat_id id) {
+    bat_object *guide;
+    if (bat_object_create_guide(id, 0, 1, &guide) != BAT_OK) return;
+    bat_document_put(document, 0, guide);
+    bat_object_release(guide);
+}
+
 static void check_document(const char *text, size_t size) {
     bat_document *document, *back;
     bat_problem problem;
@@ -18,6 +26,8 @@ static void check_document(const char *text, size_t size) {
         return;
     }
     if (bat_document_check(document)) abort();
+    add_guide(document, bat_document_new_id(document));
+    add_guide(document, bat_document_digest(document) >> (bat_document_digest(document) & 63));
     if (bat_document_write(document, &written, &size) == BAT_OK) {
         if (bat_document_read(written, size, &back, &problem) != BAT_OK) abort();
         if (bat_document_digest(back) != bat_document_digest(document)) abort();

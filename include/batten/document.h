@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-typedef uint64_t bat_id; /* 0: none. Ids are given by the document, ascending, never reused. */
+typedef uint64_t bat_id;                /* 0: none. Ids are given by the document, ascending, never reused. */
+#define BAT_ID_MAX ((bat_id)2147483647) /* the greatest id, here and in files: display lists have 32 bits */
 
 typedef enum bat_cap { BAT_CAP_BUTT, BAT_CAP_ROUND, BAT_CAP_SQUARE } bat_cap;
 typedef enum bat_join { BAT_JOIN_MITER, BAT_JOIN_ROUND, BAT_JOIN_BEVEL } bat_join;
@@ -63,7 +64,7 @@ BAT_API uint64_t bat_picture_digest(const bat_picture *picture); /* of its bytes
 BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
 /* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
- * BAT_ARGUMENT: id 0 or above 2^53 - 1, a style out of range, a name that is not UTF-8. */
+ * BAT_ARGUMENT: id 0 or above BAT_ID_MAX, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,
                                           int curve_count, bat_curve *const *curves, bat_object **out);
 /* Copies the spline; its curve is what bat_tangents makes of it (options NULL: the defaults), and what that
@@ -143,7 +144,7 @@ BAT_API bat_status bat_document_copy(const bat_document *document, bat_document 
 BAT_API int bat_document_count(const bat_document *document);
 BAT_API const bat_object *bat_document_at(const bat_document *document, int index);
 BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index, or -1 */
-BAT_API bat_id bat_document_new_id(bat_document *document);
+BAT_API bat_id bat_document_new_id(bat_document *document);             /* 0: all are used up */
 /* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
  * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
 BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after); /* insert */
@@ -159,7 +160,7 @@ BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
-/* The invariants: ids unique, below the next id; curves valid; splines and levels give their curves; styles in range; groups
+/* The invariants: ids unique, from 1 to BAT_ID_MAX, below the next id; curves valid; splines and levels give their curves; styles in range; groups
  * hold together, layers are in nothing but layers. NULL when all hold, else which
  * one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);

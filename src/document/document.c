@@ -56,11 +56,14 @@ const bat_object *bat_document_at(const bat_document *document, int index) {
 
 int bat_document_find(const bat_document *document, bat_id id) { return bat_list_find(&document->list, id); }
 
-bat_id bat_document_new_id(bat_document *document) { return document->next++; }
+bat_id bat_document_new_id(bat_document *document) {
+    return document->next > BAT_ID_MAX ? 0 : document->next++;
+}
 
 bat_id bat_document_next(const bat_document *document) { return document->next; }
 
 void bat_document_raise_next(bat_document *document, bat_id next) {
+    if (next > BAT_ID_MAX + 1) next = BAT_ID_MAX + 1;
     if (next > document->next) document->next = next;
 }
 
@@ -186,7 +189,8 @@ const char *bat_document_check(const bat_document *document) {
     for (int i = 0; i < document->list.count; i++) {
         const bat_object *object = bat_list_at(&document->list, i);
         bat_id id = bat_object_id(object);
-        if (id == 0) return "an object has no id";
+        if (id == 0 || id > BAT_ID_MAX || bat_object_parent(object) > BAT_ID_MAX)
+            return "an id is out of range";
         if (id >= document->next) return "an id is not below the next one";
         const char *wrong = check_object(object);
         if (wrong) return wrong;

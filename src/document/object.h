@@ -4,9 +4,6 @@
 
 #include <batten/document.h>
 
-/* Greatest id: every integer up to it is a double, so that JSON carries it. */
-#define BAT_ID_MAX (((bat_id)1 << 53) - 1)
-
 bool bat_style_valid(const bat_style *style);
 /* NULL, or what does not hold between an object and what its curves are made of. */
 const char *bat_object_check_makings(const bat_object *object);

@@ -43,7 +43,7 @@ static void bad_objects_are_refused(void **state) {
     bat_style style = bat_style_defaults();
     bat_object *object = NULL;
     assert_int_equal(bat_object_create_path(0, "", &style, 1, curves, &object), BAT_ARGUMENT);
-    assert_int_equal(bat_object_create_path((bat_id)1 << 53, "", &style, 1, curves, &object), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_path(BAT_ID_MAX + 1, "", &style, 1, curves, &object), BAT_ARGUMENT);
     assert_int_equal(bat_object_create_path(1, "", &style, 2, curves, &object), BAT_DIMENSION);
     assert_int_equal(bat_object_create_path(1, "", &style, 0, curves, &object), BAT_COUNT);
     assert_int_equal(bat_object_create_path(1, "\xc3(", &style, 1, curves, &object), BAT_ARGUMENT);

@@ -33,9 +33,16 @@ assert len(examples) == len(parts)
 for example, part in zip(examples, parts):
     (document if part is None else jsonschema.Draft202012Validator({"$ref": part, "$defs": schema["$defs"]})).validate(example)
 
+# One limit of ids: in the header, here, and in words.
+header = (root / "include/batten/document.h").read_text()
+ids = int(re.search(r"#define BAT_ID_MAX \(\(bat_id\)(\d+)\)", header)[1])
+kinds = schema["$defs"]["object"]["properties"]
+assert [kinds["id"]["maximum"], kinds["parent"]["maximum"], schema["properties"]["next"]["maximum"] - 1] == 3 * [ids]
+assert f"| `id` | 1 to {ids}, each once |" in text and f"1 to {ids + 1}; may be left out" in text
+
 example = examples[4]
 for path, value in [(("batten",), 2), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
-                    (("objects", 0, "id"), 0), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
+                    (("objects", 0, "id"), 0), (("objects", 0, "id"), ids + 1), (("next",), ids + 2), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
                     (("objects", 0, "style", "stroke"), "red"), (("objects", 0, "style", "opacity"), 2),
                     (("objects", 0, "curves", 0, "degree"), 8), (("objects", 0, "curves", 0, "points", 0), [1])]:
     broken = json.loads(json.dumps(example))

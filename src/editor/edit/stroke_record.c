@@ -241,7 +241,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     if (out->kind == BAT_EDIT_COUNT)
         return bat_json_say(json, 1, BAT_UNSUPPORTED, "do: no edit has this name", problem);
     reader r = {json, 1, problem, BAT_OK};
-    const double ids = 2147483647;
+    const double ids = (double)BAT_ID_MAX;
     out->object = (bat_id)read_whole(&r, "object", 1, ids);
     if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
     if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);

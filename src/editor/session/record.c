@@ -58,7 +58,7 @@ static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, b
     bat_status status;
     if (removed) {
         const bat_object *before = bat_document_at(c->session->document, (int)at);
-        if (!before || whole(json, removed, 9e15) != (double)bat_object_id(before))
+        if (!before || whole(json, removed, (double)BAT_ID_MAX) != (double)bat_object_id(before))
             return bat_json_complain(json, node, BAT_ARGUMENT, "remove", "the id of the object there",
                                      problem);
         status = bat_transaction_remove(c, (int)at);

@@ -41,6 +41,18 @@ static bat_status read_number(const reader *r, uint32_t object, const char *name
     return BAT_OK;
 }
 
+/* A whole number from 1 to high; a member that may be left out keeps what *id holds. */
+static bat_status read_id(const reader *r, uint32_t object, const char *name, bat_id high, bat_id *id) {
+    char expected[48];
+    double number = (double)*id;
+    snprintf(expected, sizeof expected, "a whole number from 1 to %lu", (unsigned long)high);
+    bat_status status = read_number(r, object, name, 1, (double)high, expected, &number);
+    if (status == BAT_OK && number != floor(number))
+        status = complain(r, bat_json_member(r->json, object, name), name, expected);
+    if (status == BAT_OK) *id = (bat_id)number;
+    return status;
+}
+
 static bat_status read_flag(const reader *r, uint32_t object, const char *name, bool *value) {
     uint32_t node = bat_json_member(r->json, object, name);
     if (!node) return BAT_OK;
@@ -230,18 +242,14 @@ static bat_status read_image(const reader *r, uint32_t node, bat_id id, const ch
 
 /* Group, visibility and lock; takes `object` over. */
 static bat_status place_object(const reader *r, uint32_t node, bat_object *object, bat_object **out) {
-    double parent = 0;
+    bat_id parent = 0;
     bool hidden = false, locked = false;
     bat_object *placed = NULL;
-    bat_status status = read_number(r, node, "parent", 1, (double)BAT_FILE_ID_MAX,
-                                    "a whole number from 1 to 2147483647", &parent);
-    if (status == BAT_OK && parent != (double)(bat_id)parent)
-        status = complain(r, bat_json_member(r->json, node, "parent"), "parent",
-                          "a whole number from 1 to 2147483647");
+    bat_status status = read_id(r, node, "parent", BAT_ID_MAX, &parent);
     if (status == BAT_OK) status = read_flag(r, node, "hidden", &hidden);
     if (status == BAT_OK) status = read_flag(r, node, "locked", &locked);
     if (status == BAT_OK && parent > 0) {
-        status = bat_object_with_parent(object, (bat_id)parent, &placed);
+        status = bat_object_with_parent(object, parent, &placed);
         if (status != BAT_OK)
             bat_json_say(r->json, node, status, "parent: not itself", r->problem);
         else {
@@ -290,12 +298,10 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
         return bat_json_complain(
             json, kind, BAT_UNSUPPORTED, "kind",
             "\"path\", \"spline\", \"shape\", \"image\", \"guide\", \"group\" or \"layer\"", r->problem);
-    double id = 0;
-    bat_status status = read_number(r, node, "id", 1, (double)BAT_FILE_ID_MAX,
-                                    "a whole number from 1 to 2147483647", &id);
+    bat_id id = 0;
+    bat_status status = read_id(r, node, "id", BAT_ID_MAX, &id);
     if (status != BAT_OK) return status;
-    if (id < 1 || id != (double)(bat_id)id)
-        return complain(r, bat_json_member(json, node, "id"), "id", "a whole number from 1 to 2147483647");
+    if (id == 0) return complain(r, node, "id", "a whole number");
     uint32_t named = bat_json_member(json, node, "name");
     const char *name = named ? bat_json_text(json, named) : "";
     if (!name) return complain(r, named, "name", "a text");
@@ -304,16 +310,16 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     if (status != BAT_OK) return status;
     bat_object *object = NULL;
     if (group) {
-        status = bat_object_create_group((bat_id)id, name, word[0] == 'l', &object);
+        status = bat_object_create_group(id, name, word[0] == 'l', &object);
         if (status != BAT_OK) bat_json_say(json, node, status, bat_status_message(status), r->problem);
     } else if (image) {
-        status = read_image(r, node, (bat_id)id, name, &object);
+        status = read_image(r, node, id, name, &object);
     } else if (guide) {
-        status = read_guide(r, node, (bat_id)id, &object);
+        status = read_guide(r, node, id, &object);
     } else if (strcmp(word, "spline") == 0) {
-        status = read_spline_object(r, node, (bat_id)id, name, &style, &object);
+        status = read_spline_object(r, node, id, name, &style, &object);
     } else {
-        status = read_path(r, node, (bat_id)id, name, &style, shape, &object);
+        status = read_path(r, node, id, name, &style, shape, &object);
     }
     return status == BAT_OK ? place_object(r, node, object, out) : status;
 }
@@ -404,13 +410,11 @@ static bat_status read_document(const reader *r, bat_document *document) {
         return complain(r, version ? version : 1, "batten", "the version of the format, a number");
     if (r->json->nodes[version].value.number != 1)
         return bat_json_complain(r->json, version, BAT_UNSUPPORTED, "batten", "version 1", r->problem);
-    double next = 0;
+    bat_id next = 0;
     bat_status status = read_page(r, bat_json_member(r->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(r, bat_json_member(r->json, 1, "objects"), document);
-    if (status == BAT_OK)
-        status = read_number(r, 1, "next", 1, (double)BAT_FILE_ID_MAX + 1,
-                             "a whole number from 1 to 2147483648", &next);
-    if (status == BAT_OK) bat_document_raise_next(document, (bat_id)next);
+    if (status == BAT_OK) status = read_id(r, 1, "next", BAT_ID_MAX + 1, &next);
+    if (status == BAT_OK) bat_document_raise_next(document, next);
     return status;
 }
 

@@ -8,9 +8,6 @@
 
 #include <batten/document.h>
 
-/* Ids in files stay below this, so that a document never runs out of them. */
-#define BAT_FILE_ID_MAX (((bat_id)1 << 31) - 1)
-
 /* One object of the document's list, and back (BAT_SYNTAX and so on, told in problem). Bit for bit. The text
  * has line ends between its parts, none inside its strings. */
 void bat_object_to_json(const bat_object *object, bat_text *text);
