@@ -1,4 +1,10 @@
-/* Batten: status codes, limits and the export macro that every public header shares. */
+/*
+ * Batten: status codes, limits and the export macro that every public header shares.
+ *
+ * Threads: distinct objects can be used on distinct threads freely, and so can copies, whatever they share. Calls that
+ * take an object as const can run at once on the same object; any other call on it needs it alone. There are no
+ * globals that change.
+ */
 #ifndef BATTEN_BASE_H
 #define BATTEN_BASE_H
 

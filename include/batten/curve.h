@@ -11,7 +11,7 @@
  * closed curve are still distinct doubles one period away. BAT_NUMBER otherwise.
  *
  * A curve is a value: it never changes after it is made. Operations return new curves, which the caller
- * frees. One allocation a curve. const calls on one curve are safe from many threads.
+ * frees. One allocation a curve.
  */
 #ifndef BATTEN_CURVE_H
 #define BATTEN_CURVE_H

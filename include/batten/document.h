@@ -1,6 +1,7 @@
 /*
  * Batten: the document. An ordered list of objects (back to front), each an immutable value that is replaced,
- * never changed, so that undo is an exchange of pointers.
+ * never changed, so that undo is an exchange of pointers. Objects, curves, shapes, splines and pictures are shared by
+ * copies of a document and counted; counts are atomic, so that each copy can be on a thread of its own.
  */
 #ifndef BATTEN_DOCUMENT_H
 #define BATTEN_DOCUMENT_H
@@ -55,7 +56,7 @@ enum { BAT_PICTURE_SIDE = 65535 };           /* pixels of a side, at most */
 /* Copies the bytes. BAT_UNSUPPORTED: none of the three kinds, a broken head, or a side too long; BAT_COUNT: too many
  * bytes. O(size). */
 BAT_API bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out);
-BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users; not atomic */
+BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users */
 BAT_API void bat_picture_release(bat_picture *picture);              /* NULL is fine */
 BAT_API const void *bat_picture_bytes(const bat_picture *picture, size_t *size);
 BAT_API const char *
@@ -106,7 +107,7 @@ BAT_API bat_status bat_object_with_shape(const bat_object *object, int index, ba
 BAT_API bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline,
                                           bat_object **out);
 BAT_API bat_status bat_object_to_path(const bat_object *object, bat_object **out);
-BAT_API bat_object *bat_object_retain(const bat_object *object); /* counts users; not atomic */
+BAT_API bat_object *bat_object_retain(const bat_object *object); /* counts users */
 BAT_API void bat_object_release(bat_object *object);             /* NULL is fine */
 
 BAT_API bat_id bat_object_id(const bat_object *object);

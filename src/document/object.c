@@ -4,6 +4,7 @@
 
 #include "document/digest.h"
 #include "document/picture.h"
+#include "base/users.h"
 #include "kinds/levelled.h"
 #include "kinds/spline.h"
 #include "text/utf8.h"
@@ -16,7 +17,7 @@
 
 /* A curve with its box, counted: an object that differs in one curve of many costs one curve. */
 typedef struct part {
-    int users;
+    bat_users users;
     const bat_curve *curve; /* owned, or the finest of the shape, which is */
     bat_shape *shape;
     double box[4];
@@ -24,7 +25,7 @@ typedef struct part {
 } part;
 
 struct bat_object {
-    int users;
+    bat_users users;
     bat_kind kind;
     bat_id id;
     bat_id parent; /* of the group it is in, 0: in none */
@@ -60,7 +61,7 @@ bool bat_style_valid(const bat_style *style) {
 
 static part *part_create(void) {
     part *made = malloc(sizeof *made);
-    if (made) *made = (part){.users = 1};
+    if (made) *made = (part){.users = BAT_USERS_ONE};
     return made;
 }
 
@@ -75,7 +76,7 @@ static void part_fill(part *made, const bat_curve *curve, bat_shape *shape) {
 }
 
 static void part_release(part *made) {
-    if (!made || --made->users > 0) return;
+    if (!made || !bat_users_drop(&made->users)) return;
     if (made->shape)
         bat_shape_free(made->shape);
     else
@@ -91,8 +92,12 @@ static bat_object *allocate(int count, const char *name) {
     part **parts = (part **)(void *)(object + 1);
     char *text = (char *)(parts + count);
     memcpy(text, name, length);
-    *object = (bat_object){
-        .users = 1, .kind = BAT_KIND_PATH, .axis = -1, .count = count, .parts = parts, .name = text};
+    *object = (bat_object){.users = BAT_USERS_ONE,
+                           .kind = BAT_KIND_PATH,
+                           .axis = -1,
+                           .count = count,
+                           .parts = parts,
+                           .name = text};
     return object;
 }
 
@@ -259,10 +264,10 @@ static bat_object *share_as(const bat_object *object, const char *name) {
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
-        copy->parts[i]->users++;
+        bat_users_add(&copy->parts[i]->users);
     }
     copy->spline = object->spline;
-    if (copy->spline) copy->spline->users++;
+    if (copy->spline) bat_users_add(&copy->spline->users);
     copy->picture = bat_picture_retain(object->picture);
     memcpy(copy->matrix, object->matrix, sizeof copy->matrix);
     return copy;
@@ -409,12 +414,12 @@ bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
 
 bat_object *bat_object_retain(const bat_object *object) {
     bat_object *user = (bat_object *)object; /* the count is no part of the value */
-    if (user) user->users++;
+    if (user) bat_users_add(&user->users);
     return user;
 }
 
 void bat_object_release(bat_object *object) {
-    if (!object || --object->users > 0) return;
+    if (!object || !bat_users_drop(&object->users)) return;
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
     bat_kept_spline_release(object->spline);
     bat_picture_release(object->picture);

@@ -1,12 +1,13 @@
 #include "document/picture.h"
 
 #include "document/digest.h"
+#include "base/users.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct bat_picture {
-    int users;
+    bat_users users;
     uint32_t width, height;
     const char *type;
     uint64_t digest;
@@ -22,7 +23,8 @@ bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out)
     if (!type) return BAT_UNSUPPORTED;
     bat_picture *picture = malloc(sizeof *picture + size);
     if (!picture) return BAT_MEMORY;
-    *picture = (bat_picture){.users = 1, .width = width, .height = height, .type = type, .size = size};
+    *picture = (bat_picture){
+        .users = BAT_USERS_ONE, .width = width, .height = height, .type = type, .size = size};
     picture->digest = bat_digest_bytes(bat_digest_begin(), bytes, size);
     memcpy(picture->bytes, bytes, size);
     *out = picture;
@@ -31,12 +33,12 @@ bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out)
 
 bat_picture *bat_picture_retain(const bat_picture *picture) {
     bat_picture *user = (bat_picture *)picture; /* the count is no part of the value */
-    if (user) user->users++;
+    if (user) bat_users_add(&user->users);
     return user;
 }
 
 void bat_picture_release(bat_picture *picture) {
-    if (picture && --picture->users == 0) free(picture);
+    if (picture && bat_users_drop(&picture->users)) free(picture);
 }
 
 const void *bat_picture_bytes(const bat_picture *picture, size_t *size) {

@@ -23,7 +23,7 @@ static bat_kept_spline *copy(const bat_spline *spline, const bat_tangents_option
         for (int d = 0; d < spline->dimension; d++) tangents[at + d] = given ? spline->tangents[at + d] : 0;
     }
     for (size_t i = 0; i < 2 * count; i++) tension[i] = spline->tension ? spline->tension[i] : 1;
-    *kept = (bat_kept_spline){1, *spline, options ? *options : bat_tangents_defaults()};
+    *kept = (bat_kept_spline){BAT_USERS_ONE, *spline, options ? *options : bat_tangents_defaults()};
     kept->spline.points = points;
     kept->spline.tangents = tangents;
     kept->spline.tension = tension;
@@ -46,7 +46,7 @@ bat_status bat_kept_spline_create(const bat_spline *spline, const bat_tangents_o
 }
 
 void bat_kept_spline_release(bat_kept_spline *kept) {
-    if (kept && --kept->users == 0) free(kept);
+    if (kept && bat_users_drop(&kept->users)) free(kept);
 }
 
 uint64_t bat_kept_spline_digest(uint64_t digest, const bat_kept_spline *kept) {

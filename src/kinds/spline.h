@@ -2,10 +2,12 @@
 #ifndef BATTEN_KINDS_SPLINE_H
 #define BATTEN_KINDS_SPLINE_H
 
+#include "base/users.h"
+
 #include <batten/tangents.h>
 
 typedef struct bat_kept_spline {
-    int users;
+    bat_users users;
     bat_spline spline; /* its arrays lie behind it in the same block; none is NULL */
     bat_tangents_options options;
 } bat_kept_spline;
