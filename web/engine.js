@@ -247,6 +247,8 @@ export class Engine {
     view.setFloat64(at + place['pointer.tilt_x'], pointer.tiltX, true);
     view.setFloat64(at + place['pointer.tilt_y'], pointer.tiltY, true);
     view.setFloat64(at + place['pointer.twist'], pointer.twist, true);
+    view.setFloat64(at + place['pointer.width'], pointer.width, true);
+    view.setFloat64(at + place['pointer.height'], pointer.height, true);
     view.setFloat64(at + place['pointer.time'], pointer.time, true);
     view.setUint8(at + place['pointer.predicted'], pointer.predicted ? 1 : 0);
   }

@@ -97,6 +97,8 @@ export class Input {
       tiltX: event.tiltX,
       tiltY: event.tiltY,
       twist: event.twist,
+      width: event.width,
+      height: event.height,
       time: event.timeStamp,
       predicted,
     };

@@ -13,6 +13,8 @@
  * @property {number} tiltX degrees
  * @property {number} tiltY
  * @property {number} twist
+ * @property {number} width of the contact, view pixels
+ * @property {number} height
  * @property {number} time milliseconds
  * @property {boolean} predicted
  */

@@ -45,6 +45,7 @@ typedef struct bat_pointer {
     double x, y;                  /* view pixels, origin top left */
     double pressure;              /* 0..1 */
     double tilt_x, tilt_y, twist; /* degrees */
+    double width, height;         /* of the contact, view pixels; 0: not known */
     double time;                  /* milliseconds, the host's clock */
     bool predicted;               /* for the overlay only, never part of a stroke */
 } bat_pointer;

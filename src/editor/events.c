@@ -2,6 +2,7 @@
 #include "editor/tables/keys.h"
 #include "editor/commands/dispatch.h"
 #include "editor/editor.h"
+#include "editor/fingers.h"
 #include "editor/show/ruler.h"
 #include "base/real.h"
 #include <math.h>
@@ -9,6 +10,7 @@
 
 static const double PINCH_SOON = 250; /* ms within which a second finger turns a stroke into a pinch */
 static const double PINCH_NEAR = 24;  /* px that the first may have moved meanwhile */
+static const double AT_REST = 6; /* px that a finger may move before the view follows, from where it lay */
 
 static double bounded(double value, double low, double high, double otherwise) {
     return isfinite(value) ? fmin(fmax(value, low), high) : otherwise;
@@ -33,6 +35,8 @@ static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *c
     event->tilt_x = bat_samples_round(bounded(event->tilt_x, -90, 90, 0), 100);
     event->tilt_y = bat_samples_round(bounded(event->tilt_y, -90, 90, 0), 100);
     event->twist = bounded(event->twist, 0, 360, 0);
+    event->width = bounded(event->width, 0, BAT_PIXELS_MAX, 0);
+    event->height = bounded(event->height, 0, BAT_PIXELS_MAX, 0);
     event->time = bounded(event->time, 0, 1e13, c->time);
     return true;
 }
@@ -61,11 +65,12 @@ static void cancel_uncommitted(bat_context *c) {
 /* What a contact that comes down is to do; may end what the tool does. */
 static bat_duty assign(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
-    int at_work = -1;
+    int at_work = -1, moving = -1;
     bool working = bat_contacts_count(contacts, BAT_DUTY_TOOL, &at_work) > 0;
-    int navigating = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
-    bool palm = c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
+    int navigating = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, &moving);
+    bool only_pens = c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
 
+    if (bat_contact_is_palm(event)) return BAT_DUTY_IGNORED;
     if (working) {
         bat_contact *first = &contacts->list[at_work];
         if (event->device != BAT_DEVICE_TOUCH || first->device != BAT_DEVICE_TOUCH) return BAT_DUTY_IGNORED;
@@ -80,11 +85,12 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
     }
     if (c->session->transaction.open) return BAT_DUTY_IGNORED;
     if (navigating > 0) {
-        if (event->device != BAT_DEVICE_TOUCH || navigating > 1) return BAT_DUTY_IGNORED;
+        bool finger = event->device == BAT_DEVICE_TOUCH && contacts->list[moving].device == BAT_DEVICE_TOUCH;
+        if (!finger || navigating > 1) return BAT_DUTY_IGNORED;
         bat_contacts_pinch(c);
         return BAT_DUTY_NAVIGATE;
     }
-    if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && palm)) return BAT_DUTY_NAVIGATE;
+    if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && only_pens)) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
         bat_range_end(c);
         const bat_tool *tool = bat_toolbox_tool(c);
@@ -100,30 +106,70 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
 }
 
+/* Where the pointer is, for all that asks for it between events. */
+static void point(bat_context *c, const bat_pointer *event) {
+    c->input->pen_near = true;
+    c->input->points = event->device;
+    c->input->pen[0] = event->x;
+    c->input->pen[1] = event->y;
+}
+
 static void down(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
-    if (contacts->count == BAT_CONTACTS_MAX) return;
+    bool finger = event->device == BAT_DEVICE_TOUCH;
+    if (!finger) bat_fingers_yield(c);
+    if (!bat_contacts_room(contacts, event->device)) return;
     bat_taps_down(c, event);
+    bool first = !bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
     bat_duty duty = assign(c, event);
+    if (duty == BAT_DUTY_NAVIGATE && first) bat_fingers_rest(c);
     if (duty == BAT_DUTY_TOOL) bat_range_end(c); /* a hand takes over from the keys */
-    contacts->list[contacts->count++] = (bat_contact){
-        event->contact, event->device, duty, {event->x, event->y}, {event->x, event->y}, event->time};
+    if (duty == BAT_DUTY_TOOL || !finger) point(c, event);
+    contacts->list[contacts->count++] = (bat_contact){.id = event->contact,
+                                                      .device = event->device,
+                                                      .duty = duty,
+                                                      .at = {event->x, event->y},
+                                                      .start = {event->x, event->y},
+                                                      .start_time = event->time};
     const bat_tool *tool = bat_toolbox_tool(c);
-    if (duty == BAT_DUTY_TOOL && tool->down) tool->down(c, event);
+    if (duty != BAT_DUTY_TOOL) return;
+    c->input->trail.count = 0;
+    bat_trail_add(&c->input->trail, c->input->pen, event->time);
+    if (finger) c->input->fingers.before = c->input->fingers.after = c->session->history.state;
+    if (tool->down) tool->down(c, event);
 }
 
 static void move(bat_context *c, const bat_pointer *event, int index) {
     bat_contact *contact = &c->input->contacts.list[index];
     const bat_tool *tool = bat_toolbox_tool(c);
+    bool finger = contact->device == BAT_DEVICE_TOUCH;
+    if (bat_contact_is_palm(event)) bat_finger_stop(c, index); /* it came down edge first */
+    contact->far = fmax(contact->far, bat_hypot(event->x - contact->start[0], event->y - contact->start[1]));
+    bat_taps_move(c, event, contact);
+    if (contact->duty == BAT_DUTY_TOOL || !finger) point(c, event);
     if (contact->duty == BAT_DUTY_TOOL) {
+        bat_trail_add(&c->input->trail, c->input->pen, event->time);
         if (tool->move) tool->move(c, event);
-    } else if (contact->duty == BAT_DUTY_NAVIGATE && !event->predicted) {
+    } else if (contact->duty == BAT_DUTY_NAVIGATE) {
+        if (finger && contact->far <= AT_REST) return;
+        if (finger) bat_fingers_before(c);
         bat_contacts_navigate(c, index, (double[]){event->x, event->y});
+        if (finger) bat_fingers_after(c);
     }
-    if (event->predicted) return;
-    bat_taps_move(c, event, contact->start);
     contact->at[0] = event->x;
     contact->at[1] = event->y;
+}
+
+/* Where the pen may be going: for the overlay only. */
+static void predict(bat_context *c, const bat_pointer *event, int index) {
+    const bat_tool *tool = bat_toolbox_tool(c);
+    if (c->input->contacts.list[index].duty != BAT_DUTY_TOOL || !tool->move) return;
+    double guess[2] = {event->x, event->y};
+    bat_trail_bound(&c->input->trail, guess);
+    bat_pointer bound = *event;
+    bound.x = guess[0];
+    bound.y = guess[1];
+    tool->move(c, &bound);
 }
 
 /* The pen's other end is lifted: the tool is the chosen one again. */
@@ -135,18 +181,27 @@ static void turn_back(bat_context *c) {
 }
 
 static void end(bat_context *c, const bat_pointer *event, int index) {
-    bat_duty duty = c->input->contacts.list[index].duty;
     if (event->phase == BAT_POINTER_UP) move(c, event, index);
+    const bat_contact contact = c->input->contacts.list[index];
     bat_contacts_remove(&c->input->contacts, index);
     const bat_tool *tool = bat_toolbox_tool(c);
-    if (duty == BAT_DUTY_TOOL) {
+    if (contact.duty == BAT_DUTY_TOOL) {
         if (event->phase == BAT_POINTER_CANCEL)
             cancel_tool(c);
         else if (tool->up)
             tool->up(c, event);
         turn_back(c);
+        if (event->device == BAT_DEVICE_TOUCH) bat_fingers_step(c, &contact);
     }
     bat_taps_end(c, event);
+}
+
+static void see_pen(bat_context *c, const bat_pointer *event) {
+    if (!c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0)
+        bat_fingers_meet_pen(c, event->time);
+    c->input->pen_seen = true;
+    c->input->pen_time = event->time;
+    c->input->taps.spoiled = true; /* no company for a tap */
 }
 
 static void one(bat_context *c, bat_pointer event) {
@@ -154,21 +209,13 @@ static void one(bat_context *c, bat_pointer event) {
     int index = bat_contacts_find(&c->input->contacts, event.device, event.contact);
     if (!clean(c, &event, index < 0 ? NULL : &c->input->contacts.list[index])) return;
     if (event.predicted) {
-        if (index >= 0 && event.phase == BAT_POINTER_MOVE) move(c, &event, index);
+        if (index >= 0 && event.phase == BAT_POINTER_MOVE) predict(c, &event, index);
         return;
     }
     c->time = event.time;
     c->session->freed = c->session->refused = false;
-    if (event.device == BAT_DEVICE_PEN) {
-        c->input->pen_seen = true;
-        c->input->pen_time = event.time;
-    }
+    if (event.device == BAT_DEVICE_PEN) see_pen(c, &event);
     set_modifiers(c, event.modifiers);
-    c->input->pen_near = event.phase != BAT_POINTER_LEAVE;
-    if (c->input->pen_near) {
-        c->input->pen[0] = event.x;
-        c->input->pen[1] = event.y;
-    }
     const bat_tool *tool = bat_toolbox_tool(c);
     switch (event.phase) {
     case BAT_POINTER_DOWN:
@@ -185,7 +232,9 @@ static void one(bat_context *c, bat_pointer event) {
     case BAT_POINTER_HOVER:
         if (index >= 0)
             move(c, &event, index);
-        else if (event.device != BAT_DEVICE_TOUCH && !c->input->contacts.count) {
+        else if (event.device != BAT_DEVICE_TOUCH) {
+            point(c, &event);
+            if (!bat_contacts_clear(c)) break;
             if (bat_ruler_at(c, c->input->pen) < 0 && tool->hover)
                 tool->hover(c, &event);
             else if (tool->leave)
@@ -193,6 +242,8 @@ static void one(bat_context *c, bat_pointer event) {
         }
         break;
     case BAT_POINTER_LEAVE:
+        if (event.device == BAT_DEVICE_TOUCH && c->input->points != BAT_DEVICE_TOUCH) break;
+        c->input->pen_near = false;
         if (index < 0 && tool->leave && !bat_toolbox_busy(c)) tool->leave(c);
         break;
     }

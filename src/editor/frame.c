@@ -8,7 +8,8 @@
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
 
 static bat_cursor cursor(bat_context *c) {
-    if (bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL)) return BAT_CURSOR_GRABBING;
+    if (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL))
+        return BAT_CURSOR_GRABBING;
     if (c->input->holding_pan || c->session->read_only) return BAT_CURSOR_GRAB;
     const bat_tool *tool = bat_toolbox_tool(c);
     int guide = bat_guides_hot(c);

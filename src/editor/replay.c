@@ -131,6 +131,8 @@ static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem 
                          .tilt_x = tilt[0],
                          .tilt_y = tilt[1],
                          .twist = number(json, "twist", 0),
+                         .width = number(json, "width", 0),
+                         .height = number(json, "height", 0),
                          .time = number(json, "time", editor->context.time),
                          .predicted = bat_json_type_of(json, bat_json_member(json, 1, "predicted")) ==
                                       BAT_JSON_TRUE};

@@ -72,6 +72,7 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
         event.x = session_place(bytes);
         event.y = session_place(bytes);
         event.pressure = session_place(bytes) / 900;
+        event.width = more & 128 ? event.pressure * 200 : 0;
         bat_editor_pointer(editor, &event, 1);
     } else if (what < 200) {
         session_stroke(editor, bytes, time);

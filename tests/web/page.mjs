@@ -135,11 +135,12 @@ export class Hand {
     return dense;
   }
 
-  /** Fingers: an array of frames 8 ms apart, each an array of positions; the last lifts, unless `lift` is false. */
-  async fingers(frames, { lift = true } = {}) {
-    let before = 0;
+  /** Fingers: an array of frames 8 ms apart, each an array of positions; the last lifts, unless `lift` is false.
+   * `radius` in pixels: of a finger's contact, or a palm's. `down`: how many are down already. */
+  async fingers(frames, { lift = true, radius = 6, down = 0 } = {}) {
+    let before = down;
     for (const frame of frames) {
-      const touchPoints = frame.map(([x, y], id) => ({ x, y, id, force: 0.5, radiusX: 6, radiusY: 6 }));
+      const touchPoints = frame.map(([x, y], id) => ({ x, y, id, force: 0.5, radiusX: radius, radiusY: radius }));
       await this.#touch(before < frame.length ? 'touchStart' : 'touchMove', touchPoints);
       before = frame.length;
     }
@@ -155,10 +156,10 @@ export class Hand {
   }
 
   /** Fingers side by side that come down together and go up again, long after what was before. */
-  async tap(fingers, [x, y] = [400, 400]) {
+  async tap(fingers, [x, y] = [400, 400], options = {}) {
     this.time += 2;
     const at = Array.from({ length: fingers }, (_, i) => [x + 70 * i, y + 9 * i]);
-    await this.fingers([at.slice(0, 1), at, at.map(([a, b]) => [a + 1, b + 2])]);
+    await this.fingers([at.slice(0, 1), at, at.map(([a, b]) => [a + 1, b + 2])], options);
   }
 }
 

@@ -33,6 +33,8 @@ const module_field *module_layout(void) {
         {"pointer.tilt_x", offsetof(bat_pointer, tilt_x)},
         {"pointer.tilt_y", offsetof(bat_pointer, tilt_y)},
         {"pointer.twist", offsetof(bat_pointer, twist)},
+        {"pointer.width", offsetof(bat_pointer, width)},
+        {"pointer.height", offsetof(bat_pointer, height)},
         {"pointer.time", offsetof(bat_pointer, time)},
         {"pointer.predicted", offsetof(bat_pointer, predicted)},
         {"item.size", sizeof(bat_item)},

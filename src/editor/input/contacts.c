@@ -26,6 +26,29 @@ void bat_contacts_remove(bat_contacts *contacts, int index) {
             (size_t)(contacts->count - index) * sizeof *contacts->list);
 }
 
+/* px: a finger's contact is 20 to 50 wide, from desk displays to dense tablets; a palm's longer side is 70 and more. */
+static const double PALM = 56;
+
+bool bat_contact_is_palm(const bat_pointer *event) {
+    return event->device == BAT_DEVICE_TOUCH && fmax(event->width, event->height) >= PALM;
+}
+
+bool bat_contacts_room(bat_contacts *contacts, bat_device device) {
+    for (int i = 0; contacts->count == BAT_CONTACTS_MAX && device != BAT_DEVICE_TOUCH && i < contacts->count;
+         i++)
+        if (contacts->list[i].duty == BAT_DUTY_IGNORED) bat_contacts_remove(contacts, i);
+    return contacts->count < BAT_CONTACTS_MAX;
+}
+
+bool bat_contacts_clear(const bat_context *c) {
+    const bat_contacts *contacts = &c->input->contacts;
+    for (int i = 0; i < contacts->count; i++)
+        if (contacts->list[i].device != BAT_DEVICE_TOUCH || contacts->list[i].duty == BAT_DUTY_TOOL ||
+            (contacts->list[i].duty == BAT_DUTY_NAVIGATE && c->input->points != BAT_DEVICE_PEN))
+            return false;
+    return true;
+}
+
 static const double DETENT = 6; /* degrees */
 
 void bat_contacts_pinch(bat_context *c) {

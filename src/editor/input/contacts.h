@@ -3,6 +3,7 @@
 #define BATTEN_EDITOR_INPUT_CONTACTS_H
 
 #include "editor/session/context.h"
+#include "editor/view/view.h"
 #include <batten/editor.h>
 
 enum { BAT_CONTACTS_MAX = 16 };
@@ -19,6 +20,7 @@ typedef struct bat_contact {
     bat_duty duty;
     double at[2], start[2]; /* view pixels */
     double start_time;
+    double far; /* the greatest distance from start so far */
 } bat_contact;
 
 typedef struct bat_contacts {
@@ -27,11 +29,26 @@ typedef struct bat_contacts {
     double turn; /* degrees that two fingers have turned to; the view lags by the detent */
 } bat_contacts;
 
+/* What fingers have done, as far as a pen that comes down takes it back (fingers.h). */
+typedef struct bat_fingers {
+    bat_view rest, moved; /* the view as it was before fingers moved it, and as they left it */
+    uint64_t before,
+        after;   /* states of the history around the last dab of a finger; equal: it made no step */
+    double time; /* of that dab, ms */
+} bat_fingers;
+
 /* Index of a contact, or -1. */
 int bat_contacts_find(const bat_contacts *contacts, bat_device device, uint32_t id);
 /* How many have the duty; *first (may be NULL) is the first one's index. */
 int bat_contacts_count(const bat_contacts *contacts, bat_duty duty, int *first);
 void bat_contacts_remove(bat_contacts *contacts, int index);
+/* Whether a touch is too large for a finger. */
+bool bat_contact_is_palm(const bat_pointer *event);
+/* Room for one more; a finger gives its place up for a pen or a mouse. False: there is none. */
+bool bat_contacts_room(bat_contacts *contacts, bat_device device);
+/* Whether a pointer that is not down may point at things: nothing is down but fingers at rest, beside a pen those that
+ * navigate too. */
+bool bat_contacts_clear(const bat_context *c);
 /* A second contact navigates from here on: the turn begins at the view's angle. */
 void bat_contacts_pinch(bat_context *c);
 /* A navigating contact has come to `to`: pans, or pinches with the one other: zooms and turns. Upright is a

@@ -4,16 +4,20 @@
 
 #include "editor/input/contacts.h"
 #include "editor/input/taps.h"
+#include "editor/input/trail.h"
 
 typedef struct bat_input {
     bat_contacts contacts;
+    bat_fingers fingers;
     bat_taps taps;
+    bat_trail trail; /* of what drives the tool */
     bool holding_pan, pen_seen;
-    double pen_time; /* of the last event of a pen */
-    bool pen_near;   /* a pointer is over the drawing */
-    double pen[2];   /* where it was last, view pixels */
-    bool erasing;    /* the pen's other end is down */
-    bool calming;    /* the key that calms is held */
+    double pen_time;   /* of the last event of a pen */
+    bool pen_near;     /* a pointer is over the drawing */
+    double pen[2];     /* where it was last, view pixels */
+    bat_device points; /* what kind it is */
+    bool erasing;      /* the pen's other end is down */
+    bool calming;      /* the key that calms is held */
 } bat_input;
 
 #endif

@@ -1,5 +1,3 @@
-#include "base/real.h"
-#include "base/vec.h"
 #include "editor/commands/dispatch.h"
 #include "editor/input/input.h"
 #include "editor/input/taps.h"
@@ -20,11 +18,12 @@ void bat_taps_down(bat_context *c, const bat_pointer *event) {
         *taps = (bat_taps){0, pen, event->time, (*c->view), c->toolbox->sketching.has_pending};
     }
     taps->fingers += finger;
-    taps->spoiled = taps->spoiled || !finger || event->time - taps->began > TAP_TIME;
+    taps->spoiled = taps->spoiled || !finger || bat_contact_is_palm(event) ||
+                    event->time - taps->began > TAP_TIME;
 }
 
-void bat_taps_move(bat_context *c, const bat_pointer *event, const double start[2]) {
-    if (bat_hypot(event->x - start[0], event->y - start[1]) > TAP_NEAR) c->input->taps.spoiled = true;
+void bat_taps_move(bat_context *c, const bat_pointer *event, const bat_contact *contact) {
+    if (contact->far > TAP_NEAR || bat_contact_is_palm(event)) c->input->taps.spoiled = true;
 }
 
 void bat_taps_end(bat_context *c, const bat_pointer *event) {

@@ -1,8 +1,10 @@
 /* Taps of several fingers: two undo, three redo. All are down and up again within TAP_TIME and hardly move; a pen
- * or a mouse at work, or a pen that was there just now, is no company for a tap: that touch is a palm. */
+ * or a mouse at work, or a pen that was there just now, is no company for a tap: that touch is a palm. Nor is a
+ * contact as large as one. */
 #ifndef BATTEN_EDITOR_INPUT_TAPS_H
 #define BATTEN_EDITOR_INPUT_TAPS_H
 
+#include "editor/input/contacts.h"
 #include "editor/session/context.h"
 #include "editor/view/view.h"
 #include <batten/editor.h>
@@ -17,7 +19,7 @@ typedef struct bat_taps {
 
 /* Told of every contact: before it gets its duty, as it moves, and after it is gone. */
 void bat_taps_down(bat_context *c, const bat_pointer *event);
-void bat_taps_move(bat_context *c, const bat_pointer *event, const double start[2]);
+void bat_taps_move(bat_context *c, const bat_pointer *event, const bat_contact *contact);
 void bat_taps_end(bat_context *c, const bat_pointer *event);
 
 #endif

@@ -134,7 +134,7 @@ static const bat_curve *look(bat_context *c) {
     if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
         return sketching->preview.curve;
     if (c->toolbox->brushing.preview) return c->toolbox->brushing.preview;
-    if (c->input->pen_near && !bat_toolbox_busy(c) && !c->input->contacts.count) {
+    if (c->input->pen_near && !bat_toolbox_busy(c) && bat_contacts_clear(c)) {
         double point[2];
         bat_view_to_document(c->view, c->input->pen, point);
         bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_view_pixel(c->view));

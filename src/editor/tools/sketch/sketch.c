@@ -422,7 +422,7 @@ static bool cancel(bat_context *c) {
     bat_sketching *s = &c->toolbox->sketching;
     if (s->state == BAT_SKETCHING_IDLE) return false;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
-    drop_pending(s);
+    if (!drawing) drop_pending(s); /* else a tap on what waits for a yes is let go: it goes on waiting */
     end_stroke(s);
     bat_notice(c, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);
     return true;
@@ -571,7 +571,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
     }
     if (s->state == BAT_SKETCHING_DRAWING)
         show_stroke(c, list);
-    else if (s->pick.object && !c->input->holding_pan && !c->input->contacts.count)
+    else if (s->pick.object && !c->input->holding_pan && bat_contacts_clear(c))
         highlight(c, list, s->pick.object, s->pick.curve);
 }
 
