@@ -16,6 +16,7 @@ static void wire(bat_editor *editor) {
                                     .clipboard = &editor->clipboard,
                                     .scene = &editor->scene,
                                     .snap = &editor->snap,
+                                    .insight = &editor->insight,
                                     .panels = &editor->panels,
                                     .toolbox = &editor->toolbox};
 }
@@ -25,6 +26,7 @@ bat_status bat_editor_create(bat_editor **out) {
     bat_editor *editor = calloc(1, sizeof *editor);
     if (!editor) return BAT_MEMORY;
     wire(editor);
+    editor->session.stepped = bat_choice_follow;
     editor->view = bat_view_defaults();
     editor->notices.notice = BAT_STRING_COUNT;
     bat_toolbox_init(&editor->toolbox);
@@ -68,6 +70,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     bat_notice(c, BAT_STRING_COUNT);
     bat_view_look_afresh(c->view);
     c->view->fit_wanted = !bat_stage_fit(c);
+    bat_toolbox_settle(c);
     return BAT_OK;
 }
 
@@ -82,6 +85,7 @@ void bat_editor_set_read_only(bat_editor *editor, bool read_only) {
     if (editor->session.read_only == read_only) return;
     bat_toolbox_interrupt(&editor->context);
     editor->session.read_only = read_only;
+    bat_toolbox_settle(&editor->context);
 }
 
 const bat_document *bat_editor_document(const bat_editor *editor) { return editor->session.document; }
@@ -98,12 +102,17 @@ bat_status bat_editor_compact(bat_editor *editor) {
 
 /* ---- handed on ---- */
 
+static bat_status settled(bat_editor *editor, bat_status status) {
+    bat_toolbox_settle(&editor->context);
+    return status;
+}
+
 bat_status bat_editor_command(bat_editor *editor, const char *name) {
-    return bat_command_do(&editor->context, name);
+    return settled(editor, bat_command_do(&editor->context, name));
 }
 
 bat_status bat_editor_set(bat_editor *editor, const char *property, double value) {
-    return bat_property_set(&editor->context, property, value);
+    return settled(editor, bat_property_set(&editor->context, property, value));
 }
 
 bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
@@ -111,7 +120,7 @@ bat_status bat_editor_get(const bat_editor *editor, const char *property, double
 }
 
 bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text) {
-    return bat_panel_enter(&editor->context, name, text);
+    return settled(editor, bat_panel_enter(&editor->context, name, text));
 }
 
 const char *bat_editor_number(bat_editor *editor, const char *name) {
@@ -137,23 +146,23 @@ const char *bat_editor_layers(bat_editor *editor) { return bat_panel_layers(&edi
 const char *bat_editor_actions(bat_editor *editor) { return bat_panel_actions(&editor->context); }
 
 bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target) {
-    return bat_layer_place(&editor->context, id, target);
+    return settled(editor, bat_layer_place(&editor->context, id, target));
 }
 
 bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id) {
-    return bat_layer_activate(&editor->context, id);
+    return settled(editor, bat_layer_activate(&editor->context, id));
 }
 
 bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name) {
-    return bat_layer_rename(&editor->context, id, name);
+    return settled(editor, bat_layer_rename(&editor->context, id, name));
 }
 
 bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked) {
-    return bat_layer_set_state(&editor->context, id, hidden, locked);
+    return settled(editor, bat_layer_set_state(&editor->context, id, hidden, locked));
 }
 
 bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add) {
-    return bat_choice_select(&editor->context, id, add);
+    return settled(editor, bat_choice_select(&editor->context, id, add));
 }
 
 const char *bat_editor_outline(bat_editor *editor, int first, int count) {
@@ -165,13 +174,13 @@ const char *bat_editor_outline_points(bat_editor *editor, bat_id id) {
 }
 
 bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point) {
-    return bat_panel_choose(&editor->context, id, point);
+    return settled(editor, bat_panel_choose(&editor->context, id, point));
 }
 
 const char *bat_editor_said(bat_editor *editor) { return bat_panel_said(&editor->context); }
 
 bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {
-    return bat_picture_place(&editor->context, bytes, size, name);
+    return settled(editor, bat_picture_place(&editor->context, bytes, size, name));
 }
 
 const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture) {
@@ -179,15 +188,15 @@ const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture
 }
 
 bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, size_t *size) {
-    return bat_clipboard_copy(&editor->context, cut, text, size);
+    return settled(editor, bat_clipboard_copy(&editor->context, cut, text, size));
 }
 
 bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own) {
-    return bat_clipboard_paste(&editor->context, document, own);
+    return settled(editor, bat_clipboard_paste(&editor->context, document, own));
 }
 
 const char *bat_editor_levels(bat_editor *editor) { return bat_panel_levels(&editor->context); }
 
 bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, double value, bool done) {
-    return bat_level_do(&editor->context, act, level, value, done);
+    return settled(editor, bat_level_do(&editor->context, act, level, value, done));
 }

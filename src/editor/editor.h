@@ -11,6 +11,7 @@
 #include "editor/scene/stage.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/show/inspect.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
@@ -27,6 +28,7 @@ struct bat_editor {
     bat_clipboard clipboard;
     bat_scene scene;
     bat_snap snap;
+    bat_insight insight;
     bat_panels panels;
     bat_toolbox toolbox;
     bat_overlay overlay;

@@ -101,7 +101,8 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
     }
     if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
         return BAT_DUTY_TOOL;
-    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || c->choice->tool == BAT_TOOL_PAN)
+    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE ||
+        bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)
         return BAT_DUTY_NAVIGATE;
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
 }
@@ -119,7 +120,7 @@ static void down(bat_context *c, const bat_pointer *event) {
     bool finger = event->device == BAT_DEVICE_TOUCH;
     if (!finger) bat_fingers_yield(c);
     if (!bat_contacts_room(contacts, event->device)) return;
-    bat_taps_down(c, event);
+    bat_taps_down(c, event, bat_toolbox_readout(c).waits);
     bool first = !bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
     bat_duty duty = assign(c, event);
     if (duty == BAT_DUTY_NAVIGATE && first) bat_fingers_rest(c);
@@ -193,7 +194,8 @@ static void end(bat_context *c, const bat_pointer *event, int index) {
         turn_back(c);
         if (event->device == BAT_DEVICE_TOUCH) bat_fingers_step(c, &contact);
     }
-    bat_taps_end(c, event);
+    bat_tapped tapped = bat_taps_end(c, event, bat_toolbox_readout(c).waits);
+    if (tapped) bat_command_run(c, tapped == BAT_TAPPED_REDO ? BAT_COMMAND_REDO : BAT_COMMAND_UNDO, true);
 }
 
 static void see_pen(bat_context *c, const bat_pointer *event) {
@@ -251,7 +253,10 @@ static void one(bat_context *c, bat_pointer event) {
 
 void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
     bat_context *c = &editor->context;
-    for (size_t i = 0; i < count; i++) one(c, events[i]);
+    for (size_t i = 0; i < count; i++) {
+        one(c, events[i]);
+        bat_toolbox_settle(c);
+    }
 }
 
 void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
@@ -288,7 +293,9 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
         if (!pressed && !(hold && bat_keys_match(c->settings->keys[i], key, 0))) continue;
         if (pressed && !bat_keys_match(c->settings->keys[i], key, modifiers)) continue;
         if (bat_command_at(id)->when == BAT_WHEN_HOST && modifiers & (BAT_CTRL | BAT_META)) return false;
-        if (bat_command_run(c, id, pressed) == BAT_OK) return true;
+        bat_status status = bat_command_run(c, id, pressed);
+        bat_toolbox_settle(c);
+        if (status == BAT_OK) return true;
         known = true; /* it finds nothing to do: the next one with this key may */
     }
     /* Enter, Escape and Tab without a use are the host's; what goes with Ctrl must not reach the browser. */

@@ -1,4 +1,5 @@
 /* The frame: what the host paints and says. */
+#include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/editor.h"
 #include "editor/tools/calm.h"
@@ -27,19 +28,12 @@ static const char *hint(bat_context *c) {
     return tool->hint ? bat_word(c, tool->hint(c)) : "";
 }
 
-static void drawing(const bat_context *c, bat_frame *frame) {
-    const bat_sketching *sketching = &c->toolbox->sketching;
-    const bat_sketch_report *report = NULL;
-    if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
-        report = &sketching->preview.report;
-    else if (sketching->has_pending)
-        report = &sketching->pending_report;
-    frame->pending = sketching->has_pending;
-    frame->busy = bat_toolbox_busy(c);
-    if (!report) return;
-    frame->knots_before = (uint32_t)report->knots_before;
-    frame->knots_after = (uint32_t)report->knots_after;
-    frame->error = report->max_error;
+static void drawing(const bat_readout *made, bat_frame *frame) {
+    frame->pending = made->waits;
+    if (!made->report) return;
+    frame->knots_before = (uint32_t)made->report->knots_before;
+    frame->knots_after = (uint32_t)made->report->knots_after;
+    frame->error = made->report->max_error;
 }
 
 /* The outlines of the selection, under whatever the tool shows. */
@@ -74,7 +68,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     show_selection(c, overlay);
-    bat_insight_show(c, overlay);
+    bat_readout made = bat_toolbox_readout(c);
+    bat_insight_show(c, made.curve, overlay);
     bat_calm_show(c, overlay);
     if (tool->overlay) tool->overlay(c, overlay);
     bat_snap_show(c, overlay);
@@ -110,7 +105,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
-    drawing(c, frame);
+    frame->busy = bat_toolbox_busy(c);
+    drawing(&made, frame);
     if (c->notices->requests & BAT_ASK_SAVE) {
         c->session->asked = true;
         c->session->asked_state = c->session->history.state;

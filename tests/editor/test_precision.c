@@ -642,7 +642,7 @@ static void without_memory_nothing_changes(void **state) {
             status = what == 0   ? bat_guide_put(&editor->context, 0, 1, 55)
                      : what == 1 ? bat_editor_enter(editor, "x", "17")
                      : what == 2 ? bat_editor_command(editor, "isolate")
-                                 : bat_guide_delete(&editor->context, true);
+                                 : bat_command_guide_delete(&editor->context, true);
             alloc_fail_reached();
             if (status == BAT_MEMORY) assert_true(digest(editor) == before);
             assert_null(bat_editor_check(editor));

@@ -45,7 +45,7 @@ static inline void wild_property(bat_editor *editor, session_bytes *bytes) {
         const char *name;
         double low, high;
     } properties[] = {
-#define PROPERTY(id, name, type, standard, low, high, step, unit) {name, low, high},
+#define PROPERTY(id, name, type, standard, low, high, step, unit, group) {name, low, high},
 #include "editor/tables/commands.def"
     };
     unsigned which = session_byte(bytes) % (unsigned)(sizeof properties / sizeof *properties);
@@ -66,7 +66,8 @@ static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
 
 static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *time) {
     static const char *const commands[] = {
-#define COMMAND(id, name, keys, when, hold, function) name,
+#define COMMAND(id, name, keys, when, function) name,
+#define HELD(id, name, keys, function) name,
 #include "editor/tables/commands.def"
     };
     static const char *const numbers[] = {

@@ -12,7 +12,8 @@ typedef struct bat_choice {
     bat_id entered; /* the group whose members a click selects; 0: none */
     bat_id layer;   /* the active one, where new curves go; 0: none */
     bat_isolation isolation;
-    bat_tool_id tool; /* the one wanted */
+    bat_tool_id tool; /* the chosen one */
+    unsigned wanted;  /* a trait: the tool that has it is to be chosen when the event is over; 0: none */
 } bat_choice;
 
 void bat_choice_free(bat_choice *choice);

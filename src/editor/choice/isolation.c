@@ -1,20 +1,5 @@
-#include "editor/choice/isolation.h"
-#include "document/document.h"
-#include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
-#include "editor/choice/selection.h"
-#include "editor/input/input.h"
-#include "editor/pick/pick.h"
-#include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
-#include "editor/session/context.h"
 #include "editor/session/notice.h"
-#include "editor/session/session.h"
-#include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
-#include "editor/view/view.h"
-
-static const double REACH = 16; /* px from the pen to a curve that it means */
 
 bool bat_isolate_end(bat_context *c) {
     bat_isolation *isolation = &c->choice->isolation;
@@ -23,35 +8,4 @@ bool bat_isolate_end(bat_context *c) {
     bat_selection_clear(&isolation->kept);
     bat_notice(c, BAT_STRING_NOTICE_NOT_ISOLATED);
     return true;
-}
-
-/* With nothing selected: what a click under the pen would select. */
-static bat_status keep_under_pen(bat_context *c) {
-    double point[2];
-    bat_stage_sync(c);
-    if (!c->input->pen_near) return BAT_STATE;
-    bat_view_to_document(c->view, c->input->pen, point);
-    int at = bat_pick_object(c->scene, point, REACH * bat_view_pixel(c->view));
-    if (at < 0) return BAT_STATE;
-    at = bat_arrange_whole(c, at);
-    return bat_selection_add(&c->choice->isolation.kept,
-                             bat_object_id(bat_document_at(c->session->document, at)));
-}
-
-bat_status bat_isolate(bat_context *c, bool down) {
-    (void)down;
-    bat_isolation *isolation = &c->choice->isolation;
-    bat_status status = BAT_OK;
-    if (bat_isolate_end(c)) return BAT_OK;
-    bat_selection_clear(&isolation->kept);
-    for (int i = 0; i < c->choice->selection.count && status == BAT_OK; i++)
-        status = bat_selection_add(&isolation->kept, c->choice->selection.ids[i]);
-    if (!c->choice->selection.count) status = keep_under_pen(c);
-    if (status == BAT_STATE) bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
-    if (status == BAT_MEMORY) bat_notice_failure(c, status);
-    if (status != BAT_OK) return status;
-    isolation->on = true;
-    isolation->from = bat_document_next(c->session->document);
-    bat_notice(c, BAT_STRING_NOTICE_ISOLATED);
-    return BAT_OK;
 }

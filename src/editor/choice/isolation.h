@@ -13,8 +13,6 @@ typedef struct bat_isolation {
     bat_id from;        /* ids from here on are new */
 } bat_isolation;
 
-/* The command: begins with the selection, or the curve under the pen; ends when it is on. */
-bat_status bat_isolate(bat_context *c, bool down);
 bool bat_isolate_end(bat_context *c); /* false: it was not on */
 
 #endif

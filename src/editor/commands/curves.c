@@ -1,5 +1,5 @@
 /* Commands that cut and mend the selected curves. */
-#include "editor/commands/act.h"
+#include "editor/commands/commands.h"
 #include "editor/edit/arrange.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
@@ -130,16 +130,16 @@ static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat
     return finish(c, status, changed, label, otherwise);
 }
 
-bat_status bat_do_curve_close(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_curve_close(bat_context *c, bat_command_id id) {
+    (void)id;
     return each(c, closed, BAT_STRING_STEP_CLOSE_CURVE, BAT_STRING_NOTICE_SELECT_OPEN);
 }
-bat_status bat_do_curve_open(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_curve_open(bat_context *c, bat_command_id id) {
+    (void)id;
     return each(c, opened, BAT_STRING_STEP_OPEN, BAT_STRING_NOTICE_SELECT_CLOSED);
 }
-bat_status bat_do_curve_reverse(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_curve_reverse(bat_context *c, bat_command_id id) {
+    (void)id;
     return each(c, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
 }
 
@@ -245,13 +245,13 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
 }
 
 /* Two open curves become one; a single one is closed. */
-bat_status bat_do_curve_join(bat_context *c, bool down) {
+bat_status bat_command_curve_join(bat_context *c, bat_command_id id) {
     int *roots = NULL, count = 0, found;
     open_curve two[2];
     bat_status status = bat_arrange_roots(c, &roots, &count);
     found = status == BAT_OK ? find_open(c, roots, count, two, 2) : 0;
     free(roots);
-    if (found == 1) return bat_do_curve_close(c, down);
+    if (found == 1) return bat_command_curve_close(c, id);
     if (status == BAT_STATE) status = BAT_OK;
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK && found == 2) status = join_two(c, two);
@@ -289,8 +289,8 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
     return status;
 }
 
-bat_status bat_do_curve_split(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_curve_split(bat_context *c, bat_command_id id) {
+    (void)id;
     bat_selecting *s = &c->toolbox->selecting;
     const bat_curve *ranged = bat_range_curve(c);
     if (ranged) {

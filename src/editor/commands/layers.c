@@ -1,6 +1,6 @@
 /* Layers: the active one takes new curves; names, eyes and locks of all objects. */
 #include "document/nesting.h"
-#include "editor/commands/act.h"
+#include "editor/commands/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -45,8 +45,8 @@ static bat_status apply(bat_context *c, bat_listing *listing) {
     return status;
 }
 
-bat_status bat_do_layer_add(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_layer_add(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_document *document = c->session->document;
     char name[80];
     int layers = 0;
@@ -54,19 +54,19 @@ bat_status bat_do_layer_add(bat_context *c, bool down) {
         layers += bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER;
     snprintf(name, sizeof name, "%s %d", bat_word(c, BAT_STRING_LAYER_NAME), layers + 1);
     bat_object *layer = NULL;
-    bat_id id = bat_document_new_id(c->session->document);
-    bat_status status = bat_object_create_group(id, name, true, &layer);
+    bat_id own = bat_document_new_id(c->session->document);
+    bat_status status = bat_object_create_group(own, name, true, &layer);
     if (status != BAT_OK) return told(c, status);
     bat_listing listing = {0};
     bat_listing_range(&listing, document, 0, bat_document_count(document));
     bat_listing_take(&listing, layer);
     status = apply(c, &listing);
-    if (status == BAT_OK) c->choice->layer = id;
+    if (status == BAT_OK) c->choice->layer = own;
     return told(c, status);
 }
 
-bat_status bat_do_layer_delete(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_layer_delete(bat_context *c, bat_command_id id) {
+    (void)id;
     int at = active(c);
     if (at < 0) return told(c, BAT_STATE);
     bat_listing listing = {0};
@@ -111,17 +111,17 @@ static bat_status shift_active(bat_context *c, int steps) {
     return at >= 0 && status == BAT_STATE ? status : told(c, status); /* at the end already: no news */
 }
 
-bat_status bat_do_layer_up(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_layer_up(bat_context *c, bat_command_id id) {
+    (void)id;
     return shift_active(c, 1);
 }
-bat_status bat_do_layer_down(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_layer_down(bat_context *c, bat_command_id id) {
+    (void)id;
     return shift_active(c, -1);
 }
 
-bat_status bat_do_layer_take(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_layer_take(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_document *document = c->session->document;
     int *roots, count, at = active(c), next = 0;
     if (at < 0) return told(c, BAT_STATE);

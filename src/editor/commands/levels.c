@@ -1,6 +1,6 @@
 /* Commands and properties of levels: taking a curve apart, adding a level, stepping, copying, flattening, the
  * frame rule. They act on the curve chosen in the levels tool, or else on what is selected. */
-#include "editor/commands/act.h"
+#include "editor/commands/commands.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/stroke.h"
@@ -19,7 +19,7 @@
 
 /* The chosen curve, seen in its tool. */
 static const bat_curve *chosen(bat_context *c) {
-    if (c->choice->tool != BAT_TOOL_LEVELS) bat_command_do(c, "tool-levels");
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS)) bat_command_do(c, "tool-levels");
     bat_leveling_settle(c);
     const bat_curve *curve = bat_leveling_curve(c);
     if (!curve) bat_notice(c, BAT_STRING_NOTICE_CHOOSE_CURVE);
@@ -87,8 +87,8 @@ bool bat_apart_accept(bat_context *c) {
     return true;
 }
 
-bat_status bat_do_take_apart(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_take_apart(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_curve *curve = chosen(c);
     if (!curve) return BAT_STATE;
     int levels = 1;
@@ -103,8 +103,8 @@ bat_status bat_do_take_apart(bat_context *c, bool down) {
 
 /* ---- levels ---- */
 
-bat_status bat_do_level_add(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_level_add(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_curve *curve = chosen(c);
     if (!curve) return BAT_STATE;
     const bat_shape *before = bat_leveling_shape(c);
@@ -122,8 +122,8 @@ bat_status bat_do_level_add(bat_context *c, bool down) {
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
 
-bat_status bat_do_levels_flatten(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_levels_flatten(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_curve *curve = chosen(c);
     if (!curve) return BAT_STATE;
     if (!bat_leveling_shape(c)) return told(c, BAT_STATE, BAT_STRING_NOTICE_NO_LEVELS);
@@ -136,8 +136,8 @@ bat_status bat_do_levels_flatten(bat_context *c, bool down) {
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
 
-bat_status bat_do_levels_copy(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_levels_copy(bat_context *c, bat_command_id id) {
+    (void)id;
     if (!chosen(c)) return BAT_STATE;
     if (!bat_leveling_shape(c)) return told(c, BAT_STATE, BAT_STRING_NOTICE_NO_LEVELS);
     bat_apart_drop(c);
@@ -163,12 +163,13 @@ bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve) {
 static bat_status step(bat_context *c, int direction) {
     bat_leveling *l = &c->toolbox->leveling;
     const bat_pick *pick = &c->toolbox->sketching.pick;
-    bool over = c->choice->tool == BAT_TOOL_SKETCH && l->object && pick->object == l->object &&
+    bool over = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS && l->object && pick->object == l->object &&
                 pick->curve == l->curve;
-    if (c->choice->tool != BAT_TOOL_LEVELS && !over) return BAT_STATE;
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS) && !over) return BAT_STATE;
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
-    if (!shape) return c->choice->tool == BAT_TOOL_LEVELS ? chosen(c), BAT_OK : BAT_STATE;
+    if (!shape)
+        return bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS ? chosen(c), BAT_OK : BAT_STATE;
     int level = l->level + direction;
     if (level >= 0 && level <= bat_shape_levels(shape)) l->level = level, l->chosen = -1;
     char number[32];
@@ -176,22 +177,16 @@ static bat_status step(bat_context *c, int direction) {
     bat_notice_value(c, BAT_STRING_NOTICE_LEVEL, number);
     return BAT_OK;
 }
-bat_status bat_do_level_up(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_level_up(bat_context *c, bat_command_id id) {
+    (void)id;
     return step(c, 1);
 }
-bat_status bat_do_level_down(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_level_down(bat_context *c, bat_command_id id) {
+    (void)id;
     return step(c, -1);
 }
 
 /* ---- properties ---- */
-
-bool bat_leveling_is(bat_property_id id) {
-    return id == BAT_PROPERTY_SHOW_LEVELS || id == BAT_PROPERTY_SHOW_FRAMES ||
-           id == BAT_PROPERTY_FRAME_RULE || id == BAT_PROPERTY_LEVEL_SKETCH ||
-           id == BAT_PROPERTY_APART_LEVELS || id == BAT_PROPERTY_APART_POINTS;
-}
 
 static bat_status set_rule(bat_context *c, bat_frame_rule rule) {
     const bat_shape *before = bat_leveling_shape(c);

@@ -16,7 +16,7 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
     if (isnan(value)) return BAT_NUMBER;
     if (value < row->low || value > row->high) return BAT_ARGUMENT;
     if (row->type != BAT_PROPERTY_NUMBER && value != floor(value)) return BAT_ARGUMENT;
-    if (bat_styling_is(id)) {
+    if (bat_property_at(id)->group == BAT_GROUP_STYLE) {
         /* Who chooses a colour wants to see it. */
         bat_property_id shown = id == BAT_PROPERTY_STROKE_COLOUR ? BAT_PROPERTY_STROKED
                                 : id == BAT_PROPERTY_FILL_COLOUR ? BAT_PROPERTY_FILLED
@@ -24,10 +24,10 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
         bat_styling values[2] = {{id, value}, {shown, 1}};
         return bat_styling_set(c, shown == id ? 1 : 2, values);
     }
-    if (bat_tracing_is(id)) return bat_tracing_set(c, id, value);
+    if (bat_property_at(id)->group == BAT_GROUP_PICTURE) return bat_tracing_set(c, id, value);
     if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
     c->settings->values[id] = value;
-    return bat_leveling_is(id) ? bat_leveling_set(c, id, value) : BAT_OK;
+    return bat_property_at(id)->group == BAT_GROUP_LEVELS ? bat_leveling_set(c, id, value) : BAT_OK;
 }
 
 bat_status bat_property_get(const bat_context *c, const char *property, double *value) {
@@ -38,9 +38,9 @@ bat_status bat_property_get(const bat_context *c, const char *property, double *
         *value = (double)bat_shape_options_of(shape)->frame;
         return BAT_OK;
     }
-    const bat_style *style = bat_styling_is(id) ? bat_styling_selected(c) : NULL;
-    *value = style                ? bat_styling_value(style, id)
-             : bat_tracing_is(id) ? bat_tracing_value(c, id)
-                                  : c->settings->values[id];
+    const bat_style *style = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c) : NULL;
+    *value = style                                             ? bat_styling_value(style, id)
+             : bat_property_at(id)->group == BAT_GROUP_PICTURE ? bat_tracing_value(c, id)
+                                                               : c->settings->values[id];
     return BAT_OK;
 }

@@ -1,4 +1,4 @@
-#include "editor/commands/act.h"
+#include "editor/commands/commands.h"
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
@@ -25,40 +25,57 @@ static bat_status told(bat_context *c, bat_status status) {
     return status;
 }
 
-#define ACT(name, call)                                                                                      \
-    bat_status bat_do_##name(bat_context *c, bool down) {                                                    \
-        (void)down;                                                                                          \
-        return told(c, call);                                                                                \
-    }
-ACT(duplicate, bat_arrange_duplicate(c, 10 * bat_view_pixel(c->view), 10 * bat_view_pixel(c->view)))
-ACT(group, bat_arrange_group(c))
-ACT(ungroup, bat_arrange_ungroup(c))
-ACT(order_forward, bat_arrange_order(c, BAT_ORDER_FORWARD))
-ACT(order_backward, bat_arrange_order(c, BAT_ORDER_BACKWARD))
-ACT(order_front, bat_arrange_order(c, BAT_ORDER_FRONT))
-ACT(order_back, bat_arrange_order(c, BAT_ORDER_BACK))
-ACT(align_left, bat_arrange_align(c, BAT_ALIGN_LEFT))
-ACT(align_centre, bat_arrange_align(c, BAT_ALIGN_CENTRE))
-ACT(align_right, bat_arrange_align(c, BAT_ALIGN_RIGHT))
-ACT(align_top, bat_arrange_align(c, BAT_ALIGN_TOP))
-ACT(align_middle, bat_arrange_align(c, BAT_ALIGN_MIDDLE))
-ACT(align_bottom, bat_arrange_align(c, BAT_ALIGN_BOTTOM))
-ACT(distribute_across, bat_arrange_distribute(c, 0))
-ACT(distribute_down, bat_arrange_distribute(c, 1))
-#undef ACT
+bat_status bat_command_duplicate(bat_context *c, bat_command_id id) {
+    (void)id;
+    double off = 10 * bat_view_pixel(c->view);
+    return told(c, bat_arrange_duplicate(c, off, off));
+}
 
-bat_status bat_do_delete(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_group(bat_context *c, bat_command_id id) {
+    (void)id;
+    return told(c, bat_arrange_group(c));
+}
+
+bat_status bat_command_ungroup(bat_context *c, bat_command_id id) {
+    (void)id;
+    return told(c, bat_arrange_ungroup(c));
+}
+
+bat_status bat_command_order(bat_context *c, bat_command_id id) {
+    return told(c, bat_arrange_order(c, id == BAT_COMMAND_ORDER_FORWARD    ? BAT_ORDER_FORWARD
+                                        : id == BAT_COMMAND_ORDER_BACKWARD ? BAT_ORDER_BACKWARD
+                                        : id == BAT_COMMAND_ORDER_FRONT    ? BAT_ORDER_FRONT
+                                                                           : BAT_ORDER_BACK));
+}
+
+bat_status bat_command_align(bat_context *c, bat_command_id id) {
+    static const struct {
+        bat_command_id id;
+        bat_align to;
+    } rows[] = {{BAT_COMMAND_ALIGN_LEFT, BAT_ALIGN_LEFT},     {BAT_COMMAND_ALIGN_CENTRE, BAT_ALIGN_CENTRE},
+                {BAT_COMMAND_ALIGN_RIGHT, BAT_ALIGN_RIGHT},   {BAT_COMMAND_ALIGN_TOP, BAT_ALIGN_TOP},
+                {BAT_COMMAND_ALIGN_MIDDLE, BAT_ALIGN_MIDDLE}, {BAT_COMMAND_ALIGN_BOTTOM, BAT_ALIGN_BOTTOM}};
+    size_t i = 0;
+    while (i < sizeof rows / sizeof *rows - 1 && rows[i].id != id) i++;
+    return told(c, bat_arrange_align(c, rows[i].to));
+}
+
+bat_status bat_command_distribute(bat_context *c, bat_command_id id) {
+    return told(c, bat_arrange_distribute(c, id == BAT_COMMAND_DISTRIBUTE_DOWN));
+}
+
+bat_status bat_command_delete(bat_context *c, bat_command_id id) {
+    (void)id;
     /* In a tool that deletes points, an object must not go because a point could not. */
     const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->command && c->choice->tool != BAT_TOOL_SELECT) return BAT_STATE;
+    if (tool->command && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return BAT_STATE;
     if (!c->choice->selection.count) return BAT_STATE; /* the key may mean something else */
     return told(c, bat_arrange_delete(c));
 }
 
-bat_status bat_do_deselect(bat_context *c, bool down) {
-    (void)down;
-    bool levels = c->choice->tool == BAT_TOOL_LEVELS && c->toolbox->leveling.object;
+bat_status bat_command_deselect(bat_context *c, bat_command_id id) {
+    (void)id;
+    bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS && c->toolbox->leveling.object;
     if (!c->choice->selection.count && !levels) return BAT_STATE;
     if (levels) c->toolbox->leveling.object = 0;
     bat_selection_clear(&c->choice->selection);
@@ -66,8 +83,8 @@ bat_status bat_do_deselect(bat_context *c, bool down) {
 }
 
 /* Whole groups, layers' contents one by one. */
-bat_status bat_do_select_all(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_document *document = c->session->document;
     bat_nesting nesting = {0};
     bat_selection_clear(&c->choice->selection);
@@ -86,6 +103,6 @@ bat_status bat_do_select_all(bat_context *c, bool down) {
         if (status != BAT_OK) return told(c, status);
     }
     /* Seen at once where there are handles for it. */
-    if (c->choice->tool == BAT_TOOL_SKETCH) return bat_command_do(c, "tool-select");
+    if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) bat_toolbox_choose(c, bat_tool_that(BAT_CHOOSES));
     return BAT_OK;
 }

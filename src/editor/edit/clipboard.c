@@ -53,7 +53,7 @@ static bat_status copy(const bat_context *c, char **text, size_t *size) {
 bat_status bat_clipboard_copy(bat_context *c, bool cut, char **text, size_t *size) {
     char *made = NULL;
     if (!text || !size) return BAT_ARGUMENT;
-    bat_status status = bat_toolbox_busy(c) ? BAT_STATE : copy(c, &made, size);
+    bat_status status = c->session->busy ? BAT_STATE : copy(c, &made, size);
     if (status == BAT_OK && cut) status = bat_arrange_delete(c);
     if (status != BAT_OK) {
         free(made);
@@ -143,7 +143,7 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     }
     free(p.ids);
     if (status != BAT_OK) return status;
-    if (c->choice->tool == BAT_TOOL_SKETCH) bat_command_do(c, "tool-select");
+    if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) c->choice->wanted = BAT_CHOOSES;
     bat_selection_clear(&c->choice->selection);
     for (int i = first; i < p.index;
          i = bat_document_end(c->session->document, i)) /* without memory: not selected */
@@ -154,8 +154,8 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
 
 bat_status bat_clipboard_paste(bat_context *c, const bat_document *document, bool own) {
     if (!document) return BAT_ARGUMENT;
-    bat_status status = bat_toolbox_busy(c) || !bat_document_count(document) ? BAT_STATE
-                                                                             : paste(c, document, own);
+    bat_status status = c->session->busy || !bat_document_count(document) ? BAT_STATE
+                                                                          : paste(c, document, own);
     c->clipboard->paste_in_place = false;
     if (status == BAT_OK)
         bat_notice(c, BAT_STRING_NOTICE_PASTED);

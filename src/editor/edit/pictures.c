@@ -49,7 +49,7 @@ static bat_status insert(bat_context *c, const bat_picture *picture, const char 
     bat_object_release(object);
     if (status == BAT_OK) status = bat_transaction_commit(c, BAT_STRING_STEP_PICTURE, NULL);
     if (status != BAT_OK) return status;
-    bat_command_do(c, "tool-select");
+    c->choice->wanted = BAT_CHOOSES;
     bat_selection_clear(&c->choice->selection);
     bat_selection_add(&c->choice->selection, id); /* without memory: not selected */
     return BAT_OK;
@@ -57,7 +57,7 @@ static bat_status insert(bat_context *c, const bat_picture *picture, const char 
 
 bat_status bat_picture_place(bat_context *c, const void *bytes, size_t size, const char *name) {
     bat_picture *picture = NULL;
-    bat_status status = bat_toolbox_busy(c) ? BAT_STATE : bat_picture_create(bytes, size, &picture);
+    bat_status status = c->session->busy ? BAT_STATE : bat_picture_create(bytes, size, &picture);
     if (status == BAT_OK) status = insert(c, picture, name);
     bat_picture_release(picture);
     bat_notice(c, status == BAT_OK ? BAT_STRING_NOTICE_PICTURE_PLACED : why(status));
@@ -103,7 +103,7 @@ typedef bat_status make_function(const bat_object *object, const double *numbers
 static bat_status make_over(bat_context *c, bool all, make_function *make, const double *numbers,
                             bat_string label) {
     int changed = 0;
-    bat_status status = bat_toolbox_busy(c) ? BAT_STATE : bat_transaction_begin(c);
+    bat_status status = c->session->busy ? BAT_STATE : bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     for (int i = 0; i < bat_document_count(c->session->document) && status == BAT_OK; i++) {
         bat_object *after = NULL;
@@ -136,10 +136,6 @@ static bat_status state(const bat_object *object, const double *numbers, bat_obj
 
 static double span(const bat_spanning *s) {
     return s->count < 2 ? 0 : bat_hypot(s->at[1][0] - s->at[0][0], s->at[1][1] - s->at[0][1]);
-}
-
-bool bat_tracing_is(bat_property_id property) {
-    return property == BAT_PROPERTY_PICTURE_OPACITY || property == BAT_PROPERTY_PICTURE_SPAN;
 }
 
 bat_status bat_tracing_set(bat_context *c, bat_property_id property, double value) {
@@ -177,11 +173,11 @@ static bat_status turn_over(bat_context *c, int which) {
     return status;
 }
 
-bat_status bat_do_picture_lock(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_picture_lock(bat_context *c, bat_command_id id) {
+    (void)id;
     return turn_over(c, 1);
 }
-bat_status bat_do_picture_hide(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_picture_hide(bat_context *c, bat_command_id id) {
+    (void)id;
     return turn_over(c, 0);
 }

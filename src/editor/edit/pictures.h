@@ -13,7 +13,6 @@ typedef struct bat_spanning {
     int held; /* the one under the pointer while it is down; -1: none */
 } bat_spanning;
 
-bool bat_tracing_is(bat_property_id property);
 /* Of the pictures selected, else of all: their opacity; the distance of the two places, which scales the pictures
  * selected, else the one in front, about the first place. Steps of the history. */
 bat_status bat_tracing_set(bat_context *c, bat_property_id property, double value);
@@ -23,7 +22,7 @@ bat_status bat_picture_place(bat_context *c, const void *bytes, size_t size, con
 const bat_picture *bat_picture_shown(const bat_context *c, uint32_t picture);
 int bat_tracing_count(const bat_document *document);
 /* Locks all pictures, or hides them; frees or shows them when all are so. */
-bat_status bat_do_picture_lock(bat_context *c, bool down);
-bat_status bat_do_picture_hide(bat_context *c, bool down);
+bat_status bat_command_picture_lock(bat_context *c, bat_command_id id);
+bat_status bat_command_picture_hide(bat_context *c, bat_command_id id);
 
 #endif

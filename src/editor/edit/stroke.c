@@ -1,3 +1,4 @@
+#include "editor/tables/settings.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/samples.h"
 #include "editor/panels/first_hints.h"
@@ -150,6 +151,6 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
     else
         bat_transaction_cancel(c);
     bat_text_free(&line);
-    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_first_follow(c, BAT_FIRST_DRAW);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_settings_follow(c->settings, BAT_FIRST_DRAW);
     return status;
 }

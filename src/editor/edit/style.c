@@ -1,5 +1,5 @@
 #include "editor/edit/style.h"
-#include "editor/commands/act.h"
+#include "editor/commands/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -14,13 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-bool bat_styling_is(bat_property_id property) {
-    return property == BAT_PROPERTY_STROKE_WIDTH || property == BAT_PROPERTY_STROKE_COLOUR ||
-           property == BAT_PROPERTY_STROKED || property == BAT_PROPERTY_FILLED ||
-           property == BAT_PROPERTY_FILL_COLOUR || property == BAT_PROPERTY_OPACITY ||
-           property == BAT_PROPERTY_STROKE_CAP || property == BAT_PROPERTY_STROKE_JOIN;
-}
 
 static double value_of(const bat_style *style, bat_property_id property) {
     switch (property) {
@@ -57,7 +50,8 @@ static void give(bat_style *style, bat_property_id property, double value) {
 bat_style bat_styling_new(const bat_context *c) {
     bat_style style = bat_style_defaults();
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
-        if (bat_styling_is((bat_property_id)i)) give(&style, (bat_property_id)i, c->settings->values[i]);
+        if (bat_property_at((bat_property_id)i)->group == BAT_GROUP_STYLE)
+            give(&style, (bat_property_id)i, c->settings->values[i]);
     return style;
 }
 
@@ -79,7 +73,7 @@ const bat_style *bat_styling_selected(const bat_context *c) {
 
 static bool same_style(const bat_style *a, const bat_style *b) {
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
-        if (bat_styling_is((bat_property_id)i) &&
+        if (bat_property_at((bat_property_id)i)->group == BAT_GROUP_STYLE &&
             value_of(a, (bat_property_id)i) != value_of(b, (bat_property_id)i))
             return false;
     return true;
@@ -99,7 +93,7 @@ static bat_status restyle(bat_context *c, int index, int count, const bat_stylin
 
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values) {
     for (int i = 0; i < count; i++) c->settings->values[values[i].property] = values[i].value;
-    if (!c->choice->selection.count || bat_toolbox_busy(c) || c->session->transaction.open) return BAT_OK;
+    if (!c->choice->selection.count || c->session->busy || c->session->transaction.open) return BAT_OK;
     int *roots, root_count;
     bat_status status = bat_arrange_roots(c, &roots, &root_count);
     if (status != BAT_OK) return status;
@@ -112,35 +106,4 @@ bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values)
     if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_STYLE, NULL);
     bat_transaction_cancel(c);
     return status;
-}
-
-/* ---- presets ---- */
-
-static bat_status preset(bat_context *c, bool stroked, double width, double opacity, bool filled) {
-    bat_styling values[] = {{BAT_PROPERTY_STROKED, stroked},
-                            {BAT_PROPERTY_FILLED, filled},
-                            {BAT_PROPERTY_OPACITY, opacity},
-                            {BAT_PROPERTY_STROKE_CAP, BAT_CAP_ROUND},
-                            {BAT_PROPERTY_STROKE_JOIN, BAT_JOIN_ROUND},
-                            {BAT_PROPERTY_STROKE_WIDTH, width}};
-    bat_status status = bat_styling_set(c, stroked ? 6 : 5, values);
-    if (status != BAT_OK) bat_notice_failure(c, status);
-    return status;
-}
-
-bat_status bat_do_style_hairline(bat_context *c, bool down) {
-    (void)down;
-    return preset(c, true, 0.5, 1, false);
-}
-bat_status bat_do_style_pen(bat_context *c, bool down) {
-    (void)down;
-    return preset(c, true, 2, 1, false);
-}
-bat_status bat_do_style_marker(bat_context *c, bool down) {
-    (void)down;
-    return preset(c, true, 12, 0.5, false);
-}
-bat_status bat_do_style_shape(bat_context *c, bool down) {
-    (void)down;
-    return preset(c, false, 0, 1, true);
 }

@@ -11,7 +11,6 @@ typedef struct bat_styling {
     double value;
 } bat_styling;
 
-bool bat_styling_is(bat_property_id property);
 /* What the style has for the property, within its range. */
 double bat_styling_value(const bat_style *style, bat_property_id property);
 /* Sets the values for new curves, and gives them to all that is selected, as one step. */

@@ -1,21 +1,19 @@
-#include "editor/commands/dispatch.h"
 #include "editor/input/input.h"
 #include "editor/input/taps.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 
 static const double TAP_TIME = 250; /* ms from the first finger down to the last one up */
 static const double TAP_NEAR = 10;  /* px that a finger may travel */
 static const double PEN_AWAY = 500; /* ms since the pen was there */
 
-void bat_taps_down(bat_context *c, const bat_pointer *event) {
+void bat_taps_down(bat_context *c, const bat_pointer *event, bool waits) {
     bat_taps *taps = &c->input->taps;
     bool finger = event->device == BAT_DEVICE_TOUCH;
     if (!c->input->contacts.count) {
         bool pen = c->input->pen_seen && event->time - c->input->pen_time < PEN_AWAY;
-        *taps = (bat_taps){0, pen, event->time, (*c->view), c->toolbox->sketching.has_pending};
+        *taps = (bat_taps){0, pen, event->time, *c->view, waits};
     }
     taps->fingers += finger;
     taps->spoiled = taps->spoiled || !finger || bat_contact_is_palm(event) ||
@@ -26,16 +24,17 @@ void bat_taps_move(bat_context *c, const bat_pointer *event, const bat_contact *
     if (contact->far > TAP_NEAR || bat_contact_is_palm(event)) c->input->taps.spoiled = true;
 }
 
-void bat_taps_end(bat_context *c, const bat_pointer *event) {
+bat_tapped bat_taps_end(bat_context *c, const bat_pointer *event, bool waits) {
     bat_taps *taps = &c->input->taps;
     taps->spoiled = taps->spoiled || event->phase == BAT_POINTER_CANCEL ||
                     event->time - taps->began > TAP_TIME;
-    if (taps->spoiled || c->input->contacts.count || taps->fingers < 2 || taps->fingers > 3) return;
-    if (c->view->width == taps->view.width && c->view->height == taps->view.height) (*c->view) = taps->view;
-    if (taps->fingers == 3)
-        bat_command_run(c, BAT_COMMAND_REDO, true);
-    else if (!taps->pending ||
-             c->toolbox->sketching.has_pending) /* else the first finger has taken that back */
-        bat_command_run(c, BAT_COMMAND_UNDO, true);
+    if (taps->spoiled || c->input->contacts.count || taps->fingers < 2 || taps->fingers > 3)
+        return BAT_TAPPED_NOTHING;
+    if (c->view->width == taps->view.width && c->view->height == taps->view.height) *c->view = taps->view;
+    bool taken_back = taps->waited && !waits;
+    bat_tapped tapped = taps->fingers == 3 ? BAT_TAPPED_REDO
+                        : taken_back       ? BAT_TAPPED_NOTHING
+                                           : BAT_TAPPED_UNDO;
     taps->fingers = 0;
+    return tapped;
 }

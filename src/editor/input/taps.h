@@ -14,12 +14,15 @@ typedef struct bat_taps {
     bool spoiled;
     double began;  /* ms */
     bat_view view; /* as it was then: what fingers shift while they tap is put back */
-    bool pending;  /* a fit waited for a yes then */
+    bool
+        waited; /* something waited for a yes then, which the first finger may take back: that was the undo */
 } bat_taps;
 
+typedef enum bat_tapped { BAT_TAPPED_NOTHING, BAT_TAPPED_UNDO, BAT_TAPPED_REDO } bat_tapped;
+
 /* Told of every contact: before it gets its duty, as it moves, and after it is gone. */
-void bat_taps_down(bat_context *c, const bat_pointer *event);
+void bat_taps_down(bat_context *c, const bat_pointer *event, bool waits); /* something waits for a yes */
 void bat_taps_move(bat_context *c, const bat_pointer *event, const bat_contact *contact);
-void bat_taps_end(bat_context *c, const bat_pointer *event);
+bat_tapped bat_taps_end(bat_context *c, const bat_pointer *event, bool waits);
 
 #endif

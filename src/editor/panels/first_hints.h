@@ -8,9 +8,6 @@
 #include "editor/session/context.h"
 #include <batten/editor.h>
 
-typedef enum bat_first { BAT_FIRST_DRAW, BAT_FIRST_UNDO, BAT_FIRST_POINTS, BAT_FIRST_COUNT } bat_first;
-
-void bat_first_follow(bat_context *c, bat_first hint);
 /* Bit i: hint i is to be shown. None over an empty drawing, whose page says what to do. */
 uint32_t bat_first_shown(const bat_context *c);
 

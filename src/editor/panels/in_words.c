@@ -191,9 +191,10 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
 static int chosen_of(const bat_context *c, const bat_object *object) {
     const bat_pointing *p = &c->toolbox->pointing;
     bat_id id = bat_object_id(object);
-    if (c->choice->tool == BAT_TOOL_TANGENTS && bat_object_spline(object))
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_object_spline(object))
         return c->toolbox->splining.object == id ? c->toolbox->splining.point : -1;
-    if (c->choice->tool != BAT_TOOL_POINTS || p->object != id || p->chosen.kind != BAT_HANDLE_POINT)
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) || p->object != id ||
+        p->chosen.kind != BAT_HANDLE_POINT)
         return -1;
     int index = p->chosen.index;
     for (int i = 0; i < p->curve; i++) index += bat_curve_count(bat_object_curve(object, i));
@@ -263,14 +264,14 @@ static void look(const bat_context *c, bat_told *now) {
         *now = (bat_told){
             .mode = MODE_RANGE, .object = c->toolbox->range.object, .point = c->toolbox->range.end};
         bat_curve_eval(bat_range_curve(c), c->toolbox->range.u[c->toolbox->range.end], 0, now->at);
-    } else if (c->choice->tool == BAT_TOOL_POINTS && p->chosen.kind) {
+    } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS && p->chosen.kind) {
         const bat_curve *curve = bat_edit_target(document, p->object, p->curve);
         bool point = p->chosen.kind == BAT_HANDLE_POINT;
         if (!curve || (point && p->chosen.index >= bat_curve_count(curve))) return;
         *now = (bat_told){
             .mode = point ? MODE_POINT : MODE_KNOT, .object = p->object, .point = p->chosen.index};
         bat_handle_place(curve, &p->chosen, now->at);
-    } else if (c->choice->tool == BAT_TOOL_TANGENTS && c->toolbox->splining.object) {
+    } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && c->toolbox->splining.object) {
         const bat_object *object = bat_document_at(document,
                                                    bat_document_find(document, c->toolbox->splining.object));
         now->mode = c->toolbox->splining.on_direction ? MODE_DIRECTION : MODE_POINT;

@@ -21,8 +21,10 @@
 
 /* The chosen control point, or point of a spline. */
 static bool point_now(bat_context *c, double place[2]) {
-    if (c->choice->tool == BAT_TOOL_POINTS) return bat_pointing_chosen(c, place);
-    const bat_spline *spline = c->choice->tool == BAT_TOOL_TANGENTS ? bat_splining_spline(c) : NULL;
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) return bat_pointing_chosen(c, place);
+    const bat_spline *spline = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES
+                                   ? bat_splining_spline(c)
+                                   : NULL;
     int point = c->toolbox->splining.point;
     if (!spline || point < 0 || point >= spline->count || spline->dimension != 2) return false;
     memcpy(place, spline->points + 2 * point, 2 * sizeof *place);
@@ -84,7 +86,7 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
 
 static bat_status change_point(bat_context *c, int axis, double by) {
     double delta[2] = {axis ? 0 : by, axis ? by : 0};
-    if (c->choice->tool == BAT_TOOL_POINTS) return bat_pointing_shift(c, delta);
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) return bat_pointing_shift(c, delta);
     bat_splining *s = &c->toolbox->splining;
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;

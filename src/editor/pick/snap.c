@@ -17,6 +17,7 @@
 #include <string.h>
 
 static const double REACH = 8;                /* px */
+static const double CROWDED = 8;              /* px that the grid's lines are apart at least */
 static const double STEP = 15 * BAT_PI / 180; /* radians */
 enum { BRANCHES = 12, TURNS = 4, NEWTON = 16 };
 
@@ -269,39 +270,9 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
     (*c->snap) = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
 }
 
-/* ---- picture ---- */
-
-void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
-    static const bat_string words[] = {
-        [BAT_SNAP_END] = BAT_STRING_SNAP_WORD_END,     [BAT_SNAP_CROSSING] = BAT_STRING_SNAP_WORD_CROSSING,
-        [BAT_SNAP_GUIDE] = BAT_STRING_SNAP_WORD_GUIDE, [BAT_SNAP_CURVE] = BAT_STRING_SNAP_WORD_CURVE,
-        [BAT_SNAP_GRID] = BAT_STRING_SNAP_WORD_GRID,
-    };
-    const bat_snap *snap = c->snap;
-    const double *at = snap->point;
-    double size = 5 * bat_view_pixel(c->view);
-    char angle[BAT_UNIT_ROOM];
-    if (snap->kind == BAT_SNAP_NONE) return;
-    bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
-    if (snap->kind == BAT_SNAP_END) {
-        bat_overlay_square(overlay, at, size);
-    } else if (snap->kind == BAT_SNAP_CURVE) {
-        bat_overlay_circle(overlay, at, size);
-    } else if (snap->kind == BAT_SNAP_ANGLE) {
-        bat_overlay_polyline(overlay, 2, (double[]){snap->from[0], snap->from[1], at[0], at[1]});
-        /* Against the clock from the right, as protractors have it; y points down. */
-        double degrees = round(bat_atan2(snap->from[1] - at[1], at[0] - snap->from[0]) * 180 / BAT_PI);
-        bat_unit_number(degrees, angle);
-        strcat(angle, "°");
-    } else { /* a cross: upright for lines, on its corner for crossings */
-        double a = snap->kind == BAT_SNAP_CROSSING ? size : 0,
-               b = snap->kind == BAT_SNAP_CROSSING ? -size : 0;
-        if (snap->kind != BAT_SNAP_CROSSING) size *= 1.4;
-        bat_path_move(&overlay->path, at[0] - size, at[1] - a);
-        bat_path_line(&overlay->path, at[0] + size, at[1] + a);
-        bat_path_move(&overlay->path, at[0] + b, at[1] + size);
-        bat_path_line(&overlay->path, at[0] - b, at[1] - size);
-    }
-    bat_overlay_label(overlay, BAT_ROLE_GUIDE, at, 30, 16,
-                      snap->kind == BAT_SNAP_ANGLE ? angle : bat_word(c, words[snap->kind]));
+double bat_grid_step(const bat_context *c) {
+    if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
+    double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
+    for (int i = 0; step * c->view->zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
+    return step;
 }

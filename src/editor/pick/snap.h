@@ -6,7 +6,6 @@
 #define BATTEN_EDITOR_PICK_SNAP_H
 
 #include "editor/session/context.h"
-#include "editor/show/overlay.h"
 
 typedef enum bat_snap_kind {
     BAT_SNAP_NONE,
@@ -47,11 +46,8 @@ void bat_snap_point(bat_context *c, int count, const int *but, double point[2]);
 /* `point` goes to the nearest ray of 15 degrees (or, with that switched off, axis) from the origin; kept for the
  * picture. */
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
-/* Marks what was snapped to, with a word. */
-void bat_snap_show(const bat_context *c, bat_overlay *overlay);
 
 /* The distance of the grid's lines as they are drawn, document units; 0: no grid is shown. */
 double bat_grid_step(const bat_context *c);
-void bat_grid_show(const bat_context *c, bat_overlay *overlay);
 
 #endif

@@ -18,6 +18,7 @@ typedef struct bat_context {
     struct bat_clipboard *clipboard; /* edit/clipboard.h */
     struct bat_scene *scene;         /* scene/scene.h: what is painted, and what can be found */
     struct bat_snap *snap;           /* pick/snap.h: what the last place of a drag snapped to */
+    struct bat_insight *insight;     /* show/inspect.h: the curve that was looked at last */
     struct bat_panels *panels;       /* panels/panels.h */
     struct bat_toolbox *toolbox;     /* tools/toolbox.h: the tools, each with its own state */
     uint32_t modifiers;              /* held now */

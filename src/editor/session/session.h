@@ -19,8 +19,9 @@ typedef struct bat_session {
     bool asked;
     bat_transaction transaction;
     bat_journal journal;
-    bat_pictures pictures; /* whose bytes the journal holds */
-    bool busy;             /* the tool is between down and up */
+    bat_pictures pictures;           /* whose bytes the journal holds */
+    bool busy;                       /* the tool is between down and up: set after each event */
+    void (*stepped)(bat_context *c); /* called after each step that was made or taken back */
     bool read_only;
     bool refused; /* this event would have changed something, which the user is told */
     bool freed;   /* this event has made a plain curve of a spline, which the user is told before all else */

@@ -1,6 +1,5 @@
 #include "document/document.h"
 #include "editor/session/record.h"
-#include "editor/choice/choice.h"
 #include "editor/session/context.h"
 #include "editor/session/history.h"
 #include "editor/session/journal.h"
@@ -130,7 +129,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
     }
     bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas);
     *transaction = (bat_transaction){0};
-    bat_choice_follow(c);
+    c->session->stepped(c);
     return BAT_OK;
 }
 
@@ -143,5 +142,5 @@ void bat_transaction_cancel(bat_context *c) {
     }
     bat_deltas_free(transaction->deltas, transaction->count);
     *transaction = (bat_transaction){0};
-    bat_choice_follow(c);
+    c->session->stepped(c);
 }

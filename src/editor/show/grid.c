@@ -1,4 +1,5 @@
 /* The grid: as its spacing says, or fewer of its lines when they would crowd. */
+#include "editor/show/snapped.h"
 #include "editor/scene/path.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
@@ -9,15 +10,7 @@
 #include "editor/pick/snap.h"
 #include <math.h>
 
-static const double CROWDED = 8; /* px that lines are apart at least */
 enum { LINES_MAX = 2000, STRONG = 10 };
-
-double bat_grid_step(const bat_context *c) {
-    if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
-    double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
-    for (int i = 0; step * c->view->zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
-    return step;
-}
 
 void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
     double step = bat_grid_step(c), zero[2], box[4];

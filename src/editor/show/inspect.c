@@ -10,8 +10,6 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/sketch/sketching.h"
-#include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"
 #include "editor/view/view.h"
 #include "base/real.h"
@@ -129,12 +127,8 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view 
 
 /* The curve that is looked at. */
 static const bat_curve *look(bat_context *c) {
-    bat_insight *insight = &c->toolbox->insight;
-    const bat_sketching *sketching = &c->toolbox->sketching;
-    if (sketching->state == BAT_SKETCHING_DRAWING && sketching->preview.curve)
-        return sketching->preview.curve;
-    if (c->toolbox->brushing.preview) return c->toolbox->brushing.preview;
-    if (c->input->pen_near && !bat_toolbox_busy(c) && bat_contacts_clear(c)) {
+    bat_insight *insight = c->insight;
+    if (c->input->pen_near && !c->session->busy && bat_contacts_clear(c)) {
         double point[2];
         bat_view_to_document(c->view, c->input->pen, point);
         bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_view_pixel(c->view));
@@ -148,12 +142,12 @@ static const bat_curve *look(bat_context *c) {
     return curve;
 }
 
-void bat_insight_show(bat_context *c, bat_overlay *overlay) {
+void bat_insight_show(bat_context *c, const bat_curve *made, bat_overlay *overlay) {
     bool comb = c->settings->values[BAT_PROPERTY_SHOW_COMB] != 0;
     bool knots = c->settings->values[BAT_PROPERTY_SHOW_KNOTS] != 0;
     bool length = c->settings->values[BAT_PROPERTY_SHOW_LENGTH] != 0;
     if (!comb && !knots && !length) return;
-    const bat_curve *curve = look(c);
+    const bat_curve *curve = made ? made : look(c);
     if (!curve) return;
     if (comb) bat_comb_show(overlay, curve, c->view);
     if (knots) bat_handles_show_knots(overlay, curve, c->view);

@@ -18,6 +18,7 @@ typedef struct bat_insight {
  * this zoom; a line through their ends; marks on the inflections. Planar curves. */
 void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view *view);
 /* Once a frame, before the overlay of the tool. */
-void bat_insight_show(bat_context *c, bat_overlay *overlay);
+void bat_insight_show(bat_context *c, const bat_curve *made,
+                      bat_overlay *overlay); /* made: what is under way; or NULL */
 
 #endif

@@ -2,8 +2,10 @@
 #include <string.h>
 
 static const bat_command_row commands[BAT_COMMAND_COUNT] = {
-#define COMMAND(id, name, keys, when, hold, function)                                                        \
-    {name, keys, BAT_WHEN_##when, hold, BAT_STRING_COMMAND_##id, BAT_STRING_COMMAND_##id##_HELP},
+#define COMMAND(id, name, keys, when, function)                                                              \
+    {name, keys, BAT_WHEN_##when, false, BAT_STRING_COMMAND_##id, BAT_STRING_COMMAND_##id##_HELP},
+#define HELD(id, name, keys, function)                                                                       \
+    {name, keys, BAT_WHEN_ANYTIME, true, BAT_STRING_COMMAND_##id, BAT_STRING_COMMAND_##id##_HELP},
 #include "editor/tables/commands.def"
 };
 
@@ -23,7 +25,7 @@ static const heading subjects[] = {
 };
 
 static const bat_property_row properties[BAT_PROPERTY_COUNT] = {
-#define PROPERTY(id, name, type, standard, low, high, step, unit)                                            \
+#define PROPERTY(id, name, type, standard, low, high, step, unit, group)                                     \
     {name,                                                                                                   \
      BAT_PROPERTY_##type,                                                                                    \
      standard,                                                                                               \
@@ -31,6 +33,7 @@ static const bat_property_row properties[BAT_PROPERTY_COUNT] = {
      high,                                                                                                   \
      step,                                                                                                   \
      unit,                                                                                                   \
+     BAT_GROUP_##group,                                                                                      \
      BAT_STRING_PROPERTY_##id,                                                                               \
      BAT_STRING_PROPERTY_##id##_HELP},
 #include "editor/tables/commands.def"
@@ -42,8 +45,8 @@ static const char *const numbers[BAT_NUMBER_COUNT] = {
 };
 
 static const bat_tool_row tools[BAT_TOOL_COUNT] = {
-#define TOOL(id, name, command, behaviour)                                                                   \
-    {name, BAT_COMMAND_##command, BAT_STRING_TOOL_##id, BAT_STRING_TOOL_##id##_HELP},
+#define TOOL(id, name, command, behaviour, traits)                                                           \
+    {name, BAT_COMMAND_##command, traits, BAT_STRING_TOOL_##id, BAT_STRING_TOOL_##id##_HELP},
 #include "editor/tables/commands.def"
 };
 
@@ -76,6 +79,11 @@ bat_string bat_command_section(bat_command_id id) {
 }
 bat_string bat_property_subject(bat_property_id id) {
     return above(subjects, sizeof subjects / sizeof *subjects, (int)id);
+}
+bat_tool_id bat_tool_that(unsigned trait) {
+    int at = 0;
+    while (at < BAT_TOOL_COUNT - 1 && !(tools[at].traits & trait)) at++;
+    return (bat_tool_id)at;
 }
 const bat_property_row *bat_property_at(bat_property_id id) { return &properties[id]; }
 const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }

@@ -11,7 +11,8 @@ typedef enum bat_string {
 } bat_string;
 
 typedef enum bat_command_id {
-#define COMMAND(id, name, keys, when, hold, function) BAT_COMMAND_##id,
+#define COMMAND(id, name, keys, when, function) BAT_COMMAND_##id,
+#define HELD(id, name, keys, function) BAT_COMMAND_##id,
 /* A section is numbered as the first command in it, which then has the same number. */
 #define SECTION(id) BAT_SECTION_##id, BAT_SECTION_##id##_AGAIN = BAT_SECTION_##id - 1,
 #include "editor/tables/commands.def"
@@ -19,7 +20,7 @@ typedef enum bat_command_id {
 } bat_command_id;
 
 typedef enum bat_property_id {
-#define PROPERTY(id, name, type, standard, low, high, step, unit) BAT_PROPERTY_##id,
+#define PROPERTY(id, name, type, standard, low, high, step, unit, group) BAT_PROPERTY_##id,
 #define SUBJECT(id) BAT_SUBJECT_##id, BAT_SUBJECT_##id##_AGAIN = BAT_SUBJECT_##id - 1,
 #include "editor/tables/commands.def"
     BAT_PROPERTY_COUNT
@@ -32,7 +33,7 @@ typedef enum bat_number_id {
 } bat_number_id;
 
 typedef enum bat_tool_id {
-#define TOOL(id, name, command, behaviour) BAT_TOOL_##id,
+#define TOOL(id, name, command, behaviour, traits) BAT_TOOL_##id,
 #include "editor/tables/commands.def"
     BAT_TOOL_COUNT
 } bat_tool_id;
@@ -43,6 +44,26 @@ typedef enum bat_property_type {
     BAT_PROPERTY_COLOUR,
     BAT_PROPERTY_CHOICE
 } bat_property_type;
+/* Whose property it is. */
+typedef enum bat_property_group {
+    BAT_GROUP_ANY,
+    BAT_GROUP_STYLE,
+    BAT_GROUP_PICTURE,
+    BAT_GROUP_LEVELS
+} bat_property_group;
+
+/* What others may expect of a tool; bits. */
+enum {
+    BAT_DRAWS = 1,         /* new curves, freehand; shows no selection */
+    BAT_CHOOSES = 2,       /* objects, and shows handles for what is chosen */
+    BAT_ERASES = 4,        /* is the pen's other end */
+    BAT_NAVIGATES = 8,     /* contacts move the view */
+    BAT_EDITS_POINTS = 16, /* of a curve, chosen by number */
+    BAT_EDITS_SPLINES = 32,
+    BAT_EDITS_LEVELS = 64,
+    BAT_SMOOTHS = 128 /* what it passes over */
+};
+
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST } bat_when;
 
 typedef struct bat_command_row {
@@ -57,12 +78,14 @@ typedef struct bat_property_row {
     bat_property_type type;
     double standard, low, high, step;
     const char *unit;
+    bat_property_group group;
     bat_string label, help;
 } bat_property_row;
 
 typedef struct bat_tool_row {
     const char *name;
     bat_command_id command;
+    unsigned traits;
     bat_string label, help;
 } bat_tool_row;
 
@@ -71,6 +94,8 @@ bat_string bat_command_section(bat_command_id id); /* the word that it stands un
 bat_string bat_property_subject(bat_property_id id);
 const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
+/* The first tool with the trait, which one has. */
+bat_tool_id bat_tool_that(unsigned trait);
 /* The text of a key (size bytes); BAT_STRING_COUNT: none. */
 bat_string bat_string_named(const char *key, size_t size);
 /* The id of a name; the count when there is none. */

@@ -72,7 +72,7 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
         range[1] = c->toolbox->range.u[1];
         return bat_range_curve(c);
     }
-    if (c->choice->tool == BAT_TOOL_POINTS && pointing->measured) {
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS && pointing->measured) {
         *object = pointing->object;
         *curve = pointing->curve;
         range[0] = pointing->stretch[0];
@@ -93,7 +93,7 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
     return target;
 }
 
-bat_status bat_calm_command(bat_context *c, bool down) {
+bat_status bat_command_calm(bat_context *c, bool down) {
     bool was = c->input->calming;
     c->input->calming = false;
     if (bat_toolbox_busy(c) || c->session->transaction.open) return BAT_STATE;

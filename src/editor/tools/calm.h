@@ -14,7 +14,7 @@ void bat_calm_range(const bat_curve *curve, double u, double reach, double range
 bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double limit, double pixel,
                           bat_curve **out);
 /* The command: down shows what would be calmed, up does it. */
-bat_status bat_calm_command(bat_context *c, bool down);
+bat_status bat_command_calm(bat_context *c, bool down);
 void bat_calm_show(bat_context *c, bat_overlay *overlay);
 
 #endif

@@ -196,6 +196,8 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+static void readout(const bat_context *c, bat_readout *out) { out->curve = c->toolbox->brushing.preview; }
+
 const bat_tool *bat_tool_smooth(void) {
     static const bat_tool tool = {.hover = hover,
                                   .leave = leave,
@@ -208,6 +210,7 @@ const bat_tool *bat_tool_smooth(void) {
                                   .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,
+                                  .readout = readout,
                                   .check = check};
     return &tool;
 }

@@ -9,6 +9,14 @@
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
+#include <batten/sketch.h>
+
+/* What a tool is making, for those who show it. */
+typedef struct bat_readout {
+    const bat_curve *curve;          /* as it would be; NULL: nothing to show */
+    const bat_sketch_report *report; /* of its fit; NULL: none */
+    bool waits;                      /* it waits for a yes */
+} bat_readout;
 
 typedef struct bat_tool {
     void (*hover)(bat_context *c, const bat_pointer *event);
@@ -31,10 +39,11 @@ typedef struct bat_tool {
     void (*overlay)(bat_context *c, bat_overlay *overlay);
     bat_string (*hint)(const bat_context *c);
     bat_cursor (*cursor)(const bat_context *c);
-    const char *(*check)(const bat_context *c); /* invariants; NULL when all hold */
+    void (*readout)(const bat_context *c, bat_readout *out); /* out: all zero before */
+    const char *(*check)(const bat_context *c);              /* invariants; NULL when all hold */
 } bat_tool;
 
-#define TOOL(id, name, command, behaviour) const bat_tool *behaviour(void);
+#define TOOL(id, name, command, behaviour, traits) const bat_tool *behaviour(void);
 #include "editor/tables/commands.def"
 
 #endif

@@ -111,7 +111,8 @@ bool bat_leveling_let_go(bat_context *c) {
 
 uint32_t bat_leveling_version(bat_context *c) {
     bat_leveling *l = &c->toolbox->leveling;
-    bool levels = c->choice->tool == BAT_TOOL_LEVELS, sketch = c->choice->tool == BAT_TOOL_SKETCH;
+    bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS,
+         sketch = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS;
     if (!(levels && bat_leveling_curve(c)) && !(sketch && bat_leveling_shape(c))) return 0;
     const uint64_t parts[] = {l->object,  (uint64_t)l->curve,   (uint64_t)l->level,
                               l->copying, c->session->revision, l->apart != NULL,

@@ -65,7 +65,6 @@ bool bat_apart_drop(bat_context *c);
 bool bat_apart_accept(bat_context *c);
 /* Properties of levels: what follows from a new value; what FRAME_RULE is. */
 bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value);
-bool bat_leveling_is(bat_property_id id);
 /* Detail of the chosen curve to another. */
 bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve);
 

@@ -71,8 +71,8 @@ static bat_status take_away(bat_context *c, bat_id id) {
 
 /* ---- commands ---- */
 
-bat_status bat_guide_delete(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_guide_delete(bat_context *c, bat_command_id id) {
+    (void)id;
     if (bat_guide_chosen(c) < 0) return BAT_STATE;
     bat_status status = take_away(c, c->toolbox->guiding.chosen);
     if (status == BAT_OK) c->toolbox->guiding.chosen = 0;
@@ -87,12 +87,12 @@ static bat_status add(bat_context *c, int axis) {
     if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
-bat_status bat_guide_level(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_guide_level(bat_context *c, bat_command_id id) {
+    (void)id;
     return add(c, 1);
 }
-bat_status bat_guide_upright(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_guide_upright(bat_context *c, bat_command_id id) {
+    (void)id;
     return add(c, 0);
 }
 
@@ -120,7 +120,7 @@ int bat_guides_hot(bat_context *c) {
     if (c->toolbox->guiding.on) return c->toolbox->guiding.axis;
     if (!c->input->pen_near || bat_toolbox_busy(c)) return -1;
     int axis = bat_ruler_at(c, c->input->pen);
-    if (axis >= 0 || c->choice->tool != BAT_TOOL_SELECT) return axis;
+    if (axis >= 0 || !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return axis;
     const bat_selecting *s = &c->toolbox->selecting;
     if (s->hovered || s->handle != BAT_GRIP_NONE) return -1;
     return guide_at(c, c->input->pen, s->device, &axis) ? axis : -1;
@@ -132,7 +132,8 @@ bool bat_guides_take(bat_context *c, const bat_pointer *event) {
     bat_id id = 0;
     c->toolbox->guiding.chosen = 0;
     if (axis < 0) {
-        if (c->choice->tool != BAT_TOOL_SELECT || bat_toolbox_tool(c) != bat_tool_select()) return false;
+        if (!(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) || bat_toolbox_tool(c) != bat_tool_select())
+            return false;
         id = guide_at(c, pixel, event->device, &axis);
         if (!id || bat_selecting_hits(c, event)) return false;
     }

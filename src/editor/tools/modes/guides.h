@@ -27,9 +27,9 @@ int bat_guide_chosen(const bat_context *c);
 /* As a step: the guide (0: a new one) goes there. It is chosen then. */
 bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at);
 
-bat_status bat_guide_delete(bat_context *c, bool down);
-bat_status bat_guide_level(bat_context *c, bool down);
-bat_status bat_guide_upright(bat_context *c, bool down);
+bat_status bat_command_guide_delete(bat_context *c, bat_command_id id);
+bat_status bat_command_guide_level(bat_context *c, bat_command_id id);
+bat_status bat_command_guide_upright(bat_context *c, bat_command_id id);
 const bat_tool *bat_tool_guides(void);
 
 #endif

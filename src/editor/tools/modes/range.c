@@ -100,10 +100,11 @@ static bool choose(bat_context *c, bat_id object, int curve) {
     return true;
 }
 
-bat_status bat_range_begin(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_range(bat_context *c, bat_command_id id) {
+    (void)id;
     const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->cancel && c->choice->tool != BAT_TOOL_SELECT && c->choice->tool != BAT_TOOL_POINTS)
+    if (tool->cancel && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) &&
+        !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS))
         tool->cancel(c);
     if (tool->leave) tool->leave(c);
     bat_stage_sync(c);
@@ -111,11 +112,12 @@ bat_status bat_range_begin(bat_context *c, bool down) {
     int end = 0; /* of the selected group that the walk is in */
     for (int i = 0; i < scene->count && c->choice->selection.count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
-        bat_id id = bat_object_id(entry->object);
-        if (i >= end && bat_selection_has(&c->choice->selection, id))
+        bat_id object = bat_object_id(entry->object);
+        if (i >= end && bat_selection_has(&c->choice->selection, object))
             end = bat_document_end(c->session->document, i);
-        bool again = id == c->toolbox->range.object;
-        if (i < end && !entry->hidden && !entry->locked && choose(c, id, again ? c->toolbox->range.curve : 0))
+        bool again = object == c->toolbox->range.object;
+        if (i < end && !entry->hidden && !entry->locked &&
+            choose(c, object, again ? c->toolbox->range.curve : 0))
             return BAT_OK;
     }
     double at[2] = {c->view->width / 2, c->view->height / 2}, point[2];
@@ -217,9 +219,9 @@ static bool accept(bat_context *c) {
     const bat_curve *curve = settle(c);
     if (!curve) return false;
     bat_notice(c, BAT_STRING_COUNT);
-    if (c->choice->tool == BAT_TOOL_SMOOTH)
+    if (bat_tool_at(c->choice->tool)->traits & BAT_SMOOTHS)
         fair(c, curve);
-    else if (c->choice->tool == BAT_TOOL_ERASER)
+    else if (bat_tool_at(c->choice->tool)->traits & BAT_ERASES)
         erase(c);
     else
         bat_waypoints_over(c, c->toolbox->range.object, c->toolbox->range.curve, c->toolbox->range.u);
@@ -270,7 +272,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
     if (!curve) return;
     bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, CURVE_WIDTH);
     bat_path_curve(&list->path, curve);
-    bat_role role = c->choice->tool == BAT_TOOL_ERASER ? BAT_ROLE_ERASED : BAT_ROLE_FIT;
+    bat_role role = bat_tool_at(c->choice->tool)->traits & BAT_ERASES ? BAT_ROLE_ERASED : BAT_ROLE_FIT;
     bat_overlay_item(list, role, BAT_ITEM_STROKED, RANGE_WIDTH);
     bat_overlay_stretch(list, curve, r->u[0], r->u[1]);
     for (int i = 0; i < 2; i++) {
@@ -286,9 +288,9 @@ static void overlay(bat_context *c, bat_overlay *list) {
 }
 
 static bat_string hint(const bat_context *c) {
-    return c->choice->tool == BAT_TOOL_SMOOTH   ? BAT_STRING_HINT_RANGE_SMOOTH
-           : c->choice->tool == BAT_TOOL_ERASER ? BAT_STRING_HINT_RANGE_ERASE
-                                                : BAT_STRING_HINT_RANGE;
+    return bat_tool_at(c->choice->tool)->traits & BAT_SMOOTHS  ? BAT_STRING_HINT_RANGE_SMOOTH
+           : bat_tool_at(c->choice->tool)->traits & BAT_ERASES ? BAT_STRING_HINT_RANGE_ERASE
+                                                               : BAT_STRING_HINT_RANGE;
 }
 
 static const char *check(const bat_context *c) {

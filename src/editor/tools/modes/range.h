@@ -18,7 +18,7 @@ typedef struct bat_range {
 
 /* Begins on the selected curve, else on that nearest to the pen or the middle of the view; where it was before when
  * that is the same curve. BAT_STATE: there is no curve to be seen. */
-bat_status bat_range_begin(bat_context *c, bool down);
+bat_status bat_command_range(bat_context *c, bat_command_id id);
 /* No range, and no waypoints over it. */
 void bat_range_end(bat_context *c);
 /* The curve it lies on, NULL: it is off, or the curve is gone. */

@@ -40,14 +40,15 @@ static bool resting(const bat_context *c) {
     return last > 0 && !c->toolbox->waypoints.object && meet(c, last, last - 1, SAME);
 }
 
-bat_status bat_waypoints_begin(bat_context *c, bool down) {
-    (void)down;
+bat_status bat_command_place(bat_context *c, bat_command_id id) {
+    (void)id;
     bat_waypoints *w = &c->toolbox->waypoints;
-    if ((c->choice->tool != BAT_TOOL_SKETCH && c->choice->tool != BAT_TOOL_TANGENTS) || w->on ||
-        c->toolbox->range.on)
+    if ((!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) &&
+         !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES)) ||
+        w->on || c->toolbox->range.on)
         return BAT_STATE;
     /* A chosen spline is being shaped: Escape first lets go of it. */
-    if (c->choice->tool == BAT_TOOL_TANGENTS && bat_splining_spline(c)) return BAT_STATE;
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_splining_spline(c)) return BAT_STATE;
     const bat_tool *tool = bat_toolbox_tool(c);
     if (tool->cancel) tool->cancel(c);
     if (tool->leave) tool->leave(c);
@@ -65,7 +66,7 @@ void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u
     if (!target) return;
     double from = u[0], length = bat_curve_length(target, u[0], u[1], 1e-9), domain[2], d[4];
     bat_curve_domain(target, domain);
-    if (c->choice->tool != BAT_TOOL_SKETCH) bat_command_do(c, "tool-sketch");
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) bat_command_do(c, "tool-sketch");
     *w = (bat_waypoints){.on = true, .due = true, .object = object, .curve = curve};
     for (; w->count < OVER_RANGE; w->count++) {
         bool last = w->count == OVER_RANGE - 1;
@@ -95,7 +96,7 @@ static bat_spline spline_of(const bat_context *c, double *tangents) {
         memcpy(tangents, w->leads, 2 * sizeof *tangents);
         memcpy(tangents + 2 * (spline.count - 1), w->leads + 2, 2 * sizeof *tangents);
         spline.tangents = tangents;
-    } else if (c->choice->tool == BAT_TOOL_TANGENTS && spline.count > 3 &&
+    } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && spline.count > 3 &&
                meet(c, 0, spline.count - 1, CLOSE)) {
         spline.closed = true;
         spline.count--;
@@ -138,7 +139,7 @@ static bat_status trace(bat_context *c) {
     size_t count = 0;
     w->due = false;
     bat_sketching_drop(c);
-    if (c->choice->tool != BAT_TOOL_SKETCH) return BAT_OK;
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) return BAT_OK;
     bat_status status = sample(c, &points, &count);
     if (status == BAT_OK) bat_sketching_trace(c, points, count, w->object, w->curve);
     free(points);
@@ -149,7 +150,7 @@ static void finish(bat_context *c) {
     bat_waypoints *w = &c->toolbox->waypoints;
     double tangents[2 * BAT_WAYPOINTS_MAX];
     bat_status status = BAT_OK;
-    if (c->choice->tool == BAT_TOOL_TANGENTS) {
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES) {
         bat_spline spline = spline_of(c, tangents);
         status = bat_splining_make(c, &spline);
     } else {
@@ -287,7 +288,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
     const bat_waypoints *w = &c->toolbox->waypoints;
     double pixel = pixel_of(c);
     if (c->toolbox->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->overlay(c, list);
-    if (c->choice->tool == BAT_TOOL_TANGENTS) show_spline(c, list);
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES) show_spline(c, list);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
     for (int i = 0; i < w->count; i++)
         if (i != w->chosen) bat_overlay_circle(list, w->points + 2 * i, 5 * pixel);
@@ -315,8 +316,15 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+/* The sketch tool carries out the stroke. */
+static void readout(const bat_context *c, bat_readout *out) {
+    const bat_tool *sketch = bat_tool_sketch();
+    sketch->readout(c, out);
+}
+
 const bat_tool *bat_tool_waypoints(void) {
-    static const bat_tool tool = {.cancel = cancel,
+    static const bat_tool tool = {.readout = readout,
+                                  .cancel = cancel,
                                   .command = command,
                                   .accept = accept,
                                   .update = update,

@@ -23,7 +23,7 @@ typedef struct bat_waypoints {
 } bat_waypoints;
 
 /* The first point, where the pen is or in the middle of the view. BAT_STATE: this tool draws nothing. */
-bat_status bat_waypoints_begin(bat_context *c, bool down);
+bat_status bat_command_place(bat_context *c, bat_command_id id);
 /* Points along the stretch u[0]..u[1] of a curve, which is to be redrawn; the tool is the sketch tool then. */
 void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]);
 void bat_waypoints_end(bat_context *c);

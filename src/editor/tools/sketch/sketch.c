@@ -617,6 +617,14 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+static void readout(const bat_context *c, bat_readout *out) {
+    const bat_sketching *s = &c->toolbox->sketching;
+    bool drawn = s->state == BAT_SKETCHING_DRAWING && s->preview.curve;
+    out->curve = drawn ? s->preview.curve : NULL;
+    out->report = drawn ? &s->preview.report : s->has_pending ? &s->pending_report : NULL;
+    out->waits = s->has_pending;
+}
+
 const bat_tool *bat_tool_sketch(void) {
     static const bat_tool tool = {.hover = hover,
                                   .leave = leave,
@@ -631,6 +639,7 @@ const bat_tool *bat_tool_sketch(void) {
                                   .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,
+                                  .readout = readout,
                                   .check = check};
     return &tool;
 }

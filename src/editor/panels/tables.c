@@ -51,6 +51,7 @@ static void number(bat_text *line, const char *name, double value) {
 
 const char *bat_panel_tables(bat_context *c) {
     static const char *const types[] = {"number", "switch", "colour", "choice"};
+    static const char *const groups[] = {"", "style", "picture", "levels"};
     bat_text line = {0};
     bat_text_string(&line, "{\"commands\":[");
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
@@ -69,11 +70,7 @@ const char *bat_panel_tables(bat_context *c) {
         number(&line, "low", row->low);
         number(&line, "high", row->high);
         number(&line, "step", row->step);
-        field(&line, "group",
-              bat_styling_is((bat_property_id)i)    ? "style"
-              : bat_tracing_is((bat_property_id)i)  ? "picture"
-              : bat_leveling_is((bat_property_id)i) ? "levels"
-                                                    : "");
+        field(&line, "group", groups[row->group]);
         field(&line, "subject", bat_string_key(bat_property_subject((bat_property_id)i)));
         if (row->type == BAT_PROPERTY_CHOICE)
             list_of(&line, ",\"unit\":\"\",\"choices\":[", row->unit);

@@ -1,0 +1,72 @@
+/* Undo and redo. */
+#include "editor/choice/choice.h"
+#include "editor/commands/commands.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tools/toolbox.h"
+
+/* The selection after a step: what the step brought back is selected, for it is what the eye looks for; what
+ * is gone is not. A tool that draws shows no selection. */
+static void follow(bat_context *c, bool undone) {
+    const bat_history *history = &c->session->history;
+    const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
+    bat_choice_follow(c);
+    if (bat_toolbox_has(c, BAT_DRAWS)) return;
+    bool cleared = false;
+    for (int i = 0; i < step->count; i++) {
+        const bat_object *from = undone ? step->deltas[i].after : step->deltas[i].before;
+        const bat_object *to = undone ? step->deltas[i].before : step->deltas[i].after;
+        if (from || !to || bat_document_find(c->session->document, bat_object_id(to)) < 0) continue;
+        if (!cleared) bat_selection_clear(&c->choice->selection);
+        cleared = true;
+        bat_selection_add(&c->choice->selection, bat_object_id(to)); /* without memory: not selected */
+    }
+    bat_selection_prune(&c->choice->selection, c->session->document); /* what is hidden or locked */
+}
+
+/* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
+static bat_status step(bat_context *c, const char *name, bat_status (*go)(bat_history *, bat_document *),
+                       bat_status (*back)(bat_history *, bat_document *)) {
+    if (bat_session_refuses(c)) return BAT_STATE;
+    bat_session *session = c->session;
+    bat_status status = go(&session->history, session->document);
+    if (status != BAT_OK) return status;
+    bat_text line = {0};
+    bat_text_string(&line, "{\"do\":\"");
+    bat_text_string(&line, name);
+    bat_text_string(&line, "\"");
+    status = bat_session_log(session, &line, session->document);
+    if (status != BAT_OK) back(&session->history, session->document);
+    session->revision++;
+    if (status == BAT_OK) follow(c, go == bat_history_undo);
+    return status;
+}
+
+/* Which step it was; else why there was none. */
+static bat_status tell_step(bat_context *c, bat_status status, bat_string done, bat_string nothing) {
+    const bat_history *history = &c->session->history;
+    if (status != BAT_OK) {
+        bat_notice(c, status == BAT_STATE ? nothing : BAT_STRING_NOTICE_MEMORY);
+        return status;
+    }
+    int label = history->steps[history->done - (done == BAT_STRING_NOTICE_REDONE)].label;
+    bat_notice_value(c, done, bat_word(c, (bat_string)label));
+    return status;
+}
+
+/* What has not been committed yet is what the user wants gone first. */
+bat_status bat_command_undo(bat_context *c, bat_command_id id) {
+    (void)id;
+    if (bat_toolbox_drop_uncommitted(c)) return BAT_OK;
+    bat_status status = step(c, "undo", bat_history_undo, bat_history_redo);
+    if (status == BAT_OK) bat_settings_follow(c->settings, BAT_FIRST_UNDO);
+    return tell_step(c, status, BAT_STRING_NOTICE_UNDONE, BAT_STRING_NOTICE_NOTHING_TO_UNDO);
+}
+
+bat_status bat_command_redo(bat_context *c, bat_command_id id) {
+    (void)id;
+    bat_toolbox_drop_uncommitted(c);
+    return tell_step(c, step(c, "redo", bat_history_redo, bat_history_undo), BAT_STRING_NOTICE_REDONE,
+                     BAT_STRING_NOTICE_NOTHING_TO_REDO);
+}

@@ -1,0 +1,28 @@
+/* Commands that choose a tool, and those that the tool in force carries out. */
+#include "editor/choice/choice.h"
+#include "editor/commands/commands.h"
+#include "editor/edit/arrange.h"
+#include "editor/session/notice.h"
+#include "editor/tools/toolbox.h"
+
+bat_status bat_command_tool(bat_context *c, bat_command_id id) {
+    for (int i = 0; i < BAT_TOOL_COUNT; i++)
+        if (bat_tool_at((bat_tool_id)i)->command == id) bat_toolbox_choose(c, (bat_tool_id)i);
+    return BAT_OK;
+}
+
+bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
+    const bat_tool *tool = bat_toolbox_tool(c);
+    return tool->command ? tool->command(c, id) : BAT_STATE;
+}
+
+bat_status bat_command_accept(bat_context *c, bat_command_id id) {
+    (void)id;
+    const bat_tool *tool = bat_toolbox_tool(c);
+    return tool->accept && tool->accept(c) ? BAT_OK : BAT_STATE;
+}
+
+bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
+    if (bat_toolbox_drop(c) || bat_isolate_end(c) || bat_arrange_leave(c)) return BAT_OK;
+    return bat_command_deselect(c, id);
+}

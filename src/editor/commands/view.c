@@ -1,0 +1,76 @@
+/* Commands that change what is seen, not what is drawn. */
+#include "editor/commands/commands.h"
+#include "editor/input/input.h"
+#include "editor/scene/stage.h"
+#include "editor/session/notice.h"
+#include "editor/tables/settings.h"
+#include "editor/view/view.h"
+#include <math.h>
+
+static const double TURN = 15; /* degrees a step */
+
+bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
+    (void)id;
+    return bat_stage_fit(c) ? BAT_OK : BAT_STATE;
+}
+
+static void middle_of(const bat_view *view, double middle[2]) {
+    middle[0] = view->width / 2;
+    middle[1] = view->height / 2;
+}
+
+bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
+    double middle[2], factor = id == BAT_COMMAND_ZOOM_IN    ? sqrt(2)
+                               : id == BAT_COMMAND_ZOOM_OUT ? 1 / sqrt(2)
+                                                            : 1 / c->view->zoom;
+    middle_of(c->view, middle);
+    bat_view_zoom(c->view, middle, factor);
+    return BAT_OK;
+}
+
+bat_status bat_command_turn(bat_context *c, bat_command_id id) {
+    double middle[2], angle = c->view->angle;
+    if (id == BAT_COMMAND_VIEW_UPRIGHT && angle == 0) return BAT_STATE;
+    middle_of(c->view, middle);
+    bat_view_rotate(c->view, middle,
+                    id == BAT_COMMAND_VIEW_UPRIGHT ? -angle
+                    : id == BAT_COMMAND_VIEW_LEFT  ? -TURN
+                                                   : TURN);
+    return BAT_OK;
+}
+
+/* A tenth of the window. */
+bat_status bat_command_pan(bat_context *c, bat_command_id id) {
+    double x = (id == BAT_COMMAND_PAN_RIGHT) - (id == BAT_COMMAND_PAN_LEFT);
+    double y = (id == BAT_COMMAND_PAN_DOWN) - (id == BAT_COMMAND_PAN_UP);
+    double to[2] = {-x * c->view->width / 10, -y * c->view->height / 10};
+    bat_view_pan(c->view, (double[]){0, 0}, to);
+    return BAT_OK;
+}
+
+bat_status bat_command_hold_pan(bat_context *c, bool down) {
+    c->input->holding_pan = down;
+    return BAT_OK;
+}
+
+/* The property with the command's name, turned over. */
+bat_status bat_command_switch(bat_context *c, bat_command_id id) {
+    bat_property_id property = bat_property_named(bat_command_at(id)->name);
+    double *value = &c->settings->values[property];
+    *value = *value == 0;
+    if (property == BAT_PROPERTY_SNAP)
+        bat_notice(c, *value != 0 ? BAT_STRING_NOTICE_SNAP_ON : BAT_STRING_NOTICE_SNAP_OFF);
+    return BAT_OK;
+}
+
+/* The next value of a ladder whose rungs lie about a third apart. */
+bat_status bat_command_tolerance(bat_context *c, bat_command_id id) {
+    static const double rungs[] = {0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20};
+    const int count = (int)(sizeof rungs / sizeof *rungs);
+    int direction = id == BAT_COMMAND_TOLERANCE_UP ? 1 : -1, i = direction > 0 ? 0 : count - 1;
+    double now = c->settings->values[BAT_PROPERTY_TOLERANCE];
+    while (i >= 0 && i < count && (rungs[i] - now) * direction <= 1e-9) i += direction;
+    if (i < 0 || i >= count) return BAT_STATE;
+    c->settings->values[BAT_PROPERTY_TOLERANCE] = rungs[i];
+    return BAT_OK;
+}
