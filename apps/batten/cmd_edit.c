@@ -2,6 +2,7 @@
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
+#include "replace.h"
 #include "serve.h"
 
 #include <errno.h>
@@ -24,6 +25,7 @@ static void open_browser(const char *address, const sigset_t *signals) {
     if (child == 0) {
         sigprocmask(SIG_UNBLOCK, signals, NULL);
         signal(SIGPIPE, SIG_DFL);
+        signal(SIGXFSZ, SIG_DFL);
         if (fork() == 0) {
             int nowhere = open("/dev/null", O_RDWR);
             for (int i = 0; i < 3 && nowhere >= 0; i++) dup2(nowhere, i);
@@ -45,8 +47,8 @@ static int look_at(const char *path, drawing_format format) {
     char *text;
     size_t size;
     io_stamp stamp;
-    if (!io_load(path, &text, &size, &stamp))
-        return fail_data(path, NULL, "cannot be read: %s", strerror(errno));
+    io_result loaded = io_load(path, &text, &size, &stamp);
+    if (loaded != IO_DONE) return fail_data(path, NULL, "cannot be read: %s", io_message(loaded));
     if (!stamp.exists) {
         char folder[4096];
         const char *slash = strrchr(path, '/');
@@ -69,6 +71,14 @@ static int look_at(const char *path, drawing_format format) {
     if (io_read_only(path))
         remark("%s: is read-only; it cannot be saved here, download a copy instead", path);
     return EXIT_DONE;
+}
+
+/* What a killed server left beside the file. */
+static void tidy_up(const char *path) {
+    io_place place;
+    if (!io_place_open(&place, path)) return;
+    if (io_place_try_lock(&place)) io_remove_leftovers(&place);
+    io_place_close(&place);
 }
 
 /* A file's own port, the same at every start: by the address the browser finds again what it keeps of a drawing.
@@ -102,13 +112,18 @@ static int serve(const cli_arguments *arguments, drawing_format format, int port
     if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port < 0 ? 0 : port, wrong);
     char address[64];
     snprintf(address, sizeof address, "http://127.0.0.1:%d/", serve_port(server));
-    printf("%s\n", address);
-    fflush(stdout);
-    if (!arguments_value(arguments, "--no-open") && has_display()) open_browser(address, &signals);
-    int signal_number;
-    sigwait(&signals, &signal_number);
+    bool opens = !arguments_value(arguments, "--no-open") && has_display();
+    int failed = EXIT_DONE;
+    if ((printf("%s\n", address) < 0 || fflush(stdout) != 0) && !opens) { /* nobody would ever know it */
+        failed = fail_output("standard output");
+    } else {
+        clearerr(stdout);
+        if (opens) open_browser(address, &signals);
+        int signal_number;
+        sigwait(&signals, &signal_number);
+    }
     serve_stop(server);
-    return EXIT_DONE;
+    return failed;
 }
 
 static int run(const cli_arguments *arguments) {
@@ -127,7 +142,9 @@ static int run(const cli_arguments *arguments) {
                          "cannot be edited: this build has no batten.wasm (it needs clang, lld, wasi-libc)");
     }
     failed = look_at(path, format);
-    return failed ? failed : serve(arguments, format, (int)port);
+    if (failed) return failed;
+    tidy_up(path);
+    return serve(arguments, format, (int)port);
 }
 
 const cli_command command_edit = {

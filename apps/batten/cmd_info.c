@@ -1,4 +1,5 @@
 /* batten info: what is in a file. */
+#include "clean.h"
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
@@ -117,11 +118,12 @@ static void put_line(bat_text *text, const char *left, const char *right) {
     bat_text_string(text, "\n");
 }
 
-/* Names come from files: no control characters reach the terminal. */
+/* Names come from files. */
 static void put_name(bat_text *text, const char *name) {
-    for (; *name; name++) {
-        char c = (unsigned char)*name < 32 || *name == 127 ? ' ' : *name;
-        bat_text_add(text, &c, 1);
+    char piece[CLEAN_ROOM];
+    for (size_t read = clean_next(name, piece); read; read = clean_next(name, piece)) {
+        bat_text_string(text, piece);
+        name += read;
     }
 }
 

@@ -1,5 +1,7 @@
 #include "document_file.h"
 
+#include "replace.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,24 +35,26 @@ static file_result empty_drawing(drawing_format format, char **data, size_t *siz
     return *data ? FILE_DONE : FILE_FAILED;
 }
 
+static file_result result_of(io_result result) {
+    switch (result) {
+    case IO_DONE: return FILE_DONE;
+    case IO_CHANGED: return FILE_CHANGED;
+    case IO_READ_ONLY: return FILE_READ_ONLY;
+    case IO_NOT_REGULAR: return FILE_NOT_REGULAR;
+    default: return FILE_FAILED;
+    }
+}
+
 file_result document_file_load(const char *path, drawing_format format, char **data, size_t *size,
                                char tag[TAG_ROOM]) {
     io_stamp stamp;
-    if (!io_load(path, data, size, &stamp)) return FILE_FAILED;
+    io_result loaded = io_load(path, data, size, &stamp);
+    if (loaded != IO_DONE) return result_of(loaded);
     make_tag(*data, *size, stamp.exists, tag);
     return stamp.exists ? FILE_DONE : empty_drawing(format, data, size);
 }
 
-file_result document_file_save(const char *path, drawing_format format, const char *data, size_t size,
-                               const char *tag, char new_tag[TAG_ROOM], bat_problem *problem) {
-    char *old, old_tag[TAG_ROOM];
-    size_t old_size;
-    io_stamp stamp;
-    if (!io_load(path, &old, &old_size, &stamp)) return FILE_FAILED;
-    make_tag(old, old_size, stamp.exists, old_tag);
-    free(old);
-    if (strcmp(tag, old_tag) != 0) return FILE_CHANGED;
-
+static file_result check(drawing_format format, const char *data, size_t size, bat_problem *problem) {
     drawing_file drawing;
     bat_status status = drawing_parse(data, size, format, NULL, &drawing, problem);
     if (status == BAT_MEMORY) {
@@ -64,11 +68,31 @@ file_result document_file_save(const char *path, drawing_format format, const ch
         return FILE_MALFORMED;
     }
     drawing_free(&drawing);
+    return FILE_DONE;
+}
 
-    switch (io_replace(path, data, size, &stamp, NULL)) {
-    case IO_DONE: make_tag(data, size, true, new_tag); return FILE_DONE;
-    case IO_CHANGED: return FILE_CHANGED;
-    case IO_READ_ONLY: return FILE_READ_ONLY;
-    default: return FILE_FAILED;
-    }
+/* With the place locked: other servers save before or after, and see what was saved. */
+static file_result replace(const io_place *place, const char *data, size_t size, const char *tag) {
+    char *old, old_tag[TAG_ROOM];
+    size_t old_size;
+    io_stamp stamp;
+    io_result loaded = io_load(place->path, &old, &old_size, &stamp);
+    if (loaded != IO_DONE) return result_of(loaded);
+    make_tag(old, old_size, stamp.exists, old_tag);
+    free(old);
+    if (strcmp(tag, old_tag) != 0) return FILE_CHANGED;
+    return result_of(io_replace(place, data, size, &stamp));
+}
+
+file_result document_file_save(const char *path, drawing_format format, const char *data, size_t size,
+                               const char *tag, char new_tag[TAG_ROOM], bat_problem *problem) {
+    file_result result = check(format, data, size, problem);
+    if (result != FILE_DONE) return result;
+    io_place place;
+    if (!io_place_open(&place, path)) return FILE_FAILED;
+    io_place_lock(&place);
+    result = replace(&place, data, size, tag);
+    io_place_close(&place);
+    if (result == FILE_DONE) make_tag(data, size, true, new_tag);
+    return result;
 }

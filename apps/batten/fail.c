@@ -1,20 +1,27 @@
 /* Failures and remarks: always exactly one line on standard error. */
+#include "clean.h"
 #include "program.h"
 #include "progress.h"
 
+#include <errno.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { LINE_ROOM = 8192 }; /* longer than any path */
+enum {
+    LINE_ROOM = 8192,
+    CLEANED_ROOM = 8 * LINE_ROOM
+}; /* a line is longer than any path, and no longer than two */
 
-/* Texts from files may hold line ends and other controls: the line stays one line. */
-static void put_line(char *line) {
-    for (char *at = line; *at; at++) {
-        if ((unsigned char)*at < 32 || *at == 127) *at = ' ';
-    }
+/* In one piece, so that lines of several processes do not mix. */
+static void put_line(const char *line) {
+    char cleaned[CLEANED_ROOM];
+    size_t size = clean_text(line, cleaned, sizeof cleaned - 1);
+    cleaned[size] = '\n';
+    cleaned[size + 1] = '\0';
     progress_end();
-    fprintf(stderr, "%s\n", line);
+    fputs(cleaned, stderr);
 }
 
 int fail_usage(const cli_command *command, const char *format, ...) {
@@ -52,6 +59,14 @@ int fail_memory(void) {
     progress_end();
     fputs("batten: out of memory\n", stderr);
     return EXIT_DATA;
+}
+
+int fail_output(const char *name) {
+    if (errno != EPIPE) return fail_data(name, NULL, "cannot be written: %s", strerror(errno));
+    progress_end();
+    signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+    return 128 + SIGPIPE; /* as a shell tells it, where the signal is blocked */
 }
 
 void remark(const char *format, ...) {

@@ -8,9 +8,16 @@
 
 enum { IO_FILE_MAX = 1 << 28 }; /* bytes */
 
-/* All of a file, or of standard input ("-"): malloc'ed, a zero behind it. Returns 0, or an exit status after
- * telling what is wrong. */
-int io_read(const char *name, char **data, size_t *size);
+typedef enum io_result {
+    IO_DONE,
+    IO_CHANGED,     /* not the file that was expected */
+    IO_READ_ONLY,   /* nobody may write it, or not we */
+    IO_NOT_REGULAR, /* a pipe, a folder, a device */
+    IO_FAILED       /* errno says why */
+} io_result;
+
+/* "is read-only": what is said of a file behind its name. Reads errno, when the result is IO_FAILED. */
+const char *io_message(io_result result);
 
 /* What a file was when it was looked at, so that it can be seen whether it has changed since. */
 typedef struct io_stamp {
@@ -21,25 +28,21 @@ typedef struct io_stamp {
     struct timespec changed;
 } io_stamp;
 
-/* The same without telling; errno says why when it returns false. A file that is not there: *data NULL, size
- * 0, stamp->exists false, true. */
-bool io_load(const char *path, char **data, size_t *size, io_stamp *stamp);
+io_stamp io_stamp_of(const struct stat *status);
 bool io_stamp_equal(const io_stamp *a, const io_stamp *b);
+
+/* All of a regular file: malloc'ed, a zero behind it. Anything else is not waited for. A file that is not there:
+ * IO_DONE, *data NULL, size 0, stamp->exists false. */
+io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp);
 /* No write permission for anybody, or not for us. False when the file is not there. */
 bool io_read_only(const char *path);
+/* How many bytes were written: fewer than size, and errno says why. */
+size_t io_put(int file, const void *data, size_t size);
 
-typedef enum io_result { IO_DONE, IO_CHANGED, IO_READ_ONLY, IO_FAILED } io_result;
-/*
- * Writes data where path leads (through symbolic links): a file beside it, fsync, rename, fsync of the
- * folder. The mode is kept. A reader sees the old file or the new one. expected: IO_CHANGED and nothing
- * written when the file is not as it was then; NULL: whatever is there is replaced. What is no regular file
- * (a pipe, a terminal) is written straight. IO_FAILED: errno says why. after: the stamp of what was written,
- * may be NULL.
- */
-io_result io_replace(const char *path, const void *data, size_t size, const io_stamp *expected,
-                     io_stamp *after);
-
-/* Writes to a file (io_replace) or to standard output ("-"). Returns 0, or an exit status after telling. */
+/* All of a file, whatever it is, or of standard input ("-"): malloc'ed, a zero behind it. Returns 0, or an exit
+ * status after telling what is wrong. */
+int io_read(const char *name, char **data, size_t *size);
+/* Writes to a file (replace.h) or to standard output ("-"). Returns 0, or an exit status after telling. */
 int io_write(const char *name, const void *data, size_t size);
 
 #endif

@@ -2,9 +2,11 @@
 #include "program.h"
 #include "progress.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* In the order of the manual. */
 static const cli_command *const commands[] = {
@@ -60,15 +62,22 @@ static bool wants_help(int count, char **words) {
 
 /* What was printed has reached its destination, or the exit status says that it has not. */
 static int finish(int status) {
-    if ((fflush(stdout) != 0 || ferror(stdout)) && status == EXIT_DONE) {
-        fputs("batten: standard output cannot be written\n", stderr);
-        return EXIT_DATA;
-    }
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == EXIT_DONE) return fail_output("standard output");
     return status;
 }
 
+/* No file that is opened becomes a standard stream by accident. What was closed cannot be used, either. */
+static void hold_standard_streams(void) {
+    for (int i = 0; i <= STDERR_FILENO; i++) {
+        if (fcntl(i, F_GETFD) < 0) open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 int main(int count, char **words) {
-    signal(SIGPIPE, SIG_IGN); /* a reader that has gone is an error of writing, not a sudden end */
+    hold_standard_streams();
+    setvbuf(stdout, NULL, _IOFBF, 1 << 16); /* what is printed is printed at the end, in one piece */
+    signal(SIGPIPE, SIG_IGN);               /* a reader that has gone, or a file at its limit, */
+    signal(SIGXFSZ, SIG_IGN);               /* is an error of writing, not a sudden end */
     if (count < 2) return fail_usage(NULL, "a command is missing");
     if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 || strcmp(words[1], "help") == 0) {
         const cli_command *about = count > 2 ? command_find(words[2]) : NULL;

@@ -50,7 +50,7 @@ int arguments_integer(const cli_arguments *arguments, const char *name, long low
 /* A list of numbers, "1,2.5,-3": *out is malloc'ed; NULL when the option was not given. */
 int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count);
 
-/* ---- failures: one line on standard error ---- */
+/* ---- failures: one line of valid UTF-8 on standard error ---- */
 
 /* "batten NAME: message", and where help is; returns EXIT_USAGE. */
 int fail_usage(const cli_command *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -60,6 +60,9 @@ int fail_data(const char *file, const char *place, const char *format, ...)
 /* The same for what a reader found. */
 int fail_problem(const char *file, bat_status status, const bat_problem *problem);
 int fail_memory(void);
+/* A result that cannot be written; errno says why. A reader who has gone, as in "| head -1", wants no more: then the
+ * program ends as others do, by SIGPIPE and without a word. */
+int fail_output(const char *name);
 /* A remark that is no failure: one line. */
 void remark(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

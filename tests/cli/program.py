@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
+HANG = int(os.environ.get("HANG", 600))  # seconds: no work of a test takes that long, on however busy a machine; what does hangs
 PROGRAM = os.environ["BATTEN"]
 ROOT = pathlib.Path(os.environ["BATTEN_ROOT"])
 
@@ -34,8 +35,8 @@ class ProgramTest(unittest.TestCase):
     def run_program(self, *words, stdin=b"", cwd=None):
         if isinstance(stdin, str):
             stdin = stdin.encode()
-        return subprocess.run([PROGRAM, *map(str, words)], input=stdin, capture_output=True, timeout=120,
-                              cwd=cwd or self.folder)
+        words = [word if isinstance(word, bytes) else str(word) for word in words]
+        return subprocess.run([PROGRAM, *words], input=stdin, capture_output=True, timeout=HANG, cwd=cwd or self.folder)
 
     def done(self, *words, stdin=b""):
         """Standard output of a run that must end with 0."""

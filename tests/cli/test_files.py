@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree
 
-from program import CURVE, PROGRAM, RING, ROOT, ProgramTest
+from program import CURVE, HANG, PROGRAM, RING, ROOT, ProgramTest
 
 CAR = ROOT / "examples" / "car.svg"
 with open(PROGRAM, "rb") as program:
@@ -147,17 +147,11 @@ class Output(ProgramTest):
         source = self.file("c.json", CURVE)
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20))
         for words in (["eval", source, "--samples", "16000000"], ["render", source, "o.png", "--size", "30000x30000"]):
-            result = subprocess.run([PROGRAM, *words], capture_output=True, preexec_fn=limit, cwd=self.folder, timeout=100)
+            result = subprocess.run([PROGRAM, *words], capture_output=True, preexec_fn=limit, cwd=self.folder,
+                                    timeout=HANG)
             self.assertEqual((result.returncode, result.stdout), (1, b""))
             self.assertIn(b"out of memory", result.stderr)
             self.assertEqual(os.listdir(self.folder), ["c.json"])
-
-    def test_pipe_that_closes_early(self):
-        source = self.file("c.json", CURVE)
-        script = f"{PROGRAM} eval {source} --samples 60000 2>err; echo $? > status"
-        os.system(f"cd {self.folder} && ( {script} ) | head -c 10 > /dev/null")
-        self.assertEqual((self.folder / "status").read_text(), "1\n")
-        self.assertEqual((self.folder / "err").read_text().count("\n"), 1)
 
 
 class Info(ProgramTest):

@@ -7,7 +7,7 @@ import time
 import unittest
 
 from program import PROGRAM
-from test_edit import EditTest, drawing
+from editor import EditTest, drawing
 
 
 class Kill(EditTest):

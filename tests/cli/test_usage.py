@@ -67,7 +67,7 @@ class Usage(ProgramTest):
         self.assertEqual(self.run_program("eval", "--at=-0,1e0,2", "--", "--help").stdout, expected, odd)
 
     def test_long_work_shows_on_a_terminal_and_only_there(self):
-        name = self.file("c.json", CURVE)
+        curve = json.dumps(CURVE).encode()
         for terminal in (True, False):
             try:
                 keep, give = os.openpty() if terminal else os.pipe()
@@ -76,25 +76,18 @@ class Usage(ProgramTest):
                 continue
             with subprocess.Popen([PROGRAM, "eval", "-", "--samples", "3"], stdin=subprocess.PIPE,
                                   stdout=subprocess.PIPE, stderr=give) as process:
-                time.sleep(1.3)  # it waits for its input
-                with open(name, "rb") as file:
-                    output = process.communicate(file.read())[0]
+                shown = ""
+                while terminal and not shown.endswith(" s"):  # it waits for its input
+                    shown += os.read(keep, 4096).decode()
+                time.sleep(0 if terminal else 1.3)  # that nothing comes takes time to see
+                output = process.communicate(curve)[0]
             os.write(give, b"|")
-            shown = ""
             while "|" not in shown:
                 shown += os.read(keep, 4096).decode()
             os.close(give)
             os.close(keep)
             self.assertEqual((process.returncode, json.loads(output)["u"]), (0, [0, 1, 2]))
-            self.assertRegex(shown, r"^(\rbatten eval: \d s)+\r\x1b\[K\|$" if terminal else r"^\|$")
-
-    def test_standard_output_that_is_full_is_a_failure(self):
-        curve = self.file("c.json", CURVE)
-        for words in (["eval", curve, "--samples", "3"], ["--help"], ["info", curve]):
-            with open("/dev/full", "wb") as full:
-                result = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, timeout=60)
-            self.assertEqual(result.returncode, 1)
-            self.assertEqual(result.stderr.count(b"\n"), 1)
+            self.assertRegex(shown, r"^(\rbatten eval: \d+ s)+\r\x1b\[K\|$" if terminal else r"^\|$")
 
 
 if __name__ == "__main__":
