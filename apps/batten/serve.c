@@ -1,6 +1,8 @@
 #include "serve.h"
 
+#include "clean.h"
 #include "document_file.h"
+#include "guests.h"
 #include "peer.h"
 #include "web_files.h"
 
@@ -20,7 +22,8 @@ enum {
     TOKEN_BYTES = 16,
     TOKEN_ROOM = 2 * TOKEN_BYTES + 1,
     HOST_ROOM = 32,
-    CONNECTIONS_MAX = 64,
+    CONNECTIONS_MAX = 2 * GUESTS_MAX, /* those who were shown out are not gone yet */
+    STRANGER_SECONDS = 10,            /* how long one may be silent who has not shown the token */
     IDLE_SECONDS = 60
 };
 
@@ -41,6 +44,7 @@ static const char *const headers[][2] = {
 
 struct http_server {
     struct MHD_Daemon *daemon;
+    guest_list guests;
     const char *path;
     drawing_format format;
     int port;
@@ -53,6 +57,8 @@ struct http_server {
 
 /* One request; its body, when it is a PUT that may have one. */
 typedef struct http_request {
+    size_t address_size; /* of the request line's address as it came */
+    bool begun;          /* the headers were looked at */
     char *body;
     size_t size, room;
 } http_request;
@@ -75,9 +81,9 @@ static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status
 static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text,
                            const char *name, const char *value) {
     char line[512];
-    int size = snprintf(line, sizeof line, "%s\n", text);
-    size_t length = (size_t)size < sizeof line ? (size_t)size : sizeof line - 1;
-    struct MHD_Response *response = MHD_create_response_from_buffer(length, line, MHD_RESPMEM_MUST_COPY);
+    size_t size = clean_text(text, line, sizeof line - 1);
+    line[size] = '\n';
+    struct MHD_Response *response = MHD_create_response_from_buffer(size + 1, line, MHD_RESPMEM_MUST_COPY);
     if (response && name) MHD_add_response_header(response, name, value);
     return answer(connection, status, response, "text/plain; charset=utf-8");
 }
@@ -123,6 +129,27 @@ typedef struct http_refusal {
     unsigned status; /* 0: none */
     const char *text;
 } http_refusal;
+
+/* Both stand in the request as it came, with the colon and the blanks between them. */
+static enum MHD_Result add_header_size(void *user, enum MHD_ValueKind kind, const char *name,
+                                       const char *value) {
+    (void)kind;
+    *(size_t *)user += value ? (size_t)((uintptr_t)value - (uintptr_t)name) + strlen(value) + strlen("\r\n")
+                             : 0;
+    return MHD_YES;
+}
+
+/* Every byte of the head is in what was made of it: no NUL hides the rest of a line, no line is folded. From 1.0 on
+ * libmicrohttpd sees to it itself. */
+static bool is_plain_head(struct MHD_Connection *connection, const http_request *request, const char *method,
+                          const char *version) {
+    if (MHD_VERSION >= 0x01000000) return true;
+    size_t size = strlen(method) + 1 + request->address_size + 1 + strlen(version) + strlen("\r\n\r\n");
+    MHD_get_connection_values(connection, MHD_HEADER_KIND, add_header_size, &size);
+    const union MHD_ConnectionInfo *info = MHD_get_connection_info(connection,
+                                                                   MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE);
+    return info && info->header_size == size;
+}
 
 /* Whoever asks is our own page, or the user's own address bar. */
 static http_refusal refuse_stranger(const http_server *server, struct MHD_Connection *connection) {
@@ -191,12 +218,29 @@ static http_refusal refuse_put(const http_server *server, struct MHD_Connection 
 
 /* ---- the document ---- */
 
+/* What the file itself refuses. */
+static enum MHD_Result say_failure(struct MHD_Connection *connection, file_result result) {
+    switch (result) {
+    case FILE_CHANGED:
+        return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.",
+                   NULL, NULL);
+    case FILE_READ_ONLY: return say(connection, MHD_HTTP_CONFLICT, "The file is read-only.", NULL, NULL);
+    case FILE_NOT_REGULAR:
+        return say(connection, MHD_HTTP_CONFLICT, "In the file's place stands what is no regular file.", NULL,
+                   NULL);
+    default:
+        return say(connection,
+                   errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? MHD_HTTP_INSUFFICIENT_STORAGE
+                                                                        : MHD_HTTP_INTERNAL_SERVER_ERROR,
+                   strerror(errno), NULL, NULL);
+    }
+}
+
 static enum MHD_Result get_document(const http_server *server, struct MHD_Connection *connection) {
     char *data, tag[TAG_ROOM];
     size_t size;
-    if (document_file_load(server->path, server->format, &data, &size, tag) != FILE_DONE) {
-        return say(connection, MHD_HTTP_INTERNAL_SERVER_ERROR, strerror(errno), NULL, NULL);
-    }
+    file_result result = document_file_load(server->path, server->format, &data, &size, tag);
+    if (result != FILE_DONE) return say_failure(connection, result);
     struct MHD_Response *response = MHD_create_response_from_buffer(size, data, MHD_RESPMEM_MUST_FREE);
     if (!response) {
         free(data);
@@ -212,26 +256,17 @@ static enum MHD_Result put_document(const http_server *server, struct MHD_Connec
     const char *wanted = header(connection, "If-Match", NULL);
     char tag[TAG_ROOM], line[sizeof(bat_problem) + 64];
     bat_problem problem = {.place = ""};
-    switch (document_file_save(server->path, server->format, request->body, request->size, wanted, tag,
-                               &problem)) {
-    case FILE_DONE: {
-        struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
-        if (response) MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
-        return answer(connection, MHD_HTTP_NO_CONTENT, response, NULL);
-    }
-    case FILE_CHANGED:
-        return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.",
-                   NULL, NULL);
-    case FILE_MALFORMED:
+    file_result result = document_file_save(server->path, server->format, request->body, request->size,
+                                            wanted, tag, &problem);
+    if (result == FILE_MALFORMED) {
         snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem.place, problem.place[0] ? ": " : "",
                  problem.message);
         return say(connection, MHD_HTTP_UNPROCESSABLE_CONTENT, line, NULL, NULL);
-    case FILE_READ_ONLY: return say(connection, MHD_HTTP_CONFLICT, "The file is read-only.", NULL, NULL);
-    default:
-        return say(connection,
-                   errno == ENOSPC ? MHD_HTTP_INSUFFICIENT_STORAGE : MHD_HTTP_INTERNAL_SERVER_ERROR,
-                   strerror(errno), NULL, NULL);
     }
+    if (result != FILE_DONE) return say_failure(connection, result);
+    struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
+    if (response) MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
+    return answer(connection, MHD_HTTP_NO_CONTENT, response, NULL);
 }
 
 /* ---- requests ---- */
@@ -252,9 +287,20 @@ static enum MHD_Result get_file(const http_server *server, struct MHD_Connection
     return answer(connection, MHD_HTTP_OK, response, file->type);
 }
 
+/* Whoever has shown the token may stay longer. */
+static void note_guest(http_server *server, struct MHD_Connection *connection, bool known) {
+    const union MHD_ConnectionInfo *info = MHD_get_connection_info(connection,
+                                                                   MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+    if (info && info->socket_context) guests_hear(&server->guests, info->socket_context, known);
+    if (known) {
+        MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, (unsigned)IDLE_SECONDS);
+    }
+}
+
 /* The headers are here, the body is not: decides whether it may come. */
-static enum MHD_Result begin(const http_server *server, struct MHD_Connection *connection, const char *path,
-                             const char *method, void **state) {
+static enum MHD_Result begin(http_server *server, struct MHD_Connection *connection, const char *path,
+                             const char *method, http_request *request) {
+    request->begun = true;
     http_refusal refusal = refuse_stranger(server, connection);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
     bool document = strcmp(path, "/document") == 0;
@@ -267,29 +313,26 @@ static enum MHD_Result begin(const http_server *server, struct MHD_Connection *c
                    document ? "GET, HEAD, PUT" : "GET, HEAD");
     }
     if (document) refusal = refuse_token(server, connection);
-    size_t size = 0;
-    if (!refusal.status && put) refusal = refuse_put(server, connection, &size);
+    note_guest(server, connection, document && !refusal.status);
+    if (!refusal.status && put) refusal = refuse_put(server, connection, &request->room);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
-    http_request *request = calloc(1, sizeof *request);
-    if (request && put) {
-        request->room = size;
-        request->body = malloc(size + 1);
+    if (put) {
+        request->body = malloc(request->room + 1);
+        if (!request->body) return MHD_NO;
     }
-    if (!request || (put && !request->body)) {
-        free(request);
-        return MHD_NO;
-    }
-    *state = request;
     return MHD_YES;
 }
 
 static enum MHD_Result on_request(void *user, struct MHD_Connection *connection, const char *path,
                                   const char *method, const char *version, const char *data, size_t *size,
                                   void **state) {
-    (void)version;
-    const http_server *server = user;
+    http_server *server = user;
     http_request *request = *state;
-    if (!request) return begin(server, connection, path, method, state);
+    if (!request) return MHD_NO;
+    if (!request->begun && !is_plain_head(connection, request, method, version)) {
+        return say(connection, MHD_HTTP_BAD_REQUEST, "The request is not written plainly.", NULL, NULL);
+    }
+    if (!request->begun) return begin(server, connection, path, method, request);
     if (*size) {
         size_t room = request->room - request->size; /* the body of a GET is dropped */
         if (request->body) {
@@ -302,6 +345,27 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
     }
     if (strcmp(path, "/document") != 0) return get_file(server, connection, find_file(path));
     return request->body ? put_document(server, connection, request) : get_document(server, connection);
+}
+
+/* The first thing that is known of a request: its address, before anything is taken out of it. */
+static void *on_address(void *user, const char *address, struct MHD_Connection *connection) {
+    (void)user;
+    (void)connection;
+    http_request *request = calloc(1, sizeof *request);
+    if (request) request->address_size = strlen(address);
+    return request;
+}
+
+static void on_guest(void *user, struct MHD_Connection *connection, void **place,
+                     enum MHD_ConnectionNotificationCode code) {
+    http_server *server = user;
+    const union MHD_ConnectionInfo *info = MHD_get_connection_info(connection,
+                                                                   MHD_CONNECTION_INFO_CONNECTION_FD);
+    if (!info) return;
+    if (code == MHD_CONNECTION_NOTIFY_STARTED)
+        *place = guests_come(&server->guests, info->connect_fd);
+    else if (*place)
+        guests_go(*place, info->connect_fd);
 }
 
 static enum MHD_Result on_connection(void *user, const struct sockaddr *address, socklen_t size) {
@@ -399,8 +463,7 @@ static int listen_on(http_server *server, int port) {
     if (setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
         fcntl(listener, F_SETFD, FD_CLOEXEC) != 0 ||
         bind(listener, (const struct sockaddr *)&address, sizeof address) != 0 ||
-        listen(listener, CONNECTIONS_MAX) != 0 ||
-        getsockname(listener, (struct sockaddr *)&address, &size) != 0) {
+        listen(listener, SOMAXCONN) != 0 || getsockname(listener, (struct sockaddr *)&address, &size) != 0) {
         int reason = errno;
         close(listener);
         errno = reason;
@@ -415,11 +478,12 @@ static int listen_on(http_server *server, int port) {
 static const char *start(http_server *server, int port) {
     int listener = listen_on(server, port);
     if (listener < 0) return strerror(errno);
-    server->daemon = MHD_start_daemon(MHD_USE_AUTO_INTERNAL_THREAD, 0, on_connection, server, on_request,
-                                      server, MHD_OPTION_LISTEN_SOCKET, listener, MHD_OPTION_CONNECTION_LIMIT,
-                                      (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
-                                      (unsigned)IDLE_SECONDS, MHD_OPTION_UNESCAPE_CALLBACK, keep_escapes,
-                                      NULL, MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL, MHD_OPTION_END);
+    server->daemon = MHD_start_daemon(
+        MHD_USE_AUTO_INTERNAL_THREAD, 0, on_connection, server, on_request, server, MHD_OPTION_LISTEN_SOCKET,
+        listener, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS_MAX, MHD_OPTION_CONNECTION_TIMEOUT,
+        (unsigned)STRANGER_SECONDS, MHD_OPTION_UNESCAPE_CALLBACK, keep_escapes, NULL,
+        MHD_OPTION_URI_LOG_CALLBACK, on_address, NULL, MHD_OPTION_NOTIFY_CONNECTION, on_guest, server,
+        MHD_OPTION_NOTIFY_COMPLETED, on_completed, NULL, MHD_OPTION_END);
     return server->daemon ? NULL : "the server cannot be started";
 }
 
@@ -429,7 +493,9 @@ const char *serve_start(const char *path, drawing_format format, int port, bool 
     server->path = path;
     server->format = format;
     const char *slash = strrchr(path, '/');
-    server->name = percent_encoded(slash ? slash + 1 : path);
+    char shown[CLEAN_ROOM * 256];
+    clean_text(slash ? slash + 1 : path, shown, sizeof shown);
+    server->name = percent_encoded(shown);
     const char *wrong = NULL;
     if (!make_token(server->token)) {
         wrong = "no random numbers";

@@ -2,17 +2,18 @@
  * The editor's server: loopback only, one file, one token a start. It gives the embedded shell, the file, and
  * takes the file back. Everything that does not come from its own page is refused:
  *
- *   400 a header given twice that must be there once (Host, Origin, ...)
+ *   400 a header given twice that must be there once (Host, Origin, ...); NUL or a folded line in the head
  *   403 a foreign or null Origin, a fetch from another site, a token that is missing or wrong
  *   404 a path that is not in the table (there is no file system behind it)
  *   405 another method
- *   409 the file is read-only
+ *   409 the file is read-only, or a pipe, a folder or a device stands in its place
  *   411 a body without its length; 413 one above SERVE_BODY_MAX
  *   412 the file on disk is not the one that If-Match names
  *   415 another media type than the file's
  *   421 a Host that is not ours (DNS rebinding)
  *   422 a body that is no drawing in the file's format: nothing is written
  *   428 no If-Match
+ *   507 no room on the disk, or the file would be above its limit
  *
  * Connections of other users of the machine are closed at once, where the system tells whose they are.
  *

@@ -1,11 +1,9 @@
-"""The editor's server, by raw sockets and http.client: every refusal with its status, and saving that is atomic."""
+"""The editor's server: every refusal with its status, and saving that is atomic."""
 import concurrent.futures
-import http.client
 import json
 import os
 import pathlib
 import re
-import select
 import signal
 import socket
 import stat
@@ -14,88 +12,8 @@ import time
 import unittest
 import urllib.parse
 
-from program import PROGRAM, ROOT, ProgramTest
-
-STYLE = {"stroked": True, "stroke": "#000000ff", "width": 2, "cap": "round", "join": "round", "miter_limit": 4,
-         "filled": False, "fill": "#000000ff", "even_odd": False, "opacity": 1}
-
-
-def drawing(x=1.0, objects=1):
-    """A native document that differs with x."""
-    curve = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [x, 2]]}
-    return json.dumps({"batten": 1, "page": [0, 0, 100, 50], "next": objects + 1, "objects": [
-        {"id": i + 1, "kind": "path", "name": "", "style": STYLE, "curves": [curve]} for i in range(objects)]}).encode()
-
-
-class Editor:
-    """A running `batten edit`."""
-
-    def __init__(self, path, *words, environment=None):
-        self.process = subprocess.Popen([PROGRAM, "edit", str(path), "--no-open", *words], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, env={**os.environ, **(environment or {})})
-        ready, _, _ = select.select([self.process.stdout], [], [], 60)
-        self.address = self.process.stdout.readline().decode().strip() if ready else ""
-        if not self.address:
-            self.process.kill()
-            raise AssertionError(self.process.communicate()[1].decode())
-        self.port = urllib.parse.urlsplit(self.address).port
-        self.host = f"127.0.0.1:{self.port}"
-        self.token = re.search(rb'name="batten-token" content="([^"]*)"', self.get("/")[2])[1].decode()
-
-    def request(self, method, path, headers=None, body=None, token=True):
-        """Status, headers, body."""
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
-        headers = dict(headers or {})
-        if token and path == "/document":
-            headers.setdefault("X-Batten-Token", self.token)
-        connection.request(method, path, body, headers)
-        response = connection.getresponse()
-        result = response.status, response.headers, response.read()
-        connection.close()
-        return result
-
-    def get(self, path, headers=None, token=True):
-        return self.request("GET", path, headers, None, token and path == "/document")
-
-    def tag(self):
-        return self.get("/document")[1]["ETag"]
-
-    def put(self, body, tag=None, headers=None, kind="application/json"):
-        headers = {"Content-Type": kind, "If-Match": tag or self.tag(), **(headers or {})}
-        return self.request("PUT", "/document", {k: v for k, v in headers.items() if v is not None}, body)
-
-    def raw(self, text):
-        """The status that a request written by hand is answered with; 0: the connection was closed."""
-        with socket.create_connection(("127.0.0.1", self.port), timeout=60) as connection:
-            connection.sendall(text if isinstance(text, bytes) else text.replace("\n", "\r\n").encode())
-            answer = b""
-            while b"\r\n" not in answer:
-                part = connection.recv(4096)
-                if not part:
-                    break
-                answer += part
-            return int(answer.split()[1]) if answer else 0
-
-    def end(self, how=signal.SIGTERM):
-        if self.process.stdout.closed:
-            return None
-        self.process.send_signal(how)
-        output, errors = self.process.communicate(timeout=60)
-        return self.process.returncode, output, errors.decode()
-
-
-class EditTest(ProgramTest):
-    def start(self, name="d.batten", content=None, *words):
-        self.path = self.folder / name
-        if content is not None:
-            self.path.write_bytes(content)
-        return self.editor_on(self.path, *words)
-
-    def editor_on(self, path, *words):
-        editor = Editor(path, *words)
-        self.addCleanup(editor.end, signal.SIGKILL)
-        return editor
-
+from editor import EditTest, drawing
+from program import HANG, PROGRAM, ROOT
 
 class Serving(EditTest):
     def test_a_file_has_its_own_port(self):
@@ -147,6 +65,10 @@ class Serving(EditTest):
         self.assertTrue(headers["X-Batten-Name"].isascii())
         self.assertRegex(headers["ETag"], r'^"[^"]+"$')
 
+    def test_name_that_is_no_utf8(self):
+        editor = self.editor_on(os.fsencode(self.folder) + b"/a\xff\xc3.svg")
+        self.assertEqual(urllib.parse.unquote(editor.get("/document")[1]["X-Batten-Name"], errors="strict"), r"a\xFF\xC3.svg")
+
     def test_tokens_are_fresh(self):
         self.assertNotEqual(self.start(content=drawing()).token, self.start(content=drawing()).token)
 
@@ -188,10 +110,9 @@ class Serving(EditTest):
                            "WAYLAND_DISPLAY": ""}
             with subprocess.Popen([PROGRAM, "edit", name], stdout=subprocess.PIPE, env=environment) as process:
                 address = process.stdout.readline().decode().strip()
-                for _ in range(100 if opened else 5):
-                    if asked.exists():
-                        break
-                    time.sleep(0.05)
+                limit = time.monotonic() + (HANG if opened else 0.3)  # that nothing happens takes time to see
+                while not asked.exists() and time.monotonic() < limit:
+                    time.sleep(0.01)
                 process.terminate()
             self.assertEqual(asked.exists(), opened)
             if opened:
@@ -231,6 +152,22 @@ class Refusals(EditTest):
         self.assertEqual(self.editor.raw(f"GET / HTTP/1.1\nhOsT: evil.example\n{good}\n"), 400)
         self.assertEqual(self.editor.raw("GET / HTTP/1.1\n\n"), 400)
         self.assertEqual(self.editor.raw("GET / HTTP/1.0\n\n"), 400)
+
+    def test_nul_and_folded_lines(self):
+        """Nothing stands in a request's head that the server does not see."""
+        host = f"Host: {self.editor.host}".encode()
+        for head in (b"GET / HTTP/1.1\r\n" + host + b"\0\r\n", b"GET / HTTP/1.1\r\n" + host + b"\0.evil.example\r\n",
+                     b"GET / HTTP/1.1\r\nHost: \0" + self.editor.host.encode() + b"\r\n",
+                     b"GET / HTTP/1.1\r\n" + host + b"\r\n .evil.example\r\n",
+                     b"GET / HTTP/1.1\r\n" + host + b"\r\n\t\0evil\r\n",
+                     b"GET / HTTP/1.1\r\n" + host + b"\r\nOrigin\0: http://evil.example\r\n",
+                     b"GET / HTTP/1.1\r\n" + host + b"\r\nX: a\0b\r\n", b"GET / HTTP/1.1\r\nX:\r\n" + host + b"\0\r\n", b"GET /\0 HTTP/1.1\r\n" + host + b"\r\n",
+                     b"GET\0 / HTTP/1.1\r\n" + host + b"\r\n", b"GET / HTTP/1.1\n" + host + b"\n"):
+            with self.subTest(head=head):
+                self.assertEqual(self.editor.raw(head + b"\r\n"), 400)
+        for fields in (b"", b"Accept: */*\r\n", b"Empty: \r\n", b"Empty:\r\n", b"A:b\r\nC:  d\r\n", "Name: ä ü\r\n".encode()):  # as browsers write
+            for path in (b"/", b"/?a=b&c", b"/main.js?"):
+                self.assertEqual(self.editor.raw(b"GET " + path + b" HTTP/1.1\r\n" + host + b"\r\n" + fields + b"\r\n"), 200)
 
     def test_origin(self):
         host = self.editor.host
@@ -332,7 +269,7 @@ class Refusals(EditTest):
         script = ("import http.client, os, sys; os.setgroups([]); os.setgid(65534); os.setuid(65534)\n"
                   f"c = http.client.HTTPConnection('127.0.0.1', {self.editor.port}); c.request('GET', '/')\n"
                   "print(c.getresponse().status)")
-        result = subprocess.run(["/usr/bin/python3", "-c", script], capture_output=True, text=True, timeout=60)
+        result = subprocess.run(["/usr/bin/python3", "-c", script], capture_output=True, text=True, timeout=HANG)
         self.assertEqual(result.stdout, "")
         self.assertRegex(result.stderr, "RemoteDisconnected|ConnectionResetError|BrokenPipeError")
 
@@ -348,6 +285,39 @@ class Refusals(EditTest):
                     pass
                 self.assertNotIn(b" 200 ", answer[:20])
                 self.assertEqual(self.editor.get("/")[0], 200)
+
+
+class Replaced(EditTest):
+    """Something that is no regular file stands in the file's place: nobody waits for it."""
+
+    def test_while_it_is_open(self):
+        makers = {"pipe": lambda: os.mkfifo(self.path), "folder": self.mkdir, "socket": self.listen,
+                  "device": lambda: self.path.symlink_to("/dev/zero"), "terminal": lambda: self.path.symlink_to("/dev/ptmx")}
+        editor = self.start(content=drawing())
+        tag = editor.tag()
+        for name, make in makers.items():
+            with self.subTest(name=name):
+                self.path.unlink()
+                make()
+                for status, _, text in (editor.get("/document"), editor.put(drawing(2), tag)):
+                    self.assertEqual((status, text), (409, b"In the file's place stands what is no regular file.\n"))
+                self.path.rmdir() if name == "folder" else self.path.unlink()
+                self.path.write_bytes(drawing())
+                self.assertEqual(os.listdir(self.folder), ["d.batten"])
+        self.assertEqual(editor.put(drawing(2), tag)[0], 204)
+
+    def mkdir(self):
+        self.path.mkdir()
+
+    def listen(self):
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(str(self.path))
+
+    def test_at_the_start(self):
+        os.mkfifo(self.folder / "pipe.svg")
+        (self.folder / "zero.svg").symlink_to("/dev/zero")
+        for name in ("pipe.svg", "zero.svg"):
+            self.assertIn("not a regular file", self.refused(1, "edit", self.folder / name, "--no-open"))
 
 
 class Saving(EditTest):
