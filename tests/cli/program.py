@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
-HANG = int(os.environ.get("HANG", 600))  # seconds: no work of a test takes that long, on however busy a machine; what does hangs
+HANG = int(os.environ.get("BATTEN_HANG", 1800))  # seconds: one step of a test that takes longer hangs, however busy the machine
 PROGRAM = os.environ["BATTEN"]
 ROOT = pathlib.Path(os.environ["BATTEN_ROOT"])
 

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""clang-tidy over the library, the program and the module, two files at a time. A file whose preprocessed text
+"""clang-tidy over the library, the program and the module, or a share of their files. A file whose preprocessed text
 and whose configuration were clean before is not read again.
 
-Usage: check_tidy.py ROOT
+Usage: check_tidy.py ROOT [SHARE SHARES]    shares are counted from 1
 """
-import concurrent.futures
 import hashlib
 import pathlib
 import subprocess
@@ -36,10 +35,10 @@ def check(path):
     return path, run.stdout + run.stderr, True
 
 
+share, shares = map(int, sys.argv[2:]) if sys.argv[2:] else (1, 1)
 CLEAN.mkdir(exist_ok=True)
-files = sources(ROOT, ["src", "apps/batten", "web/module"], (".c",))
-with concurrent.futures.ThreadPoolExecutor(2) as pool:
-    results = list(pool.map(check, files))
+files = sources(ROOT, ["src", "apps/batten", "web/module"], (".c",))[share - 1::shares]
+results = [check(path) for path in files]
 faulty = [(path, text) for path, text, _ in results if text]
 for path, text in faulty:
     print(f"{path.relative_to(ROOT)}:\n{text}")
