@@ -51,7 +51,7 @@ static int right_ones(const bat_curve *curve, uint64_t seed, int cases, double h
         const bat_clean_options options = {.scale = 1, .origin = origin, .tolerance = 1};
         bat_clean clean;
         assert_int_equal(bat_clean_stroke(&d.stroke, &options, &clean), BAT_OK);
-        const bat_correspondence found = bat_correspond(&track, &clean);
+        const bat_correspondence found = bat_correspond(&track, &clean, 0);
         const double from = bat_track_s(&track, u0), to = bat_track_s(&track, u0 + part);
         double off0 = fabs(found.start - from), off1 = fabs(found.end - to);
         if (bat_curve_closed(curve)) {

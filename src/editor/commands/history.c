@@ -7,7 +7,7 @@
 #include "editor/tools/toolbox.h"
 
 /* The selection after a step: what the step brought back is selected, for it is what the eye looks for; what
- * is gone is not. A tool that draws shows no selection. */
+ * is gone is not. While drawing nothing is selected so: it would keep the other curves from being redrawn. */
 static void follow(bat_context *c, bool undone) {
     const bat_history *history = &c->session->history;
     const bat_step *step = &history->steps[undone ? history->done : history->done - 1];

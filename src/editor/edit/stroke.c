@@ -24,6 +24,9 @@ static const struct {
     [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
     [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
     [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
+    [BAT_EDIT_EXTEND] = {"sketch-extend", BAT_STRING_STEP_EXTEND},
+    [BAT_EDIT_CLOSE] = {"sketch-close", BAT_STRING_STEP_CLOSE},
+    [BAT_EDIT_SEVERAL] = {"sketch-several", BAT_STRING_STEP_SEVERAL},
     [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
 };
 
@@ -43,11 +46,39 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
     return bat_curve_dimension(target) == 2 ? target : NULL;
 }
 
+/* The curves of a SEVERAL edit, one a part: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
+static bat_status chain(const bat_document *document, const bat_edit *edit, bat_curve *out[BAT_EDIT_PARTS]) {
+    const bat_curve *curves[BAT_EDIT_PARTS];
+    bat_sketch_meaning meaning[BAT_EDIT_PARTS];
+    double cuts[2 * BAT_EDIT_PARTS];
+    bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    for (int i = 0; i < edit->part_count; i++) {
+        curves[i] = bat_edit_target(document, edit->part[i].object, edit->part[i].curve);
+        meaning[i] = edit->part[i].meaning;
+        memcpy(cuts + 2 * i, edit->part[i].end, sizeof edit->part[i].end);
+        bool twice = false;
+        for (int j = 0; j < i; j++) twice = twice || curves[j] == curves[i];
+        if (!curves[i] || twice) return BAT_ARGUMENT;
+    }
+    return bat_sketch_chain(edit->part_count, curves, cuts, meaning, &stroke, &edit->options, out);
+}
+
+/* The first of them stands for all. */
+static bat_status compute_first(const bat_document *document, const bat_edit *edit, bat_curve **out) {
+    bat_curve *made[BAT_EDIT_PARTS];
+    bat_status status = chain(document, edit, made);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    for (int i = 1; i < edit->part_count; i++) bat_curve_free(made[i]);
+    *out = made[0];
+    return status;
+}
+
 static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve **out,
                           bat_sketch_report *report) {
     const bat_document *document = c->session->document;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
-    if (edit->kind == BAT_EDIT_NEW) return bat_sketch_new(&stroke, &edit->options, false, out, report);
+    if (edit->kind == BAT_EDIT_NEW)
+        return bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, out, report);
     const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
     if (!target) return BAT_ARGUMENT;
     if (edit->kind == BAT_EDIT_LEVEL) {
@@ -58,7 +89,10 @@ static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve 
         bat_shape_free(shape);
         return copied == BAT_OK ? status : copied;
     }
-    if (edit->kind == BAT_EDIT_REDRAW) return bat_sketch(target, &stroke, &edit->options, out, report);
+    if (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND)
+        return bat_sketch_meant(target, &stroke, &edit->options, &edit->meaning, out, report);
+    if (edit->kind == BAT_EDIT_CLOSE) return bat_sketch_close(target, &stroke, &edit->options, out, report);
+    if (edit->kind == BAT_EDIT_SEVERAL) return compute_first(document, edit, out);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
     const bat_curve *other = bat_edit_target(document, edit->other, edit->other_curve);
     if (!other || other == target) return BAT_ARGUMENT;
@@ -102,6 +136,21 @@ static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *cur
     return shape ? bat_leveling_put_at(c, edit->object, edit->curve, shape) : status;
 }
 
+/* The curve is only what has been shown of them. */
+static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *curve) {
+    bat_curve *made[BAT_EDIT_PARTS];
+    bat_curve_free(curve);
+    bat_status status = chain(c->session->document, edit, made), put = BAT_OK;
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    for (int i = 0; i < edit->part_count; i++) {
+        if (put == BAT_OK)
+            put = bat_put_curve(c, edit->part[i].object, edit->part[i].curve, made[i]);
+        else
+            bat_curve_free(made[i]);
+    }
+    return put;
+}
+
 /* Takes the curve over, whatever it returns. */
 static bat_status insert_new(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     const bat_document *document = c->session->document;
@@ -141,6 +190,8 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
         status = insert_new(c, edit, curve);
     else if (edit->kind == BAT_EDIT_LEVEL)
         status = put_level(c, edit, curve);
+    else if (edit->kind == BAT_EDIT_SEVERAL)
+        status = put_several(c, edit, curve);
     else
         status = bat_put_curve(c, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */

@@ -10,6 +10,8 @@
 #include "editor/session/context.h"
 #include "editor/input/samples.h"
 #include "editor/tables/tables.h"
+#include "hands/sketch/intent.h"
+#include "hands/sketch/meant.h"
 
 typedef enum bat_edit_kind {
     BAT_EDIT_NEW,
@@ -17,6 +19,9 @@ typedef enum bat_edit_kind {
     BAT_EDIT_SMOOTH,
     BAT_EDIT_JOIN,
     BAT_EDIT_LEVEL,
+    BAT_EDIT_EXTEND,
+    BAT_EDIT_CLOSE,
+    BAT_EDIT_SEVERAL,
     BAT_EDIT_COUNT
 } bat_edit_kind;
 
@@ -27,6 +32,16 @@ typedef enum bat_level_choice {
     BAT_LEVEL_BARE = -3  /* the same, details under the stroke dropped */
 } bat_level_choice;
 
+enum { BAT_EDIT_PARTS = BAT_INTENT_PARTS };
+
+/* One of several curves that touch, redrawn by its part of the stroke. */
+typedef struct bat_edit_part {
+    bat_id object;
+    int curve;
+    bat_sketch_meaning meaning;
+    double end[2]; /* where the stroke is cut after it, document units */
+} bat_edit_part;
+
 typedef struct bat_edit {
     bat_edit_kind kind;
     bat_id object; /* the object changed; NEW: the id it gets */
@@ -34,6 +49,9 @@ typedef struct bat_edit {
     int level;    /* LEVEL: the one redrawn, or a bat_level_choice */
     bat_id other; /* JOIN: the object joined to it */
     int other_curve;
+    bat_sketch_meaning meaning; /* NEW, REDRAW, EXTEND */
+    int part_count;             /* SEVERAL; object, curve: the first of them */
+    bat_edit_part part[BAT_EDIT_PARTS];
     bat_view view; /* the stroke's samples are view pixels of this view */
     bat_sketch_options options;
     bat_style style; /* NEW */

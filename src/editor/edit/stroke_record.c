@@ -56,6 +56,39 @@ static void write_style(bat_text *line, const bat_style *style) {
     if (style->join != usual.join) number(line, "join", (double)style->join);
 }
 
+static bool is_redraw(bat_edit_kind kind) { return kind == BAT_EDIT_REDRAW || kind == BAT_EDIT_EXTEND; }
+
+/* What the choice of meaning has said of a redraw. */
+static void write_redraw(bat_text *line, const bat_sketch_meaning *meaning) {
+    if (meaning->sense) number(line, "sense", meaning->sense);
+    if (!meaning->end[0] && !meaning->end[1]) return;
+    bat_text_string(line, ",\"ends\":");
+    bat_line_numbers(line, (double[]){(double)meaning->end[0], (double)meaning->end[1]}, 2, 1);
+}
+
+static void write_new(bat_text *line, const bat_sketch_meaning *meaning) {
+    if (meaning->closing)
+        bat_text_string(line, meaning->closing == BAT_CLOSING_YES ? ",\"closed\":true" : ",\"closed\":false");
+    if (!meaning->put) return;
+    bat_text_string(line, ",\"start\":");
+    bat_line_numbers(line, meaning->start, 2, 1);
+}
+
+static void write_parts(bat_text *line, const bat_edit *edit) {
+    bat_text_string(line, ",\"parts\":[");
+    for (int i = 0; i < edit->part_count; i++) {
+        const bat_edit_part *part = &edit->part[i];
+        bat_text_string(line, i ? ",{\"object\":" : "{\"object\":");
+        bat_line_number(line, (double)part->object);
+        number(line, "curve", part->curve);
+        write_redraw(line, &part->meaning);
+        bat_text_string(line, ",\"end\":");
+        bat_line_numbers(line, part->end, 2, 1);
+        bat_text_string(line, "}");
+    }
+    bat_text_string(line, "]");
+}
+
 void bat_edit_write(const bat_edit *edit, bat_text *line) {
     bat_text_string(line, "{\"do\":\"");
     bat_text_string(line, bat_edit_name(edit->kind));
@@ -63,6 +96,8 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     number(line, "object", (double)edit->object);
     if (edit->kind != BAT_EDIT_NEW) number(line, "curve", edit->curve);
     if (edit->kind == BAT_EDIT_LEVEL) number(line, "level", edit->level);
+    if (is_redraw(edit->kind)) write_redraw(line, &edit->meaning);
+    if (edit->kind == BAT_EDIT_SEVERAL) write_parts(line, edit);
     if (edit->kind == BAT_EDIT_JOIN) {
         number(line, "other", (double)edit->other);
         number(line, "other_curve", edit->other_curve);
@@ -72,6 +107,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
         number(line, "stroke_width", edit->style.width);
         write_style(line, &edit->style);
         if (edit->parent) number(line, "parent", (double)edit->parent);
+        write_new(line, &edit->meaning);
     }
     number(line, "tolerance", edit->options.tolerance);
     number(line, "pixel", edit->options.pixel);
@@ -209,6 +245,48 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
     return BAT_OK;
 }
 
+/* Two numbers, when they are there. */
+static bool read_pair(reader *r, const char *name, double limit, double out[2]) {
+    uint32_t node = bat_json_member(r->json, r->object, name);
+    if (!node || r->status != BAT_OK) return false;
+    if (!item_pair(r->json, node, limit, out))
+        r->status = bat_json_complain(r->json, node, BAT_SYNTAX, name, "two numbers", r->problem);
+    return r->status == BAT_OK;
+}
+
+static void read_redraw(reader *r, bat_sketch_meaning *meaning) {
+    static const double none = 0;
+    double ends[2] = {0, 0};
+    meaning->sense = (int)read(r, "sense", -1, 1, &none);
+    if (!read_pair(r, "ends", BAT_END_RULE_HELD, ends)) return;
+    for (int side = 0; side < 2; side++) meaning->end[side] = (bat_end_rule)fmax(ends[side], 0);
+}
+
+static void read_new(reader *r, bat_sketch_meaning *meaning) {
+    uint32_t closed = bat_json_member(r->json, r->object, "closed");
+    if (closed)
+        meaning->closing = bat_json_type_of(r->json, closed) == BAT_JSON_TRUE ? BAT_CLOSING_YES
+                                                                              : BAT_CLOSING_NO;
+    meaning->put = read_pair(r, "start", 1e100, meaning->start);
+}
+
+static void read_parts(reader *r, bat_edit *edit) {
+    uint32_t list = bat_json_member(r->json, r->object, "parts"), node = bat_json_first(r->json, list);
+    uint32_t count = bat_json_count(r->json, list);
+    if (r->status == BAT_OK && (count < 1 || count > BAT_EDIT_PARTS))
+        r->status = bat_json_complain(r->json, list ? list : r->object, BAT_COUNT, "parts",
+                                      "a list of 1 to 6", r->problem);
+    for (uint32_t i = 0; i < count && r->status == BAT_OK; i++, node = r->json->nodes[node].next) {
+        bat_edit_part *part = &edit->part[edit->part_count++];
+        reader inner = {r->json, node, r->problem, BAT_OK};
+        part->object = (bat_id)read_whole(&inner, "object", 1, 2147483647);
+        part->curve = read_whole(&inner, "curve", 0, 2147483647);
+        read_redraw(&inner, &part->meaning);
+        read_pair(&inner, "end", 1e100, part->end);
+        r->status = inner.status;
+    }
+}
+
 static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
     static const double low[4] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180},
                         high[4] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180};
@@ -245,6 +323,8 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     out->object = (bat_id)read_whole(&r, "object", 1, ids);
     if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
     if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);
+    if (is_redraw(out->kind)) read_redraw(&r, &out->meaning);
+    if (out->kind == BAT_EDIT_SEVERAL) read_parts(&r, out);
     if (out->kind == BAT_EDIT_JOIN) {
         out->other = (bat_id)read_whole(&r, "other", 1, ids);
         out->other_curve = read_whole(&r, "other_curve", 0, ids);
@@ -255,6 +335,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
         out->style.width = read(&r, "stroke_width", 0, 1e9, &out->style.width);
         read_style(&r, &out->style);
         out->parent = (bat_id)read(&r, "parent", 0, ids, &none);
+        read_new(&r, &out->meaning);
     }
     bat_sketch_options *options = &out->options;
     *options = bat_sketch_defaults();

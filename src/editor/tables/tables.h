@@ -54,7 +54,7 @@ typedef enum bat_property_group {
 
 /* What others may expect of a tool; bits. */
 enum {
-    BAT_DRAWS = 1,         /* new curves, freehand; shows no selection */
+    BAT_DRAWS = 1,         /* new curves, freehand; of old ones only what is selected changes */
     BAT_CHOOSES = 2,       /* objects, and shows handles for what is chosen */
     BAT_ERASES = 4,        /* is the pen's other end */
     BAT_NAVIGATES = 8,     /* contacts move the view */

@@ -46,7 +46,6 @@ bool bat_toolbox_drop_uncommitted(bat_context *c) {
 
 /* A range stays, for the other tool to do something with it. */
 void bat_toolbox_choose(bat_context *c, bat_tool_id id) {
-    if (bat_tool_at(id)->traits & BAT_DRAWS) bat_selection_clear(&c->choice->selection); /* it is not shown */
     bat_waypoints_end(c);
     if (!c->toolbox->range.on) bat_toolbox_drop(c);
     const bat_tool *before = bat_toolbox_tool(c);

@@ -42,7 +42,7 @@ bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke
         bat_clean_free(&clean);
         return status;
     }
-    bat_correspondence found = bat_correspond(&canvas.track, &clean);
+    bat_correspondence found = bat_correspond(&canvas.track, &clean, 0);
     if (found.reversed) bat_clean_reverse(&clean);
     const double near = fmin(found.offset[0], found.offset[1]);
     if (found.loop || near > fmax(40, 0.25 * clean.length)) status = BAT_FAR;

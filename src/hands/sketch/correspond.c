@@ -28,7 +28,7 @@ static void look(const bat_track *k, const bat_clean *stroke, double s, ends *e)
     e->trust = e->near[0].distance > far ? far / e->near[0].distance * 0.5 : 1;
 }
 
-bat_correspondence bat_correspond(const bat_track *k, const bat_clean *stroke) {
+bat_correspondence bat_correspond(const bat_track *k, const bat_clean *stroke, int sense) {
     const size_t m = (size_t)stroke->dimension;
     const double L = stroke->length, loop = k->length;
     const bool closed = k->curve->closed;
@@ -43,6 +43,7 @@ bat_correspondence bat_correspond(const bat_track *k, const bat_clean *stroke) {
         for (int j = 0; j < b.count; j++)
             for (int way = 0; way < (closed ? 4 : 2); way++) {
                 const double sign = way % 2 ? -1 : 1;
+                if (sign * sense < 0) continue;
                 double arc = (b.near[j].s - a.near[i].s) * sign; /* along the stroke's way */
                 double loop_penalty = 0;
                 if (closed) {

@@ -16,7 +16,8 @@ bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
     const double far = fmax(40, 0.25 * stroke->length);
-    if (fmin(found->offset[0], found->offset[1]) > far) return BAT_FAR;
+    const bool told = plan->end[0].rule || plan->end[1].rule;
+    if (!told && fmin(found->offset[0], found->offset[1]) > far) return BAT_FAR;
     for (int side = 0; side < 2; side++) {
         bat_end *e = &plan->end[side];
         e->s = side == 0 ? found->start : found->end;
@@ -29,7 +30,9 @@ bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
         e->corner = false;
         if (plan->closed) continue;
         const double stub = side == 0 ? e->s : e->track->length - e->s;
-        if (stub < fmax(e->offset, shortest_stub) || e->offset > far) e->kind = BAT_END_FREE;
+        if (e->rule != BAT_END_RULE_HELD && (stub < fmax(e->offset, shortest_stub) || e->offset > far))
+            e->kind = BAT_END_FREE;
+        if (e->rule == BAT_END_RULE_FREE) e->kind = BAT_END_FREE;
     }
     return BAT_OK;
 }
@@ -132,6 +135,11 @@ void bat_plan_cuts(bat_plan *plan) {
         bat_end *e = &plan->end[side];
         if (e->kind == BAT_END_FREE) continue;
         const bat_track *k = e->track;
+        if (e->rule == BAT_END_RULE_HELD && !plan->closed) {
+            stop_at(e, side, side == 0 ? k->start : k->end, false);
+            e->blend = fmin(fmax(12, 3 * e->offset), 0.3 * L);
+            continue;
+        }
         if (plan->keep_corners) {
             const int corner = corner_in(e, side, e->lead);
             if (corner >= 0) {

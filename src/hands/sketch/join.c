@@ -58,8 +58,9 @@ static bat_status prepare(const bat_curve *curve, int degree, bool turned, doubl
     return status;
 }
 
-bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
-                           const bat_sketch_options *given, bat_curve **out, bat_sketch_report *report) {
+/* own: both keep the parameters they have; else the second gets the first one's speed. */
+static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
+                       const bat_sketch_options *given, bool own, bat_curve **out, bat_sketch_report *report) {
     bat_sketch_options o;
     if (!a || !b || !out) return BAT_ARGUMENT;
     bat_status status = bat_sketch_check(stroke, given, &o);
@@ -113,7 +114,7 @@ bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_str
         for (int side = 0; side < 2 && status == BAT_OK; side++) {
             bat_curve *ready;
             status = prepare(given_curve[side], degree, found[side].turned,
-                             canvas[side].track.length * o.pixel, side == 0 ? 0 : speed, &ready);
+                             canvas[side].track.length * o.pixel, side == 0 || own ? 0 : speed, &ready);
             bat_canvas_free(&canvas[side]);
             if (status != BAT_OK) break;
             status = bat_canvas_make(ready, origin, o.pixel, &canvas[side]);
@@ -141,4 +142,27 @@ bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_str
     for (int side = 0; side < 2; side++) bat_canvas_free(&canvas[side]);
     bat_clean_free(&clean);
     return status;
+}
+
+bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
+                           const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report) {
+    return join(a, b, stroke, options, false, out, report);
+}
+
+/* The curve cut in the middle, its two ends joined, and the cut mended: there it is as it was. */
+bat_status bat_sketch_close(const bat_curve *curve, const bat_stroke *stroke,
+                            const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report) {
+    if (!curve || !out || curve->closed) return BAT_ARGUMENT;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    bat_curve *half[2] = {NULL, NULL}, *bridged = NULL;
+    bat_status status = bat_curve_split(curve, 0.5 * (domain[0] + domain[1]), &half[0], &half[1]), met = BAT_OK;
+    if (status == BAT_OK) {
+        met = join(half[1], half[0], stroke, options, true, &bridged, report);
+        status = met == BAT_TOLERANCE ? BAT_OK : met;
+    }
+    if (status == BAT_OK) status = bat_curve_close(bridged, 1e-9 * bat_curve_size(bridged), out);
+    bat_curve_free(bridged);
+    for (int i = 0; i < 2; i++) bat_curve_free(half[i]);
+    return status == BAT_OK ? met : status;
 }

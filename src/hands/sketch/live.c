@@ -12,6 +12,7 @@ struct bat_sketch_live {
     bat_curve *curve; /* NULL: a new curve */
     bat_sketch_kind kind;
     bat_sketch_options options;
+    bat_sketch_meaning meaning;
     int dimension;
     size_t count, room;
     double *points;
@@ -43,6 +44,8 @@ bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind, const 
     *out = live;
     return BAT_OK;
 }
+
+void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning) { live->meaning = *meaning; }
 
 bat_status bat_sketch_add(bat_sketch_live *live, const bat_stroke *samples) {
     if (!live || !samples || (!samples->points && samples->count > 0)) return BAT_ARGUMENT;
@@ -83,10 +86,10 @@ static bat_status run(const bat_sketch_live *live, bat_sketch_hints *hints, bat_
     const bat_stroke stroke = {
         .dimension = live->dimension, .count = live->count, .points = live->points ? live->points : nothing};
     if (live->kind == BAT_SKETCH_NEW)
-        return bat_sketch_new_with(&stroke, &live->options, false, hints, out, report);
+        return bat_sketch_new_with(&stroke, &live->options, &live->meaning, hints, out, report);
     if (live->kind == BAT_SKETCH_SMOOTH)
         return bat_sketch_smooth_with(live->curve, &stroke, &live->options, hints, out, report);
-    return bat_sketch_with(live->curve, &stroke, &live->options, hints, out, report);
+    return bat_sketch_with(live->curve, &stroke, &live->options, &live->meaning, hints, out, report);
 }
 
 bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch_preview_info *info) {

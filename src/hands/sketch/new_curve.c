@@ -3,8 +3,28 @@
 
 #include <math.h>
 
-bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_options *given, bool force_closed,
-                               bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report) {
+static const double put_over = 24; /* px along which the stroke's start gives way to where it is put */
+
+/* The stroke starts at `start` (document units), and lies as it did from a little way on. */
+static void put_start(bat_clean *clean, const double start[2], const double *origin, double pixel) {
+    double move[2], off = 0;
+    for (int k = 0; k < 2; k++) {
+        move[k] = (start[k] - origin[k]) / pixel - clean->points[k];
+        off += move[k] * move[k];
+    }
+    const double over = fmin(fmax(put_over, 4 * sqrt(off)), 0.5 * clean->length);
+    for (size_t i = 0; i < clean->count && clean->arc[i] < over; i++) {
+        const double f = 1 - clean->arc[i] / over, fade = f * f * (3 - 2 * f);
+        for (size_t k = 0; k < 2; k++) clean->points[2 * i + k] += fade * move[k];
+    }
+    bat_clean_cut(clean, 0, clean->count - 1); /* measures it again */
+}
+
+bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_options *given,
+                               const bat_sketch_meaning *meaning, bat_sketch_hints *hints, bat_curve **out,
+                               bat_sketch_report *report) {
+    static const bat_sketch_meaning unknown = {0};
+    if (!meaning) meaning = &unknown;
     bat_sketch_options o;
     if (!out) return BAT_ARGUMENT;
     bat_status status = bat_sketch_check(stroke, given, &o);
@@ -26,7 +46,10 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
                      .stroke = &clean,
                      .speed = 1 / o.pixel};
     plan.end[0].kind = plan.end[1].kind = BAT_END_FREE;
-    plan.periodic = force_closed || bat_clean_closes(&clean);
+    plan.periodic = meaning->closing == BAT_CLOSING_YES ||
+                    (meaning->closing == BAT_CLOSING_AUTO && bat_clean_closes(&clean));
+    if (meaning->put && !plan.periodic && clean.dimension == 2)
+        put_start(&clean, meaning->start, origin, o.pixel);
     bat_sketch_report facts = {0};
     status = plan.periodic ? bat_plan_ring(&plan) : bat_plan_target(&plan);
     if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);
@@ -38,5 +61,11 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
 
 bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *options, bool force_closed,
                           bat_curve **out, bat_sketch_report *report) {
-    return bat_sketch_new_with(stroke, options, force_closed, NULL, out, report);
+    const bat_sketch_meaning meaning = {.closing = force_closed ? BAT_CLOSING_YES : BAT_CLOSING_AUTO};
+    return bat_sketch_new_with(stroke, options, &meaning, NULL, out, report);
+}
+
+bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_options *options,
+                                const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report) {
+    return bat_sketch_new_with(stroke, options, meaning, NULL, out, report);
 }

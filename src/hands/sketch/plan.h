@@ -5,6 +5,7 @@
 
 #include "hands/sketch/correspond.h"
 #include "hands/sketch/fit_interval.h"
+#include "hands/sketch/meant.h"
 
 typedef enum bat_end_kind {
     BAT_END_KEPT,  /* what lies beyond is kept; the new piece joins it C^(p-1) */
@@ -15,6 +16,7 @@ typedef enum bat_end_kind {
 /* One end of the stretch that changes; end 0 lies before it, end 1 after it. */
 typedef struct bat_end {
     bat_end_kind kind;
+    bat_end_rule rule;
     const bat_curve *curve;    /* in pixels; borrowed */
     const bat_curve *original; /* the same in document units; borrowed */
     const bat_track *track;

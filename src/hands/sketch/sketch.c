@@ -231,45 +231,32 @@ static bat_status plan_ring(bat_plan *plan, const bat_canvas *canvas, bat_sketch
     return bat_plan_ring(plan);
 }
 
-bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *given,
-                           bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report) {
-    bat_sketch_options o;
-    if (!curve || !out) return BAT_ARGUMENT;
-    bat_status status = bat_sketch_check(stroke, given, &o);
-    if (status != BAT_OK) return status;
-    if (stroke->dimension != curve->dimension) return BAT_DIMENSION;
-    double origin[BAT_DIMENSION_MAX];
-    bat_stroke_origin(stroke, origin);
-    bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve)};
-    const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners,
-                                        hints ? hints->memory : NULL};
-    bat_clean clean;
-    status = bat_clean_stroke(stroke, &cleaning, &clean);
-    if (status != BAT_OK) return status;
+/* The cleaned stroke over the curve. Takes no part of `clean` over, but may turn it round. */
+static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_sketch_options *o,
+                         const double *origin, const bat_sketch_meaning *meaning, bat_sketch_hints *hints,
+                         bat_curve **out, bat_sketch_report *report) {
     bat_canvas canvas;
-    status = bat_canvas_make(curve, origin, o.pixel, &canvas);
-    if (status != BAT_OK) {
-        bat_clean_free(&clean);
-        return status;
-    }
+    bat_status status = bat_canvas_make(curve, origin, o->pixel, &canvas);
+    if (status != BAT_OK) return status;
     const int p = canvas.pixels->degree;
+    bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve)};
     bat_plan plan = {.degree = p,
-                     .dimension = stroke->dimension,
-                     .pins = o.pins == 2 ? p - 1 : p,
-                     .tolerance = tolerance,
-                     .width = o.width,
-                     .keep_corners = o.keep_corners,
+                     .dimension = clean->dimension,
+                     .pins = o->pins == 2 ? p - 1 : p,
+                     .tolerance = o->tolerance / o->pixel,
+                     .width = o->width,
+                     .keep_corners = o->keep_corners,
                      .closed = curve->closed,
-                     .stroke = &clean};
+                     .stroke = clean};
     bat_canvas_bind(&plan, &canvas);
-    const bat_correspondence found = bat_correspond(&canvas.track, &clean);
+    const bat_correspondence found = bat_correspond(&canvas.track, clean, meaning ? meaning->sense : 0);
     const bool all_round = curve->closed &&
-                           ((bat_clean_closes(&clean) && clean.length > 0.5 * canvas.track.length) ||
+                           ((bat_clean_closes(clean) && clean->length > 0.5 * canvas.track.length) ||
                             found.end - found.start >= 0.98 * canvas.track.length);
-    if (!all_round && found.reversed) bat_clean_reverse(&clean);
+    if (!all_round && found.reversed) bat_clean_reverse(clean);
     facts.reversed = found.reversed;
     if (hints) hints->turned = found.reversed;
+    for (int side = 0; side < 2 && meaning; side++) plan.end[side].rule = meaning->end[side ^ found.reversed];
     status = bat_plan_ends(&plan, &found);
     facts.changed[0] = canvas.track.start, facts.changed[1] = canvas.track.end;
     if (status == BAT_OK && all_round) {
@@ -277,20 +264,109 @@ bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, con
     } else if (status == BAT_OK) {
         bat_plan_leads(&plan);
         bat_plan_cuts(&plan);
-        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o.pixel);
+        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o->pixel);
         if (plan.end[0].kind != BAT_END_FREE) facts.changed[0] = plan.end[0].cut;
         if (plan.end[1].kind != BAT_END_FREE) facts.changed[1] = plan.end[1].cut;
         if (status == BAT_OK) status = bat_plan_target(&plan);
     }
-    if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);
+    if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o->pixel, hints, out, &facts);
     if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
     bat_plan_free(&plan);
     bat_canvas_free(&canvas);
+    return status;
+}
+
+static bat_status clean_for(const bat_stroke *stroke, const bat_sketch_options *o, bat_clean_memory *memory,
+                            double *origin, bat_clean *out) {
+    bat_stroke_origin(stroke, origin);
+    const bat_clean_options cleaning = {1 / o->pixel, origin, o->tolerance / o->pixel, o->keep_corners, memory};
+    return bat_clean_stroke(stroke, &cleaning, out);
+}
+
+bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *given,
+                           const bat_sketch_meaning *meaning, bat_sketch_hints *hints, bat_curve **out,
+                           bat_sketch_report *report) {
+    bat_sketch_options o;
+    if (!curve || !out) return BAT_ARGUMENT;
+    bat_status status = bat_sketch_check(stroke, given, &o);
+    if (status != BAT_OK) return status;
+    if (stroke->dimension != curve->dimension) return BAT_DIMENSION;
+    double origin[BAT_DIMENSION_MAX];
+    bat_clean clean;
+    status = clean_for(stroke, &o, hints ? hints->memory : NULL, origin, &clean);
+    if (status != BAT_OK) return status;
+    status = redraw(curve, &clean, &o, origin, meaning, hints, out, report);
     bat_clean_free(&clean);
     return status;
 }
 
 bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
                       bat_curve **out, bat_sketch_report *report) {
-    return bat_sketch_with(curve, stroke, options, NULL, out, report);
+    return bat_sketch_with(curve, stroke, options, NULL, NULL, out, report);
+}
+
+bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
+                            const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report) {
+    return bat_sketch_with(curve, stroke, options, meaning, NULL, out, report);
+}
+
+/* The sample nearest to the cut, after `first` and with some samples left on either side. */
+static size_t cut_sample(const bat_clean *clean, const double *cut, const double *origin, double pixel,
+                         size_t first) {
+    double least = INFINITY;
+    size_t best = first + 2;
+    for (size_t i = first + 2; i + 2 < clean->count; i++) {
+        double d = 0;
+        for (size_t k = 0; k < 2; k++) {
+            const double r = clean->points[2 * i + k] - (cut[k] - origin[k]) / pixel;
+            d += r * r;
+        }
+        if (d < least) least = d, best = i;
+    }
+    return best;
+}
+
+static bat_status copy_part(const bat_clean *clean, size_t first, size_t last, bat_clean *out) {
+    *out = *clean;
+    out->points = malloc(clean->count * 2 * sizeof *out->points);
+    out->arc = malloc(clean->count * sizeof *out->arc);
+    out->corners = malloc((clean->corner_count + 1) * sizeof *out->corners);
+    if (!out->points || !out->arc || !out->corners) return BAT_MEMORY;
+    memcpy(out->points, clean->points, clean->count * 2 * sizeof *out->points);
+    memcpy(out->arc, clean->arc, clean->count * sizeof *out->arc);
+    if (clean->corner_count) memcpy(out->corners, clean->corners, clean->corner_count * sizeof *out->corners);
+    bat_clean_cut(out, first, last);
+    return BAT_OK;
+}
+
+bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const double *cuts,
+                            const bat_sketch_meaning *meaning, const bat_stroke *stroke,
+                            const bat_sketch_options *given, bat_curve **out) {
+    bat_sketch_options o;
+    if (count < 1 || !curves || !out || !meaning || (count > 1 && !cuts)) return BAT_ARGUMENT;
+    bat_status status = bat_sketch_check(stroke, given, &o), met = BAT_OK;
+    if (status != BAT_OK) return status;
+    if (stroke->dimension != 2) return BAT_DIMENSION;
+    double origin[BAT_DIMENSION_MAX];
+    bat_clean clean;
+    status = clean_for(stroke, &o, NULL, origin, &clean);
+    if (status != BAT_OK) return status;
+    int made = 0;
+    size_t first = 0;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        size_t last = clean.count - 1;
+        if (i + 1 < count) last = cut_sample(&clean, cuts + 2 * (size_t)i, origin, o.pixel, first);
+        if (last >= clean.count || first + 1 >= last) status = BAT_DOT;
+        bat_clean part = {0};
+        if (status == BAT_OK) status = copy_part(&clean, first, last, &part);
+        if (status == BAT_OK) status = redraw(curves[i], &part, &o, origin, &meaning[i], NULL, &out[i], NULL);
+        bat_clean_free(&part);
+        if (status == BAT_TOLERANCE) met = status, status = BAT_OK;
+        if (status == BAT_OK) made++;
+        first = last;
+    }
+    bat_clean_free(&clean);
+    if (status == BAT_OK) return met;
+    while (made > 0) bat_curve_free(out[--made]);
+    return status;
 }

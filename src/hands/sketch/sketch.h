@@ -3,6 +3,7 @@
 #define BATTEN_HANDS_SKETCH_SKETCH_H
 
 #include "hands/sketch/plan.h"
+#include "hands/sketch/meant.h"
 
 /* A curve ready for work: degree 3 at least, with its image in pixels and its table. */
 typedef struct bat_canvas {
@@ -46,11 +47,13 @@ bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *o
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
                            bat_curve **out, bat_sketch_report *report);
 
+/* meaning, hints: NULL for none. */
 bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke,
-                           const bat_sketch_options *options, bat_sketch_hints *hints, bat_curve **out,
-                           bat_sketch_report *report);
-bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_options *options, bool force_closed,
-                               bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report);
+                           const bat_sketch_options *options, const bat_sketch_meaning *meaning,
+                           bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report);
+bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_options *options,
+                               const bat_sketch_meaning *meaning, bat_sketch_hints *hints, bat_curve **out,
+                               bat_sketch_report *report);
 bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stroke,
                                   const bat_sketch_options *options, bat_sketch_hints *hints, bat_curve **out,
                                   bat_sketch_report *report);

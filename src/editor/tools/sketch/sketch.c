@@ -1,7 +1,7 @@
 /*
- * The sketch tool. Near a curve a stroke redraws it, elsewhere it makes a new one; Alt smooths; from the end
- * of one curve to the end of another it joins them. The fit is shown while the pen is down, computed once a
- * frame.
+ * The sketch tool. What a stroke means is decided from the whole of it (meaning.h): a new curve, one redrawn, or
+ * several, extended, joined, closed; Alt smooths. What it means so far is shown while the pen is down, with its fit,
+ * computed once a frame. Nothing is bound before the pen is lifted.
  *
  * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be
  * met. PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from
@@ -37,7 +37,6 @@
 
 static const double REACH = 12, REACH_TOUCH = 24; /* px from the pen to a curve that it means */
 static const double TAP = 4;                      /* px that a tap may travel */
-static const double CLOSING_AFTER = 60; /* px from the start before coming back to it means closing */
 static const float HIGHLIGHT_WIDTH = 3, FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
 static const double KNOT_RADIUS = 3.5; /* px */
 
@@ -70,21 +69,28 @@ static void drop_pending(bat_sketching *s) {
     s->has_pending = false;
 }
 
+/* Whether the fit is that of one curve that changes; else what is shown is the stroke itself, as a curve. */
+static bool one_changes(const bat_edit *edit) {
+    return edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND || edit->kind == BAT_EDIT_SMOOTH ||
+           edit->kind == BAT_EDIT_LEVEL;
+}
+
 /* The session, begun at need, is given the samples it has not had. */
 static bat_status feed(bat_context *c) {
     bat_sketching *s = &c->toolbox->sketching;
     if (!s->live) {
-        static const bat_sketch_kind kinds[] = {[BAT_EDIT_NEW] = BAT_SKETCH_NEW,
-                                                [BAT_EDIT_REDRAW] = BAT_SKETCH_REDRAW,
-                                                [BAT_EDIT_SMOOTH] = BAT_SKETCH_SMOOTH};
+        bat_sketch_kind kind = s->edit.kind == BAT_EDIT_SMOOTH ? BAT_SKETCH_SMOOTH
+                               : one_changes(&s->edit)         ? BAT_SKETCH_REDRAW
+                                                               : BAT_SKETCH_NEW;
         const bat_curve *target = NULL;
-        if (s->edit.kind != BAT_EDIT_NEW)
+        if (kind != BAT_SKETCH_NEW)
             target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
-        if (s->edit.kind != BAT_EDIT_NEW && !target) return BAT_STATE;
+        if (kind != BAT_SKETCH_NEW && !target) return BAT_STATE;
         s->fed = 0;
-        bat_status status = bat_sketch_begin(target, kinds[s->edit.kind], &s->edit.options, 2, &s->live);
+        bat_status status = bat_sketch_begin(target, kind, &s->edit.options, 2, &s->live);
         if (status != BAT_OK) return status;
     }
+    if (s->edit.kind != BAT_EDIT_SMOOTH) bat_sketch_mean(s->live, &s->edit.meaning);
     if (s->fed == s->edit.samples.count) return BAT_OK;
     bat_stroke more = bat_samples_stroke(&s->edit.samples, s->fed);
     bat_status status = bat_sketch_add(s->live, &more);
@@ -122,7 +128,7 @@ static void refresh_preview(bat_context *c) {
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
     s->preview.report = info.report;
-    if (curve && s->edit.kind != BAT_EDIT_NEW) keep_blends(&s->preview, &info);
+    if (curve && one_changes(&s->edit)) keep_blends(&s->preview, &info);
 }
 
 /* ---- the stroke ---- */
@@ -145,8 +151,7 @@ static void end_stroke(bat_sketching *s) {
     bat_samples_clear(&s->edit.samples);
     s->state = s->has_pending ? BAT_SKETCHING_PENDING : BAT_SKETCHING_IDLE;
     s->preview_due = false;
-    s->join = (bat_pick){0};
-    s->closing = false;
+    bat_meaning_end(&s->meaning);
     s->predicted_count = 0;
     s->hover_changed = true;
 }
@@ -154,7 +159,10 @@ static void end_stroke(bat_sketching *s) {
 static void start_smoothing(bat_sketching *s) {
     if (s->smoothing) return;
     s->smoothing = true;
-    if (s->edit.kind == BAT_EDIT_REDRAW || s->edit.kind == BAT_EDIT_LEVEL) s->edit.kind = BAT_EDIT_SMOOTH;
+    s->edit.kind = s->pick.object ? BAT_EDIT_SMOOTH : BAT_EDIT_NEW;
+    s->edit.object = s->pick.object;
+    s->edit.curve = s->pick.curve;
+    s->edit.meaning = (bat_sketch_meaning){0};
     drop_session(s);
     s->preview_due = true;
 }
@@ -185,15 +193,13 @@ static void give_up(bat_context *c, bat_status status) {
     bat_notice_failure(c, status);
 }
 
-/* A curve with levels is redrawn at one of them: the active one when it is the chosen curve. */
-static bool meant_level(const bat_context *c, const bat_pick *pick, int *level) {
+bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level) {
     const bat_leveling *l = &c->toolbox->leveling;
-    int at = bat_document_find(c->session->document, pick->object);
-    const bat_shape *shape = at < 0
-                                 ? NULL
-                                 : bat_object_shape(bat_document_at(c->session->document, at), pick->curve);
+    int at = bat_document_find(c->session->document, object);
+    const bat_shape *shape = at < 0 ? NULL
+                                    : bat_object_shape(bat_document_at(c->session->document, at), curve);
     if (!shape) return false;
-    bool chosen = l->object == pick->object && l->curve == pick->curve;
+    bool chosen = l->object == object && l->curve == curve;
     int way = (int)c->settings->values[BAT_PROPERTY_LEVEL_SKETCH];
     *level = way == 1                                        ? BAT_LEVEL_FREE
              : way == 2                                      ? BAT_LEVEL_BARE
@@ -202,36 +208,35 @@ static bool meant_level(const bat_context *c, const bat_pick *pick, int *level) 
     return true;
 }
 
-/* pick: the curve that is meant. */
-static void begin(bat_context *c, const bat_pointer *event, bat_pick pick) {
+/* Before anything is known a stroke is a new curve; forced: it redraws what was picked. */
+static void begin(bat_context *c, const bat_pointer *event, bat_pick pick, bool forced) {
     bat_sketching *s = &c->toolbox->sketching;
     double pixel[2] = {event->x, event->y};
     bat_samples samples = s->edit.samples;
     samples.count = 0;
-    s->edit = (bat_edit){.kind = pick.object ? BAT_EDIT_REDRAW : BAT_EDIT_NEW,
-                         .object = pick.object,
-                         .curve = pick.curve,
+    s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
                          .view = (*c->view),
                          .options = options(c),
                          .style = bat_styling_new(c),
                          .samples = samples};
-    if (meant_level(c, &pick, &s->edit.level)) s->edit.kind = BAT_EDIT_LEVEL;
+    if (forced) {
+        s->edit.object = pick.object;
+        s->edit.curve = pick.curve;
+        bool level = bat_sketching_level(c, pick.object, pick.curve, &s->edit.level);
+        s->edit.kind = level ? BAT_EDIT_LEVEL : BAT_EDIT_REDRAW;
+    }
     s->state = BAT_SKETCHING_DRAWING;
     s->steady = bat_steady_begin(c->settings->values[BAT_PROPERTY_STABILISER], pixel);
     s->device = event->device;
     memcpy(s->hover, pixel, sizeof s->hover);
     s->pick = pick;
+    s->forced = forced;
     s->travelled = 0;
     s->smoothing = false;
-    s->join = (bat_pick){0};
-    s->closing = false;
     s->predicted_count = 0;
-    double point[2];
-    bat_view_to_document(c->view, pixel, point);
-    bat_pick at_end = bat_pick_end(c->scene, point, reach(event->device) * bat_view_pixel(c->view), 0, 0);
-    s->starts_at_end = pick.object && at_end.object == pick.object && at_end.curve == pick.curve;
     if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
-    bat_status status = add_sample(s, event);
+    bat_status status = forced ? BAT_OK : bat_meaning_begin(c, event->device);
+    if (status == BAT_OK) status = add_sample(s, event);
     if (status != BAT_OK)
         give_up(c, status);
     else if (event->modifiers & BAT_ALT)
@@ -239,22 +244,24 @@ static void begin(bat_context *c, const bat_pointer *event, bat_pick pick) {
 }
 
 static void down(bat_context *c, const bat_pointer *event) {
-    begin(c, event, pick_at(c, (double[]){event->x, event->y}, event->device));
+    begin(c, event, pick_at(c, (double[]){event->x, event->y}, event->device), false);
 }
 
-/* What the place of the pen would mean if it were lifted here. */
-static void look_ahead(bat_context *c, const bat_pointer *event) {
+/* What the stroke means so far. It turns only for a better reading, or it would flicker. */
+static void decide(bat_context *c) {
     bat_sketching *s = &c->toolbox->sketching;
-    double pixel[2] = {event->x, event->y}, point[2];
-    s->join = (bat_pick){0};
-    if (s->edit.kind == BAT_EDIT_REDRAW && s->starts_at_end && s->travelled > CLOSING_AFTER) {
-        bat_view_to_document(c->view, pixel, point);
-        s->join = bat_pick_end(c->scene, point, reach(s->device) * bat_view_pixel(c->view), s->edit.object,
-                               s->edit.curve);
+    bat_meaning *m = &s->meaning;
+    if (s->forced || s->smoothing) return;
+    bat_status status = bat_meaning_look(c, &s->edit.samples, false);
+    if (status != BAT_OK || !m->count) return; /* too short yet, or no memory: as it was */
+    const bat_reading *shown = NULL;
+    for (int i = 0; i < m->count && !shown; i++)
+        if (bat_meaning_is(c, &m->readings[i], &s->edit)) shown = &m->readings[i];
+    if (!shown || bat_intent_turns(m->intent, &m->readings[0], shown)) {
+        if (shown != &m->readings[0]) drop_session(s);
+        shown = &m->readings[0];
     }
-    const double *first = s->edit.samples.pixels;
-    s->closing = s->edit.kind == BAT_EDIT_NEW && s->travelled > CLOSING_AFTER &&
-                 bat_hypot(pixel[0] - first[0], pixel[1] - first[1]) <= REACH;
+    bat_meaning_apply(c, shown, &s->edit);
 }
 
 static void move(bat_context *c, const bat_pointer *event) {
@@ -285,33 +292,47 @@ static void move(bat_context *c, const bat_pointer *event) {
 static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
     if (strayed) return BAT_STRING_NOTICE_STRAYED;
     if (edit->kind == BAT_EDIT_JOIN) return BAT_STRING_NOTICE_JOINED;
-    if (edit->kind == BAT_EDIT_NEW && closed) return BAT_STRING_NOTICE_CLOSED;
+    if ((edit->kind == BAT_EDIT_NEW || edit->kind == BAT_EDIT_CLOSE) && closed)
+        return BAT_STRING_NOTICE_CLOSED;
     return BAT_STRING_COUNT;
 }
 
-/* Makes the curve: a join where both ends meet curves, else what the session has; far strokes are new curves.
- */
+/* The curve that the stroke is fitted by as it is, or as a level of it. */
+static bat_status compute(bat_context *c, bat_curve **curve, bat_sketch_report *report) {
+    bat_sketching *s = &c->toolbox->sketching;
+    bat_sketch_live *live = NULL;
+    if (s->edit.kind == BAT_EDIT_SMOOTH || s->forced) {
+        bat_status status = s->edit.kind == BAT_EDIT_LEVEL ? BAT_OK : feed(c);
+        if (status != BAT_OK) return status;
+        live = s->live;
+        s->live = NULL;
+    }
+    return bat_edit_compute(c, &s->edit, live, curve, report);
+}
+
+/* What the whole stroke means, carried out; the next reading where that cannot be. Too far for a redraw: a new curve. */
 static bat_status make(bat_context *c, bat_curve **curve, bat_sketch_report *report, bool *strayed) {
     bat_sketching *s = &c->toolbox->sketching;
     bat_edit *edit = &s->edit;
-    if (s->join.object) {
-        edit->kind = BAT_EDIT_JOIN;
-        edit->other = s->join.object;
-        edit->other_curve = s->join.curve;
-        bat_status status = bat_edit_compute(c, edit, NULL, curve, report);
-        if (status == BAT_OK || status == BAT_TOLERANCE || status == BAT_MEMORY) return status;
-        edit->kind = BAT_EDIT_REDRAW;
+    bat_status status = BAT_OK;
+    int tried = 0;
+    if (!s->forced && !s->smoothing) {
+        status = bat_meaning_look(c, &edit->samples, true);
+        if (status != BAT_OK && status != BAT_DOT) return status;
+        if (status == BAT_DOT) s->meaning.count = 0;
     }
-    bool level = edit->kind == BAT_EDIT_LEVEL;
-    bat_status status = level ? BAT_OK : feed(c);
-    if (status != BAT_OK) return status;
-    bat_sketch_live *live = s->live;
-    s->live = NULL;
-    status = bat_edit_compute(c, edit, live, curve, report);
-    if (status != BAT_FAR || (edit->kind != BAT_EDIT_REDRAW && !level)) return status;
-    edit->kind = BAT_EDIT_NEW;
-    *strayed = true;
-    return bat_edit_compute(c, edit, NULL, curve, report);
+    do {
+        if (tried < s->meaning.count && !s->smoothing)
+            bat_meaning_apply(c, &s->meaning.readings[tried], edit);
+        status = compute(c, curve, report);
+        if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
+            edit->kind = BAT_EDIT_NEW;
+            *strayed = true;
+            return bat_edit_compute(c, edit, NULL, curve, report);
+        }
+    } while (status != BAT_OK && status != BAT_TOLERANCE && status != BAT_MEMORY && status != BAT_DOT &&
+             status != BAT_STATE && ++tried < s->meaning.count);
+    return status;
 }
 
 static void keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report) {
@@ -352,7 +373,7 @@ static void up(bat_context *c, const bat_pointer *event) {
         bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
         return;
     }
-    look_ahead(c, event);
+    (void)event;
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bool strayed = false;
@@ -403,7 +424,7 @@ void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat
             continue;
         }
         if (object)
-            begin(c, &event, (bat_pick){.object = object, .curve = curve});
+            begin(c, &event, (bat_pick){.object = object, .curve = curve}, true);
         else
             down(c, &event);
         c->toolbox->sketching.steady = bat_steady_begin(0,
@@ -456,8 +477,9 @@ static bool busy(const bat_context *c) { return c->toolbox->sketching.state == B
 static void update(bat_context *c) {
     bat_sketching *s = &c->toolbox->sketching;
     if (s->state == BAT_SKETCHING_DRAWING) {
-        if (s->preview_due && !smooths_nothing(s)) refresh_preview(c);
-        look_ahead(c, &(bat_pointer){.x = s->hover[0], .y = s->hover[1]});
+        if (!s->preview_due || smooths_nothing(s)) return;
+        decide(c);
+        refresh_preview(c);
         return;
     }
     const bat_view *view = c->view;
@@ -531,10 +553,12 @@ static void show_stroke(const bat_context *c, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
-    if (s->edit.kind != BAT_EDIT_NEW)
-        target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
-    if (target && !preview->curve) highlight(c, overlay, s->edit.object, s->edit.curve);
-    if (s->join.object) highlight(c, overlay, s->join.object, s->join.curve);
+    if (one_changes(&s->edit)) target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
+    if (s->edit.kind != BAT_EDIT_NEW && (!target || !preview->curve))
+        highlight(c, overlay, s->edit.object, s->edit.curve);
+    if (s->edit.kind == BAT_EDIT_JOIN) highlight(c, overlay, s->edit.other, s->edit.other_curve);
+    for (int i = 1; i < s->edit.part_count; i++)
+        highlight(c, overlay, s->edit.part[i].object, s->edit.part[i].curve);
     if (preview->curve && target) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
@@ -545,7 +569,7 @@ static void show_stroke(const bat_context *c, bat_overlay *overlay) {
                              preview->blends + 2 * preview->blend_counts[0]);
     }
     if (preview->curve)
-        show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, s->edit.kind == BAT_EDIT_NEW,
+        show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, !one_changes(&s->edit),
                  bat_view_pixel(c->view));
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink by the pen to what is to come */
@@ -564,7 +588,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
     const bat_sketching *s = &c->toolbox->sketching;
     if (s->has_pending) {
         const bat_edit *edit = &s->pending;
-        bool whole = edit->kind == BAT_EDIT_NEW || edit->kind == BAT_EDIT_JOIN;
+        bool whole = !one_changes(edit);
         if (!whole) show_stretch(c, list, edit, &s->pending_report);
         show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole,
                  bat_view_pixel(c->view));
@@ -575,22 +599,33 @@ static void overlay(bat_context *c, bat_overlay *list) {
         highlight(c, list, s->pick.object, s->pick.curve);
 }
 
+static bat_string doing(const bat_edit *edit) {
+    static const bat_string hints[BAT_EDIT_COUNT] = {[BAT_EDIT_NEW] = BAT_STRING_HINT_DRAWING,
+                                                     [BAT_EDIT_REDRAW] = BAT_STRING_HINT_REDRAWING,
+                                                     [BAT_EDIT_SMOOTH] = BAT_STRING_HINT_SMOOTHING,
+                                                     [BAT_EDIT_JOIN] = BAT_STRING_HINT_JOINING,
+                                                     [BAT_EDIT_LEVEL] = BAT_STRING_HINT_REDRAWING,
+                                                     [BAT_EDIT_EXTEND] = BAT_STRING_HINT_EXTENDING,
+                                                     [BAT_EDIT_CLOSE] = BAT_STRING_HINT_CLOSING,
+                                                     [BAT_EDIT_SEVERAL] = BAT_STRING_HINT_REDRAWING_SEVERAL};
+    bool closes = edit->kind == BAT_EDIT_NEW && edit->meaning.closing == BAT_CLOSING_YES;
+    return closes ? BAT_STRING_HINT_CLOSING : hints[edit->kind];
+}
+
 static bat_string hint(const bat_context *c) {
     const bat_sketching *s = &c->toolbox->sketching;
     if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
         if (smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
         if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
-        if (s->join.object) return BAT_STRING_HINT_JOINING;
         if (s->preview.status == BAT_FAR) return BAT_STRING_HINT_STRAYED;
-        if (s->edit.kind == BAT_EDIT_REDRAW || s->edit.kind == BAT_EDIT_LEVEL)
-            return BAT_STRING_HINT_REDRAWING;
-        return s->closing ? BAT_STRING_HINT_CLOSING : BAT_STRING_HINT_DRAWING;
+        return doing(&s->edit);
     }
     if (c->modifiers & BAT_ALT)
         return s->pick.object ? BAT_STRING_HINT_SMOOTH : BAT_STRING_HINT_SMOOTH_NOTHING;
     int level = -1;
-    if (meant_level(c, &s->pick, &level) && level >= 0) return BAT_STRING_HINT_LEVEL_SKETCH;
+    if (bat_sketching_level(c, s->pick.object, s->pick.curve, &level) && level >= 0)
+        return BAT_STRING_HINT_LEVEL_SKETCH;
     return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
 

@@ -6,6 +6,7 @@
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
+#include "editor/tools/sketch/meaning.h"
 
 typedef enum bat_sketching_state {
     BAT_SKETCHING_IDLE,    /* hovering or away */
@@ -34,15 +35,14 @@ typedef struct bat_sketching {
     /* DRAWING */
     bat_edit edit;         /* of the stroke under the pen */
     bat_steady steady;     /* between the pen and the samples */
-    bool starts_at_end;    /* of an open curve: may join */
+    bool forced;           /* what it means was said beforehand */
+    bat_meaning meaning;   /* what it may mean */
     bool smoothing;        /* Alt was held at some moment of the stroke */
     double travelled;      /* pixels, the greatest distance from the first sample */
     bat_sketch_live *live; /* NULL: no session (it is begun when it is needed) */
     size_t fed;            /* samples the session has */
     bool preview_due;
     bat_sketching_preview preview;
-    bat_pick join; /* the end of another curve that the pen is at */
-    bool closing;
     size_t predicted_count;
     double predicted[2 * 16]; /* document units */
 
@@ -59,5 +59,8 @@ typedef struct bat_sketching {
 void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat_id object, int curve);
 void bat_sketching_lift(bat_context *c);
 void bat_sketching_drop(bat_context *c);
+
+/* Whether the curve has levels, and which of them a stroke over it redraws. */
+bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level);
 
 #endif

@@ -1,0 +1,222 @@
+#include "editor/tools/sketch/meaning.h"
+#include "editor/tools/all_parts.h"
+#include "base/real.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double STRIDE = 16; /* px between two looks for curves */
+static const double BESIDE = 64; /* px from the stroke within which a curve can matter */
+
+/* Whether entry i, walked through in order, is chosen, by itself or with a group it is in. end: 0 at first. */
+static bool chosen(const bat_context *c, int i, int *end) {
+    bat_id id = bat_object_id(c->scene->entries[i].object);
+    if (i >= *end && bat_selection_has(&c->choice->selection, id))
+        *end = bat_document_end(c->session->document, i);
+    return i < *end;
+}
+
+/* Whether something that could be meant is chosen. */
+static bool restricts(const bat_context *c) {
+    const bat_scene *scene = c->scene;
+    for (int i = 0, end = 0; i < scene->count && c->choice->selection.count; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        bool within = chosen(c, i, &end);
+        if (within && !entry->hidden && !entry->locked && bat_object_curve_count(entry->object)) return true;
+    }
+    return false;
+}
+
+bat_status bat_meaning_begin(bat_context *c, bat_device device) {
+    bat_meaning *m = &c->toolbox->sketching.meaning;
+    bat_stage_sync(c);
+    bat_meaning_end(m);
+    m->restricts = restricts(c);
+    return bat_intent_create(device == BAT_DEVICE_TOUCH, m->restricts, &m->intent);
+}
+
+void bat_meaning_end(bat_meaning *m) {
+    bat_intent_free(m->intent);
+    free(m->curves);
+    *m = (bat_meaning){0};
+}
+
+static bool has(const bat_meaning *m, bat_id object, int curve) {
+    for (int i = 0; i < m->curve_count; i++)
+        if (m->curves[i].object == object && m->curves[i].curve == curve) return true;
+    return false;
+}
+
+static bool boxes_meet(const double a[4], const double b[4]) {
+    return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+}
+
+/* Box of the control points, which holds the curve. */
+static void hull(const bat_curve *curve, double box[4]) {
+    const double *p = bat_curve_points(curve);
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < 2 * bat_curve_count(curve); i++) {
+        box[i & 1] = fmin(box[i & 1], p[i]);
+        box[2 + (i & 1)] = fmax(box[2 + (i & 1)], p[i]);
+    }
+}
+
+static bat_status take(bat_context *c, int entry, int index, const double map[6], bool meant) {
+    bat_meaning *m = &c->toolbox->sketching.meaning;
+    const bat_object *object = c->scene->entries[entry].object;
+    bat_id id = bat_object_id(object);
+    if (m->curve_count == m->curve_room) {
+        int room = m->curve_room ? 2 * m->curve_room : 16;
+        bat_meaning_curve *curves = realloc(m->curves, (size_t)room * sizeof *curves);
+        if (!curves) return BAT_MEMORY;
+        m->curves = curves;
+        m->curve_room = room;
+    }
+    bat_status status = bat_intent_line(m->intent, bat_object_curve(object, index), map, meant);
+    if (status == BAT_OK) m->curves[m->curve_count++] = (bat_meaning_curve){id, entry, index};
+    return status == BAT_NUMBER ? BAT_OK : status; /* too far out to be near anything */
+}
+
+static void map_of(const bat_view *view, double map[6]) {
+    const double z = view->zoom, c = view->cosine * z, s = view->sine * z;
+    const double to[6] = {c, -s, -(c * view->x - s * view->y), s, c, -(s * view->x + c * view->y)};
+    memcpy(map, to, sizeof to);
+}
+
+/* Curves near one place of the stroke, in the order in which they lie. */
+static bat_status look_at(bat_context *c, const bat_view *view, const double point[2], double within) {
+    bat_meaning *m = &c->toolbox->sketching.meaning;
+    const bat_scene *scene = c->scene;
+    const double box[4] = {point[0] - within, point[1] - within, point[0] + within, point[1] + within};
+    double map[6];
+    map_of(view, map);
+    bat_status status = BAT_OK;
+    for (int i = 0, end = 0; i < scene->count && status == BAT_OK; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        bool meant = !m->restricts || chosen(c, i, &end);
+        if (entry->hidden || entry->locked || !boxes_meet(entry->box, box)) continue;
+        int count = bat_object_curve_count(entry->object);
+        for (int j = 0; j < count && status == BAT_OK; j++) {
+            const bat_curve *curve = bat_object_curve(entry->object, j);
+            double own[4];
+            if (bat_curve_dimension(curve) != 2 || has(m, bat_object_id(entry->object), j)) continue;
+            if (count > 1) hull(curve, own);
+            if (count == 1 || boxes_meet(own, box)) status = take(c, i, j, map, meant);
+        }
+    }
+    return status;
+}
+
+bat_status bat_meaning_look(bat_context *c, const bat_samples *samples, bool whole) {
+    bat_meaning *m = &c->toolbox->sketching.meaning;
+    const bat_view *view = &c->toolbox->sketching.edit.view;
+    if (!m->intent || !samples->count) return BAT_STATE;
+    const double within = (BESIDE + STRIDE) * bat_view_pixel(view);
+    bat_stage_sync(c);
+    bat_status status = bat_intent_add(m->intent, samples->count - m->fed, samples->pixels + 2 * m->fed);
+    if (status == BAT_OK) m->fed = samples->count;
+    for (; m->asked < samples->count && status == BAT_OK; m->asked++) {
+        const double *pixel = samples->pixels + 2 * m->asked;
+        bool last = whole && m->asked + 1 == samples->count;
+        if (m->asked && !last && bat_hypot(pixel[0] - m->last[0], pixel[1] - m->last[1]) < STRIDE) continue;
+        memcpy(m->last, pixel, sizeof m->last);
+        status = look_at(c, view, samples->points + 2 * m->asked, within);
+    }
+    m->count = 0;
+    return status == BAT_OK ? bat_intent_rank(m->intent, whole, m->readings, &m->count) : status;
+}
+
+/* ---- readings as edits ---- */
+
+static bat_end_rule rule(const bat_intent_part *part, int side) {
+    return part->free[side] ? BAT_END_RULE_FREE : part->held[side] ? BAT_END_RULE_HELD : BAT_END_RULE_AUTO;
+}
+
+static bat_sketch_meaning meaning_of(const bat_intent_part *part) {
+    return (bat_sketch_meaning){.sense = part->sense, .end = {rule(part, 0), rule(part, 1)}};
+}
+
+/* The sample where the stroke is so long. */
+static const double *point_along(const bat_samples *samples, double along) {
+    double length = 0;
+    size_t i = 1;
+    for (; i + 1 < samples->count && length < along; i++) {
+        const double *p = samples->pixels + 2 * i;
+        length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
+    }
+    return samples->points + 2 * (i < samples->count ? i : 0);
+}
+
+static const bat_edit_kind KINDS[] = {
+    [BAT_INTENT_NEW] = BAT_EDIT_NEW,         [BAT_INTENT_REDRAW] = BAT_EDIT_REDRAW,
+    [BAT_INTENT_SEVERAL] = BAT_EDIT_SEVERAL, [BAT_INTENT_EXTEND] = BAT_EDIT_EXTEND,
+    [BAT_INTENT_JOIN] = BAT_EDIT_JOIN,       [BAT_INTENT_CLOSE] = BAT_EDIT_CLOSE};
+
+static const bat_meaning_curve *curve_of(const bat_context *c, const bat_reading *reading, int part) {
+    return &c->toolbox->sketching.meaning.curves[reading->part[part].line];
+}
+
+/* A curve with levels follows at one of them. */
+static bat_edit_kind kind_of(const bat_context *c, const bat_reading *reading, int *level) {
+    bat_edit_kind kind = KINDS[reading->kind];
+    if (kind != BAT_EDIT_REDRAW && kind != BAT_EDIT_EXTEND) return kind;
+    const bat_meaning_curve *curve = curve_of(c, reading, 0);
+    return bat_sketching_level(c, curve->object, curve->curve, level) ? BAT_EDIT_LEVEL : kind;
+}
+
+static void put_start(bat_context *c, const bat_reading *reading, bat_edit *edit) {
+    if (reading->onto < 0 || !edit->samples.count) return;
+    const bat_meaning_curve *curve = &c->toolbox->sketching.meaning.curves[reading->onto];
+    const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
+    bat_near near;
+    if (!finder) return;
+    bat_finder_nearest(finder, edit->samples.points, &near);
+    edit->meaning.put = true;
+    memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);
+}
+
+void bat_meaning_apply(bat_context *c, const bat_reading *reading, bat_edit *edit) {
+    edit->kind = kind_of(c, reading, &edit->level);
+    edit->meaning = (bat_sketch_meaning){0};
+    edit->object = edit->other = 0;
+    edit->curve = edit->other_curve = edit->part_count = 0;
+    if (reading->kind == BAT_INTENT_NEW) {
+        edit->meaning.closing = reading->closed ? BAT_CLOSING_YES : BAT_CLOSING_NO;
+        put_start(c, reading, edit);
+        return;
+    }
+    edit->object = curve_of(c, reading, 0)->object;
+    edit->curve = curve_of(c, reading, 0)->curve;
+    edit->meaning = meaning_of(&reading->part[0]);
+    if (reading->kind == BAT_INTENT_JOIN) {
+        edit->other = curve_of(c, reading, 1)->object;
+        edit->other_curve = curve_of(c, reading, 1)->curve;
+    }
+    if (reading->kind != BAT_INTENT_SEVERAL) return;
+    edit->part_count = reading->count;
+    for (int i = 0; i < reading->count; i++) {
+        bat_edit_part *part = &edit->part[i];
+        const bat_intent_part *from = &reading->part[i];
+        *part = (bat_edit_part){.object = curve_of(c, reading, i)->object,
+                                .curve = curve_of(c, reading, i)->curve,
+                                .meaning = meaning_of(from)};
+        memcpy(part->end, point_along(&edit->samples, from->along[1]), sizeof part->end);
+    }
+}
+
+bool bat_meaning_is(const bat_context *c, const bat_reading *reading, const bat_edit *edit) {
+    int level = 0;
+    if (kind_of(c, reading, &level) != edit->kind) return false;
+    if (reading->kind == BAT_INTENT_NEW) return true;
+    const bat_meaning_curve *curve = curve_of(c, reading, 0);
+    if (curve->object != edit->object || curve->curve != edit->curve) return false;
+    if (reading->kind == BAT_INTENT_JOIN)
+        return curve_of(c, reading, 1)->object == edit->other &&
+               curve_of(c, reading, 1)->curve == edit->other_curve;
+    if (reading->kind != BAT_INTENT_SEVERAL) return true;
+    bool same = reading->count == edit->part_count;
+    for (int i = 0; i < reading->count && same; i++)
+        same = curve_of(c, reading, i)->object == edit->part[i].object &&
+               curve_of(c, reading, i)->curve == edit->part[i].curve;
+    return same;
+}

@@ -1,0 +1,37 @@
+/*
+ * What the stroke under the pen means: the editor's side of the choice (shape/intent.h). It looks for the curves
+ * beside the stroke as the stroke grows, and makes edits of readings.
+ */
+#ifndef BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
+#define BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
+
+#include "editor/edit/stroke.h"
+#include "hands/sketch/intent.h"
+#include <batten/editor.h>
+
+typedef struct bat_meaning_curve {
+    bat_id object;
+    int entry, curve; /* of the object in the scene, of the curve in the object */
+} bat_meaning_curve;
+
+typedef struct bat_meaning {
+    bat_intent *intent; /* NULL: none under way */
+    size_t fed, asked;  /* samples that the intent has, that curves have been looked for beside */
+    bool restricts;     /* only what is chosen may change */
+    double last[2];     /* pixel where they were looked for last */
+    int curve_count, curve_room;
+    bat_meaning_curve *curves; /* as the intent numbers them */
+    int count;
+    bat_reading readings[BAT_INTENT_READINGS]; /* the best first */
+} bat_meaning;
+
+bat_status bat_meaning_begin(bat_context *c, bat_device device);
+void bat_meaning_end(bat_meaning *meaning);
+/* Reads the stroke so far, or the whole. BAT_DOT: too short to say. */
+bat_status bat_meaning_look(bat_context *c, const bat_samples *samples, bool whole);
+/* The edit as this reading has it; what is not of the reading stays as it is. */
+void bat_meaning_apply(bat_context *c, const bat_reading *reading, bat_edit *edit);
+/* Whether the reading would make that same kind of edit of the same curves. */
+bool bat_meaning_is(const bat_context *c, const bat_reading *reading, const bat_edit *edit);
+
+#endif

@@ -1,0 +1,115 @@
+/* What a stroke means: the lines around it, and the readings in order (docs/math/intent.md). */
+#include "hands/sketch/intent.h"
+#include "hands/sketch/intent_parts.h"
+#include "curve/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double near_enough = 64, hopeless = 2.5, first_say = 8;
+
+bat_status bat_intent_create(bool touch, bool chosen, bat_intent **out) {
+    if (!out) return BAT_ARGUMENT;
+    bat_intent *intent = calloc(1, sizeof *intent);
+    if (!intent) return BAT_MEMORY;
+    intent->touch = touch, intent->chosen = chosen;
+    intent->reach0 = touch ? 2 * INTENT_REACH0 : INTENT_REACH0;
+    intent->on = touch ? 2 * INTENT_ON : INTENT_ON;
+    *out = intent;
+    return BAT_OK;
+}
+
+static void free_line(bat_intent_near *near) {
+    bat_polyline_free(&near->line);
+    for (int t = 0; t < INTENT_SEEDS; t++) free(near->track[t].foot);
+}
+
+void bat_intent_free(bat_intent *intent) {
+    if (!intent) return;
+    for (int i = 0; i < intent->line_count; i++) free_line(&intent->line[i]);
+    free(intent->line);
+    bat_polyline_free(&intent->stroke);
+    free(intent->a);
+    free(intent->steps);
+    free(intent);
+}
+
+bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const double map[6], bool meant) {
+    if (!intent || !curve || bat_curve_dimension(curve) != 2) return BAT_ARGUMENT;
+    if (intent->line_count == intent->line_room) {
+        const int room = intent->line_room ? 2 * intent->line_room : 8;
+        bat_intent_near *line = realloc(intent->line, (size_t)room * sizeof *line);
+        if (!line) return BAT_MEMORY;
+        intent->line = line, intent->line_room = room;
+    }
+    bat_intent_near near = {.meant = meant, .box = {INFINITY, INFINITY, -INFINITY, -INFINITY}};
+    bat_status status = bat_polyline_flatten(curve, map, &near.line);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < near.line.count; i++)
+        for (int k = 0; k < 2; k++) {
+            near.box[k] = fmin(near.box[k], near.line.x[2 * i + k]);
+            near.box[2 + k] = fmax(near.box[2 + k], near.line.x[2 * i + k]);
+        }
+    intent->line[intent->line_count++] = near;
+    /* What touches may have changed. */
+    for (int i = 0; i < intent->line_count; i++) intent->line[i].open[0] = intent->line[i].open[1] = -1;
+    return BAT_OK;
+}
+
+double bat_intent_box(const bat_intent *intent, double box[4]) {
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < intent->stroke.count; i++)
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], intent->stroke.x[2 * i + k]);
+            box[2 + k] = fmax(box[2 + k], intent->stroke.x[2 * i + k]);
+        }
+    return near_enough;
+}
+
+void bat_intent_offer(bat_intent_list *list, const bat_reading *reading) {
+    if (!(reading->cost < INFINITY)) return;
+    int at = list->count < BAT_INTENT_READINGS ? list->count++ : BAT_INTENT_READINGS;
+    for (; at > 0 && list->reading[at - 1].cost > reading->cost; at--)
+        if (at < BAT_INTENT_READINGS) list->reading[at] = list->reading[at - 1];
+    if (at < BAT_INTENT_READINGS) list->reading[at] = *reading;
+}
+
+/* Tracks up to date, and what they say. A line that explains nothing sleeps until the stroke is a quarter longer; the
+ * whole stroke asks all. */
+static bat_status look(bat_intent *intent, bool whole) {
+    for (int i = 0; i < intent->line_count; i++) {
+        bat_intent_near *near = &intent->line[i];
+        near->usable = near->line.count > 1 && bat_polyline_length(&near->line) > 0 &&
+                       (whole || intent->length >= near->asleep);
+        if (!near->usable) continue;
+        bat_status status = bat_intent_feet(intent, near);
+        if (status != BAT_OK) return status;
+        bat_intent_evidence(intent, i);
+        near->asleep = near->sum > hopeless * intent->length && intent->length > 40 ? 1.25 * intent->length : 0;
+    }
+    return BAT_OK;
+}
+
+bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_reading out[BAT_INTENT_READINGS], int *count) {
+    bat_intent_list list = {.reading = out};
+    *count = 0;
+    bat_status status = bat_intent_places(intent);
+    if (status != BAT_OK) return status;
+    if (!whole && intent->length < first_say) return BAT_DOT;
+    status = look(intent, whole);
+    if (status != BAT_OK) return status;
+    bat_intent_new(intent, &list);
+    bat_intent_redraws(intent, &list);
+    bat_intent_ends(intent, &list);
+    status = bat_intent_several(intent, &list);
+    if (status == BAT_OK) *count = list.count;
+    return status;
+}
+
+static bool grave(bat_intent_kind kind) { return kind == BAT_INTENT_REDRAW || kind == BAT_INTENT_SEVERAL; }
+
+bool bat_intent_turns(const bat_intent *intent, const bat_reading *best, const bat_reading *shown) {
+    const double needed = grave(best->kind) || grave(shown->kind) ? fmin(12, 3 + 0.1 * intent->length) : 2;
+    return shown->cost - best->cost >= needed;
+}

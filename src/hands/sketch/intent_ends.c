@@ -1,0 +1,204 @@
+/*
+ * Readings at ends of open curves: extend, join, close. A head is how the stroke gets off an end: it starts there, or it
+ * runs along the curve first and passes it. A tail is the same from the other side.
+ */
+#include "hands/sketch/intent_parts.h"
+#include "base/real.h"
+
+#include <math.h>
+
+static const double passing = 13.5, straight = 10, ran_least = 8;
+
+typedef struct head {
+    double cost;
+    double turn; /* 1 - cosine between curve and stroke, both outwards */
+    bool ran;    /* along the curve first */
+    int place;   /* where it leaves the end */
+} head;
+
+/* The stroke from the other side is the same stroke turned round. */
+static int mirror(const bat_intent *intent, int i, int side) { return side ? intent->places - 1 - i : i; }
+
+static void outwards(const bat_polyline *line, int end, double point[2], double way[2]) {
+    const double length = bat_polyline_length(line), h = fmin(straight, length);
+    double inner[2];
+    bat_polyline_at(line, end ? length : 0, point);
+    bat_polyline_at(line, end ? length - h : h, inner);
+    way[0] = point[0] - inner[0], way[1] = point[1] - inner[1];
+    const double size = bat_hypot(way[0], way[1]);
+    way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
+}
+
+/* Direction in which the stroke goes on from place i, away from `side`. */
+static void going_on(const bat_intent *intent, int i, int side, double way[2]) {
+    const double end = intent->hook + (side ? 0 : intent->length), a = intent->a[mirror(intent, i, side)];
+    const double h = fmin(straight, fabs(end - a)) / 2;
+    bat_intent_heading(intent, a + (side ? -h : h), h, way);
+    if (side) way[0] = -way[0], way[1] = -way[1];
+}
+
+static int nearest_place(const bat_intent *intent, const double point[2], int side, double *distance) {
+    int best = 0;
+    *distance = INFINITY;
+    for (int i = 0; i < intent->places; i++) {
+        const double *p = intent->p + 2 * (size_t)mirror(intent, i, side);
+        const double d = bat_hypot(p[0] - point[0], p[1] - point[1]);
+        if (d < *distance) *distance = d, best = i;
+    }
+    return best;
+}
+
+/* Runs along the curve up to place k at the end: feet are looked for from the end back, on so much of the curve as
+ * the stroke is long. */
+static double run_along(const bat_intent *intent, const bat_polyline *line, int end, int k, int side, double *off) {
+    const double length = bat_polyline_length(line);
+    bat_foot foot = {.s = end ? length : 0, .segment = end ? line->count - 2 : 0};
+    double ran = 0, sum[2] = {0, 0};
+    const double way = fabs(intent->a[mirror(intent, k, side)] - intent->a[mirror(intent, 0, side)]);
+    const double low = end ? length - way - INTENT_REACH_MOST : 0, high = end ? length : way + INTENT_REACH_MOST;
+    bat_polyline_at(line, foot.s, foot.x);
+    const double *p = intent->p + 2 * (size_t)mirror(intent, k, side);
+    foot.d = bat_hypot(p[0] - foot.x[0], p[1] - foot.x[1]);
+    /* Twice the same way: first how far they ran together, then, with the reach that gives, what it costs. */
+    const bat_foot start = foot;
+    for (int round = 0; round < 2; round++) {
+        const double reach = bat_intent_reach(intent, ran) * (intent->chosen ? 1.5 : 1);
+        foot = start;
+        for (int i = k; i >= 0; i--) {
+            const int m = mirror(intent, i, side);
+            bool settled;
+            foot = bat_intent_foot(line, intent->p + 2 * (size_t)m, &foot, intent->step, low, high);
+            foot.c = bat_intent_cosine(intent, line, intent->a[m], &foot, &settled) * ((side == 0) == (end == 1) ? 1 : -1);
+            if (round == 0 && foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
+            if (round == 1) sum[0] += bat_intent_e(&foot, 1, reach) * intent->ds[m];
+        }
+        if (!(ran > ran_least)) return INFINITY;
+    }
+    *off = foot.d;
+    return sum[0];
+}
+
+static bool find_head(bat_intent *intent, int index, int end, int side, head *out) {
+    const bat_polyline *line = &intent->line[index].line;
+    double point[2], out_way[2], way[2], passed, first[2];
+    outwards(line, end, point, out_way);
+    const double *p = intent->p + 2 * (size_t)mirror(intent, 0, side);
+    first[0] = p[0], first[1] = p[1];
+    const double start = bat_hypot(first[0] - point[0], first[1] - point[1]);
+    const int k = nearest_place(intent, point, side, &passed);
+    *out = (head){.cost = INFINITY};
+    if (start < INTENT_AT_END) {
+        going_on(intent, 0, side, way);
+        *out = (head){.cost = (start - INTENT_AT_END) * fmin(1, intent->length / 60),
+                      .turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1])};
+    }
+    if (k > 0 && passed < passing) {
+        double off = 0;
+        const double sum = run_along(intent, line, end, k, side, &off);
+        if (sum < INFINITY) {
+            const double cost = sum + bat_intent_off(intent, off) + 2 * fmax(0, passed - 4.5);
+            going_on(intent, k, side, way);
+            const double turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1]);
+            if (cost < out->cost) *out = (head){cost, turn, true, k};
+        }
+    }
+    return out->cost < INFINITY;
+}
+
+static double rest_of(const bat_intent *intent, const head *h, int side, double *chord) {
+    const int i = mirror(intent, h->place, side), last = mirror(intent, intent->places - 1, side);
+    const double *p = intent->p + 2 * (size_t)i, *q = intent->p + 2 * (size_t)last;
+    *chord = bat_hypot(p[0] - q[0], p[1] - q[1]);
+    return fabs(intent->a[last] - intent->a[i]);
+}
+
+static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, int end, int side, const head *h) {
+    double chord;
+    const double rest = rest_of(intent, h, side, &chord);
+    const double turn_most = h->ran ? 1 - 0.798635510047293 : 0.5; /* cosines of 37 and 60 degrees */
+    if (!(h->turn < turn_most) || rest < 10) return;
+    bat_reading reading = {.kind = BAT_INTENT_EXTEND,
+                           .count = 1,
+                           .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}}},
+                           .onto = -1,
+                           .cost = h->cost + rest + (h->ran ? 6 : 12) * h->turn + 0.3 * (rest - chord)};
+    reading.part[0].free[1 - side] = true;
+    reading.part[0].sense = (side == 0) == (end == 1) ? 1 : -1;
+    bat_intent_offer(list, &reading);
+}
+
+/* Off one end, along all of the curve, off the other. */
+static void offer_through(bat_intent *intent, bat_intent_list *list, int index) {
+    const bat_intent_near *near = &intent->line[index];
+    double point[2], way[2], passed[2], sum = 0;
+    int k[2];
+    const bool against = near->ran < 0;
+    if (near->least > intent->on || fabs(near->ran) < ran_least) return;
+    for (int end = 0; end < 2; end++) {
+        outwards(&near->line, end, point, way);
+        k[end ^ against] = nearest_place(intent, point, 0, &passed[end]);
+        if (passed[end] >= passing) return;
+    }
+    if (k[0] >= k[1]) return;
+    const bat_foot *foot = near->track[near->best].foot;
+    for (int i = k[0]; i <= k[1]; i++) sum += bat_intent_e(&foot[i], against ? -1 : 1, near->reach) * intent->ds[i];
+    const double rest = intent->length - (intent->a[k[1]] - intent->a[k[0]]);
+    bat_reading reading = {.kind = BAT_INTENT_EXTEND,
+                           .count = 1,
+                           .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}, .sense = against ? -1 : 1, .free = {true, true}}},
+                           .onto = -1,
+                           .cost = sum + rest + 2 * fmax(0, passed[0] - 4.5) + 2 * fmax(0, passed[1] - 4.5)};
+    bat_intent_offer(list, &reading);
+}
+
+typedef struct end_heads {
+    int line, end;
+    bool is[2];
+    head side[2];
+} end_heads;
+
+static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_heads *from, const end_heads *to) {
+    const head *h = &from->side[0], *t = &to->side[1];
+    if (!from->is[0] || !to->is[1] || (from->line == to->line && from->end == to->end)) return;
+    const bool close = from->line == to->line;
+    const double gap = intent->a[mirror(intent, t->place, 1)] - intent->a[h->place];
+    const double turn_most = 1 + 0.173648177666930; /* cosine of 100 degrees */
+    if (!(gap > 0) || (!close && (h->turn >= turn_most || t->turn >= turn_most))) return;
+    bat_reading reading = {.kind = close ? BAT_INTENT_CLOSE : BAT_INTENT_JOIN,
+                           .count = close ? 1 : 2,
+                           .onto = -1,
+                           .cost = h->cost + gap + t->cost + (close ? 0 : 12 * (h->turn + t->turn))};
+    const int lines[2] = {from->line, to->line};
+    for (int i = 0; i < 2; i++)
+        reading.part[i] = (bat_intent_part){.line = lines[i], .along = {intent->hook, intent->hook + intent->length}};
+    bat_intent_offer(list, &reading);
+}
+
+enum { ENDS_MOST = 16 };
+
+void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
+    end_heads found[ENDS_MOST];
+    int count = 0;
+    for (int i = 0; i < intent->line_count; i++) {
+        const bat_intent_near *near = &intent->line[i];
+        if (!near->usable || !near->meant || near->line.closed || near->least > passing) continue;
+        bool open[2];
+        for (int end = 0; end < 2; end++) {
+            double point[2], way[2], distance;
+            outwards(&near->line, end, point, way);
+            nearest_place(intent, point, 0, &distance);
+            open[end] = distance < passing && bat_intent_open(intent, i, end);
+            if (!open[end] || count == ENDS_MOST) continue;
+            end_heads *e = &found[count];
+            *e = (end_heads){.line = i, .end = end};
+            for (int side = 0; side < 2; side++) {
+                e->is[side] = find_head(intent, i, end, side, &e->side[side]);
+                if (e->is[side]) offer_extend(intent, list, i, end, side, &e->side[side]);
+            }
+            if (e->is[0] || e->is[1]) count++;
+        }
+        if (open[0] && open[1]) offer_through(intent, list, i);
+    }
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) offer_bridge(intent, list, &found[i], &found[j]);
+}

@@ -1,0 +1,122 @@
+/* Inside the choice of what a stroke means: its parts, in the order in which they depend on each other. */
+#ifndef BATTEN_HANDS_SKETCH_INTENT_PARTS_H
+#define BATTEN_HANDS_SKETCH_INTENT_PARTS_H
+
+#include "hands/sketch/intent.h"
+
+/* View pixels; the reasons are in docs/math/intent.md. */
+#define INTENT_REACH0 6.0
+#define INTENT_REACH_MOST 36.0
+#define INTENT_GROW 0.15
+#define INTENT_SPACING 0.75
+#define INTENT_FREE 3.0
+#define INTENT_ON 6.0
+#define INTENT_AT_END 9.0
+#define INTENT_JOINT 3.0
+#define INTENT_MARGIN 0.9
+#define INTENT_BESIDE 43.0 /* nearer than this counts as run in parallel */
+
+/* ---- a polyline with lengths ---- */
+
+typedef struct bat_polyline {
+    int count, room;
+    double *x; /* x y */
+    double *s;
+    bool closed; /* the last point is the first again */
+} bat_polyline;
+
+double bat_polyline_length(const bat_polyline *line);
+bat_status bat_polyline_add(bat_polyline *line, const double point[2]);
+void bat_polyline_free(bat_polyline *line);
+/* At length s: clamped, or wrapped when closed. */
+void bat_polyline_at(const bat_polyline *line, double s, double out[2]);
+/* From s - h to s + h, clamped at the ends of an open line: the chord, and how long the way is. */
+double bat_polyline_chord(const bat_polyline *line, double s, double h, double out[2]);
+/* A curve as a polyline, some 0.15 px from it. */
+bat_status bat_polyline_flatten(const bat_curve *curve, const double map[6], bat_polyline *out);
+
+/* ---- feet: where places of the stroke belong on a line ---- */
+
+typedef struct bat_foot {
+    double s; /* closed: turns counted */
+    double d;
+    double x[2];
+    double c;  /* cosine of the directions, less where the stroke wiggles more */
+    int segment; /* closed: turns counted */
+    bool settled; /* c will not change any more */
+} bat_foot;
+
+typedef struct bat_feet {
+    double cost; /* of the settled places */
+    bat_foot *foot;
+} bat_feet;
+
+enum { INTENT_SEEDS = 3 };
+
+typedef struct bat_intent_near {
+    bat_polyline line;
+    double box[4];
+    bool meant;
+    int seeds, done, room; /* tracks, places that have feet for good, places there is room for */
+    bat_feet track[INTENT_SEEDS];
+    int best;
+    double asleep; /* passed over while the stroke is shorter */
+    /* What the present stroke makes of it. */
+    double ran;   /* signed: how far they ran side by side, against the line: negative */
+    double least; /* distance */
+    double reach, sum, cost;
+    bool usable;
+    signed char open[2]; /* of its ends: -1 not known */
+} bat_intent_near;
+
+struct bat_intent {
+    bool touch, chosen;
+    double reach0, on;
+    bat_polyline stroke;
+    double last[2]; /* sample, also when too near to the one before to be a point of the polyline */
+    bool started;
+    double hook, length, step; /* what is left out at both ends; what is between; distance of places */
+    int places, firm, room;    /* the last place is the stroke's end and not firm */
+    double *a, *ds, *p;        /* lengths, weights, places x y */
+    int line_count, line_room;
+    bat_intent_near *line;
+    size_t steps_room;
+    unsigned char *steps; /* from curve to curve */
+};
+
+/* intent_places.c: places on the stroke. */
+bat_status bat_intent_places(bat_intent *intent);
+void bat_intent_heading(const bat_intent *intent, double a, double h, double out[2]); /* unit, or zero */
+
+/* intent_feet.c */
+bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near);
+/* The foot of p beside `from`, at most so far along the line, between low and high (open lines). */
+bat_foot bat_intent_foot(const bat_polyline *line, const double p[2], const bat_foot *from, double step,
+                         double low, double high);
+double bat_intent_cosine(const bat_intent *intent, const bat_polyline *line, double a, const bat_foot *foot,
+                         bool *settled);
+
+/* intent_reach.c: how far off still counts, and what a stretch beside a line costs. */
+double bat_intent_reach(const bat_intent *intent, double ran);
+double bat_intent_e(const bat_foot *foot, double sense, double reach);
+void bat_intent_evidence(bat_intent *intent, int index);
+/* An end of the stroke on the line speaks for it, one off it against. */
+double bat_intent_off(const bat_intent *intent, double d);
+/* How far the stroke's end (side 1; 0: its start) heads away from the line. */
+double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side);
+bool bat_intent_open(bat_intent *intent, int index, int end);
+/* Where the stroke begins (side 0) or ends, run in this sense: whether an end of the line lies there that touches others. */
+bool bat_intent_held(bat_intent *intent, int index, bool against, int side);
+
+/* Readings; each adds what it finds. */
+typedef struct bat_intent_list {
+    int count;
+    bat_reading *reading;
+} bat_intent_list;
+void bat_intent_offer(bat_intent_list *list, const bat_reading *reading);
+void bat_intent_redraws(bat_intent *intent, bat_intent_list *list); /* intent_redraw.c */
+void bat_intent_ends(bat_intent *intent, bat_intent_list *list);    /* intent_ends.c */
+bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list); /* intent_several.c */
+void bat_intent_new(bat_intent *intent, bat_intent_list *list);     /* intent_new.c */
+
+#endif

@@ -1,0 +1,75 @@
+/* Places on the stroke: without the hooks of pen landing and lifting, evenly spaced, the stroke's end the last. */
+#include "hands/sketch/intent_parts.h"
+#include "base/real.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double hook_most = 4, step_most = 3, step_least = 0.75, apart = 1;
+
+bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points) {
+    bat_polyline *stroke = &intent->stroke;
+    for (size_t i = 0; i < count; i++) {
+        const double *p = points + 2 * i;
+        if (!isfinite(p[0]) || !isfinite(p[1])) continue;
+        memcpy(intent->last, p, sizeof intent->last);
+        if (stroke->count) { /* what is nearer is noise more than way */
+            const double *q = stroke->x + 2 * (size_t)(stroke->count - 1);
+            if (bat_hypot(p[0] - q[0], p[1] - q[1]) < apart) continue;
+        }
+        bat_status status = bat_polyline_add(stroke, p);
+        if (status != BAT_OK) return status;
+    }
+    return BAT_OK;
+}
+
+static bool room_for(bat_intent *intent, int places) {
+    if (places <= intent->room) return true;
+    const int room = 2 * places + 64;
+    double *block = malloc(4 * (size_t)room * sizeof *block);
+    if (!block) return false;
+    if (intent->places) {
+        const size_t n = (size_t)intent->places;
+        memcpy(block, intent->a, n * sizeof *block);
+        memcpy(block + room, intent->ds, n * sizeof *block);
+        memcpy(block + 2 * room, intent->p, 2 * n * sizeof *block);
+    }
+    free(intent->a);
+    intent->a = block, intent->ds = block + room, intent->p = block + 2 * room;
+    intent->room = room;
+    return true;
+}
+
+/* Places are for good once the step is; before, the few there are begin anew. */
+bat_status bat_intent_places(bat_intent *intent) {
+    const bat_polyline *stroke = &intent->stroke;
+    const double whole = bat_polyline_length(stroke);
+    const double hook = fmin(hook_most, whole / 8), length = whole - 2 * hook;
+    const double step = fmin(step_most, fmax(step_least, length / 24));
+    if (step != intent->step || hook != intent->hook) {
+        intent->firm = intent->places = 0;
+        for (int i = 0; i < intent->line_count; i++) intent->line[i].seeds = intent->line[i].done = 0;
+    }
+    intent->step = step, intent->hook = hook, intent->length = length;
+    if (!(length > 0)) return BAT_DOT;
+    const int count = (int)ceil(length / step - 1e-9) + 1;
+    if (!room_for(intent, count)) return BAT_MEMORY;
+    for (int i = intent->firm; i < count; i++) {
+        intent->a[i] = hook + (i + 1 < count ? i * step : length);
+        bat_polyline_at(stroke, intent->a[i], intent->p + 2 * (size_t)i);
+    }
+    for (int i = intent->firm > 0 ? intent->firm - 1 : 0; i < count; i++)
+        intent->ds[i] = 0.5 * ((i + 1 < count ? intent->a[i + 1] : intent->a[i]) -
+                               (i > 0 ? intent->a[i - 1] : intent->a[i]));
+    intent->firm = count - 1, intent->places = count;
+    return BAT_OK;
+}
+
+void bat_intent_heading(const bat_intent *intent, double a, double h, double out[2]) {
+    bat_polyline_chord(&intent->stroke, a, h, out);
+    const double size = bat_hypot(out[0], out[1]);
+    for (int k = 0; k < 2; k++) out[k] = size > 0 ? out[k] / size : 0;
+}
+
+double bat_intent_length(const bat_intent *intent) { return intent->length; }

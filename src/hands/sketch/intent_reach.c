@@ -1,0 +1,132 @@
+/* Evidence: what a stretch of the stroke beside a line costs, and how far off still counts. Reach grows with what was
+ * run side by side, and shrinks where other lines run beside. */
+#include "hands/sketch/intent_parts.h"
+#include "base/real.h"
+
+#include <math.h>
+
+enum { PROBES = 5 };
+static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
+static const double neighbour_most = 60, twin = 1.5;
+
+double bat_intent_reach(const bat_intent *intent, double ran) {
+    return fmin(INTENT_REACH_MOST, intent->reach0 + INTENT_GROW * fabs(ran));
+}
+
+double bat_intent_e(const bat_foot *foot, double sense, double reach) {
+    const double off = foot->d / reach;
+    return fmin(INTENT_FREE, off * off + 2 * (1 - sense * foot->c));
+}
+
+double bat_intent_off(const bat_intent *intent, double d) {
+    return (fmin(d, 2 * intent->on) - intent->on) * fmin(1, intent->length / 40);
+}
+
+double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side) {
+    if (!(foot->d > 0)) return 0;
+    const double a = intent->hook + (side ? intent->length : 0);
+    const double *p = intent->p + (side ? 2 * (size_t)(intent->places - 1) : 0);
+    double u[2];
+    bat_intent_heading(intent, a, fmin(10, intent->length / 3), u);
+    const double sine = ((p[0] - foot->x[0]) * u[0] + (p[1] - foot->x[1]) * u[1]) / foot->d * (side ? 1 : -1);
+    return 2 * fmin(foot->d, INTENT_REACH_MOST) * fmax(0, sine);
+}
+
+static double box_distance(const double box[4], const double p[2]) {
+    const double dx = fmax(fmax(box[0] - p[0], p[0] - box[2]), 0),
+                 dy = fmax(fmax(box[1] - p[1], p[1] - box[3]), 0);
+    return bat_hypot(dx, dy);
+}
+
+/* Distance from p to the part of a line that runs along `way`, or `most`. */
+static double parallel_distance(const bat_polyline *line, const double p[2], const double way[2], double most) {
+    double best = most * most;
+    for (int i = 0; i + 1 < line->count; i++) {
+        const double *a = line->x + 2 * (size_t)i, v[2] = {a[2] - a[0], a[3] - a[1]};
+        const double w = v[0] * v[0] + v[1] * v[1], r[2] = {p[0] - a[0], p[1] - a[1]};
+        if (!(w > 0)) continue;
+        const double t = fmin(fmax((r[0] * v[0] + r[1] * v[1]) / w, 0), 1);
+        const double x = r[0] - t * v[0], y = r[1] - t * v[1], d = x * x + y * y;
+        const double dot = v[0] * way[0] + v[1] * way[1];
+        if (d < best && d > twin * twin && dot * dot >= parallel * parallel * w) best = d;
+    }
+    return sqrt(best);
+}
+
+/* How far the next line lies that runs along this one, where the stroke is. */
+static double spacing(const bat_intent *intent, int index) {
+    const bat_intent_near *near = &intent->line[index];
+    double found[PROBES];
+    for (int k = 0; k < PROBES; k++) {
+        const int i = (int)((intent->places - 1) * (0.1 + 0.2 * k) + 0.5);
+        const bat_foot *foot = &near->track[near->best].foot[i];
+        double way[2], least = neighbour_most + 1;
+        bat_polyline_chord(&near->line, foot->s, 5, way);
+        const double size = bat_hypot(way[0], way[1]);
+        way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
+        for (int j = 0; j < intent->line_count; j++)
+            if (j != index && box_distance(intent->line[j].box, foot->x) < least)
+                least = parallel_distance(&intent->line[j].line, foot->x, way, least);
+        int at = k;
+        for (; at > 0 && found[at - 1] > least; at--) found[at] = found[at - 1];
+        found[at] = least;
+    }
+    return found[PROBES - 2] > neighbour_most ? INFINITY : found[PROBES - 2];
+}
+
+/* Share of an open line that the stroke lies beside. */
+static double share(const bat_intent *intent, const bat_intent_near *near) {
+    const bat_foot *foot = near->track[near->best].foot;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < intent->places; i++) low = fmin(low, foot[i].s), high = fmax(high, foot[i].s);
+    return (high - low) / bat_polyline_length(&near->line);
+}
+
+static double total(const bat_intent *intent, const bat_intent_near *near, double reach) {
+    const bat_foot *foot = near->track[near->best].foot;
+    const double sense = near->ran < 0 ? -1 : 1;
+    double sum = 0;
+    for (int i = 0; i < intent->places; i++) sum += bat_intent_e(&foot[i], sense, reach) * intent->ds[i];
+    return sum;
+}
+
+void bat_intent_evidence(bat_intent *intent, int index) {
+    bat_intent_near *near = &intent->line[index];
+    const bat_foot *foot = near->track[near->best].foot;
+    near->ran = 0, near->least = INFINITY;
+    for (int i = 0; i < intent->places; i++) {
+        if (foot[i].d < INTENT_BESIDE) near->ran += foot[i].c * intent->ds[i];
+        near->least = fmin(near->least, foot[i].d);
+    }
+    double reach = bat_intent_reach(intent, near->ran);
+    if (intent->chosen) reach *= 1.5;
+    near->sum = total(intent, near, reach);
+    /* Beside it all the way: rather a further line. What is too far in any case need not be looked at. */
+    if (near->least > intent->on && near->sum < 1.2 * intent->length + 40) {
+        if (!intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
+        if (!near->line.closed && share(intent, near) > 0.8) reach /= 2;
+        near->sum = total(intent, near, reach);
+    }
+    near->reach = reach;
+}
+
+bool bat_intent_open(bat_intent *intent, int index, int end) {
+    bat_intent_near *near = &intent->line[index];
+    if (near->line.closed) return false;
+    if (near->open[end] >= 0) return near->open[end] != 0;
+    const double *x = near->line.x + (end ? 2 * (size_t)(near->line.count - 1) : 0);
+    const double *other = near->line.x + (end ? 0 : 2 * (size_t)(near->line.count - 1));
+    bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > INTENT_JOINT;
+    for (int j = 0; j < intent->line_count && open; j++) {
+        const bat_polyline *line = &intent->line[j].line;
+        if (j == index || box_distance(intent->line[j].box, x) > INTENT_JOINT) continue;
+        for (int i = 0; i + 1 < line->count && open; i++) {
+            const double *a = line->x + 2 * (size_t)i, v[2] = {a[2] - a[0], a[3] - a[1]};
+            const double w = v[0] * v[0] + v[1] * v[1], r[2] = {x[0] - a[0], x[1] - a[1]};
+            const double t = w > 0 ? fmin(fmax((r[0] * v[0] + r[1] * v[1]) / w, 0), 1) : 0;
+            open = bat_hypot(r[0] - t * v[0], r[1] - t * v[1]) > INTENT_JOINT;
+        }
+    }
+    near->open[end] = open;
+    return open;
+}
