@@ -334,7 +334,7 @@ static void a_level_is_redrawn(void **state) {
             bat_editor_frame(editor)->hint,
             other ? "Draw over to redraw this curve"
                   : "Draw over to redraw the active level of this curve. [ and ] change the level");
-        pen_begin(&p, pen_arch, (double[]){from[0], from[1], to[0], to[1], -60}, 60);
+        pen_begin(&p, pen_arch, (double[]){from[0], from[1], to[0], to[1], 30}, 60);
         check(editor);
         assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
         pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
@@ -348,7 +348,7 @@ static void a_level_is_redrawn(void **state) {
         for (int l = 0; l <= 3; l++) all += changed[l];
         assert_int_equal(all, 1);
         if (!other) assert_int_equal(changed[0], 1);
-        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], -60}, middle);
+        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], 30}, middle);
         on_curve(editor, 0, 0.5, now);
         assert_true(fabs(now[1] - middle[1]) < 20); /* the sweep went there; the waves are six high */
         bat_shape_free(before);
@@ -370,7 +370,7 @@ static void a_level_is_redrawn(void **state) {
         const bat_shape *after = shape_at(editor, 0);
         assert_non_null(after);
         assert_int_equal(bat_shape_levels(after), 3);
-        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], -60}, middle);
+        pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], 30}, middle);
         assert_int_equal(bat_curve_nearest(bat_shape_curve(after, 0), middle, &near), BAT_OK);
         assert_true(near.distance < 2);
         bat_curve_nearest(bat_shape_curve(after, 3), middle, &near);

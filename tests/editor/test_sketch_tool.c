@@ -243,6 +243,8 @@ static void end_to_end_joins(void **state) {
     bat_id id = bat_object_id(bat_document_at(bat_editor_document(editor), 0));
     pen p = pen_for(editor);
     pen_begin(&p, pen_arch, (double[]){800, 200, 800, 600, 120}, 80);
+    for (int i = 0; i < 3; i++)
+        pen_event(&p, BAT_POINTER_MOVE, 800, 600 + i % 2); /* the stabiliser follows */
     assert_string_equal(bat_editor_frame(editor)->hint, "Lift to join the two curves");
     pen_event(&p, BAT_POINTER_UP, 800, 600);
     assert_int_equal(count(editor), 1);

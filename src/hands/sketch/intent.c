@@ -7,12 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double near_enough = 64, hopeless = 2.5, first_say = 8;
+static const double hopeless = 2.5, first_say = 8;
 
 bat_status bat_intent_create(bool touch, bool chosen, bat_intent **out) {
     if (!out) return BAT_ARGUMENT;
     bat_intent *intent = calloc(1, sizeof *intent);
     if (!intent) return BAT_MEMORY;
+    intent->box[0] = intent->box[1] = INFINITY, intent->box[2] = intent->box[3] = -INFINITY;
     intent->touch = touch, intent->chosen = chosen;
     intent->reach0 = touch ? 2 * INTENT_REACH0 : INTENT_REACH0;
     intent->on = touch ? 2 * INTENT_ON : INTENT_ON;
@@ -57,24 +58,6 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
     return BAT_OK;
 }
 
-double bat_intent_box(const bat_intent *intent, double box[4]) {
-    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
-    for (int i = 0; i < intent->stroke.count; i++)
-        for (int k = 0; k < 2; k++) {
-            box[k] = fmin(box[k], intent->stroke.x[2 * i + k]);
-            box[2 + k] = fmax(box[2 + k], intent->stroke.x[2 * i + k]);
-        }
-    return near_enough;
-}
-
-void bat_intent_offer(bat_intent_list *list, const bat_reading *reading) {
-    if (!(reading->cost < INFINITY)) return;
-    int at = list->count < BAT_INTENT_READINGS ? list->count++ : BAT_INTENT_READINGS;
-    for (; at > 0 && list->reading[at - 1].cost > reading->cost; at--)
-        if (at < BAT_INTENT_READINGS) list->reading[at] = list->reading[at - 1];
-    if (at < BAT_INTENT_READINGS) list->reading[at] = *reading;
-}
-
 /* Tracks up to date, and what they say. A line that explains nothing sleeps until the stroke is a quarter longer; the
  * whole stroke asks all. */
 static bat_status look(bat_intent *intent, bool whole) {
@@ -86,7 +69,8 @@ static bat_status look(bat_intent *intent, bool whole) {
         bat_status status = bat_intent_feet(intent, near);
         if (status != BAT_OK) return status;
         bat_intent_evidence(intent, i);
-        near->asleep = near->sum > hopeless * intent->length && intent->length > 40 ? 1.25 * intent->length : 0;
+        near->asleep = near->sum > hopeless * intent->length && intent->length > 40 ? 1.25 * intent->length
+                                                                                    : 0;
     }
     return BAT_OK;
 }

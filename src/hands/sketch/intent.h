@@ -47,8 +47,6 @@ bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points
 /* A planar curve beside the stroke. map: x' = map[0] x + map[1] y + map[2], y' = map[3] x + ... in view pixels. meant:
  * it may change. Its index counts from 0 in the order given. Copies what it needs. */
 bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const double map[6], bool meant);
-/* Box of the stroke so far (low x, low y, high x, high y), and how far beside it a line can matter. */
-double bat_intent_box(const bat_intent *intent, double box[4]);
 /* Length of the stroke without its hooks. */
 double bat_intent_length(const bat_intent *intent);
 /* The readings, the best first. whole: the stroke has ended; while it has not, lines that have nothing to do with it may

@@ -48,14 +48,23 @@ static int nearest_place(const bat_intent *intent, const double point[2], int si
     return best;
 }
 
+/* Whether a place can be near enough at all. */
+static bool within(const bat_intent *intent, const double point[2]) {
+    const double *box = intent->box;
+    return point[0] > box[0] - passing && point[0] < box[2] + passing && point[1] > box[1] - passing &&
+           point[1] < box[3] + passing;
+}
+
 /* Runs along the curve up to place k at the end: feet are looked for from the end back, on so much of the curve as
  * the stroke is long. */
-static double run_along(const bat_intent *intent, const bat_polyline *line, int end, int k, int side, double *off) {
+static double run_along(const bat_intent *intent, const bat_polyline *line, int end, int k, int side,
+                        double *off) {
     const double length = bat_polyline_length(line);
     bat_foot foot = {.s = end ? length : 0, .segment = end ? line->count - 2 : 0};
     double ran = 0, sum[2] = {0, 0};
     const double way = fabs(intent->a[mirror(intent, k, side)] - intent->a[mirror(intent, 0, side)]);
-    const double low = end ? length - way - INTENT_REACH_MOST : 0, high = end ? length : way + INTENT_REACH_MOST;
+    const double low = end ? length - way - INTENT_REACH_MOST : 0,
+                 high = end ? length : way + INTENT_REACH_MOST;
     bat_polyline_at(line, foot.s, foot.x);
     const double *p = intent->p + 2 * (size_t)mirror(intent, k, side);
     foot.d = bat_hypot(p[0] - foot.x[0], p[1] - foot.x[1]);
@@ -68,7 +77,8 @@ static double run_along(const bat_intent *intent, const bat_polyline *line, int 
             const int m = mirror(intent, i, side);
             bool settled;
             foot = bat_intent_foot(line, intent->p + 2 * (size_t)m, &foot, intent->step, low, high);
-            foot.c = bat_intent_cosine(intent, line, intent->a[m], &foot, &settled) * ((side == 0) == (end == 1) ? 1 : -1);
+            foot.c = bat_intent_cosine(intent, line, intent->a[m], &foot, &settled) *
+                     ((side == 0) == (end == 1) ? 1 : -1);
             if (round == 0 && foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
             if (round == 1) sum[0] += bat_intent_e(&foot, 1, reach) * intent->ds[m];
         }
@@ -112,7 +122,8 @@ static double rest_of(const bat_intent *intent, const head *h, int side, double 
     return fabs(intent->a[last] - intent->a[i]);
 }
 
-static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, int end, int side, const head *h) {
+static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, int end, int side,
+                         const head *h) {
     double chord;
     const double rest = rest_of(intent, h, side, &chord);
     const double turn_most = h->ran ? 1 - 0.798635510047293 : 0.5; /* cosines of 37 and 60 degrees */
@@ -141,11 +152,15 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
     }
     if (k[0] >= k[1]) return;
     const bat_foot *foot = near->track[near->best].foot;
-    for (int i = k[0]; i <= k[1]; i++) sum += bat_intent_e(&foot[i], against ? -1 : 1, near->reach) * intent->ds[i];
+    for (int i = k[0]; i <= k[1]; i++)
+        sum += bat_intent_e(&foot[i], against ? -1 : 1, near->reach) * intent->ds[i];
     const double rest = intent->length - (intent->a[k[1]] - intent->a[k[0]]);
     bat_reading reading = {.kind = BAT_INTENT_EXTEND,
                            .count = 1,
-                           .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}, .sense = against ? -1 : 1, .free = {true, true}}},
+                           .part = {{.line = index,
+                                     .along = {intent->hook, intent->hook + intent->length},
+                                     .sense = against ? -1 : 1,
+                                     .free = {true, true}}},
                            .onto = -1,
                            .cost = sum + rest + 2 * fmax(0, passed[0] - 4.5) + 2 * fmax(0, passed[1] - 4.5)};
     bat_intent_offer(list, &reading);
@@ -157,7 +172,8 @@ typedef struct end_heads {
     head side[2];
 } end_heads;
 
-static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_heads *from, const end_heads *to) {
+static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_heads *from,
+                         const end_heads *to) {
     const head *h = &from->side[0], *t = &to->side[1];
     if (!from->is[0] || !to->is[1] || (from->line == to->line && from->end == to->end)) return;
     const bool close = from->line == to->line;
@@ -170,7 +186,8 @@ static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_he
                            .cost = h->cost + gap + t->cost + (close ? 0 : 12 * (h->turn + t->turn))};
     const int lines[2] = {from->line, to->line};
     for (int i = 0; i < 2; i++)
-        reading.part[i] = (bat_intent_part){.line = lines[i], .along = {intent->hook, intent->hook + intent->length}};
+        reading.part[i] = (bat_intent_part){.line = lines[i],
+                                            .along = {intent->hook, intent->hook + intent->length}};
     bat_intent_offer(list, &reading);
 }
 
@@ -181,13 +198,14 @@ void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
     int count = 0;
     for (int i = 0; i < intent->line_count; i++) {
         const bat_intent_near *near = &intent->line[i];
-        if (!near->usable || !near->meant || near->line.closed || near->least > passing) continue;
+        if (near->line.count < 2 || !near->meant || near->line.closed) continue;
         bool open[2];
         for (int end = 0; end < 2; end++) {
             double point[2], way[2], distance;
             outwards(&near->line, end, point, way);
-            nearest_place(intent, point, 0, &distance);
-            open[end] = distance < passing && bat_intent_open(intent, i, end);
+            open[end] = within(intent, point) &&
+                        (nearest_place(intent, point, 0, &distance), distance < passing) &&
+                        bat_intent_open(intent, i, end);
             if (!open[end] || count == ENDS_MOST) continue;
             end_heads *e = &found[count];
             *e = (end_heads){.line = i, .end = end};
@@ -197,7 +215,7 @@ void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
             }
             if (e->is[0] || e->is[1]) count++;
         }
-        if (open[0] && open[1]) offer_through(intent, list, i);
+        if (open[0] && open[1] && near->usable) offer_through(intent, list, i);
     }
     for (int i = 0; i < count; i++)
         for (int j = 0; j < count; j++) offer_bridge(intent, list, &found[i], &found[j]);

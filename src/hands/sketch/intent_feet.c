@@ -23,8 +23,8 @@ static const double *segment_at(const bat_polyline *line, int k, double *s0, dou
 }
 
 /* The best place of segment k for p; its price decides. */
-static void try_segment(const bat_polyline *line, int k, const double p[2], double from, double easy, double low,
-                        double high, bat_foot *best, double *price) {
+static void try_segment(const bat_polyline *line, int k, const double p[2], double from, double easy,
+                        double low, double high, bat_foot *best, double *price) {
     double s0, s1;
     const double *a = segment_at(line, k, &s0, &s1), h = s1 - s0;
     const double v[2] = {a[2] - a[0], a[3] - a[1]};

@@ -4,23 +4,24 @@
 
 #include <math.h>
 
-/* Degrees that the stroke winds, with sign. */
+enum { WINDING_PLACES = 48 };
+
+/* Degrees that the stroke winds, with sign; by chords, for a hook at either end may turn any way. */
 static double winding(const bat_intent *intent) {
-    double sum = 0, last[2] = {0, 0};
-    for (int i = 0; i + 1 < intent->places; i++) {
-        const double *p = intent->p + 2 * (size_t)i, v[2] = {p[2] - p[0], p[3] - p[1]};
-        if (v[0] == 0 && v[1] == 0) continue;
-        sum += bat_atan2(last[0] * v[1] - last[1] * v[0], last[0] * v[0] + last[1] * v[1]);
-        last[0] = v[0], last[1] = v[1];
+    const double whole = intent->length + 2 * intent->hook, h = whole / 12;
+    double sum = 0, last[2], now[2];
+    bat_intent_heading(intent, 0, h, last);
+    for (int i = 1; i <= WINDING_PLACES; i++) {
+        bat_intent_heading(intent, whole * i / WINDING_PLACES, h, now);
+        sum += bat_atan2(last[0] * now[1] - last[1] * now[0], last[0] * now[0] + last[1] * now[1]);
+        last[0] = now[0], last[1] = now[1];
     }
     return fabs(sum) * 180 / BAT_PI;
 }
 
 static bool closes(const bat_intent *intent) {
-    const double *p = intent->p, *q = p + 2 * (size_t)(intent->places - 1), L = intent->length;
     const double *first = intent->stroke.x, *last = first + 2 * (size_t)(intent->stroke.count - 1);
-    /* With the hooks or without them. */
-    const double gap = fmin(bat_hypot(p[0] - q[0], p[1] - q[1]), bat_hypot(first[0] - last[0], first[1] - last[1]));
+    const double gap = bat_hypot(first[0] - last[0], first[1] - last[1]), L = intent->length;
     if (!(L > 12) || gap > fmax(4, 0.1 * L)) return false;
     const double degrees = winding(intent);
     return degrees >= 230 && degrees <= 470;

@@ -41,8 +41,8 @@ typedef struct bat_foot {
     double s; /* closed: turns counted */
     double d;
     double x[2];
-    double c;  /* cosine of the directions, less where the stroke wiggles more */
-    int segment; /* closed: turns counted */
+    double c;     /* cosine of the directions, less where the stroke wiggles more */
+    int segment;  /* closed: turns counted */
     bool settled; /* c will not change any more */
 } bat_foot;
 
@@ -73,8 +73,7 @@ struct bat_intent {
     bool touch, chosen;
     double reach0, on;
     bat_polyline stroke;
-    double last[2]; /* sample, also when too near to the one before to be a point of the polyline */
-    bool started;
+    double box[4];             /* of all samples */
     double hook, length, step; /* what is left out at both ends; what is between; distance of places */
     int places, firm, room;    /* the last place is the stroke's end and not firm */
     double *a, *ds, *p;        /* lengths, weights, places x y */
@@ -114,9 +113,9 @@ typedef struct bat_intent_list {
     bat_reading *reading;
 } bat_intent_list;
 void bat_intent_offer(bat_intent_list *list, const bat_reading *reading);
-void bat_intent_redraws(bat_intent *intent, bat_intent_list *list); /* intent_redraw.c */
-void bat_intent_ends(bat_intent *intent, bat_intent_list *list);    /* intent_ends.c */
+void bat_intent_redraws(bat_intent *intent, bat_intent_list *list);       /* intent_redraw.c */
+void bat_intent_ends(bat_intent *intent, bat_intent_list *list);          /* intent_ends.c */
 bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list); /* intent_several.c */
-void bat_intent_new(bat_intent *intent, bat_intent_list *list);     /* intent_new.c */
+void bat_intent_new(bat_intent *intent, bat_intent_list *list);           /* intent_new.c */
 
 #endif

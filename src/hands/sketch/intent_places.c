@@ -13,7 +13,10 @@ bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points
     for (size_t i = 0; i < count; i++) {
         const double *p = points + 2 * i;
         if (!isfinite(p[0]) || !isfinite(p[1])) continue;
-        memcpy(intent->last, p, sizeof intent->last);
+        for (int k = 0; k < 2; k++) {
+            intent->box[k] = fmin(intent->box[k], p[k]);
+            intent->box[2 + k] = fmax(intent->box[2 + k], p[k]);
+        }
         if (stroke->count) { /* what is nearer is noise more than way */
             const double *q = stroke->x + 2 * (size_t)(stroke->count - 1);
             if (bat_hypot(p[0] - q[0], p[1] - q[1]) < apart) continue;

@@ -39,7 +39,8 @@ static double box_distance(const double box[4], const double p[2]) {
 }
 
 /* Distance from p to the part of a line that runs along `way`, or `most`. */
-static double parallel_distance(const bat_polyline *line, const double p[2], const double way[2], double most) {
+static double parallel_distance(const bat_polyline *line, const double p[2], const double way[2],
+                                double most) {
     double best = most * most;
     for (int i = 0; i + 1 < line->count; i++) {
         const double *a = line->x + 2 * (size_t)i, v[2] = {a[2] - a[0], a[3] - a[1]};

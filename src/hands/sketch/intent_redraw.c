@@ -36,7 +36,9 @@ void bat_intent_redraws(bat_intent *intent, bat_intent_list *list) {
         if (rival < INFINITY) cost += 0.5 * L * bat_exp(-fmax(0, rival - cost) / (0.2 * L));
         bat_reading reading = {.kind = BAT_INTENT_REDRAW,
                                .count = 1,
-                               .part = {{.line = i, .sense = intent->line[i].ran < 0 ? -1 : 1, .along = {intent->hook, intent->hook + L}}},
+                               .part = {{.line = i,
+                                         .sense = intent->line[i].ran < 0 ? -1 : 1,
+                                         .along = {intent->hook, intent->hook + L}}},
                                .onto = -1,
                                .cost = intent->chosen ? cost * INTENT_MARGIN : cost / INTENT_MARGIN};
         for (int side = 0; side < 2; side++)

@@ -16,7 +16,7 @@ static const double step_price = 3, part_least = 10, part_share = 0.08, cut_reac
 typedef struct chain {
     int count, line[CHAIN_MOST];
     double end[CHAIN_MOST][2][2]; /* points */
-    double reach, least; /* of a part: length */
+    double reach, least;          /* of a part: length */
 } chain;
 
 typedef struct cell {
@@ -26,7 +26,8 @@ typedef struct cell {
 } cell;
 
 static bool touches(const chain *c, int i, int j, int ei, int ej) {
-    return bat_hypot(c->end[i][ei][0] - c->end[j][ej][0], c->end[i][ei][1] - c->end[j][ej][1]) <= INTENT_JOINT;
+    return bat_hypot(c->end[i][ei][0] - c->end[j][ej][0], c->end[i][ei][1] - c->end[j][ej][1]) <=
+           INTENT_JOINT;
 }
 
 static bool touches_any(const chain *c, int i) {
@@ -90,7 +91,8 @@ static void advance(const bat_intent *intent, const chain *c, int place, const c
             now[s] = (cell){cost, intent->a[place], b->used | 1u << (s / 2), b->parts + 1};
             steps[s] = (unsigned char)from;
         }
-        now[s].cost += bat_intent_e(foot_of(intent, c, s, place), s & 1 ? -1 : 1, c->reach) * intent->ds[place];
+        now[s].cost += bat_intent_e(foot_of(intent, c, s, place), s & 1 ? -1 : 1, c->reach) *
+                       intent->ds[place];
     }
 }
 
@@ -138,7 +140,9 @@ bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list) {
         intent->steps = steps, intent->steps_room = 2 * size;
     }
     for (int s = 0; s < states; s++)
-        row[0][s] = (cell){edge(intent, &c, s, 0) + bat_intent_e(foot_of(intent, &c, s, 0), s & 1 ? -1 : 1, c.reach) * intent->ds[0],
+        row[0][s] = (cell){edge(intent, &c, s, 0) +
+                               bat_intent_e(foot_of(intent, &c, s, 0), s & 1 ? -1 : 1, c.reach) *
+                                   intent->ds[0],
                            intent->hook, 1u << (s / 2), 1};
     for (int i = 1; i < n; i++)
         advance(intent, &c, i, row[(i + 1) % 2], row[i % 2], intent->steps + (size_t)i * (size_t)states);
@@ -147,7 +151,8 @@ bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list) {
     double least = INFINITY;
     for (int s = 0; s < states; s++) {
         const double cost = end[s].cost + edge(intent, &c, s, 1);
-        if (end[s].parts < 2 || intent->hook + intent->length - end[s].since < c.least || !(cost < least)) continue;
+        if (end[s].parts < 2 || intent->hook + intent->length - end[s].since < c.least || !(cost < least))
+            continue;
         least = cost, best = s;
     }
     if (best < 0) return BAT_OK;

@@ -60,7 +60,8 @@ static bat_status prepare(const bat_curve *curve, int degree, bool turned, doubl
 
 /* own: both keep the parameters they have; else the second gets the first one's speed. */
 static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
-                       const bat_sketch_options *given, bool own, bat_curve **out, bat_sketch_report *report) {
+                       const bat_sketch_options *given, bool own, bat_curve **out,
+                       bat_sketch_report *report) {
     bat_sketch_options o;
     if (!a || !b || !out) return BAT_ARGUMENT;
     bat_status status = bat_sketch_check(stroke, given, &o);
@@ -156,7 +157,8 @@ bat_status bat_sketch_close(const bat_curve *curve, const bat_stroke *stroke,
     double domain[2];
     bat_curve_domain(curve, domain);
     bat_curve *half[2] = {NULL, NULL}, *bridged = NULL;
-    bat_status status = bat_curve_split(curve, 0.5 * (domain[0] + domain[1]), &half[0], &half[1]), met = BAT_OK;
+    bat_status status = bat_curve_split(curve, 0.5 * (domain[0] + domain[1]), &half[0], &half[1]),
+               met = BAT_OK;
     if (status == BAT_OK) {
         met = join(half[1], half[0], stroke, options, true, &bridged, report);
         status = met == BAT_TOLERANCE ? BAT_OK : met;

@@ -22,10 +22,12 @@ typedef struct bat_sketch_meaning {
 } bat_sketch_meaning;
 
 /* As bat_sketch and bat_sketch_new; meaning: NULL for none. */
-bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
-                            const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report);
+bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke,
+                            const bat_sketch_options *options, const bat_sketch_meaning *meaning,
+                            bat_curve **out, bat_sketch_report *report);
 bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_options *options,
-                                const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report);
+                                const bat_sketch_meaning *meaning, bat_curve **out,
+                                bat_sketch_report *report);
 /* Told before the first preview or commit. */
 void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning);
 /* One stroke over several curves, cut at the points between them (document units, x y each, count - 1 of them): every

@@ -66,6 +66,7 @@ bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *op
 }
 
 bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_options *options,
-                                const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report) {
+                                const bat_sketch_meaning *meaning, bat_curve **out,
+                                bat_sketch_report *report) {
     return bat_sketch_new_with(stroke, options, meaning, NULL, out, report);
 }

@@ -279,7 +279,8 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
 static bat_status clean_for(const bat_stroke *stroke, const bat_sketch_options *o, bat_clean_memory *memory,
                             double *origin, bat_clean *out) {
     bat_stroke_origin(stroke, origin);
-    const bat_clean_options cleaning = {1 / o->pixel, origin, o->tolerance / o->pixel, o->keep_corners, memory};
+    const bat_clean_options cleaning = {1 / o->pixel, origin, o->tolerance / o->pixel, o->keep_corners,
+                                        memory};
     return bat_clean_stroke(stroke, &cleaning, out);
 }
 
@@ -305,8 +306,9 @@ bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke, const ba
     return bat_sketch_with(curve, stroke, options, NULL, NULL, out, report);
 }
 
-bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke, const bat_sketch_options *options,
-                            const bat_sketch_meaning *meaning, bat_curve **out, bat_sketch_report *report) {
+bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke,
+                            const bat_sketch_options *options, const bat_sketch_meaning *meaning,
+                            bat_curve **out, bat_sketch_report *report) {
     return bat_sketch_with(curve, stroke, options, meaning, NULL, out, report);
 }
 
