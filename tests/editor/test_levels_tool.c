@@ -364,7 +364,7 @@ static void a_level_is_redrawn(void **state) {
         bat_near near;
         on_curve(editor, 0, 0.3, from);
         on_curve(editor, 0, 0.7, to);
-        pen_line(&p, from[0], from[1], to[0], to[1], -60);
+        pen_line(&p, from[0], from[1], to[0], to[1], 30);
         if (bat_editor_frame(editor)->pending) bat_editor_command(editor, "accept");
         check(editor);
         const bat_shape *after = shape_at(editor, 0);
