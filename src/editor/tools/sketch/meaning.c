@@ -1,5 +1,9 @@
 #include "editor/tools/sketch/meaning.h"
-#include "editor/tools/all_parts.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/stage.h"
+#include "editor/session/session.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -27,8 +31,7 @@ static bool restricts(const bat_context *c) {
     return false;
 }
 
-bat_status bat_meaning_begin(bat_context *c, bat_device device) {
-    bat_meaning *m = &c->toolbox->sketching.meaning;
+bat_status bat_meaning_begin(bat_context *c, bat_meaning *m, bat_device device) {
     bat_stage_sync(c);
     bat_meaning_end(m);
     m->restricts = restricts(c);
@@ -61,8 +64,8 @@ static void hull(const bat_curve *curve, double box[4]) {
     }
 }
 
-static bat_status take(bat_context *c, int entry, int index, const double map[6], bool meant) {
-    bat_meaning *m = &c->toolbox->sketching.meaning;
+static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, const double map[6],
+                       bool meant) {
     const bat_object *object = c->scene->entries[entry].object;
     bat_id id = bat_object_id(object);
     if (m->curve_count == m->curve_room) {
@@ -84,8 +87,8 @@ static void map_of(const bat_view *view, double map[6]) {
 }
 
 /* Curves near one place of the stroke, in the order in which they lie. */
-static bat_status look_at(bat_context *c, const bat_view *view, const double point[2], double within) {
-    bat_meaning *m = &c->toolbox->sketching.meaning;
+static bat_status look_at(bat_context *c, bat_meaning *m, const bat_view *view, const double point[2],
+                          double within) {
     const bat_scene *scene = c->scene;
     const double box[4] = {point[0] - within, point[1] - within, point[0] + within, point[1] + within};
     double map[6];
@@ -101,15 +104,14 @@ static bat_status look_at(bat_context *c, const bat_view *view, const double poi
             double own[4];
             if (bat_curve_dimension(curve) != 2 || has(m, bat_object_id(entry->object), j)) continue;
             if (count > 1) hull(curve, own);
-            if (count == 1 || boxes_meet(own, box)) status = take(c, i, j, map, meant);
+            if (count == 1 || boxes_meet(own, box)) status = take(c, m, i, j, map, meant);
         }
     }
     return status;
 }
 
-bat_status bat_meaning_look(bat_context *c, const bat_samples *samples, bool whole) {
-    bat_meaning *m = &c->toolbox->sketching.meaning;
-    const bat_view *view = &c->toolbox->sketching.edit.view;
+bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_view *view, const bat_samples *samples,
+                            bool whole) {
     if (!m->intent || !samples->count) return BAT_STATE;
     const double within = (BESIDE + STRIDE) * bat_view_pixel(view);
     bat_stage_sync(c);
@@ -120,7 +122,7 @@ bat_status bat_meaning_look(bat_context *c, const bat_samples *samples, bool who
         bool last = whole && m->asked + 1 == samples->count;
         if (m->asked && !last && bat_hypot(pixel[0] - m->last[0], pixel[1] - m->last[1]) < STRIDE) continue;
         memcpy(m->last, pixel, sizeof m->last);
-        status = look_at(c, view, samples->points + 2 * m->asked, within);
+        status = look_at(c, m, view, samples->points + 2 * m->asked, within);
     }
     m->count = 0;
     return status == BAT_OK ? bat_intent_rank(m->intent, whole, m->readings, &m->count) : status;
@@ -152,21 +154,13 @@ static const bat_edit_kind KINDS[] = {
     [BAT_INTENT_SEVERAL] = BAT_EDIT_SEVERAL, [BAT_INTENT_EXTEND] = BAT_EDIT_EXTEND,
     [BAT_INTENT_JOIN] = BAT_EDIT_JOIN,       [BAT_INTENT_CLOSE] = BAT_EDIT_CLOSE};
 
-static const bat_meaning_curve *curve_of(const bat_context *c, const bat_reading *reading, int part) {
-    return &c->toolbox->sketching.meaning.curves[reading->part[part].line];
+static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_reading *reading, int part) {
+    return &m->curves[reading->part[part].line];
 }
 
-/* A curve with levels follows at one of them. */
-static bat_edit_kind kind_of(const bat_context *c, const bat_reading *reading, int *level) {
-    bat_edit_kind kind = KINDS[reading->kind];
-    if (kind != BAT_EDIT_REDRAW && kind != BAT_EDIT_EXTEND) return kind;
-    const bat_meaning_curve *curve = curve_of(c, reading, 0);
-    return bat_sketching_level(c, curve->object, curve->curve, level) ? BAT_EDIT_LEVEL : kind;
-}
-
-static void put_start(bat_context *c, const bat_reading *reading, bat_edit *edit) {
+static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
     if (reading->onto < 0 || !edit->samples.count) return;
-    const bat_meaning_curve *curve = &c->toolbox->sketching.meaning.curves[reading->onto];
+    const bat_meaning_curve *curve = &m->curves[reading->onto];
     const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
     bat_near near;
     if (!finder) return;
@@ -175,48 +169,49 @@ static void put_start(bat_context *c, const bat_reading *reading, bat_edit *edit
     memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);
 }
 
-void bat_meaning_apply(bat_context *c, const bat_reading *reading, bat_edit *edit) {
-    edit->kind = kind_of(c, reading, &edit->level);
+void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
+    edit->kind = KINDS[reading->kind];
     edit->meaning = (bat_sketch_meaning){0};
     edit->object = edit->other = 0;
     edit->curve = edit->other_curve = edit->part_count = 0;
     if (reading->kind == BAT_INTENT_NEW) {
         edit->meaning.closing = reading->closed ? BAT_CLOSING_YES : BAT_CLOSING_NO;
-        put_start(c, reading, edit);
+        put_start(c, m, reading, edit);
         return;
     }
-    edit->object = curve_of(c, reading, 0)->object;
-    edit->curve = curve_of(c, reading, 0)->curve;
+    edit->object = curve_of(m, reading, 0)->object;
+    edit->curve = curve_of(m, reading, 0)->curve;
     edit->meaning = meaning_of(&reading->part[0]);
     if (reading->kind == BAT_INTENT_JOIN) {
-        edit->other = curve_of(c, reading, 1)->object;
-        edit->other_curve = curve_of(c, reading, 1)->curve;
+        edit->other = curve_of(m, reading, 1)->object;
+        edit->other_curve = curve_of(m, reading, 1)->curve;
     }
     if (reading->kind != BAT_INTENT_SEVERAL) return;
     edit->part_count = reading->count;
     for (int i = 0; i < reading->count; i++) {
         bat_edit_part *part = &edit->part[i];
         const bat_intent_part *from = &reading->part[i];
-        *part = (bat_edit_part){.object = curve_of(c, reading, i)->object,
-                                .curve = curve_of(c, reading, i)->curve,
+        *part = (bat_edit_part){.object = curve_of(m, reading, i)->object,
+                                .curve = curve_of(m, reading, i)->curve,
                                 .meaning = meaning_of(from)};
         memcpy(part->end, point_along(&edit->samples, from->along[1]), sizeof part->end);
     }
 }
 
-bool bat_meaning_is(const bat_context *c, const bat_reading *reading, const bat_edit *edit) {
-    int level = 0;
-    if (kind_of(c, reading, &level) != edit->kind) return false;
+bool bat_meaning_is(const bat_meaning *m, const bat_reading *reading, const bat_edit *edit) {
+    bool levelled = edit->kind == BAT_EDIT_LEVEL &&
+                    (reading->kind == BAT_INTENT_REDRAW || reading->kind == BAT_INTENT_EXTEND);
+    if (KINDS[reading->kind] != edit->kind && !levelled) return false;
     if (reading->kind == BAT_INTENT_NEW) return true;
-    const bat_meaning_curve *curve = curve_of(c, reading, 0);
+    const bat_meaning_curve *curve = curve_of(m, reading, 0);
     if (curve->object != edit->object || curve->curve != edit->curve) return false;
     if (reading->kind == BAT_INTENT_JOIN)
-        return curve_of(c, reading, 1)->object == edit->other &&
-               curve_of(c, reading, 1)->curve == edit->other_curve;
+        return curve_of(m, reading, 1)->object == edit->other &&
+               curve_of(m, reading, 1)->curve == edit->other_curve;
     if (reading->kind != BAT_INTENT_SEVERAL) return true;
     bool same = reading->count == edit->part_count;
     for (int i = 0; i < reading->count && same; i++)
-        same = curve_of(c, reading, i)->object == edit->part[i].object &&
-               curve_of(c, reading, i)->curve == edit->part[i].curve;
+        same = curve_of(m, reading, i)->object == edit->part[i].object &&
+               curve_of(m, reading, i)->curve == edit->part[i].curve;
     return same;
 }

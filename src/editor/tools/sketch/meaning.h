@@ -6,6 +6,7 @@
 #define BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
 
 #include "editor/edit/stroke.h"
+#include "editor/session/context.h"
 #include "hands/sketch/intent.h"
 #include <batten/editor.h>
 
@@ -25,13 +26,15 @@ typedef struct bat_meaning {
     bat_reading readings[BAT_INTENT_READINGS]; /* the best first */
 } bat_meaning;
 
-bat_status bat_meaning_begin(bat_context *c, bat_device device);
+bat_status bat_meaning_begin(bat_context *c, bat_meaning *meaning, bat_device device);
 void bat_meaning_end(bat_meaning *meaning);
-/* Reads the stroke so far, or the whole. BAT_DOT: too short to say. */
-bat_status bat_meaning_look(bat_context *c, const bat_samples *samples, bool whole);
+/* Reads the stroke so far, or the whole. view: of the stroke. BAT_DOT: too short to say. */
+bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_view *view,
+                            const bat_samples *samples, bool whole);
 /* The edit as this reading has it; what is not of the reading stays as it is. */
-void bat_meaning_apply(bat_context *c, const bat_reading *reading, bat_edit *edit);
+void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,
+                       bat_edit *edit);
 /* Whether the reading would make that same kind of edit of the same curves. */
-bool bat_meaning_is(const bat_context *c, const bat_reading *reading, const bat_edit *edit);
+bool bat_meaning_is(const bat_meaning *meaning, const bat_reading *reading, const bat_edit *edit);
 
 #endif

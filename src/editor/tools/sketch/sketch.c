@@ -235,7 +235,7 @@ static void begin(bat_context *c, const bat_pointer *event, bat_pick pick, bool 
     s->smoothing = false;
     s->predicted_count = 0;
     if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
-    bat_status status = forced ? BAT_OK : bat_meaning_begin(c, event->device);
+    bat_status status = forced ? BAT_OK : bat_meaning_begin(c, &s->meaning, event->device);
     if (status == BAT_OK) status = add_sample(s, event);
     if (status != BAT_OK)
         give_up(c, status);
@@ -247,21 +247,30 @@ static void down(bat_context *c, const bat_pointer *event) {
     begin(c, event, pick_at(c, (double[]){event->x, event->y}, event->device), false);
 }
 
+/* A curve with levels follows at one of them. */
+static void apply(bat_context *c, const bat_reading *reading) {
+    bat_sketching *s = &c->toolbox->sketching;
+    bat_edit *edit = &s->edit;
+    bat_meaning_apply(c, &s->meaning, reading, edit);
+    bool one = edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND;
+    if (one && bat_sketching_level(c, edit->object, edit->curve, &edit->level)) edit->kind = BAT_EDIT_LEVEL;
+}
+
 /* What the stroke means so far. It turns only for a better reading, or it would flicker. */
 static void decide(bat_context *c) {
     bat_sketching *s = &c->toolbox->sketching;
     bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing) return;
-    bat_status status = bat_meaning_look(c, &s->edit.samples, false);
+    bat_status status = bat_meaning_look(c, m, &s->edit.view, &s->edit.samples, false);
     if (status != BAT_OK || !m->count) return; /* too short yet, or no memory: as it was */
     const bat_reading *shown = NULL;
     for (int i = 0; i < m->count && !shown; i++)
-        if (bat_meaning_is(c, &m->readings[i], &s->edit)) shown = &m->readings[i];
+        if (bat_meaning_is(m, &m->readings[i], &s->edit)) shown = &m->readings[i];
     if (!shown || bat_intent_turns(m->intent, &m->readings[0], shown)) {
         if (shown != &m->readings[0]) drop_session(s);
         shown = &m->readings[0];
     }
-    bat_meaning_apply(c, shown, &s->edit);
+    apply(c, shown);
 }
 
 static void move(bat_context *c, const bat_pointer *event) {
@@ -317,13 +326,12 @@ static bat_status make(bat_context *c, bat_curve **curve, bat_sketch_report *rep
     bat_status status = BAT_OK;
     int tried = 0;
     if (!s->forced && !s->smoothing) {
-        status = bat_meaning_look(c, &edit->samples, true);
+        status = bat_meaning_look(c, &s->meaning, &edit->view, &edit->samples, true);
         if (status != BAT_OK && status != BAT_DOT) return status;
         if (status == BAT_DOT) s->meaning.count = 0;
     }
     do {
-        if (tried < s->meaning.count && !s->smoothing)
-            bat_meaning_apply(c, &s->meaning.readings[tried], edit);
+        if (tried < s->meaning.count && !s->smoothing) apply(c, &s->meaning.readings[tried]);
         status = compute(c, curve, report);
         if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
             edit->kind = BAT_EDIT_NEW;

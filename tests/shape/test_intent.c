@@ -1,0 +1,202 @@
+/*
+ * What a stroke means: strokes of known relation to straight and round lines get the reading that the rule's own
+ * numbers give; the answer does not depend on when it was asked before, nor on turning, moving or mirroring all of it;
+ * bad samples do nothing, and every allocation may fail.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "hands/sketch/intent.h"
+#include "support/alloc_fail.h"
+
+enum { SAMPLES = 160 };
+static const double UPRIGHT[6] = {1, 0, 0, 0, 1, 0};
+
+/* A line as a cubic of four spans. */
+static bat_curve *line(double x0, double y0, double x1, double y1) {
+    double knots[11] = {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, points[14];
+    const double at[7] = {0,    1.0 / 12,  0.25, 0.5,
+                          0.75, 11.0 / 12, 1}; /* Greville: the parameter runs evenly */
+    bat_curve *curve = NULL;
+    for (int i = 0; i < 7; i++)
+        points[2 * i] = x0 + (x1 - x0) * at[i], points[2 * i + 1] = y0 + (y1 - y0) * at[i];
+    assert_int_equal(bat_curve_create(3, 2, false, 7, knots, points, &curve), BAT_OK);
+    return curve;
+}
+
+typedef struct scene {
+    int lines;
+    double ends[4][4];
+    double stroke[3][2]; /* a polygon */
+    int corners;
+} scene;
+
+static void samples(const scene *s, double out[2 * SAMPLES]) {
+    for (int i = 0; i < SAMPLES; i++) {
+        const double t = (double)i / (SAMPLES - 1) * (s->corners - 1);
+        const int k = t < s->corners - 1 ? (int)t : s->corners - 2;
+        for (int c = 0; c < 2; c++)
+            out[2 * i + c] = s->stroke[k][c] + (t - k) * (s->stroke[k + 1][c] - s->stroke[k][c]);
+    }
+}
+
+/* The best reading; batches: how often it is asked on the way. */
+static bat_status read_at(const scene *s, const double map[6], int batches, bat_reading *best) {
+    double points[2 * SAMPLES];
+    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent *intent = NULL;
+    int count = 0;
+    samples(s, points);
+    for (int i = 0; i < SAMPLES; i++) {
+        const double x = points[2 * i], y = points[2 * i + 1];
+        points[2 * i] = map[0] * x + map[1] * y + map[2],
+                   points[2 * i + 1] = map[3] * x + map[4] * y + map[5];
+    }
+    bat_status status = bat_intent_create(false, false, &intent);
+    for (int i = 0; i < s->lines && status == BAT_OK; i++) {
+        bat_curve *curve = line(s->ends[i][0], s->ends[i][1], s->ends[i][2], s->ends[i][3]);
+        status = bat_intent_line(intent, curve, map, true);
+        bat_curve_free(curve);
+    }
+    for (int b = 0; b < batches && status == BAT_OK; b++) {
+        const size_t from = (size_t)(SAMPLES * b / batches), to = (size_t)(SAMPLES * (b + 1) / batches);
+        status = bat_intent_add(intent, to - from, points + 2 * from);
+        if (status == BAT_OK) status = bat_intent_rank(intent, b + 1 == batches, all, &count);
+        if (status == BAT_DOT && b + 1 < batches) status = BAT_OK;
+    }
+    for (int i = 1; i < count; i++) assert_true(all[i - 1].cost <= all[i].cost);
+    if (status == BAT_OK) *best = all[0];
+    bat_intent_free(intent);
+    return status;
+}
+
+static const struct {
+    scene scene;
+    bat_intent_kind kind;
+} cases[] = {
+    {{1, {{0, 0, 400, 0}}, {{60, 3}, {300, 3}}, 2}, BAT_INTENT_REDRAW},
+    {{1, {{0, 0, 400, 0}}, {{300, 3}, {60, 3}}, 2}, BAT_INTENT_REDRAW},
+    {{1, {{0, 0, 400, 0}}, {{60, 24}, {330, 24}}, 2}, BAT_INTENT_REDRAW}, /* long beside it */
+    {{1, {{0, 0, 400, 0}}, {{60, 24}, {90, 24}}, 2}, BAT_INTENT_NEW},     /* short */
+    {{1, {{0, 0, 400, 0}}, {{200, 0}, {200, 200}}, 2}, BAT_INTENT_NEW},   /* T */
+    {{1, {{0, 0, 400, 0}}, {{100, -100}, {300, 100}}, 2}, BAT_INTENT_NEW},
+    {{1, {{0, 0, 400, 0}}, {{402, 1}, {520, 10}}, 2}, BAT_INTENT_EXTEND},
+    {{1, {{0, 0, 400, 0}}, {{520, 10}, {402, 1}}, 2}, BAT_INTENT_EXTEND},
+    {{1, {{0, 0, 400, 0}}, {{-60, 1}, {460, 1}}, 2}, BAT_INTENT_EXTEND}, /* all of it and beyond */
+    {{2, {{0, 0, 200, 0}, {300, 0, 500, 0}}, {{198, 1}, {302, 1}}, 2}, BAT_INTENT_JOIN},
+    {{2, {{0, 0, 200, 0}, {300, 0, 500, 0}}, {{120, 1}, {380, 1}}, 2}, BAT_INTENT_JOIN}, /* overlaps both */
+    {{2, {{0, 0, 200, 0}, {200, 0, 400, 0}}, {{60, 3}, {330, 3}}, 2}, BAT_INTENT_SEVERAL},
+    {{2, {{0, 0, 200, 0}, {200, 0, 400, 0}}, {{60, 3}, {198, 2}}, 2},
+     BAT_INTENT_REDRAW}, /* up to the joint */
+    {{3, {{0, 0, 400, 0}, {0, 20, 400, 20}, {0, 40, 400, 40}}, {{20, 60}, {380, 60}}, 2}, BAT_INTENT_NEW},
+    {{0, {{0}}, {{20, 60}, {380, 60}}, 2}, BAT_INTENT_NEW},
+};
+
+static void known_relations(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        bat_reading best;
+        assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &best), BAT_OK);
+        if (best.kind != cases[i].kind) fail_msg("case %d: kind %d", (int)i, (int)best.kind);
+    }
+}
+
+/* Bit for bit the same, however often it was asked before. */
+static void asked_any_time(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (int batches = 2; batches <= 40; batches += 19) {
+            bat_reading once, often;
+            assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &once), BAT_OK);
+            assert_int_equal(read_at(&cases[i].scene, UPRIGHT, batches, &often), BAT_OK);
+            assert_int_equal(once.kind, often.kind);
+            assert_true(once.cost == often.cost);
+            assert_int_equal(once.part[0].line, often.part[0].line);
+        }
+}
+
+static void moved_turned_mirrored(void **state) {
+    (void)state;
+    const double c = cos(0.7), s = sin(0.7);
+    const double maps[][6] = {{c, -s, 311, s, c, -77}, {-1, 0, 0, 0, 1, 0}, {1, 0, 1e4, 0, 1, -1e4}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (size_t k = 0; k < sizeof maps / sizeof maps[0]; k++) {
+            bat_reading before, after;
+            assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &before), BAT_OK);
+            assert_int_equal(read_at(&cases[i].scene, maps[k], 1, &after), BAT_OK);
+            assert_int_equal(before.kind, after.kind);
+            assert_true(fabs(before.cost - after.cost) < 0.5);
+        }
+}
+
+static void parts_of_several(void **state) {
+    (void)state;
+    const scene s = {
+        2, {{0, 0, 200, 0}, {400, 0, 200, 0}}, {{340, 3}, {70, 3}}, 2}; /* ends meet, senses differ */
+    bat_reading best;
+    assert_int_equal(read_at(&s, UPRIGHT, 1, &best), BAT_OK);
+    assert_int_equal(best.kind, BAT_INTENT_SEVERAL);
+    assert_int_equal(best.count, 2);
+    assert_int_equal(best.part[0].line, 1);
+    assert_int_equal(best.part[1].line, 0);
+    assert_int_equal(best.part[0].sense, 1);
+    assert_int_equal(best.part[1].sense, -1);
+    assert_true(best.part[0].along[1] == best.part[1].along[0]);
+    assert_true(fabs(best.part[0].along[1] - 140) < 4);
+    assert_true(best.part[0].free[1] && best.part[1].free[0] && !best.part[0].free[0] &&
+                !best.part[1].free[1]);
+}
+
+static void bad_samples(void **state) {
+    (void)state;
+    const double nothing[] = {NAN, 0, 5, INFINITY, 3, 3, 3, 3, 3.1, 3};
+    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent *intent = NULL;
+    int count = 1;
+    assert_int_equal(bat_intent_create(true, false, &intent), BAT_OK);
+    assert_int_equal(bat_intent_rank(intent, true, all, &count), BAT_DOT);
+    assert_int_equal(count, 0);
+    assert_int_equal(bat_intent_add(intent, 5, nothing), BAT_OK);
+    assert_int_equal(bat_intent_rank(intent, true, all, &count), BAT_DOT);
+    assert_int_equal(count, 0);
+    bat_intent_free(intent);
+    bat_intent_free(NULL);
+}
+
+static void memory(void **state) {
+    (void)state;
+    const scene s = cases[11].scene;
+    const long live = alloc_live();
+    for (long n = 1;; n++) {
+        bat_intent *intent = NULL;
+        bat_reading all[BAT_INTENT_READINGS];
+        double points[2 * SAMPLES];
+        int count;
+        bat_curve *curve[2] = {line(0, 0, 200, 0), line(200, 0, 400, 0)};
+        samples(&s, points);
+        alloc_fail_at(n);
+        bat_status status = bat_intent_create(false, false, &intent);
+        for (int i = 0; i < 2 && status == BAT_OK; i++)
+            status = bat_intent_line(intent, curve[i], UPRIGHT, true);
+        if (status == BAT_OK) status = bat_intent_add(intent, SAMPLES, points);
+        if (status == BAT_OK) status = bat_intent_rank(intent, true, all, &count);
+        const bool reached = alloc_fail_reached();
+        bat_intent_free(intent);
+        for (int i = 0; i < 2; i++) bat_curve_free(curve[i]);
+        assert_true(alloc_live() == live);
+        assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+        if (!reached) break;
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_relations),       cmocka_unit_test(asked_any_time),
+        cmocka_unit_test(moved_turned_mirrored), cmocka_unit_test(parts_of_several),
+        cmocka_unit_test(bad_samples),           cmocka_unit_test(memory),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
