@@ -21,6 +21,12 @@ static void wire(bat_editor *editor) {
                                     .toolbox = &editor->toolbox};
 }
 
+static const bat_tool *(*const tools[BAT_SLOTS])(void) = {
+#define TOOL(id, name, command, behaviour, traits) behaviour,
+#define MODE(id, behaviour) behaviour,
+#include "editor/tables/commands.def"
+};
+
 bat_status bat_editor_create(bat_editor **out) {
     if (!out) return BAT_ARGUMENT;
     bat_editor *editor = calloc(1, sizeof *editor);
@@ -29,11 +35,11 @@ bat_status bat_editor_create(bat_editor **out) {
     editor->session.stepped = bat_choice_follow;
     editor->view = bat_view_defaults();
     editor->notices.notice = BAT_STRING_COUNT;
-    bat_toolbox_init(&editor->toolbox);
     bat_scene_init(&editor->scene);
     bat_settings_init(&editor->settings);
     bat_document *document = NULL;
-    bat_status status = bat_document_create(&document);
+    bat_status status = bat_toolbox_fill(&editor->toolbox, tools);
+    if (status == BAT_OK) status = bat_document_create(&document);
     if (status == BAT_OK) {
         status = bat_editor_open(editor, document, "");
         if (status != BAT_OK) bat_document_free(document);

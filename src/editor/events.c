@@ -5,6 +5,9 @@
 #include "editor/fingers.h"
 #include "editor/show/ruler.h"
 #include "base/real.h"
+#include "editor/input/samples.h"
+#include "editor/tools/keyed/range.h"
+#include "editor/tools/modes/guides.h"
 #include <math.h>
 #include <string.h>
 
@@ -44,20 +47,20 @@ static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *c
 static void set_modifiers(bat_context *c, uint32_t modifiers) {
     if (c->modifiers == modifiers) return;
     c->modifiers = modifiers;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->modifiers) tool->modifiers(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->modifiers) tool->is->modifiers(c, tool->state);
 }
 
 static void cancel_tool(bat_context *c) {
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->cancel) tool->cancel(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->cancel) tool->is->cancel(c, tool->state);
 }
 
 /* What waits for a yes goes when the pen is turned round; what is chosen stays. */
 static void cancel_uncommitted(bat_context *c) {
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->undo)
-        tool->undo(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->undo)
+        tool->is->undo(c, tool->state);
     else
         cancel_tool(c);
 }
@@ -93,9 +96,9 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
     if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && only_pens)) return BAT_DUTY_NAVIGATE;
     if (event->buttons & BAT_BUTTON_ERASER) {
         bat_range_end(c);
-        const bat_tool *tool = bat_toolbox_tool(c);
+        const bat_slot *tool = bat_toolbox_tool(c);
         cancel_uncommitted(c);
-        if (tool->leave) tool->leave(c);
+        if (tool->is->leave) tool->is->leave(c, tool->state);
         c->input->erasing = true;
         return BAT_DUTY_TOOL;
     }
@@ -132,17 +135,17 @@ static void down(bat_context *c, const bat_pointer *event) {
                                                       .at = {event->x, event->y},
                                                       .start = {event->x, event->y},
                                                       .start_time = event->time};
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     if (duty != BAT_DUTY_TOOL) return;
     c->input->trail.count = 0;
     bat_trail_add(&c->input->trail, c->input->pen, event->time);
     if (finger) c->input->fingers.before = c->input->fingers.after = c->session->history.state;
-    if (tool->down) tool->down(c, event);
+    if (tool->is->down) tool->is->down(c, tool->state, event);
 }
 
 static void move(bat_context *c, const bat_pointer *event, int index) {
     bat_contact *contact = &c->input->contacts.list[index];
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     bool finger = contact->device == BAT_DEVICE_TOUCH;
     if (bat_contact_is_palm(event)) bat_finger_stop(c, index); /* it came down edge first */
     contact->far = fmax(contact->far, bat_hypot(event->x - contact->start[0], event->y - contact->start[1]));
@@ -150,7 +153,7 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
     if (contact->duty == BAT_DUTY_TOOL || !finger) point(c, event);
     if (contact->duty == BAT_DUTY_TOOL) {
         bat_trail_add(&c->input->trail, c->input->pen, event->time);
-        if (tool->move) tool->move(c, event);
+        if (tool->is->move) tool->is->move(c, tool->state, event);
     } else if (contact->duty == BAT_DUTY_NAVIGATE) {
         if (finger && contact->far <= AT_REST) return;
         if (finger) bat_fingers_before(c);
@@ -163,21 +166,21 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
 
 /* Where the pen may be going: for the overlay only. */
 static void predict(bat_context *c, const bat_pointer *event, int index) {
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (c->input->contacts.list[index].duty != BAT_DUTY_TOOL || !tool->move) return;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (c->input->contacts.list[index].duty != BAT_DUTY_TOOL || !tool->is->move) return;
     double guess[2] = {event->x, event->y};
     bat_trail_bound(&c->input->trail, guess);
     bat_pointer bound = *event;
     bound.x = guess[0];
     bound.y = guess[1];
-    tool->move(c, &bound);
+    tool->is->move(c, tool->state, &bound);
 }
 
 /* The pen's other end is lifted: the tool is the chosen one again. */
 static void turn_back(bat_context *c) {
     if (!c->input->erasing) return;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->leave) tool->leave(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
     c->input->erasing = false;
 }
 
@@ -185,12 +188,12 @@ static void end(bat_context *c, const bat_pointer *event, int index) {
     if (event->phase == BAT_POINTER_UP) move(c, event, index);
     const bat_contact contact = c->input->contacts.list[index];
     bat_contacts_remove(&c->input->contacts, index);
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     if (contact.duty == BAT_DUTY_TOOL) {
         if (event->phase == BAT_POINTER_CANCEL)
             cancel_tool(c);
-        else if (tool->up)
-            tool->up(c, event);
+        else if (tool->is->up)
+            tool->is->up(c, tool->state, event);
         turn_back(c);
         if (event->device == BAT_DEVICE_TOUCH) bat_fingers_step(c, &contact);
     }
@@ -218,7 +221,7 @@ static void one(bat_context *c, bat_pointer event) {
     c->session->freed = c->session->refused = false;
     if (event.device == BAT_DEVICE_PEN) see_pen(c, &event);
     set_modifiers(c, event.modifiers);
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     switch (event.phase) {
     case BAT_POINTER_DOWN:
         if (index >= 0)
@@ -237,16 +240,16 @@ static void one(bat_context *c, bat_pointer event) {
         else if (event.device != BAT_DEVICE_TOUCH) {
             point(c, &event);
             if (!bat_contacts_clear(c)) break;
-            if (bat_ruler_at(c, c->input->pen) < 0 && tool->hover)
-                tool->hover(c, &event);
-            else if (tool->leave)
-                tool->leave(c);
+            if (bat_ruler_at(c, c->input->pen) < 0 && tool->is->hover)
+                tool->is->hover(c, tool->state, &event);
+            else if (tool->is->leave)
+                tool->is->leave(c, tool->state);
         }
         break;
     case BAT_POINTER_LEAVE:
         if (event.device == BAT_DEVICE_TOUCH && c->input->points != BAT_DEVICE_TOUCH) break;
         c->input->pen_near = false;
-        if (index < 0 && tool->leave && !bat_toolbox_busy(c)) tool->leave(c);
+        if (index < 0 && tool->is->leave && !bat_toolbox_busy(c)) tool->is->leave(c, tool->state);
         break;
     }
 }

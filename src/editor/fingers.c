@@ -23,9 +23,9 @@ void bat_fingers_after(bat_context *c) { c->input->fingers.moved = *c->view; }
 
 void bat_finger_stop(bat_context *c, int index) {
     bat_contact *contact = &c->input->contacts.list[index];
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (contact->duty == BAT_DUTY_TOOL && bat_toolbox_busy(c) && tool->cancel) {
-        tool->cancel(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (contact->duty == BAT_DUTY_TOOL && bat_toolbox_busy(c) && tool->is->cancel) {
+        tool->is->cancel(c, tool->state);
         bat_notice(c, BAT_STRING_COUNT); /* a hand at rest is no news */
     }
     if (contact->duty == BAT_DUTY_NAVIGATE && untouched(c)) {

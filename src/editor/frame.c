@@ -4,6 +4,8 @@
 #include "editor/editor.h"
 #include "editor/tools/calm.h"
 #include "editor/show/ruler.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/modes/guides.h"
 #include <string.h>
 
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
@@ -12,20 +14,20 @@ static bat_cursor cursor(bat_context *c) {
     if (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL))
         return BAT_CURSOR_GRABBING;
     if (c->input->holding_pan || c->session->read_only) return BAT_CURSOR_GRAB;
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     int guide = bat_guides_hot(c);
     if (guide >= 0) return guide ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
-    return tool->cursor ? tool->cursor(c) : BAT_CURSOR_CROSS;
+    return tool->is->cursor ? tool->is->cursor(c, tool->state) : BAT_CURSOR_CROSS;
 }
 
 static const char *hint(bat_context *c) {
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     if (c->session->read_only) return bat_word(c, BAT_STRING_HINT_READ_ONLY);
-    if (!c->toolbox->guiding.on && bat_guides_hot(c) >= 0)
+    if (!bat_guiding_of(c)->on && bat_guides_hot(c) >= 0)
         return bat_word(c, bat_ruler_at(c, c->input->pen) < 0 ? BAT_STRING_HINT_GUIDE
                                                               : BAT_STRING_HINT_GUIDE_NEW);
     if (c->input->holding_pan && !bat_toolbox_busy(c)) return bat_word(c, BAT_STRING_HINT_PAN);
-    return tool->hint ? bat_word(c, tool->hint(c)) : "";
+    return tool->is->hint ? bat_word(c, tool->is->hint(c, tool->state)) : "";
 }
 
 static void drawing(const bat_readout *made, bat_frame *frame) {
@@ -56,12 +58,12 @@ static void show_selection(bat_context *c, bat_overlay *overlay) {
 const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_context *c = &editor->context;
     bat_overlay *overlay = &editor->overlay;
-    const bat_tool *tool = bat_toolbox_tool(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
     bat_scene *scene = c->scene;
     bat_scene_rebase(scene, c->view);
     bat_stage_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
-    if (tool->update) tool->update(c);
+    if (tool->is->update) tool->is->update(c, tool->state);
     bat_stage_sync(c); /* a drag shows in the frame that it was made for */
 
     bat_overlay_begin(overlay, scene->origin);
@@ -71,7 +73,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_readout made = bat_toolbox_readout(c);
     bat_insight_show(c, made.curve, overlay);
     bat_calm_show(c, overlay);
-    if (tool->overlay) tool->overlay(c, overlay);
+    if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     bat_overlay_end(overlay, bat_view_pixel(c->view));

@@ -61,6 +61,6 @@ const char *bat_editor_check(const bat_editor *editor) {
     }
     if (!c->session->journal.size || c->session->journal.text[c->session->journal.size - 1] != '\n')
         return "the journal does not end with a line";
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->check ? tool->check(c) : NULL;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->check ? tool->is->check(c, tool->state) : NULL;
 }

@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/pen.h"
+#include <batten/editor.h>
+#include <batten/measure.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }

@@ -11,6 +11,7 @@
 #include "support/pen.h"
 #include "support/pictures.h"
 #include "support/xml.h"
+#include <batten/bezier.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }

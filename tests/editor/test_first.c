@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/pen.h"
+#include <batten/base.h>
+#include <batten/editor.h>
 
 enum { DRAW = 1, UNDO = 2, POINTS = 4 };
 

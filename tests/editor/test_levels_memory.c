@@ -6,6 +6,8 @@
 #include <cmocka.h>
 #include "support/alloc_fail.h"
 #include "support/pen.h"
+#include <batten/document.h>
+#include <batten/editor.h>
 
 static void session(bat_editor *editor) {
     pen p = pen_for(editor);

@@ -10,6 +10,8 @@
 #include <cmocka.h>
 #include "editor/editor.h"
 #include "support/session.h"
+#include "editor/tools/levels/state.h"
+#include <batten/measure.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
@@ -481,7 +483,9 @@ static void a_press_taken_away_keeps_the_choice(void **state) {
         pen p;
         bat_editor *editor = apart_editor(&p);
         assert_int_equal(bat_editor_command(editor, "take-apart"), BAT_OK);
-        int levels = editor->toolbox.leveling.apart ? bat_shape_levels(editor->toolbox.leveling.apart) : 0;
+        int levels = bat_leveling_of(&editor->context)->apart
+                         ? bat_shape_levels(bat_leveling_of(&editor->context)->apart)
+                         : 0;
         assert_true(levels > 0);
         pen first = p, second = p;
         first.device = second.device = BAT_DEVICE_TOUCH;
@@ -495,10 +499,10 @@ static void a_press_taken_away_keeps_the_choice(void **state) {
         if (pinch) pen_event(&second, BAT_POINTER_CANCEL, 600, 500);
         check(editor);
         assert_true(!bat_toolbox_busy(&editor->context));
-        assert_true(editor->toolbox.leveling.apart &&
-                    bat_shape_levels(editor->toolbox.leveling.apart) == levels);
+        assert_true(bat_leveling_of(&editor->context)->apart &&
+                    bat_shape_levels(bat_leveling_of(&editor->context)->apart) == levels);
         assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
-        assert_null(editor->toolbox.leveling.apart);
+        assert_null(bat_leveling_of(&editor->context)->apart);
         bat_editor_free(editor);
     }
 }

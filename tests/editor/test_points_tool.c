@@ -5,6 +5,11 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/pen.h"
+#include <batten/base.h>
+#include <batten/editor.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/refine.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 

@@ -11,6 +11,8 @@
 #include "editor/show/ruler.h"
 #include "support/alloc_fail.h"
 #include "support/session.h"
+#include <batten/bezier.h>
+#include "editor/tools/modes/guides.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
@@ -266,7 +268,7 @@ static void guides_by_hand(void **state) {
     bat_guide_put(&editor->context, 0, 0, 10);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "redo");
-    bat_editor_select(editor, editor->toolbox.guiding.chosen, false);
+    bat_editor_select(editor, bat_guiding_of(&editor->context)->chosen, false);
     assert_int_equal(editor->choice.selection.count, 0);
     assert_null(bat_editor_check(editor));
     assert_int_equal(bat_object_create_guide(1, 0, NAN, &none), BAT_NUMBER);

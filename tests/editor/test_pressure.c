@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/pen.h"
+#include <batten/editor.h>
 
 static void the_curve(void **state) {
     (void)state;

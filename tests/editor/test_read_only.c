@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/session.h"
+#include <batten/editor.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 

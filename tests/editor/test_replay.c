@@ -7,6 +7,9 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "support/pen.h"
+#include <batten/base.h>
+#include <batten/document.h>
+#include <batten/editor.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 

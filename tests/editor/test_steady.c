@@ -7,6 +7,9 @@
 #include <cmocka.h>
 #include "editor/editor.h"
 #include "support/pen.h"
+#include "editor/input/samples.h"
+#include "editor/input/stabiliser.h"
+#include "editor/tools/sketch/sketching.h"
 
 static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
 
@@ -121,7 +124,7 @@ static void off_is_the_pen_itself_and_the_end_is_always(void **state) {
     for (int strength = 0; strength <= 10; strength++) {
         bat_editor *editor = steadied(strength);
         bat_editor_pointer(editor, events, EVENTS - 1);
-        const bat_samples *samples = &editor->toolbox.sketching.edit.samples;
+        const bat_samples *samples = &bat_sketching_of(&editor->context)->edit.samples;
         for (size_t i = 0; i < samples->count && strength == 0; i++) {
             double x = round(events[i].x * 100) / 100, y = round(events[i].y * 100) / 100;
             assert_true(samples->count == EVENTS - 1);

@@ -10,6 +10,8 @@
 #include "editor/editor.h"
 #include "support/pen.h"
 #include "support/session.h"
+#include <batten/bezier.h>
+#include "editor/tools/tangents/state.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -6,6 +6,8 @@
 #include <cmocka.h>
 #include "editor/editor.h"
 #include "support/pen.h"
+#include "editor/show/handles.h"
+#include "editor/tools/pointing.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
@@ -151,16 +153,16 @@ static void fingers_leave_the_chosen_point(void **state) {
         bat_editor *editor = pen_editor();
         bat_editor_command(editor, "tool-points");
         assert_int_equal(bat_editor_command(editor, "point-next"), BAT_OK);
-        const bat_handle chosen = editor->toolbox.pointing.chosen;
+        const bat_handle chosen = bat_pointing_of(&editor->context)->chosen;
         assert_int_equal(chosen.kind, BAT_HANDLE_POINT);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 1, 400, 500, 5000);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, 2, 500, 500, 5020);
         if (pinch) touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 2, 540, 500, 5030);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 1, 400, 500, 5100);
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_UP, 2, 500, 500, 5110);
-        assert_int_equal(editor->toolbox.pointing.chosen.kind, chosen.kind);
-        assert_int_equal(editor->toolbox.pointing.chosen.index, chosen.index);
-        assert_false(editor->toolbox.pointing.pressed);
+        assert_int_equal(bat_pointing_of(&editor->context)->chosen.kind, chosen.kind);
+        assert_int_equal(bat_pointing_of(&editor->context)->chosen.index, chosen.index);
+        assert_false(bat_pointing_of(&editor->context)->pressed);
         bat_editor_free(editor);
     }
 }

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "editor/view/view.h"
 #include "support/pen.h"
+#include <batten/editor.h>
 
 static bat_view window(void) {
     bat_view view = bat_view_defaults();

@@ -6,6 +6,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/session.h"
+#include <batten/base.h>
+#include <batten/document.h>
+#include <batten/editor.h>
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 

@@ -15,15 +15,17 @@ from sources import sources
 ROOMS = [
     "base", "text", "curve", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
     "kinds", "format/native", "format/svg", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
-    "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools/modes",
-    "editor/tools", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/commands",
-    "editor/panels", "editor",
+    "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
+    "editor/tools/modes", "editor/tools/keyed", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
+    "editor/commands", "editor/panels", "editor",
 ]
 # Rooms side by side, that do not see each other.
 APART = [{"hands/sketch", "hands/tangents"}, {"format/native", "format/svg"},
-         {"editor/tools", "editor/tools/modes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels"}]
+         {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/sketch", "editor/tools/tangents",
+          "editor/tools/levels"}]
 # Rooms in which files do not see each other either; but for the headers named here, which are for all of them.
-SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": {"editor/tools/tool.h"}, "editor/tools/modes": set()}
+TOOLBOX = {"editor/tools/tool.h", "editor/tools/toolbox.h", "editor/tools/toolbox.c"}  # for every tool
+SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/modes": set()}
 
 # The room of each public header. A new header needs a line here.
 ROOM_OF_HEADER = {
@@ -50,7 +52,7 @@ DEFINED = re.compile(r"^(?!static|typedef|#)[A-Za-z_][\w \*]*?\b(bat_\w+)\([^;{]
 TABLE = re.compile(r"^(?!static|extern|typedef|#)(?:const )?[A-Za-z_][\w \*]*?\b(bat_\w+)(?:\[[^\]]*\])?\s*=", re.M)
 USED = re.compile(r"\bbat_\w+")
 KIND = re.compile(r"\bBAT_KIND_\w+")
-TOOL = re.compile(r"\bBAT_TOOL_\w+")
+TOOL = re.compile(r"\bBAT_TOOL_(?!COUNT\b)\w+")
 
 
 def bare(text):
@@ -94,8 +96,8 @@ class House:
             return here == "editor"
         if here == there:
             return here not in SINGLE or target in SINGLE[here] or stem(source) == stem(target)
-        if target == "editor/tools/tool.h":
-            return here.startswith("editor/tools/") or ROOMS.index(here) > ROOMS.index(there)
+        if target in TOOLBOX:
+            return here.startswith("editor/tools") or ROOMS.index(here) > ROOMS.index(there)
         return ROOMS.index(there) < ROOMS.index(here) and not any({here, there} <= rooms for rooms in APART)
 
     def includes(self):

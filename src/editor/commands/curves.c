@@ -8,13 +8,14 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/modes/range.h"
+#include "editor/tools/keyed/range.h"
 #include "editor/tools/selecting.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "hands/levels/shape.h"
 #include "base/real.h"
+#include <batten/nearest.h>
 #include <batten/refine.h>
 #include <math.h>
 #include <stdlib.h>
@@ -291,10 +292,10 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
 
 bat_status bat_command_curve_split(bat_context *c, bat_command_id id) {
     (void)id;
-    bat_selecting *s = &c->toolbox->selecting;
+    bat_selecting *s = bat_selecting_of(c);
     const bat_curve *ranged = bat_range_curve(c);
     if (ranged) {
-        bat_curve_eval(ranged, c->toolbox->range.u[c->toolbox->range.end], 0, s->point);
+        bat_curve_eval(ranged, bat_range_of(c)->u[bat_range_of(c)->end], 0, s->point);
         s->has_point = true;
     }
     bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(c->view) : -1};

@@ -14,6 +14,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/edit/curves_of.h"
+#include "editor/tools/sketch/sketching.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -51,7 +52,7 @@ static double within(double value, double low, double high) {
 }
 
 bat_status bat_apart_make(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     const bat_curve *curve = bat_leveling_curve(c);
     double *levels = &c->settings->values[BAT_PROPERTY_APART_LEVELS],
            *points = &c->settings->values[BAT_PROPERTY_APART_POINTS];
@@ -69,7 +70,7 @@ bat_status bat_apart_make(bat_context *c) {
 }
 
 bool bat_apart_drop(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bool any = l->apart != NULL;
     bat_shape_free(l->apart);
     l->apart = NULL;
@@ -77,7 +78,7 @@ bool bat_apart_drop(bat_context *c) {
 }
 
 bool bat_apart_accept(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_shape *shape = l->apart;
     if (!shape) return false;
     l->apart = NULL;
@@ -97,7 +98,7 @@ bat_status bat_command_take_apart(bat_context *c, bat_command_id id) {
         levels++;
     c->settings->values[BAT_PROPERTY_APART_LEVELS] = levels;
     c->settings->values[BAT_PROPERTY_APART_POINTS] = halved(curve, levels);
-    c->toolbox->leveling.copying = false;
+    bat_leveling_of(c)->copying = false;
     return told(c, bat_apart_make(c), BAT_STRING_NOTICE_FEW_POINTS);
 }
 
@@ -118,7 +119,7 @@ bat_status bat_command_level_add(bat_context *c, bat_command_id id) {
     }
     int top = bat_shape_levels(shape);
     status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_ADD);
-    if (status == BAT_OK) c->toolbox->leveling.level = top, c->toolbox->leveling.chosen = -1;
+    if (status == BAT_OK) bat_leveling_of(c)->level = top, bat_leveling_of(c)->chosen = -1;
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
 
@@ -131,7 +132,7 @@ bat_status bat_command_levels_flatten(bat_context *c, bat_command_id id) {
     bat_apart_drop(c);
     bat_status status = bat_curve_copy(curve, &plain);
     if (status == BAT_OK)
-        status = bat_commit_curve(c, c->toolbox->leveling.object, c->toolbox->leveling.curve, plain,
+        status = bat_commit_curve(c, bat_leveling_of(c)->object, bat_leveling_of(c)->curve, plain,
                                   BAT_STRING_STEP_FLATTEN);
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
@@ -141,7 +142,7 @@ bat_status bat_command_levels_copy(bat_context *c, bat_command_id id) {
     if (!chosen(c)) return BAT_STATE;
     if (!bat_leveling_shape(c)) return told(c, BAT_STATE, BAT_STRING_NOTICE_NO_LEVELS);
     bat_apart_drop(c);
-    c->toolbox->leveling.copying = !c->toolbox->leveling.copying;
+    bat_leveling_of(c)->copying = !bat_leveling_of(c)->copying;
     return BAT_OK;
 }
 
@@ -153,16 +154,15 @@ bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve) {
         bat_document_at(c->session->document, bat_document_find(c->session->document, object)), curve);
     bat_shape *shape = NULL;
     bat_status status = bat_shape_copy_levels(from, there ? bat_shape_curve(there, 0) : target, &shape);
-    if (status == BAT_OK)
-        status = bat_leveling_commit_at(c, object, curve, shape, BAT_STRING_STEP_COPY_DETAIL);
+    if (status == BAT_OK) status = bat_commit_shape(c, object, curve, shape, BAT_STRING_STEP_COPY_DETAIL);
     if (status == BAT_OK) bat_leveling_choose(c, object, curve);
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
 
 /* In the levels tool, and in the sketch tool over the chosen curve; elsewhere the keys mean something else. */
 static bat_status step(bat_context *c, int direction) {
-    bat_leveling *l = &c->toolbox->leveling;
-    const bat_pick *pick = &c->toolbox->sketching.pick;
+    bat_leveling *l = bat_leveling_of(c);
+    const bat_pick *pick = &bat_sketching_of(c)->pick;
     bool over = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS && l->object && pick->object == l->object &&
                 pick->curve == l->curve;
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS) && !over) return BAT_STATE;
@@ -206,7 +206,7 @@ bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value) {
     bat_leveling_settle(c);
     if (id == BAT_PROPERTY_FRAME_RULE) return set_rule(c, (bat_frame_rule)(int)value);
     const bat_curve *curve = bat_leveling_curve(c);
-    if (!c->toolbox->leveling.apart || !curve) return BAT_OK;
+    if (!bat_leveling_of(c)->apart || !curve) return BAT_OK;
     if (id == BAT_PROPERTY_APART_LEVELS)
         c->settings->values[BAT_PROPERTY_APART_POINTS] = halved(curve, (int)within(value, 1, BAT_LEVELS_MAX));
     return told(c, bat_apart_make(c), BAT_STRING_NOTICE_FEW_POINTS);

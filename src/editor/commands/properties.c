@@ -1,4 +1,5 @@
 /* Property values: numbers within the ranges of the table. */
+#include "editor/tools/span.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
 #include "editor/session/context.h"
@@ -24,7 +25,8 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
         bat_styling values[2] = {{id, value}, {shown, 1}};
         return bat_styling_set(c, shown == id ? 1 : 2, values);
     }
-    if (bat_property_at(id)->group == BAT_GROUP_PICTURE) return bat_tracing_set(c, id, value);
+    if (id == BAT_PROPERTY_PICTURE_SPAN) return bat_span_set(c, value);
+    if (id == BAT_PROPERTY_PICTURE_OPACITY) return bat_tracing_fade(c, value);
     if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
     c->settings->values[id] = value;
     return bat_property_at(id)->group == BAT_GROUP_LEVELS ? bat_leveling_set(c, id, value) : BAT_OK;
@@ -39,8 +41,9 @@ bat_status bat_property_get(const bat_context *c, const char *property, double *
         return BAT_OK;
     }
     const bat_style *style = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c) : NULL;
-    *value = style                                             ? bat_styling_value(style, id)
-             : bat_property_at(id)->group == BAT_GROUP_PICTURE ? bat_tracing_value(c, id)
-                                                               : c->settings->values[id];
+    *value = style                                ? bat_styling_value(style, id)
+             : id == BAT_PROPERTY_PICTURE_SPAN    ? bat_span_value(c)
+             : id == BAT_PROPERTY_PICTURE_OPACITY ? bat_tracing_opacity(c)
+                                                  : c->settings->values[id];
     return BAT_OK;
 }

@@ -14,6 +14,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
+#include "editor/tools/levels/state.h"
 
 /* Tells the user why nothing happened. */
 static bat_status told(bat_context *c, bat_status status) {
@@ -67,17 +68,17 @@ bat_status bat_command_distribute(bat_context *c, bat_command_id id) {
 bat_status bat_command_delete(bat_context *c, bat_command_id id) {
     (void)id;
     /* In a tool that deletes points, an object must not go because a point could not. */
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->command && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return BAT_STATE;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->command && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return BAT_STATE;
     if (!c->choice->selection.count) return BAT_STATE; /* the key may mean something else */
     return told(c, bat_arrange_delete(c));
 }
 
 bat_status bat_command_deselect(bat_context *c, bat_command_id id) {
     (void)id;
-    bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS && c->toolbox->leveling.object;
+    bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS && bat_leveling_of(c)->object;
     if (!c->choice->selection.count && !levels) return BAT_STATE;
-    if (levels) c->toolbox->leveling.object = 0;
+    if (levels) bat_leveling_of(c)->object = 0;
     bat_selection_clear(&c->choice->selection);
     return BAT_OK;
 }

@@ -12,14 +12,14 @@ bat_status bat_command_tool(bat_context *c, bat_command_id id) {
 }
 
 bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->command ? tool->command(c, id) : BAT_STATE;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->command ? tool->is->command(c, tool->state, id) : BAT_STATE;
 }
 
 bat_status bat_command_accept(bat_context *c, bat_command_id id) {
     (void)id;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->accept && tool->accept(c) ? BAT_OK : BAT_STATE;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->accept && tool->is->accept(c, tool->state) ? BAT_OK : BAT_STATE;
 }
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {

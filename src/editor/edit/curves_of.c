@@ -3,7 +3,6 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
 
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     int at = bat_document_find(c->session->document, object);
@@ -27,6 +26,34 @@ bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve 
         return status;
     }
     status = bat_put_curve(c, object, index, curve);
+    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
+    return status;
+}
+
+bat_status bat_put_shape(bat_context *c, bat_id id, int curve, bat_shape *shape) {
+    int at = bat_document_find(c->session->document, id);
+    bat_object *after = NULL;
+    bat_status status = at < 0 ? BAT_ARGUMENT
+                               : bat_object_with_shape(bat_document_at(c->session->document, at), curve,
+                                                       shape, &after);
+    if (status != BAT_OK) {
+        bat_shape_free(shape);
+        return status;
+    }
+    status = bat_transaction_replace(c, at, after);
+    bat_object_release(after);
+    return status;
+}
+
+bat_status bat_commit_shape(bat_context *c, bat_id id, int curve, bat_shape *shape, bat_string label) {
+    bat_status status = bat_shape_commit(shape);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_shape_free(shape);
+        return status;
+    }
+    status = bat_put_shape(c, id, curve, shape);
     if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
     bat_transaction_cancel(c);
     return status;

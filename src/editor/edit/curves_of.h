@@ -6,10 +6,15 @@
 #include "editor/tables/tables.h"
 #include <batten/document.h>
 #include <batten/editor.h>
+#include <batten/levels.h>
 
 /* Within a transaction: the object's curve `index` becomes `curve`, which is taken over whatever it returns. */
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
 /* The same as one step of its own. */
 bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve *curve, bat_string label);
+
+/* The same with a curve of levels. */
+bat_status bat_put_shape(bat_context *c, bat_id object, int index, bat_shape *shape);
+bat_status bat_commit_shape(bat_context *c, bat_id object, int index, bat_shape *shape, bat_string label);
 
 #endif

@@ -12,8 +12,6 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
-#include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include <math.h>
 
@@ -134,28 +132,18 @@ static bat_status state(const bat_object *object, const double *numbers, bat_obj
                                  numbers[1] < 0 ? bat_object_locked(object) : numbers[1] != 0, out);
 }
 
-static double span(const bat_spanning *s) {
-    return s->count < 2 ? 0 : bat_hypot(s->at[1][0] - s->at[0][0], s->at[1][1] - s->at[0][1]);
+bat_status bat_tracing_fade(bat_context *c, double opacity) {
+    return make_over(c, true, fade, &opacity, BAT_STRING_STEP_STYLE);
 }
 
-bat_status bat_tracing_set(bat_context *c, bat_property_id property, double value) {
-    if (property == BAT_PROPERTY_PICTURE_OPACITY)
-        return make_over(c, true, fade, &value, BAT_STRING_STEP_STYLE);
-    bat_spanning *s = &c->toolbox->spanning;
-    double now = span(s), factor = value / now, matrix[6];
-    if (!(now > 0) || !(value > 0)) return BAT_STATE;
-    bat_affine_scaling(factor, factor, s->at[0], matrix);
-    bat_status status = make_over(c, false, transform, matrix, BAT_STRING_STEP_SCALE);
-    for (int k = 0; k < 2 && status == BAT_OK; k++)
-        s->at[1][k] = s->at[0][k] + factor * (s->at[1][k] - s->at[0][k]);
-    return status;
+bat_status bat_tracing_scale(bat_context *c, const double matrix[6]) {
+    return make_over(c, false, transform, matrix, BAT_STRING_STEP_SCALE);
 }
 
-double bat_tracing_value(const bat_context *c, bat_property_id property) {
-    if (property == BAT_PROPERTY_PICTURE_SPAN) return span(&c->toolbox->spanning);
+double bat_tracing_opacity(const bat_context *c) {
     for (int i = bat_document_count(c->session->document) - 1; i >= 0; i--)
         if (meant(c, i, true)) return bat_object_style(bat_document_at(c->session->document, i))->opacity;
-    return c->settings->values[property];
+    return c->settings->values[BAT_PROPERTY_PICTURE_OPACITY];
 }
 
 /* which: 0 hidden, 1 locked. All become so; when all are, none is. */

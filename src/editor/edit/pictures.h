@@ -6,17 +6,10 @@
 #include "editor/tables/tables.h"
 #include <batten/editor.h>
 
-/* The Span tool's state: two places of a picture whose distance the user knows. */
-typedef struct bat_spanning {
-    double at[2][2]; /* document units */
-    int count;
-    int held; /* the one under the pointer while it is down; -1: none */
-} bat_spanning;
-
-/* Of the pictures selected, else of all: their opacity; the distance of the two places, which scales the pictures
- * selected, else the one in front, about the first place. Steps of the history. */
-bat_status bat_tracing_set(bat_context *c, bat_property_id property, double value);
-double bat_tracing_value(const bat_context *c, bat_property_id property);
+/* Of the pictures selected, else of all: their opacity. The pictures selected, else the one in front, scaled. Steps. */
+bat_status bat_tracing_fade(bat_context *c, double opacity);
+bat_status bat_tracing_scale(bat_context *c, const double matrix[6]);
+double bat_tracing_opacity(const bat_context *c);
 /* What bat_editor_add_picture and bat_editor_picture say. */
 bat_status bat_picture_place(bat_context *c, const void *bytes, size_t size, const char *name);
 const bat_picture *bat_picture_shown(const bat_context *c, uint32_t picture);

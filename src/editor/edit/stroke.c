@@ -133,7 +133,7 @@ static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *cur
     bat_curve_free(curve);
     bat_sketch_report report = {0};
     bat_status status = bat_edit_shape(c, edit, &shape, &report);
-    return shape ? bat_leveling_put_at(c, edit->object, edit->curve, shape) : status;
+    return shape ? bat_put_shape(c, edit->object, edit->curve, shape) : status;
 }
 
 /* The curve is only what has been shown of them. */

@@ -10,8 +10,8 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/modes/range.h"
-#include "editor/tools/modes/waypoints.h"
+#include "editor/tools/keyed/range.h"
+#include "editor/tools/keyed/waypoints.h"
 #include "editor/tools/pointing.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
@@ -19,6 +19,7 @@
 #include "hands/levels/shape.h"
 #include "text/text.h"
 #include "editor/show/handles.h"
+#include "editor/tools/tangents/state.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -189,10 +190,10 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
 
 /* Which of the object's points is chosen, -1: none. */
 static int chosen_of(const bat_context *c, const bat_object *object) {
-    const bat_pointing *p = &c->toolbox->pointing;
+    const bat_pointing *p = bat_pointing_of(c);
     bat_id id = bat_object_id(object);
     if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_object_spline(object))
-        return c->toolbox->splining.object == id ? c->toolbox->splining.point : -1;
+        return bat_splining_of(c)->object == id ? bat_splining_of(c)->point : -1;
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) || p->object != id ||
         p->chosen.kind != BAT_HANDLE_POINT)
         return -1;
@@ -233,12 +234,12 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
         return BAT_STATE; /* locked or hidden */
     bat_view_show(c->view, at, 40);
     if (spline) {
-        c->toolbox->splining.object = id;
-        c->toolbox->splining.point = point;
-        c->toolbox->splining.placing = c->toolbox->splining.on_direction = false;
+        bat_splining_of(c)->object = id;
+        bat_splining_of(c)->point = point;
+        bat_splining_of(c)->placing = bat_splining_of(c)->on_direction = false;
         return BAT_OK;
     }
-    bat_pointing *p = &c->toolbox->pointing;
+    bat_pointing *p = bat_pointing_of(c);
     int index = point, which = 0;
     const bat_curve *curve = curve_of(object, &index, &which);
     p->object = p->adopted = id;
@@ -255,15 +256,15 @@ enum { MODE_NONE, MODE_POINT, MODE_DIRECTION, MODE_KNOT, MODE_RANGE, MODE_WAYPOI
 /* What the keys would move, and where it is. */
 static void look(const bat_context *c, bat_told *now) {
     const bat_document *document = c->session->document;
-    const bat_waypoints *w = &c->toolbox->waypoints;
-    const bat_pointing *p = &c->toolbox->pointing;
+    const bat_waypoints *w = bat_waypoints_of(c);
+    const bat_pointing *p = bat_pointing_of(c);
     if (w->on) {
         *now = (bat_told){.mode = MODE_WAYPOINT, .point = w->chosen};
         memcpy(now->at, w->points + 2 * w->chosen, sizeof now->at);
     } else if (bat_range_curve(c)) {
         *now = (bat_told){
-            .mode = MODE_RANGE, .object = c->toolbox->range.object, .point = c->toolbox->range.end};
-        bat_curve_eval(bat_range_curve(c), c->toolbox->range.u[c->toolbox->range.end], 0, now->at);
+            .mode = MODE_RANGE, .object = bat_range_of(c)->object, .point = bat_range_of(c)->end};
+        bat_curve_eval(bat_range_curve(c), bat_range_of(c)->u[bat_range_of(c)->end], 0, now->at);
     } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS && p->chosen.kind) {
         const bat_curve *curve = bat_edit_target(document, p->object, p->curve);
         bool point = p->chosen.kind == BAT_HANDLE_POINT;
@@ -271,12 +272,12 @@ static void look(const bat_context *c, bat_told *now) {
         *now = (bat_told){
             .mode = point ? MODE_POINT : MODE_KNOT, .object = p->object, .point = p->chosen.index};
         bat_handle_place(curve, &p->chosen, now->at);
-    } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && c->toolbox->splining.object) {
+    } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_splining_of(c)->object) {
         const bat_object *object = bat_document_at(document,
-                                                   bat_document_find(document, c->toolbox->splining.object));
-        now->mode = c->toolbox->splining.on_direction ? MODE_DIRECTION : MODE_POINT;
-        now->object = c->toolbox->splining.object;
-        now->point = c->toolbox->splining.point;
+                                                   bat_document_find(document, bat_splining_of(c)->object));
+        now->mode = bat_splining_of(c)->on_direction ? MODE_DIRECTION : MODE_POINT;
+        now->object = bat_splining_of(c)->object;
+        now->point = bat_splining_of(c)->point;
         if (!object || !place_of(object, now->point, now->at)) *now = (bat_told){0};
     }
 }
@@ -292,10 +293,10 @@ static void say_place(const bat_context *c, bat_text *text, const bat_told *now)
         place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point,
                     bat_object_spline(object)
                         ? points_of(object)
-                        : bat_curve_count(bat_object_curve(object, c->toolbox->pointing.curve)),
+                        : bat_curve_count(bat_object_curve(object, bat_pointing_of(c)->curve)),
                     now->at);
     if (now->mode == MODE_WAYPOINT)
-        place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point, c->toolbox->waypoints.count, now->at);
+        place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point, bat_waypoints_of(c)->count, now->at);
     if (now->mode == MODE_DIRECTION) place_words(c, text, BAT_STRING_SAID_DIRECTION, 0, 0, now->at);
     if (now->mode == MODE_KNOT) place_words(c, text, BAT_STRING_SAID_KNOT, 0, 0, now->at);
     if (now->mode == MODE_RANGE && object && now->object != c->panels->told.object) {

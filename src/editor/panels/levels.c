@@ -40,12 +40,12 @@ static void row(const bat_context *c, const bat_shape *shape, int level, bat_tex
     number(text, ",\"gain\":", level ? bat_shape_gain(shape, level) : 1);
     number(text, ",\"muted\":", level && bat_shape_muted(shape, level));
     number(text, ",\"solo\":", solo(shape, level));
-    number(text, ",\"active\":", level == c->toolbox->leveling.level);
+    number(text, ",\"active\":", level == bat_leveling_of(c)->level);
     bat_text_string(text, "}");
 }
 
 const char *bat_panel_levels(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_leveling_settle(c);
     const bat_curve *curve = bat_leveling_curve(c);
     const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
@@ -68,7 +68,7 @@ const char *bat_panel_levels(bat_context *c) {
 /* ---- what it does ---- */
 
 static bat_status begin_fade(bat_context *c, const bat_shape *shape) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_status status = bat_shape_copy(shape, &l->base);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
@@ -80,7 +80,7 @@ static bat_status begin_fade(bat_context *c, const bat_shape *shape) {
 }
 
 static bat_status end_fade(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_shape_free(l->base);
     l->base = NULL;
     l->fading = false;
@@ -88,7 +88,7 @@ static bat_status end_fade(bat_context *c) {
 }
 
 static bat_status fade(bat_context *c, const bat_shape *shape, int level, double gain, bool done) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_shape *edited = NULL;
     bat_status status = l->fading                              ? BAT_OK
                         : bat_shape_gain(shape, level) == gain ? BAT_STATE
@@ -128,7 +128,7 @@ static bat_status silence(bat_context *c, const bat_shape *shape, bat_level_act 
 }
 
 bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     if (isnan(value)) return BAT_NUMBER;
     if (!l->fading && (bat_toolbox_busy(c) || c->session->transaction.open)) return BAT_STATE;
     if (!l->fading) bat_leveling_settle(c);

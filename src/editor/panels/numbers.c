@@ -25,7 +25,7 @@ static bool point_now(bat_context *c, double place[2]) {
     const bat_spline *spline = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES
                                    ? bat_splining_spline(c)
                                    : NULL;
-    int point = c->toolbox->splining.point;
+    int point = bat_splining_of(c)->point;
     if (!spline || point < 0 || point >= spline->count || spline->dimension != 2) return false;
     memcpy(place, spline->points + 2 * point, 2 * sizeof *place);
     return true;
@@ -87,7 +87,7 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
 static bat_status change_point(bat_context *c, int axis, double by) {
     double delta[2] = {axis ? 0 : by, axis ? by : 0};
     if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) return bat_pointing_shift(c, delta);
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
     s->draft.points[2 * s->point + axis] += by;
@@ -100,7 +100,7 @@ static bat_status change(bat_context *c, bat_number_id id, double from, double t
     if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);
     double at;
     int axis = bat_object_guide(bat_document_at(c->session->document, bat_guide_chosen(c)), &at);
-    return bat_guide_put(c, c->toolbox->guiding.chosen, axis, at + to - from);
+    return bat_guide_put(c, bat_guiding_of(c)->chosen, axis, at + to - from);
 }
 
 static bat_status enter_property(bat_context *c, const char *name, const char *text) {

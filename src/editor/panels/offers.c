@@ -8,6 +8,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
+#include "editor/tools/selecting.h"
 #include <stdlib.h>
 
 typedef struct facts {
@@ -69,7 +70,7 @@ const char *bat_panel_actions(bat_context *c) {
     facts f;
     if (find(c, &f) != BAT_OK) return NULL;
     for (int i = 0; i < BAT_COMMAND_COUNT && bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES; i++) {
-        if (!possible(&f, (bat_command_id)i, c->toolbox->selecting.has_point)) continue;
+        if (!possible(&f, (bat_command_id)i, bat_selecting_of(c)->has_point)) continue;
         if (text.size) bat_text_string(&text, " ");
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
     }

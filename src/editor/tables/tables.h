@@ -38,6 +38,12 @@ typedef enum bat_tool_id {
     BAT_TOOL_COUNT
 } bat_tool_id;
 
+enum {
+#define MODE(id, behaviour) BAT_MODE_##id,
+#include "editor/tables/commands.def"
+    BAT_MODE_COUNT
+};
+
 typedef enum bat_property_type {
     BAT_PROPERTY_NUMBER,
     BAT_PROPERTY_SWITCH,

@@ -33,7 +33,5 @@ typedef struct bat_brushing {
 
 /* Nothing under way; the memory is given back. */
 void bat_brushing_end(bat_brushing *brushing);
-/* Cuts the stretch u[0]..u[1] out of a curve as the eraser would; closed: it may run over the seam. One step. */
-bat_status bat_erase_stretch(bat_context *c, bat_id object, int curve, const double u[2]);
 
 #endif

@@ -11,7 +11,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/modes/range.h"
+#include "editor/tools/keyed/range.h"
 #include "editor/tools/pointing.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
@@ -64,19 +64,13 @@ bat_status bat_calm_curve(const bat_curve *curve, const double range[2], double 
 
 /* What the command would calm: the range, or the stretch that is measured, else that around the pen. */
 static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double range[2]) {
-    const bat_pointing *pointing = &c->toolbox->pointing;
-    if (c->toolbox->range.on) {
-        *object = c->toolbox->range.object;
-        *curve = c->toolbox->range.curve;
-        range[0] = c->toolbox->range.u[0];
-        range[1] = c->toolbox->range.u[1];
-        return bat_range_curve(c);
-    }
-    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS && pointing->measured) {
-        *object = pointing->object;
-        *curve = pointing->curve;
-        range[0] = pointing->stretch[0];
-        range[1] = pointing->stretch[1];
+    const bat_slot *tool = bat_toolbox_tool(c);
+    bat_stretch chosen;
+    if (tool->is->stretch && tool->is->stretch(c, tool->state, &chosen)) {
+        *object = chosen.object;
+        *curve = chosen.curve;
+        range[0] = chosen.u[0];
+        range[1] = chosen.u[1];
         return bat_edit_target(c->session->document, *object, *curve);
     }
     if (!c->input->pen_near) return NULL;

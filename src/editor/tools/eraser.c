@@ -39,9 +39,8 @@ void bat_brushing_end(bat_brushing *b) {
     b->object = 0;
 }
 
-static double radius(const bat_context *c) {
-    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * c->toolbox->brushing.pressure *
-           bat_view_pixel(c->view);
+static double radius(const bat_context *c, const bat_brushing *b) {
+    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * b->pressure * bat_view_pixel(c->view);
 }
 
 static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
@@ -58,16 +57,15 @@ static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
     return &b->rubbed[b->count++];
 }
 
-static void give_up(bat_context *c, bat_status status) {
-    bat_brushing_end(&c->toolbox->brushing);
+static void give_up(bat_context *c, bat_brushing *b, bat_status status) {
+    bat_brushing_end(b);
     bat_notice_failure(c, status);
 }
 
 /* From one place of the eraser to the next, both view pixels. */
-static void rub(bat_context *c, const double from[2], const double to[2]) {
-    bat_brushing *b = &c->toolbox->brushing;
+static void rub(bat_context *c, bat_brushing *b, const double from[2], const double to[2]) {
     const bat_scene *scene = c->scene;
-    double a[2], end[2], r = radius(c);
+    double a[2], end[2], r = radius(c, b);
     bat_stage_sync(c);
     bat_view_to_document(c->view, from, a);
     bat_view_to_document(c->view, to, end);
@@ -84,7 +82,7 @@ static void rub(bat_context *c, const double from[2], const double to[2]) {
             bat_rubbed *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
             bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, end, r) : BAT_MEMORY;
             if (status != BAT_OK) {
-                give_up(c, status);
+                give_up(c, b, status);
                 return;
             }
         }
@@ -105,8 +103,7 @@ static void rest_free(rest *r) {
     *r = (rest){0};
 }
 
-static bat_status rest_of(const bat_context *c, const bat_object *object, rest *out) {
-    const bat_brushing *b = &c->toolbox->brushing;
+static bat_status rest_of(const bat_context *c, const bat_brushing *b, const bat_object *object, rest *out) {
     static const bat_spans none = {0};
     for (int j = 0; j < bat_object_curve_count(object); j++) {
         const bat_spans *spans = &none;
@@ -159,12 +156,12 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
 }
 
 /* An object of one curve falls into objects of one curve; one of several stays one. */
-static bat_status cut(bat_context *c, bat_id id) {
+static bat_status cut(bat_context *c, bat_brushing *b, bat_id id) {
     int at = bat_document_find(c->session->document, id);
     if (at < 0) return BAT_OK;
     bat_object *object = bat_object_retain(bat_document_at(c->session->document, at));
     rest r = {0};
-    bat_status status = rest_of(c, object, &r);
+    bat_status status = rest_of(c, b, object, &r);
     bool apart = bat_object_curve_count(object) == 1;
     if (status == BAT_OK && r.count == 0) status = bat_transaction_remove(c, at);
     int parts = r.count == 0 ? 0 : apart ? r.count : 1;
@@ -181,8 +178,7 @@ static bat_status cut(bat_context *c, bat_id id) {
     return status;
 }
 
-static bat_status cut_all(bat_context *c) {
-    const bat_brushing *b = &c->toolbox->brushing;
+static bat_status cut_all(bat_context *c, bat_brushing *b) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     for (int i = 0; i < b->count && status == BAT_OK; i++) {
@@ -192,33 +188,33 @@ static bat_status cut_all(bat_context *c) {
             touched = touched || b->rubbed[k].spans.count > 0;
             before = before || k < i;
         }
-        if (touched && !before) status = cut(c, b->rubbed[i].object);
+        if (touched && !before) status = cut(c, b, b->rubbed[i].object);
     }
     if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_ERASE, NULL);
     bat_transaction_cancel(c);
     return status;
 }
 
-bat_status bat_erase_stretch(bat_context *c, bat_id object, int curve, const double u[2]) {
-    bat_brushing *b = &c->toolbox->brushing;
-    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
+static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
+    bat_brushing *b = state;
+    const bat_curve *target = bat_edit_target(c->session->document, on->object, on->curve);
     double domain[2];
     if (!target) return BAT_ARGUMENT;
     bat_curve_domain(target, domain);
     bat_brushing_end(b);
-    bat_rubbed *rubbed = rubbed_of(b, object, curve);
-    bat_status status = rubbed ? bat_spans_add(&rubbed->spans, u[0], fmin(u[1], domain[1])) : BAT_MEMORY;
-    if (status == BAT_OK && u[1] > domain[1]) /* over the seam */
-        status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (u[1] - domain[1]));
-    if (status == BAT_OK) status = cut_all(c);
+    bat_rubbed *rubbed = rubbed_of(b, on->object, on->curve);
+    bat_status status = rubbed ? bat_spans_add(&rubbed->spans, on->u[0], fmin(on->u[1], domain[1]))
+                               : BAT_MEMORY;
+    if (status == BAT_OK && on->u[1] > domain[1]) /* over the seam */
+        status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (on->u[1] - domain[1]));
+    if (status == BAT_OK) status = cut_all(c, b);
     bat_brushing_end(b);
     return status;
 }
 
 /* ---- the tool ---- */
 
-static void note(bat_context *c, const bat_pointer *event) {
-    bat_brushing *b = &c->toolbox->brushing;
+static void note(bat_context *c, bat_brushing *b, const bat_pointer *event) {
     b->hovering = true;
     b->device = event->device;
     b->at[0] = event->x;
@@ -226,45 +222,58 @@ static void note(bat_context *c, const bat_pointer *event) {
     if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(c, event);
 }
 
-static void hover(bat_context *c, const bat_pointer *event) { note(c, event); }
-static void leave(bat_context *c) { c->toolbox->brushing.hovering = false; }
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    bat_brushing *b = state;
+    note(c, b, event);
+}
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    bat_brushing *b = state;
+    b->hovering = false;
+}
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_brushing *b = &c->toolbox->brushing;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_brushing *b = state;
     bat_brushing_end(b);
-    note(c, event);
+    note(c, b, event);
     b->painting = true;
     bat_notice(c, BAT_STRING_COUNT);
-    rub(c, b->at, b->at);
+    rub(c, b, b->at, b->at);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_brushing *b = &c->toolbox->brushing;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_brushing *b = state;
     if (!b->painting || event->predicted) return;
     double from[2] = {b->at[0], b->at[1]};
-    note(c, event);
-    if (from[0] != b->at[0] || from[1] != b->at[1]) rub(c, from, b->at);
+    note(c, b, event);
+    if (from[0] != b->at[0] || from[1] != b->at[1]) rub(c, b, from, b->at);
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_brushing *b = state;
     (void)event;
-    if (!c->toolbox->brushing.painting) return;
-    bat_status status = cut_all(c);
-    bat_brushing_end(&c->toolbox->brushing);
+    if (!b->painting) return;
+    bat_status status = cut_all(c, b);
+    bat_brushing_end(b);
     if (status != BAT_OK) bat_notice_failure(c, status);
 }
 
-static bool cancel(bat_context *c) {
-    if (!c->toolbox->brushing.painting) return false;
-    bat_brushing_end(&c->toolbox->brushing);
+static bool cancel(bat_context *c, void *state) {
+    bat_brushing *b = state;
+    if (!b->painting) return false;
+    bat_brushing_end(b);
     bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->brushing.painting; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_brushing *b = state;
+    return b->painting;
+}
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_brushing *b = &c->toolbox->brushing;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_brushing *b = state;
     double point[2];
     if (!b->hovering || c->input->holding_pan) return;
     bat_overlay_item(list, BAT_ROLE_ERASED, BAT_ITEM_STROKED, ERASED_WIDTH);
@@ -276,28 +285,36 @@ static void overlay(bat_context *c, bat_overlay *list) {
     }
     bat_view_to_document(c->view, b->at, point);
     bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
-    bat_overlay_circle(list, point, radius(c));
+    bat_overlay_circle(list, point, radius(c, b));
 }
 
-static bat_string hint(const bat_context *c) {
-    return c->toolbox->brushing.painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_brushing *b = state;
+    return b->painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
 }
 
-static bat_cursor cursor(const bat_context *c) {
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
     (void)c;
     return BAT_CURSOR_CROSS;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_brushing *b = &c->toolbox->brushing;
+static const char *check(const bat_context *c, const void *state) {
+    const bat_brushing *b = state;
     if (!b->painting && b->rubbed) return "an eraser is lifted and has not let go";
     if (b->painting && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "an eraser without a pen";
     return NULL;
 }
 
+static void end(void *state) { bat_brushing_end(state); }
+
 const bat_tool *bat_tool_eraser(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.work = work,
+                                  .size = sizeof(bat_brushing),
+                                  .end = end,
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,

@@ -5,12 +5,14 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 
-static bat_string hint(const bat_context *c) {
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)state;
     return bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL) ? BAT_STRING_HINT_PANNING
                                                                             : BAT_STRING_HINT_PAN;
 }
 
-static bat_cursor cursor(const bat_context *c) {
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
     (void)c;
     return BAT_CURSOR_GRAB;
 }

@@ -30,5 +30,7 @@ typedef struct bat_pointing {
 /* The place of the chosen control point or knot; false: none is chosen. Moving it is a step. */
 bool bat_pointing_chosen(bat_context *c, double place[2]);
 bat_status bat_pointing_shift(bat_context *c, const double delta[2]);
+/* Of the tool. */
+bat_pointing *bat_pointing_of(const bat_context *c);
 
 #endif

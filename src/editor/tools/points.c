@@ -45,14 +45,13 @@ static const double TOUCH = 2.2;                                         /* as f
 static const double TAP = 4, DOUBLE_TAP = 400;                           /* px, ms */
 static const float STRETCH_WIDTH = 4, HIGHLIGHT_WIDTH = 3;
 
-static double reach(const bat_context *c, double pixels) {
-    double factor = c->toolbox->pointing.device == BAT_DEVICE_TOUCH ? TOUCH : 1;
+static double reach(const bat_context *c, const bat_pointing *p, double pixels) {
+    double factor = p->device == BAT_DEVICE_TOUCH ? TOUCH : 1;
     return pixels * factor * bat_view_pixel(c->view);
 }
 
 /* The chosen curve, NULL when there is none or it is gone. */
-static const bat_curve *chosen_curve(const bat_context *c) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static const bat_curve *chosen_curve(const bat_context *c, const bat_pointing *p) {
     return p->object ? bat_edit_target(c->session->document, p->object, p->curve) : NULL;
 }
 
@@ -62,8 +61,7 @@ static void choose_nothing(bat_pointing *p) {
 }
 
 /* What has been selected elsewhere is shown here, once. */
-static void adopt(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void adopt(bat_context *c, bat_pointing *p) {
     if (c->choice->selection.count != 1 || c->choice->selection.ids[0] == p->adopted) return;
     p->object = p->adopted = c->choice->selection.ids[0];
     p->curve = 0;
@@ -71,10 +69,9 @@ static void adopt(bat_context *c) {
 }
 
 /* Undo and other commands may have taken away what is chosen. */
-static void settle(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
-    adopt(c);
-    const bat_curve *curve = chosen_curve(c);
+static void settle(bat_context *c, bat_pointing *p) {
+    adopt(c, p);
+    const bat_curve *curve = chosen_curve(c, p);
     if (!curve || bat_stage_out_of_reach(c, bat_document_find(c->session->document, p->object))) {
         p->object = 0;
         choose_nothing(p);
@@ -90,8 +87,7 @@ static bool same(const bat_handle *a, const bat_handle *b) {
            a->u == b->u;
 }
 
-static void choose_curve(bat_context *c, bat_id object, int curve) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void choose_curve(bat_context *c, bat_pointing *p, bat_id object, int curve) {
     if (p->object != object || p->curve != curve) choose_nothing(p);
     p->object = object;
     p->curve = curve;
@@ -102,33 +98,32 @@ static void choose_curve(bat_context *c, bat_id object, int curve) {
 
 /* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
  * polygon is close to the curve, the curve could not be pulled otherwise. */
-static bool handle_at(const bat_context *c, const bat_curve *curve, const double point[2],
-                      const bat_pick *pick, bat_handle *out) {
+static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_curve *curve,
+                      const double point[2], const bat_pick *pick, bat_handle *out) {
     double at[2];
-    if (!bat_handle_find(curve, point, reach(c, HANDLE_REACH), out)) return false;
+    if (!bat_handle_find(curve, point, reach(c, p, HANDLE_REACH), out)) return false;
     if (!pick->object) return true;
     bat_handle_place(curve, out, at);
     double distance = bat_hypot(at[0] - point[0], at[1] - point[1]);
-    return distance <= pick->near.distance + reach(c, HANDLE_LEAD);
+    return distance <= pick->near.distance + reach(c, p, HANDLE_LEAD);
 }
 
 /* What a press here would take hold of: handles of the curve shown before curves. */
-static bat_handle find(bat_context *c, const double pixel[2]) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
     double point[2];
     bat_handle handle = {0};
     bat_stage_sync(c);
     bat_view_to_document(c->view, pixel, point);
-    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, CURVE_REACH));
-    const bat_curve *curve = chosen_curve(c);
-    if (curve && handle_at(c, curve, point, &pick, &handle)) {
+    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, p, CURVE_REACH));
+    const bat_curve *curve = chosen_curve(c, p);
+    if (curve && handle_at(c, p, curve, point, &pick, &handle)) {
         handle.object = p->object;
         handle.curve = p->curve;
         return handle;
     }
     if (!pick.object) return (bat_handle){0};
     curve = bat_edit_target(c->session->document, pick.object, pick.curve);
-    if (!curve || !handle_at(c, curve, point, &pick, &handle)) {
+    if (!curve || !handle_at(c, p, curve, point, &pick, &handle)) {
         handle.kind = BAT_HANDLE_CURVE;
         handle.index = 0;
         handle.u = pick.near.u;
@@ -140,9 +135,10 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
-static bat_status moved(const bat_context *c, const bat_curve *base, const bat_handle *grip,
-                        const double delta[2], bat_curve **out) {
-    const bat_handle *held = &c->toolbox->pointing.chosen;
+static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_curve *base,
+                        const bat_handle *grip, const double delta[2], bat_curve **out) {
+    (void)c;
+    const bat_handle *held = &p->chosen;
     if (grip->kind == BAT_HANDLE_POINT) return bat_curve_move_point(base, grip->index, delta, out);
     double u[2] = {grip->u, held->u}, deltas[4] = {delta[0], delta[1], 0, 0};
     bool holds = held->kind == BAT_HANDLE_KNOT && held->object == grip->object &&
@@ -152,8 +148,7 @@ static bat_status moved(const bat_context *c, const bat_curve *base, const bat_h
 }
 
 /* From the press to where the pen is, document units; what is held snaps, Shift steps by angles. */
-static void drag_delta(bat_context *c, double delta[2]) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static void drag_delta(bat_context *c, bat_pointing *p, double delta[2]) {
     double from[2], to[2], held[2];
     int own = bat_document_find(c->session->document, p->grip.object);
     bat_view_to_document(c->view, p->start, from);
@@ -174,26 +169,24 @@ static void release(bat_pointing *p) {
     p->pressed = p->dragging = p->due = false;
 }
 
-static void give_up(bat_context *c, bat_status status) {
-    release(&c->toolbox->pointing);
+static void give_up(bat_context *c, bat_pointing *p, bat_status status) {
+    release(p);
     bat_transaction_cancel(c);
     bat_notice_failure(c, status);
 }
 
-static void drag(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void drag(bat_context *c, bat_pointing *p) {
     double delta[2];
     bat_curve *curve = NULL;
     if (!p->dragging || !p->due) return;
     p->due = false;
-    drag_delta(c, delta);
-    bat_status status = moved(c, p->base, &p->grip, delta, &curve);
+    drag_delta(c, p, delta);
+    bat_status status = moved(c, p, p->base, &p->grip, delta, &curve);
     if (status == BAT_OK) status = bat_put_curve(c, p->grip.object, p->grip.curve, curve);
-    if (status != BAT_OK) give_up(c, status);
+    if (status != BAT_OK) give_up(c, p, status);
 }
 
-static void begin_drag(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void begin_drag(bat_context *c, bat_pointing *p) {
     const bat_curve *target = bat_edit_target(c->session->document, p->grip.object, p->grip.curve);
     bat_status status = target ? bat_curve_copy(target, &p->base) : BAT_STATE;
     if (status == BAT_OK) status = bat_transaction_begin(c);
@@ -202,33 +195,33 @@ static void begin_drag(bat_context *c) {
         bat_notice_failure(c, status);
         return;
     }
-    choose_curve(c, p->grip.object, p->grip.curve);
+    choose_curve(c, p, p->grip.object, p->grip.curve);
     if (p->grip.kind != BAT_HANDLE_CURVE) p->chosen = p->grip;
     p->measured = false;
     p->dragging = true;
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_pointing *p = &c->toolbox->pointing;
-    settle(c);
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_pointing *p = state;
+    settle(c, p);
     p->device = event->device;
     p->hovering = true;
     p->hover[0] = p->start[0] = p->at[0] = event->x;
     p->hover[1] = p->start[1] = p->at[1] = event->y;
-    p->grip = p->hot = find(c, p->start);
+    p->grip = p->hot = find(c, p, p->start);
     p->pressed = true;
     p->dragging = p->due = false;
     bat_notice(c, BAT_STRING_COUNT);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_pointing *p = state;
     if (!p->pressed || event->predicted) return;
     p->at[0] = p->hover[0] = event->x;
     p->at[1] = p->hover[1] = event->y;
     p->due = true;
     bool far = bat_hypot(p->at[0] - p->start[0], p->at[1] - p->start[1]) > TAP;
-    if (!p->dragging && far && p->grip.kind) begin_drag(c);
+    if (!p->dragging && far && p->grip.kind) begin_drag(c, p);
 }
 
 /* ---- knots ---- */
@@ -245,8 +238,8 @@ static bat_status done(bat_context *c, bat_status status) {
 }
 
 /* Inserts u until it is there `times` more; the shape stays. The knot is chosen then. */
-static bat_status insert(bat_context *c, const bat_curve *curve, double u, int times, bat_string label) {
-    bat_pointing *p = &c->toolbox->pointing;
+static bat_status insert(bat_context *c, bat_pointing *p, const bat_curve *curve, double u, int times,
+                         bat_string label) {
     bat_curve *after = NULL;
     bat_status status = bat_curve_insert_knot(curve, u, times, &after);
     if (status == BAT_KNOTS) {
@@ -258,15 +251,15 @@ static bat_status insert(bat_context *c, const bat_curve *curve, double u, int t
     if (status != BAT_OK) return done(c, status);
     p->measured = false;
     double knot;
-    if (bat_knot_near(chosen_curve(c), u, &knot))
+    if (bat_knot_near(chosen_curve(c, p), u, &knot))
         p->chosen = (bat_handle){BAT_HANDLE_KNOT, p->object, p->curve, 0, knot};
     return BAT_OK;
 }
 
 /* Takes out `times` copies of a knot when the curve then moves by no more than `within` document units. */
-static bat_status take_out(bat_context *c, double u, int times, double within, bat_string label) {
-    bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
+static bat_status take_out(bat_context *c, bat_pointing *p, double u, int times, double within,
+                           bat_string label) {
+    const bat_curve *curve = chosen_curve(c, p);
     bat_curve *after = NULL;
     int removed = 0;
     double error = 0;
@@ -286,15 +279,14 @@ static bat_status take_out(bat_context *c, double u, int times, double within, b
     }
     status = bat_commit_curve(c, p->object, p->curve, after, label);
     if (status != BAT_OK) return done(c, status);
-    settle(c);
+    settle(c, p);
     notice_number(c, BAT_STRING_NOTICE_MOVED_BY, error);
     return BAT_OK;
 }
 
 /* The knot that commands mean: the chosen one, or the one nearest to the chosen point. */
-static bool meant_knot(const bat_context *c, double *u) {
-    const bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
+static bool meant_knot(const bat_context *c, const bat_pointing *p, double *u) {
+    const bat_curve *curve = chosen_curve(c, p);
     if (!curve || !p->chosen.kind) return false;
     if (p->chosen.kind == BAT_HANDLE_KNOT) {
         *u = p->chosen.u;
@@ -303,27 +295,25 @@ static bool meant_knot(const bat_context *c, double *u) {
     return bat_knot_near(curve, p->chosen.u, u);
 }
 
-static bat_status delete_knot(bat_context *c) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static bat_status delete_knot(bat_context *c, bat_pointing *p) {
     double u;
     if (!p->chosen.kind) return BAT_STATE;
-    if (!meant_knot(c, &u)) {
+    if (!meant_knot(c, p, &u)) {
         bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);
         return BAT_STATE;
     }
     double within = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(c->view);
-    return take_out(c, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
+    return take_out(c, p, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
 }
 
 /* Where a knot without a place of its own goes: under the pen, or into the middle of the span behind what is chosen.
  */
-static bat_status insert_knot(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
+static bat_status insert_knot(bat_context *c, bat_pointing *p) {
     if (p->hovering && p->hot.kind == BAT_HANDLE_CURVE) {
-        choose_curve(c, p->hot.object, p->hot.curve);
-        return insert(c, chosen_curve(c), p->hot.u, 1, BAT_STRING_STEP_KNOT_IN);
+        choose_curve(c, p, p->hot.object, p->hot.curve);
+        return insert(c, p, chosen_curve(c, p), p->hot.u, 1, BAT_STRING_STEP_KNOT_IN);
     }
-    const bat_curve *curve = chosen_curve(c);
+    const bat_curve *curve = chosen_curve(c, p);
     if (!curve) return BAT_STATE;
     double domain[2], from, to;
     bat_curve_domain(curve, domain);
@@ -336,40 +326,39 @@ static bat_status insert_knot(bat_context *c) {
         from = start;
     }
     if (!bat_knot_next(curve, from, &to, NULL)) to = domain[1];
-    return insert(c, curve, from + (to - from) / 2, 1, BAT_STRING_STEP_KNOT_IN);
+    return insert(c, p, curve, from + (to - from) / 2, 1, BAT_STRING_STEP_KNOT_IN);
 }
 
-static bat_status make_corner(bat_context *c) {
-    const bat_curve *curve = chosen_curve(c);
+static bat_status make_corner(bat_context *c, bat_pointing *p) {
+    const bat_curve *curve = chosen_curve(c, p);
     double u;
-    if (!curve || !meant_knot(c, &u)) return BAT_STATE;
+    if (!curve || !meant_knot(c, p, &u)) return BAT_STATE;
     int more = bat_curve_degree(curve) - bat_knot_held(curve, u);
     if (more <= 0) {
         bat_notice(c, BAT_STRING_NOTICE_CORNER_ALREADY);
         return BAT_STATE;
     }
-    return insert(c, curve, u, more, BAT_STRING_STEP_CORNER);
+    return insert(c, p, curve, u, more, BAT_STRING_STEP_CORNER);
 }
 
 /* Down to as many copies as leave the curve C2 (degree 2: C1), whatever it costs; what it cost is said. */
-static bat_status smooth_corner(bat_context *c) {
-    const bat_curve *curve = chosen_curve(c);
+static bat_status smooth_corner(bat_context *c, bat_pointing *p) {
+    const bat_curve *curve = chosen_curve(c, p);
     double u;
-    if (!curve || !meant_knot(c, &u)) return BAT_STATE;
+    if (!curve || !meant_knot(c, p, &u)) return BAT_STATE;
     int left = bat_curve_degree(curve) > 2 ? bat_curve_degree(curve) - 2 : 1;
     int less = bat_knot_held(curve, u) - left;
     if (less <= 0) {
         bat_notice(c, BAT_STRING_NOTICE_SMOOTH_ALREADY);
         return BAT_STATE;
     }
-    return take_out(c, u, less, INFINITY, BAT_STRING_STEP_CORNER_OUT);
+    return take_out(c, p, u, less, INFINITY, BAT_STRING_STEP_CORNER_OUT);
 }
 
 /* ---- taps ---- */
 
-static void measure_to(bat_context *c, double u) {
-    bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
+static void measure_to(bat_context *c, bat_pointing *p, double u) {
+    const bat_curve *curve = chosen_curve(c, p);
     double domain[2];
     bat_curve_domain(curve, domain);
     p->stretch[0] = fmin(p->chosen.u, u);
@@ -383,8 +372,7 @@ static void measure_to(bat_context *c, double u) {
     p->measured = p->stretch[0] < p->stretch[1];
 }
 
-static void tap(bat_context *c, const bat_pointer *event) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void tap(bat_context *c, bat_pointing *p, const bat_pointer *event) {
     const bat_handle grip = p->grip;
     bool twice = p->tapped && event->time - p->tap_time <= DOUBLE_TAP &&
                  bat_hypot(event->x - p->tap[0], event->y - p->tap[1]) <= 2 * TAP;
@@ -393,25 +381,25 @@ static void tap(bat_context *c, const bat_pointer *event) {
     p->tap[1] = event->y;
     p->tap_time = event->time;
     if (twice && grip.kind == BAT_HANDLE_CURVE) {
-        choose_curve(c, grip.object, grip.curve);
-        insert(c, chosen_curve(c), grip.u, 1, BAT_STRING_STEP_KNOT_IN);
+        choose_curve(c, p, grip.object, grip.curve);
+        insert(c, p, chosen_curve(c, p), grip.u, 1, BAT_STRING_STEP_KNOT_IN);
         return;
     }
     bool on = grip.object && grip.object == p->object && grip.curve == p->curve;
     if (on && p->chosen.kind == BAT_HANDLE_KNOT && grip.kind != BAT_HANDLE_POINT &&
         event->modifiers & BAT_SHIFT) {
-        measure_to(c, grip.u);
+        measure_to(c, p, grip.u);
         return;
     }
-    choose_curve(c, grip.object, grip.curve);
+    choose_curve(c, p, grip.object, grip.curve);
     choose_nothing(p);
     if (grip.kind == BAT_HANDLE_POINT || grip.kind == BAT_HANDLE_KNOT) p->chosen = grip;
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_pointing *p = state;
     if (!p->pressed) return;
-    drag(c);
+    drag(c, p);
     if (!p->pressed) return; /* it failed */
     bool dragged = p->dragging;
     bat_string label = p->grip.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
@@ -420,11 +408,11 @@ static void up(bat_context *c, const bat_pointer *event) {
     if (dragged)
         done(c, bat_transaction_commit(c, label, NULL));
     else
-        tap(c, event);
+        tap(c, p, event);
 }
 
-static bool cancel(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
+static bool cancel(bat_context *c, void *state) {
+    bat_pointing *p = state;
     if (p->dragging) {
         release(p);
         bat_transaction_cancel(c);
@@ -442,13 +430,15 @@ static bool cancel(bat_context *c) {
 }
 
 /* Undo takes back the drag under way, but what is chosen stays chosen. */
-static bool undo(bat_context *c) { return c->toolbox->pointing.dragging && cancel(c); }
+static bool undo(bat_context *c, void *state) {
+    bat_pointing *p = state;
+    return p->dragging && cancel(c, p);
+}
 
 /* ---- commands ---- */
 
-static bat_status step(bat_context *c, int direction) {
-    bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
+static bat_status step(bat_context *c, bat_pointing *p, int direction) {
+    const bat_curve *curve = chosen_curve(c, p);
     if (!curve) { /* what is selected, else the first curve there is */
         bat_stage_sync(c);
         for (int pass = 0; pass < 2 && !curve; pass++)
@@ -457,7 +447,7 @@ static bat_status step(bat_context *c, int direction) {
                 if (pass == 0 && !bat_selection_has(&c->choice->selection, id)) continue;
                 if (bat_stage_out_of_reach(c, i)) continue;
                 if (!(curve = bat_edit_target(c->session->document, id, 0))) continue;
-                choose_curve(c, id, 0);
+                choose_curve(c, p, id, 0);
             }
         if (!curve) return BAT_STATE;
         choose_nothing(p);
@@ -473,10 +463,9 @@ static bat_status step(bat_context *c, int direction) {
     return BAT_OK;
 }
 
-static bat_status step_knot(bat_context *c, int direction) {
-    bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
-    if (!curve) return step(c, direction);
+static bat_status step_knot(bat_context *c, bat_pointing *p, int direction) {
+    const bat_curve *curve = chosen_curve(c, p);
+    if (!curve) return step(c, p, direction);
     double u, best = 0, from = p->chosen.kind ? p->chosen.u : direction > 0 ? -INFINITY : INFINITY;
     bool found = false;
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL); after = u) {
@@ -491,19 +480,20 @@ static bat_status step_knot(bat_context *c, int direction) {
 }
 
 bool bat_pointing_chosen(bat_context *c, double place[2]) {
-    settle(c);
-    const bat_curve *curve = chosen_curve(c);
-    if (!curve || !c->toolbox->pointing.chosen.kind) return false;
-    bat_handle_place(curve, &c->toolbox->pointing.chosen, place);
+    bat_pointing *p = bat_pointing_of(c);
+    settle(c, p);
+    const bat_curve *curve = chosen_curve(c, p);
+    if (!curve || !p->chosen.kind) return false;
+    bat_handle_place(curve, &p->chosen, place);
     return true;
 }
 
 bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
-    bat_pointing *p = &c->toolbox->pointing;
-    const bat_curve *curve = chosen_curve(c);
+    bat_pointing *p = bat_pointing_of(c);
+    const bat_curve *curve = chosen_curve(c, p);
     if (!curve || !p->chosen.kind) return BAT_STATE;
     bat_curve *after = NULL;
-    bat_status status = moved(c, curve, &p->chosen, delta, &after);
+    bat_status status = moved(c, p, curve, &p->chosen, delta, &after);
     if (status == BAT_OK)
         status = bat_commit_curve(c, p->object, p->curve, after,
                                   p->chosen.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
@@ -516,17 +506,18 @@ static bat_status nudge(bat_context *c, double x, double y) {
     return bat_pointing_shift(c, (double[]){x * far, y * far});
 }
 
-static bat_status command(bat_context *c, bat_command_id id) {
-    settle(c);
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    bat_pointing *p = state;
+    settle(c, p);
     switch (id) {
-    case BAT_COMMAND_POINT_NEXT: return step(c, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step(c, -1);
-    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, 1);
-    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, -1);
-    case BAT_COMMAND_POINT_ADD: return insert_knot(c);
-    case BAT_COMMAND_POINT_DELETE: return delete_knot(c);
-    case BAT_COMMAND_CORNER_MAKE: return make_corner(c);
-    case BAT_COMMAND_CORNER_SMOOTH: return smooth_corner(c);
+    case BAT_COMMAND_POINT_NEXT: return step(c, p, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step(c, p, -1);
+    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, p, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, p, -1);
+    case BAT_COMMAND_POINT_ADD: return insert_knot(c, p);
+    case BAT_COMMAND_POINT_DELETE: return delete_knot(c, p);
+    case BAT_COMMAND_CORNER_MAKE: return make_corner(c, p);
+    case BAT_COMMAND_CORNER_SMOOTH: return smooth_corner(c, p);
     case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
     case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
     case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
@@ -537,30 +528,40 @@ static bat_status command(bat_context *c, bat_command_id id) {
 
 /* ---- hover and picture ---- */
 
-static void hover(bat_context *c, const bat_pointer *event) {
-    bat_pointing *p = &c->toolbox->pointing;
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    (void)c;
+    bat_pointing *p = state;
     p->hovering = true;
     p->device = event->device;
     p->hover[0] = event->x;
     p->hover[1] = event->y;
 }
 
-static void leave(bat_context *c) {
-    c->toolbox->pointing.adopted =
-        c->toolbox->pointing.object; /* what is selected elsewhere meanwhile is taken up */
-    c->toolbox->pointing.hovering = false;
-    c->toolbox->pointing.hot = (bat_handle){0};
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    bat_pointing *p = state;
+    p->adopted = p->object; /* what is selected elsewhere meanwhile is taken up */
+    p->hovering = false;
+    p->hot = (bat_handle){0};
 }
 
-static void modifiers(bat_context *c) { c->toolbox->pointing.due = c->toolbox->pointing.dragging; }
-static bool busy(const bat_context *c) { return c->toolbox->pointing.pressed; }
+static void modifiers(bat_context *c, void *state) {
+    (void)c;
+    bat_pointing *p = state;
+    p->due = p->dragging;
+}
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_pointing *p = state;
+    return p->pressed;
+}
 
-static void update(bat_context *c) {
-    bat_pointing *p = &c->toolbox->pointing;
-    settle(c);
-    drag(c);
+static void update(bat_context *c, void *state) {
+    bat_pointing *p = state;
+    settle(c, p);
+    drag(c, p);
     if (p->pressed) return;
-    p->hot = p->hovering ? find(c, p->hover) : (bat_handle){0};
+    p->hot = p->hovering ? find(c, p, p->hover) : (bat_handle){0};
 }
 
 /* The stretch that a drag at u changes: the support of the basis functions there. */
@@ -571,8 +572,8 @@ static void show_support(bat_overlay *list, const bat_curve *curve, double u) {
     bat_overlay_stretch(list, curve, range[0], range[1]);
 }
 
-static void show_length(const bat_context *c, bat_overlay *list, const bat_curve *curve) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static void show_length(const bat_context *c, const bat_pointing *p, bat_overlay *list,
+                        const bat_curve *curve) {
     double at[2], length = bat_curve_length(curve, p->stretch[0], p->stretch[1], 1e-6);
     char text[64];
     bat_unit_write(c, length, text);
@@ -580,10 +581,10 @@ static void show_length(const bat_context *c, bat_overlay *list, const bat_curve
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 14, -14, text);
 }
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_pointing *p = state;
     const bat_handle *hot = p->dragging ? &p->grip : &p->hot;
-    const bat_curve *curve = chosen_curve(c);
+    const bat_curve *curve = chosen_curve(c, p);
     const bat_curve *under = hot->object ? bat_edit_target(c->session->document, hot->object, hot->curve)
                                          : NULL;
     if (c->input->holding_pan) under = NULL;
@@ -596,7 +597,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
     if (curve && p->measured) {
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, STRETCH_WIDTH);
         bat_overlay_stretch(list, curve, p->stretch[0], p->stretch[1]);
-        show_length(c, list, curve);
+        show_length(c, p, list, curve);
     }
     const bat_curve *shown = curve ? curve : under;
     if (shown) {
@@ -608,8 +609,9 @@ static void overlay(bat_context *c, bat_overlay *list) {
         bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, c->view);
 }
 
-static bat_string hint(const bat_context *c) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_pointing *p = state;
     if (p->dragging) return BAT_STRING_HINT_DRAGGING;
     if (p->measured) return BAT_STRING_HINT_MEASURED;
     if (p->hot.kind == BAT_HANDLE_POINT) return BAT_STRING_HINT_CONTROL_POINT;
@@ -621,14 +623,15 @@ static bat_string hint(const bat_context *c) {
     return BAT_STRING_HINT_POINTS;
 }
 
-static bat_cursor cursor(const bat_context *c) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_pointing *p = state;
     if (p->dragging) return BAT_CURSOR_MOVE;
     return p->hot.kind ? BAT_CURSOR_MOVE : BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_pointing *p = &c->toolbox->pointing;
+static const char *check(const bat_context *c, const void *state) {
+    const bat_pointing *p = state;
     if (p->dragging && !p->pressed) return "a drag without a press";
     if (p->dragging != (p->base != NULL)) return "a drag without its curve, or a curve without its drag";
     if (p->dragging && !c->session->transaction.open) return "a drag without a transaction";
@@ -637,8 +640,17 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+static bool stretch(const bat_context *c, const void *state, bat_stretch *out) {
+    const bat_pointing *p = state;
+    (void)c;
+    *out = (bat_stretch){p->object, p->curve, {p->stretch[0], p->stretch[1]}};
+    return p->measured;
+}
+
 const bat_tool *bat_tool_points(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.stretch = stretch,
+                                  .size = sizeof(bat_pointing),
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
@@ -655,3 +667,5 @@ const bat_tool *bat_tool_points(void) {
                                   .check = check};
     return &tool;
 }
+
+bat_pointing *bat_pointing_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_points()); }

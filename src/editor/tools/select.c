@@ -93,7 +93,8 @@ static bat_id object_at(bat_context *c, const double pixel[2], bat_device device
     return bat_object_id(bat_document_at(c->session->document, index));
 }
 
-bool bat_selecting_hits(bat_context *c, const bat_pointer *event) {
+static bool hits(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
     double pixel[2] = {event->x, event->y};
     return handle_at(c, pixel, event->device) != BAT_GRIP_NONE ||
            object_at(c, pixel, event->device, false) != 0;
@@ -114,16 +115,14 @@ static void forget_drag(bat_selecting *s) {
 }
 
 /* Begins another selection, without losing the one there is: a press may yet be cancelled. */
-static void replace_selection(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void replace_selection(bat_context *c, bat_selecting *s) {
     bat_selection_swap(&c->choice->selection, &s->earlier);
     bat_selection_clear(&c->choice->selection);
     s->replaced = true;
 }
 
 /* What is selected is again what was before the press. */
-static void take_press_back(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void take_press_back(bat_context *c, bat_selecting *s) {
     if (s->replaced)
         bat_selection_swap(&c->choice->selection, &s->earlier);
     else if (s->pressed && !s->was_selected)
@@ -135,17 +134,16 @@ static void take_press_back(bat_context *c) {
 }
 
 /* Takes the drag back; the copies are gone, what they were made of is selected as before the press. */
-static void take_back(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void take_back(bat_context *c, bat_selecting *s) {
     bat_transaction_cancel(c);
     for (int i = 0; s->originals && i < s->original_count; i++)
         bat_selection_add(&c->choice->selection, s->originals[i]); /* there is room: they were in it */
-    take_press_back(c);
+    take_press_back(c, s);
     forget_drag(s);
 }
 
-static void give_up(bat_context *c, bat_status status) {
-    take_back(c);
+static void give_up(bat_context *c, bat_selecting *s, bat_status status) {
+    take_back(c, s);
     bat_notice_failure(c, status);
 }
 
@@ -154,8 +152,7 @@ static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
 }
 
 /* What of the selection snaps: the box to lines, ends of curves and the place held to everything. */
-static void find_sources(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void find_sources(bat_context *c, bat_selecting *s) {
     double held[2], domain[2], end[2];
     s->source_count = 0;
     for (int i = 0; i < 4; i++) add_source(s, s->box[i & 1 ? 2 : 0], s->box[i & 2 ? 3 : 1], BAT_SNAP_LINES);
@@ -175,8 +172,7 @@ static void find_sources(bat_context *c) {
 }
 
 /* Keeps what the drag is going to change, as it is now. */
-static bat_status take_hold(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static bat_status take_hold(bat_context *c, bat_selecting *s) {
     const bat_document *document = c->session->document;
     int *roots, count;
     bat_status status = bat_arrange_roots(c, &roots, &count);
@@ -195,7 +191,7 @@ static bat_status take_hold(bat_context *c) {
                 s->before[s->count++] = bat_object_retain(object);
             }
         bat_arrange_selection_box(c, s->box);
-        find_sources(c);
+        find_sources(c, s);
         if (!c->session->transaction.open) status = bat_transaction_begin(c);
     }
     free(roots);
@@ -203,8 +199,7 @@ static bat_status take_hold(bat_context *c) {
 }
 
 /* Copies in place of the selection, to be dragged. */
-static bat_status lift(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static bat_status lift(bat_context *c, bat_selecting *s) {
     size_t size = (size_t)c->choice->selection.count * sizeof *s->originals;
     s->originals = malloc(size);
     if (!s->originals) return BAT_MEMORY;
@@ -249,8 +244,7 @@ static void rotating(const bat_selecting *s, uint32_t modifiers, const double fr
     bat_affine_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
 }
 
-static void moving(bat_context *c, const double from[2], double to[2], double matrix[6]) {
-    const bat_selecting *s = &c->toolbox->selecting;
+static void moving(bat_context *c, bat_selecting *s, const double from[2], double to[2], double matrix[6]) {
     if (c->modifiers & BAT_SHIFT) {
         bat_snap_angle(c, from, to);
         bat_affine_translation(to[0] - from[0], to[1] - from[1], matrix);
@@ -265,8 +259,7 @@ static void moving(bat_context *c, const double from[2], double to[2], double ma
 }
 
 /* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
-static void snap_handle(bat_context *c, const double from[2], double to[2]) {
-    const bat_selecting *s = &c->toolbox->selecting;
+static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], double to[2]) {
     double share[2], by[2] = {to[0] - from[0], to[1] - from[1]};
     handle_share(s->handle, share);
     bat_snap_source source = {.kinds = BAT_SNAP_ALL};
@@ -281,19 +274,18 @@ static void snap_handle(bat_context *c, const double from[2], double to[2]) {
     if (!used) c->snap->kind = BAT_SNAP_NONE;
 }
 
-static bat_status change(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static bat_status change(bat_context *c, bat_selecting *s) {
     double from[2], to[2], matrix[6];
     bat_view_to_document(c->view, s->start, from);
     bat_view_to_document(c->view, s->at, to);
     bat_stage_sync(c);
-    if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, from, to);
+    if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, s, from, to);
     if (s->state == BAT_SELECTING_SCALING)
         scaling(s, c->modifiers, from, to, matrix);
     else if (s->state == BAT_SELECTING_ROTATING)
         rotating(s, c->modifiers, from, to, matrix);
     else
-        moving(c, from, to, matrix);
+        moving(c, s, from, to, matrix);
     bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = 0; i < s->count; i++) {
         bat_object *after = NULL;
@@ -310,8 +302,8 @@ static bool dragging(const bat_selecting *s) { return s->state >= BAT_SELECTING_
 
 /* ---- events ---- */
 
-static void hover(bat_context *c, const bat_pointer *event) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    bat_selecting *s = state;
     s->hovering = true;
     s->device = event->device;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
@@ -320,14 +312,15 @@ static void hover(bat_context *c, const bat_pointer *event) {
                                             : 0;
 }
 
-static void leave(bat_context *c) {
-    c->toolbox->selecting.hovering = false;
-    c->toolbox->selecting.hovered = 0;
-    c->toolbox->selecting.handle = BAT_GRIP_NONE;
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    bat_selecting *s = state;
+    s->hovering = false;
+    s->hovered = 0;
+    s->handle = BAT_GRIP_NONE;
 }
 
-static void press(bat_context *c, const bat_pointer *event) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void press(bat_context *c, bat_selecting *s, const bat_pointer *event) {
     bat_selection *selection = &c->choice->selection;
     bool near = bat_hypot(s->start[0] - s->clicked[0], s->start[1] - s->clicked[1]) <= reach(event->device);
     bool twice = near && s->clicked_at > 0 && event->time - s->clicked_at <= TWICE;
@@ -344,19 +337,19 @@ static void press(bat_context *c, const bat_pointer *event) {
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
-        if (!adds) replace_selection(c);
+        if (!adds) replace_selection(c, s);
         s->state = BAT_SELECTING_MARQUEE;
         return;
     }
     s->state = BAT_SELECTING_PRESSED;
     if (s->was_selected) return;
-    if (!adds) replace_selection(c);
+    if (!adds) replace_selection(c, s);
     bat_status status = bat_selection_add(selection, s->pressed);
-    if (status != BAT_OK) give_up(c, status);
+    if (status != BAT_OK) give_up(c, s, status);
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_selecting *s = state;
     forget_drag(s);
     s->pressed = 0;
     s->replaced = false;
@@ -370,25 +363,25 @@ static void down(bat_context *c, const bat_pointer *event) {
     bat_notice(c, BAT_STRING_COUNT);
     s->handle = handle_at(c, s->start, event->device);
     if (s->handle == BAT_GRIP_NONE) {
-        press(c, event);
+        press(c, s, event);
         return;
     }
     s->hovered = 0;
     s->state = s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
-    bat_status status = take_hold(c);
-    if (status != BAT_OK) give_up(c, status);
+    bat_status status = take_hold(c, s);
+    if (status != BAT_OK) give_up(c, s, status);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_selecting *s = state;
     if (event->predicted || s->state == BAT_SELECTING_IDLE) return;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
     bool far = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > STILL;
     if (s->state == BAT_SELECTING_PRESSED && far) {
-        bat_status status = event->modifiers & BAT_ALT ? lift(c) : BAT_OK;
-        if (status == BAT_OK) status = take_hold(c);
+        bat_status status = event->modifiers & BAT_ALT ? lift(c, s) : BAT_OK;
+        if (status == BAT_OK) status = take_hold(c, s);
         if (status != BAT_OK) {
-            give_up(c, status);
+            give_up(c, s, status);
             return;
         }
         s->state = BAT_SELECTING_MOVING;
@@ -396,8 +389,7 @@ static void move(bat_context *c, const bat_pointer *event) {
     s->due = dragging(s);
 }
 
-static void click(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void click(bat_context *c, bat_selecting *s) {
     bat_selection *selection = &c->choice->selection;
     if (!s->was_selected) return;
     if (c->modifiers & BAT_SHIFT) {
@@ -409,15 +401,16 @@ static void click(bat_context *c) {
 }
 
 /* The marquee, view pixels, low before high. */
-static void marquee(const bat_context *c, double box[4]) {
-    const double *a = c->toolbox->selecting.start, *b = c->toolbox->selecting.at;
+static void marquee(const bat_context *c, const bat_selecting *s, double box[4]) {
+    (void)c;
+    const double *a = s->start, *b = s->at;
     memcpy(box, (double[]){fmin(a[0], b[0]), fmin(a[1], b[1]), fmax(a[0], b[0]), fmax(a[1], b[1])},
            4 * sizeof *box);
 }
 
-static void select_box(bat_context *c) {
+static void select_box(bat_context *c, bat_selecting *s) {
     double box[4];
-    marquee(c, box);
+    marquee(c, s, box);
     bat_stage_sync(c);
     for (int i = 0; i < c->scene->count; i++) {
         if (!bat_pick_touches(c->scene, i, c->view, box)) continue;
@@ -432,41 +425,41 @@ static void select_box(bat_context *c) {
     }
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_selecting *s = state;
     static const bat_string labels[] = {[BAT_SELECTING_MOVING] = BAT_STRING_STEP_MOVE,
                                         [BAT_SELECTING_SCALING] = BAT_STRING_STEP_SCALE,
                                         [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE};
-    bat_selecting *s = &c->toolbox->selecting;
-    bat_selecting_state state = s->state;
-    if (state == BAT_SELECTING_PRESSED) click(c);
-    if (state == BAT_SELECTING_MARQUEE) select_box(c);
+    bat_selecting_state was = s->state;
+    if (was == BAT_SELECTING_PRESSED) click(c, s);
+    if (was == BAT_SELECTING_MARQUEE) select_box(c, s);
     if (dragging(s)) {
         /* A handle that was only touched changes nothing. */
         bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
-        bat_status status = moved ? change(c) : BAT_OK;
+        bat_status status = moved ? change(c, s) : BAT_OK;
         if (status == BAT_OK)
-            status = bat_transaction_commit(c, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[state],
-                                            NULL);
+            status = bat_transaction_commit(c, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[was], NULL);
         if (status != BAT_OK) {
-            give_up(c, status);
+            give_up(c, s, status);
             return;
         }
     }
     forget_drag(s);
-    if (event->device != BAT_DEVICE_TOUCH) hover(c, event);
+    if (event->device != BAT_DEVICE_TOUCH) hover(c, s, event);
 }
 
-static bool cancel(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static bool cancel(bat_context *c, void *state) {
+    bat_selecting *s = state;
     bool busy = s->state != BAT_SELECTING_IDLE;
     if (!busy) return false;
-    take_back(c);
+    take_back(c, s);
     bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static void modifiers(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void modifiers(bat_context *c, void *state) {
+    (void)c;
+    bat_selecting *s = state;
     s->due = s->due || dragging(s);
 }
 
@@ -507,7 +500,8 @@ static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix
 }
 
 /* Nudges: one document unit, with Shift ten. */
-static bat_status command(bat_context *c, bat_command_id id) {
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    (void)state;
     double step = c->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
     if (id == BAT_COMMAND_POINT_NEXT) return step_object(c, 1);
     if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(c, -1);
@@ -525,14 +519,18 @@ static bat_status command(bat_context *c, bat_command_id id) {
     return status;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->selecting.state != BAT_SELECTING_IDLE; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_selecting *s = state;
+    return s->state != BAT_SELECTING_IDLE;
+}
 
-static void update(bat_context *c) {
-    bat_selecting *s = &c->toolbox->selecting;
+static void update(bat_context *c, void *state) {
+    bat_selecting *s = state;
     if (!dragging(s) || !s->due) return;
-    bat_status status = change(c);
+    bat_status status = change(c, s);
     if (status != BAT_OK) {
-        give_up(c, status);
+        give_up(c, s, status);
         return;
     }
     bat_stage_sync(c);
@@ -564,13 +562,13 @@ static void show_box(bat_overlay *overlay, const bat_view *view, const double bo
     bat_path_close(&overlay->path);
 }
 
-static void show_selection(const bat_context *c, bat_overlay *overlay) {
+static void show_selection(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
     const bat_view *view = c->view;
     double box[4], place[2], line[4];
     if (!bat_arrange_selection_box(c, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     show_box(overlay, NULL, box);
-    if (dragging(&c->toolbox->selecting)) return;
+    if (dragging(s)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
     line[3] = box[1] - ROTATE_AWAY * bat_view_pixel(view);
@@ -595,8 +593,8 @@ static void show_entered(const bat_context *c, bat_overlay *list) {
                       *name ? name : bat_word(c, BAT_STRING_GROUP_NAME));
 }
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_selecting *s = &c->toolbox->selecting;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_selecting *s = state;
     show_entered(c, list);
     if (s->state == BAT_SELECTING_IDLE && s->hovering && s->hovered &&
         !bat_selection_has(&c->choice->selection, s->hovered)) {
@@ -607,17 +605,17 @@ static void overlay(bat_context *c, bat_overlay *list) {
             if (c->scene->entries[i].path)
                 bat_path_copy(&list->path, c->scene->entries[i].path, c->scene->entries[i].item.path_count);
     }
-    show_selection(c, list);
+    show_selection(c, s, list);
     if (s->state == BAT_SELECTING_MARQUEE) {
         double box[4];
-        marquee(c, box);
+        marquee(c, s, box);
         bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
         show_box(list, c->view, box);
     }
 }
 
-static bat_string hint(const bat_context *c) {
-    const bat_selecting *s = &c->toolbox->selecting;
+static bat_string hint(const bat_context *c, const void *state) {
+    const bat_selecting *s = state;
     switch (s->state) {
     case BAT_SELECTING_MARQUEE: return BAT_STRING_HINT_MARQUEE;
     case BAT_SELECTING_MOVING: return BAT_STRING_HINT_MOVING_SELECTION;
@@ -632,10 +630,10 @@ static bat_string hint(const bat_context *c) {
     return c->choice->entered ? BAT_STRING_HINT_ENTERED : BAT_STRING_HINT_SELECT_NOTHING;
 }
 
-static bat_cursor cursor(const bat_context *c) {
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    const bat_selecting *s = state;
     static const bat_cursor handles[] = {BAT_CURSOR_RESIZE_NWSE, BAT_CURSOR_RESIZE_NS, BAT_CURSOR_RESIZE_NESW,
                                          BAT_CURSOR_RESIZE_EW};
-    const bat_selecting *s = &c->toolbox->selecting;
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
     if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
@@ -645,15 +643,30 @@ static bat_cursor cursor(const bat_context *c) {
     return BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_selecting *s = &c->toolbox->selecting;
+static const char *check(const bat_context *c, const void *state) {
+    const bat_selecting *s = state;
     if (dragging(s) != (s->before != NULL)) return "a drag and what it changes are out of step";
     if (dragging(s) && !c->session->transaction.open) return "a drag without a transaction";
     return NULL;
 }
 
+static void end(void *state) {
+    bat_selecting *s = state;
+    bat_selection_free(&s->earlier);
+}
+
+static bool over(const bat_context *c, const void *state) {
+    const bat_selecting *s = state;
+    (void)c;
+    return s->hovered || s->handle != BAT_GRIP_NONE;
+}
+
 const bat_tool *bat_tool_select(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.over = over,
+                                  .hits = hits,
+                                  .size = sizeof(bat_selecting),
+                                  .end = end,
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
@@ -669,3 +682,5 @@ const bat_tool *bat_tool_select(void) {
                                   .check = check};
     return &tool;
 }
+
+bat_selecting *bat_selecting_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_select()); }

@@ -47,7 +47,7 @@ typedef struct bat_selecting {
     bool has_point;
 } bat_selecting;
 
-/* Whether a press would be on an object or a handle. */
-bool bat_selecting_hits(bat_context *c, const bat_pointer *event);
+/* Of the tool. */
+bat_selecting *bat_selecting_of(const bat_context *c);
 
 #endif

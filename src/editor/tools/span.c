@@ -6,7 +6,9 @@
  */
 #include "base/real.h"
 #include "base/vec.h"
+#include "editor/edit/affine.h"
 #include "editor/edit/pictures.h"
+#include "editor/tools/span.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -18,15 +20,23 @@
 #include "editor/view/unit.h"
 #include <string.h>
 
+typedef struct bat_spanning {
+    double at[2][2]; /* document units */
+    int count;
+    int held; /* the one under the pointer while it is down; -1: none */
+} bat_spanning;
+
 static const double REACH = 10, REACH_TOUCH = 22, CROSS = 7; /* px */
 
-static void put(bat_context *c, const bat_pointer *event) {
-    bat_spanning *s = &c->toolbox->spanning;
+static double distance(const bat_spanning *s) {
+    return s->count < 2 ? 0 : bat_hypot(s->at[1][0] - s->at[0][0], s->at[1][1] - s->at[0][1]);
+}
+
+static void put(bat_context *c, bat_spanning *s, const bat_pointer *event) {
     if (s->held >= 0) bat_view_to_document(c->view, (double[]){event->x, event->y}, s->at[s->held]);
 }
 
-static int place_at(const bat_context *c, const bat_pointer *event) {
-    const bat_spanning *s = &c->toolbox->spanning;
+static int place_at(const bat_context *c, const bat_spanning *s, const bat_pointer *event) {
     double within = event->device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH, screen[2];
     for (int i = s->count - 1; i >= 0; i--) {
         bat_view_to_screen(c->view, s->at[i], screen);
@@ -35,47 +45,53 @@ static int place_at(const bat_context *c, const bat_pointer *event) {
     return -1;
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_spanning *s = &c->toolbox->spanning;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_spanning *s = state;
     bat_notice(c, BAT_STRING_COUNT);
-    s->held = place_at(c, event);
+    s->held = place_at(c, s, event);
     if (s->held >= 0) return;
     if (s->count == 2) s->count = 0;
     s->held = s->count++;
-    put(c, event);
+    put(c, s, event);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    if (!event->predicted) put(c, event);
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_spanning *s = state;
+    if (!event->predicted) put(c, s, event);
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_spanning *s = &c->toolbox->spanning;
-    put(c, event);
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_spanning *s = state;
+    put(c, s, event);
     s->held = -1;
     if (s->count == 2 && memcmp(s->at[0], s->at[1], sizeof s->at[0]) != 0)
         c->notices->requests |= BAT_ASK_SPAN;
 }
 
-static bool cancel(bat_context *c) {
-    bat_spanning *s = &c->toolbox->spanning;
+static bool cancel(bat_context *c, void *state) {
+    (void)c;
+    bat_spanning *s = state;
     bool any = s->count > 0;
     s->count = 0;
     s->held = -1;
     return any;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->spanning.held >= 0; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_spanning *s = state;
+    return s->held >= 0;
+}
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_spanning *s = &c->toolbox->spanning;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_spanning *s = state;
     double pixel = bat_view_pixel(c->view);
     if (s->count == 2) {
         double middle[2] = {s->at[0][0] / 2 + s->at[1][0] / 2, s->at[0][1] / 2 + s->at[1][1] / 2};
         char text[BAT_UNIT_ROOM];
         bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
         bat_overlay_polyline(list, 2, s->at[0]);
-        bat_unit_write(c, bat_tracing_value(c, BAT_PROPERTY_PICTURE_SPAN), text);
+        bat_unit_write(c, distance(s), text);
         bat_overlay_label(list, BAT_ROLE_VALUE, middle, 0, -16, text);
     }
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED, 1.5F);
@@ -85,19 +101,25 @@ static void overlay(bat_context *c, bat_overlay *list) {
     }
 }
 
-static bat_string hint(const bat_context *c) {
+static bat_string hint(const bat_context *c, const void *state) {
+    const bat_spanning *s = state;
     return !bat_tracing_count(c->session->document) ? BAT_STRING_NOTICE_NO_PICTURE
-           : c->toolbox->spanning.count == 2        ? BAT_STRING_HINT_SPAN_TYPE
+           : s->count == 2                          ? BAT_STRING_HINT_SPAN_TYPE
                                                     : BAT_STRING_HINT_SPAN;
 }
 
-static bat_cursor cursor(const bat_context *c) {
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
     (void)c;
     return BAT_CURSOR_CROSS;
 }
 
+static void begin(void *state) { ((bat_spanning *)state)->held = -1; }
+
 const bat_tool *bat_tool_span(void) {
-    static const bat_tool tool = {.down = down,
+    static const bat_tool tool = {.size = sizeof(bat_spanning),
+                                  .begin = begin,
+                                  .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
@@ -107,3 +129,18 @@ const bat_tool *bat_tool_span(void) {
                                   .cursor = cursor};
     return &tool;
 }
+
+/* ---- the distance as a property ---- */
+
+bat_status bat_span_set(bat_context *c, double value) {
+    bat_spanning *s = bat_toolbox_state(c, bat_tool_span());
+    double now = distance(s), factor = value / now, matrix[6];
+    if (!(now > 0) || !(value > 0)) return BAT_STATE;
+    bat_affine_scaling(factor, factor, s->at[0], matrix);
+    bat_status status = bat_tracing_scale(c, matrix);
+    for (int k = 0; k < 2 && status == BAT_OK; k++)
+        s->at[1][k] = s->at[0][k] + factor * (s->at[1][k] - s->at[0][k]);
+    return status;
+}
+
+double bat_span_value(const bat_context *c) { return distance(bat_toolbox_state(c, bat_tool_span())); }

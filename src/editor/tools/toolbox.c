@@ -1,55 +1,128 @@
 #include "editor/tools/toolbox.h"
-#include "editor/input/input.h"
 #include "editor/choice/choice.h"
+#include "editor/input/input.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
+#include <stdlib.h>
+#include <string.h>
 
-const bat_tool *bat_toolbox_tool(const bat_context *c) {
-    static const bat_tool *(*const tools[BAT_TOOL_COUNT])(void) = {
-#define TOOL(id, name, command, behaviour, traits) behaviour,
-#include "editor/tables/commands.def"
-    };
-    if (c->toolbox->guiding.on) return bat_tool_guides();
-    if (c->toolbox->waypoints.on) return bat_tool_waypoints();
-    if (c->toolbox->range.on) return bat_tool_range();
-    return tools[c->input->erasing ? bat_tool_that(BAT_ERASES) : c->choice->tool]();
+bat_status bat_toolbox_fill(bat_toolbox *toolbox, const bat_tool *(*const tools[BAT_SLOTS])(void)) {
+    for (int i = 0; i < BAT_SLOTS; i++) {
+        const bat_tool *tool = tools[i]();
+        void *state = calloc(1, tool->size ? tool->size : 1);
+        if (!state) return BAT_MEMORY;
+        toolbox->slots[i] = (bat_slot){tool, state};
+        if (tool->begin) tool->begin(state);
+    }
+    return BAT_OK;
 }
 
-bool bat_toolbox_busy(const bat_context *c) {
-    if (c->toolbox->leveling.fading) return true;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->busy && tool->busy(c);
+void bat_toolbox_free(bat_toolbox *toolbox) {
+    for (int i = 0; i < BAT_SLOTS && toolbox->slots[i].is; i++) {
+        bat_slot *slot = &toolbox->slots[i];
+        if (slot->is->end) slot->is->end(slot->state);
+        free(slot->state);
+        *slot = (bat_slot){NULL, NULL};
+    }
 }
 
-bat_readout bat_toolbox_readout(const bat_context *c) {
-    bat_readout out = {0};
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->readout) tool->readout(c, &out);
-    return out;
+void bat_toolbox_forget(bat_toolbox *toolbox) {
+    for (int i = 0; i < BAT_SLOTS; i++) {
+        bat_slot *slot = &toolbox->slots[i];
+        if (slot->is->end) slot->is->end(slot->state);
+        memset(slot->state, 0, slot->is->size);
+        if (slot->is->begin) slot->is->begin(slot->state);
+    }
+}
+
+const bat_slot *bat_toolbox_tool(const bat_context *c) {
+    const bat_slot *slots = c->toolbox->slots;
+    for (int i = BAT_TOOL_COUNT; i < BAT_SLOTS; i++)
+        if (slots[i].is->on(slots[i].state)) return &slots[i];
+    return c->input->erasing ? bat_toolbox_that(c, BAT_ERASES) : bat_toolbox_chosen(c);
+}
+
+const bat_slot *bat_toolbox_chosen(const bat_context *c) { return &c->toolbox->slots[c->choice->tool]; }
+
+const bat_slot *bat_toolbox_that(const bat_context *c, unsigned trait) {
+    return &c->toolbox->slots[bat_tool_that(trait)];
+}
+
+void *bat_toolbox_state(const bat_context *c, const bat_tool *tool) {
+    const bat_slot *slot = c->toolbox->slots;
+    while (slot->is != tool) slot++;
+    return slot->state;
 }
 
 bool bat_toolbox_has(const bat_context *c, unsigned trait) {
     return bat_tool_at(c->choice->tool)->traits & trait;
 }
 
-bool bat_toolbox_drop(bat_context *c) {
-    if (bat_leveling_let_go(c)) return true;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->cancel && tool->cancel(c);
+/* The tool that a panel's hand holds something of; NULL: none. */
+static const bat_slot *in_panel(const bat_context *c) {
+    for (int i = 0; i < BAT_SLOTS; i++) {
+        const bat_slot *slot = &c->toolbox->slots[i];
+        if (slot->is->held_by_panel && slot->is->held_by_panel(slot->state)) return slot;
+    }
+    return NULL;
 }
+
+static bool let_go(bat_context *c) {
+    const bat_slot *slot = in_panel(c);
+    if (slot) slot->is->let_go(c, slot->state);
+    return slot != NULL;
+}
+
+bool bat_toolbox_busy(const bat_context *c) {
+    if (in_panel(c)) return true;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->busy && tool->is->busy(c, tool->state);
+}
+
+bat_readout bat_toolbox_readout(const bat_context *c) {
+    bat_readout out = {0};
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->readout) tool->is->readout(c, tool->state, &out);
+    return out;
+}
+
+static bool cancel(bat_context *c) {
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->cancel && tool->is->cancel(c, tool->state);
+}
+
+static void leave(bat_context *c) {
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
+}
+
+void bat_toolbox_leave(bat_context *c) {
+    cancel(c);
+    leave(c);
+}
+
+bool bat_toolbox_drop(bat_context *c) { return let_go(c) || cancel(c); }
 
 bool bat_toolbox_drop_uncommitted(bat_context *c) {
-    if (bat_leveling_let_go(c)) return true;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    return tool->undo ? tool->undo(c) : bat_toolbox_drop(c);
+    if (let_go(c)) return true;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->undo ? tool->is->undo(c, tool->state) : cancel(c);
 }
 
-/* A range stays, for the other tool to do something with it. */
+void bat_toolbox_end_modes(bat_context *c) {
+    for (int i = BAT_TOOL_COUNT; i < BAT_SLOTS; i++) {
+        const bat_slot *mode = &c->toolbox->slots[i];
+        if (mode->is->drop && mode->is->on(mode->state)) mode->is->drop(c, mode->state);
+    }
+}
+
 void bat_toolbox_choose(bat_context *c, bat_tool_id id) {
-    bat_waypoints_end(c);
-    if (!c->toolbox->range.on) bat_toolbox_drop(c);
-    const bat_tool *before = bat_toolbox_tool(c);
-    if (before->leave) before->leave(c);
+    const bat_slot *waypoints = &c->toolbox->slots[BAT_TOOL_COUNT + BAT_MODE_WAYPOINTS];
+    const bat_slot *range = &c->toolbox->slots[BAT_TOOL_COUNT + BAT_MODE_RANGE];
+    waypoints->is->drop(c, waypoints->state);
+    /* A range stays, for the other tool to do something with it. */
+    if (!range->is->on(range->state)) bat_toolbox_drop(c);
+    leave(c);
     c->choice->tool = id;
     if (bat_toolbox_has(c, BAT_EDITS_POINTS)) bat_settings_follow(c->settings, BAT_FIRST_POINTS);
 }
@@ -62,27 +135,10 @@ void bat_toolbox_settle(bat_context *c) {
 }
 
 void bat_toolbox_interrupt(bat_context *c) {
-    bat_leveling_let_go(c);
-    bat_range_end(c);
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->cancel) tool->cancel(c);
-    if (tool->leave) tool->leave(c);
+    let_go(c);
+    bat_toolbox_end_modes(c);
+    bat_toolbox_leave(c);
     c->input->erasing = c->input->calming = false;
     c->input->contacts.count = 0;
     c->input->holding_pan = false;
-}
-
-void bat_toolbox_init(bat_toolbox *toolbox) { toolbox->spanning.held = -1; }
-
-void bat_toolbox_free(bat_toolbox *toolbox) {
-    bat_samples_free(&toolbox->sketching.edit.samples);
-    bat_samples_free(&toolbox->sketching.pending.samples);
-    bat_selection_free(&toolbox->selecting.earlier);
-    bat_toolbox_forget(toolbox);
-}
-
-void bat_toolbox_forget(bat_toolbox *toolbox) {
-    toolbox->guiding = (bat_guiding){0};
-    bat_splining_free(&toolbox->splining);
-    bat_leveling_free(&toolbox->leveling);
 }

@@ -11,6 +11,12 @@
 #include "base/real.h"
 #include <math.h>
 
+/* Between down and up; view pixels. */
+typedef struct bat_zooming {
+    bool down;
+    double start[2], at[2];
+} bat_zooming;
+
 #define CLICK 5.0 /* pixels of travel that are still a click */
 #define STEP 2.0  /* of a click */
 
@@ -20,24 +26,27 @@ static bool drawn(const bat_zooming *z) {
     return z->down && bat_hypot(z->at[0] - z->start[0], z->at[1] - z->start[1]) > CLICK;
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_zooming *z = &c->toolbox->zooming;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    (void)c;
+    bat_zooming *z = state;
     z->down = true;
     z->start[0] = z->at[0] = event->x;
     z->start[1] = z->at[1] = event->y;
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    (void)c;
+    bat_zooming *z = state;
     if (event->predicted) return;
-    c->toolbox->zooming.at[0] = event->x;
-    c->toolbox->zooming.at[1] = event->y;
+    z->at[0] = event->x;
+    z->at[1] = event->y;
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_zooming *z = &c->toolbox->zooming;
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_zooming *z = state;
     bat_view *view = c->view;
     if (!z->down) return; /* cancelled */
-    move(c, event);
+    move(c, z, event);
     if (drawn(z) && view->width > 0 && view->height > 0) {
         double size[2] = {fabs(z->at[0] - z->start[0]), fabs(z->at[1] - z->start[1])};
         double middle[2] = {(z->at[0] + z->start[0]) / 2, (z->at[1] + z->start[1]) / 2};
@@ -52,16 +61,22 @@ static void up(bat_context *c, const bat_pointer *event) {
     z->down = false;
 }
 
-static bool cancel(bat_context *c) {
-    bool had = c->toolbox->zooming.down;
-    c->toolbox->zooming.down = false;
+static bool cancel(bat_context *c, void *state) {
+    (void)c;
+    bat_zooming *z = state;
+    bool had = z->down;
+    z->down = false;
     return had;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->zooming.down; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_zooming *z = state;
+    return z->down;
+}
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_zooming *z = &c->toolbox->zooming;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_zooming *z = state;
     if (!drawn(z)) return;
     bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
     double corners[8] = {z->start[0], z->start[1], z->at[0],    z->start[1],
@@ -72,14 +87,20 @@ static void overlay(bat_context *c, bat_overlay *list) {
     bat_path_close(&list->path);
 }
 
-static bat_string hint(const bat_context *c) {
-    return drawn(&c->toolbox->zooming) ? BAT_STRING_HINT_ZOOMING : BAT_STRING_HINT_ZOOM;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_zooming *z = state;
+    return drawn(z) ? BAT_STRING_HINT_ZOOMING : BAT_STRING_HINT_ZOOM;
 }
 
-static bat_cursor cursor(const bat_context *c) { return away(c) ? BAT_CURSOR_ZOOM_OUT : BAT_CURSOR_ZOOM_IN; }
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
+    return away(c) ? BAT_CURSOR_ZOOM_OUT : BAT_CURSOR_ZOOM_IN;
+}
 
 const bat_tool *bat_tool_zoom(void) {
-    static const bat_tool tool = {.down = down,
+    static const bat_tool tool = {.size = sizeof(bat_zooming),
+                                  .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,

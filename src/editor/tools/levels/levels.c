@@ -41,13 +41,13 @@ static const double AXIS = 18, AXES_APART = 26; /* px: length of an axis, and be
 enum { AXES_MAX = 400 };
 
 static double reach(const bat_context *c, double pixels) {
-    return pixels * (c->toolbox->leveling.device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_view_pixel(c->view);
+    return pixels * (bat_leveling_of(c)->device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_view_pixel(c->view);
 }
 
 /* The control polygon that can be dragged. */
 static const bat_curve *active(const bat_context *c) {
     const bat_shape *shape = bat_leveling_shape(c);
-    return shape && !c->toolbox->leveling.apart ? bat_shape_curve(shape, c->toolbox->leveling.level) : NULL;
+    return shape && !bat_leveling_of(c)->apart ? bat_shape_curve(shape, bat_leveling_of(c)->level) : NULL;
 }
 
 static double near_point(const bat_curve *curve, const double at[2], int *index) {
@@ -63,7 +63,7 @@ static double near_point(const bat_curve *curve, const double at[2], int *index)
 /* What a press here would take hold of: points of the active level before curves, but a curve under the pen
  * before a point beside it. */
 static bat_handle find(bat_context *c, const double pixel[2]) {
-    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_leveling *l = bat_leveling_of(c);
     double point[2];
     bat_stage_sync(c);
     bat_view_to_document(c->view, pixel, point);
@@ -118,13 +118,13 @@ static void release(bat_leveling *l) {
 }
 
 static void give_up(bat_context *c, bat_status status) {
-    release(&c->toolbox->leveling);
+    release(bat_leveling_of(c));
     bat_transaction_cancel(c);
     tell(c, status);
 }
 
 static void drag(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     double from[2], to[2];
     if (!l->dragging || !l->due) return;
     l->due = false;
@@ -144,7 +144,7 @@ static void drag(bat_context *c) {
 }
 
 static void begin_drag(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_apart_drop(c);
     bat_leveling_choose(c, l->grip.object, l->grip.curve);
     bat_leveling_settle(c);
@@ -165,8 +165,9 @@ static void begin_drag(bat_context *c) {
     l->dragging = true;
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_leveling *l = &c->toolbox->leveling;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     bat_leveling_settle(c);
     l->device = event->device;
     l->hovering = true;
@@ -178,8 +179,9 @@ static void down(bat_context *c, const bat_pointer *event) {
     bat_notice(c, BAT_STRING_COUNT);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_leveling *l = &c->toolbox->leveling;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     if (!l->pressed || event->predicted) return;
     l->at[0] = l->hover[0] = event->x;
     l->at[1] = l->hover[1] = event->y;
@@ -189,7 +191,7 @@ static void move(bat_context *c, const bat_pointer *event) {
 }
 
 static void tap(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     const bat_handle grip = l->grip;
     bool same = grip.object == l->object && grip.curve == l->curve;
     if (l->copying) {
@@ -204,8 +206,9 @@ static void tap(bat_context *c) {
     l->chosen = grip.kind == BAT_HANDLE_POINT ? grip.index : -1;
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_leveling *l = &c->toolbox->leveling;
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     (void)event;
     if (!l->pressed) return;
     drag(c);
@@ -220,8 +223,9 @@ static void up(bat_context *c, const bat_pointer *event) {
         tell(c, bat_transaction_commit(c, label, NULL));
 }
 
-static bool undo(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+static bool undo(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     if (!l->dragging) return bat_apart_drop(c);
     release(l);
     bat_transaction_cancel(c);
@@ -230,13 +234,14 @@ static bool undo(bat_context *c) {
 }
 
 /* What is chosen stays chosen for the other tools; the command then deselects it. */
-static bool cancel(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+static bool cancel(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     if (l->pressed && !l->dragging) { /* a finger of a pinch, say: what waits for a yes goes on waiting */
         release(l);
         return true;
     }
-    if (undo(c)) return true;
+    if (undo(c, state)) return true;
     bool any = l->copying;
     l->copying = false;
     return any;
@@ -245,7 +250,7 @@ static bool cancel(bat_context *c) {
 /* ---- the keyboard ---- */
 
 static bat_status step(bat_context *c, int direction) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bat_stage_sync(c);
     for (int i = 0; i < bat_document_count(c->session->document) && !l->object;
          i++) { /* the first there is */
@@ -262,7 +267,7 @@ static bat_status step(bat_context *c, int direction) {
 }
 
 static bat_status nudge(bat_context *c, double x, double y) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     if (l->chosen < 0 || !active(c)) return BAT_STATE;
     double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(c->view);
     const double delta[2] = {x * far, y * far};
@@ -277,7 +282,8 @@ static bat_status nudge(bat_context *c, double x, double y) {
     return status == BAT_STATE ? BAT_OK : status; /* muted: said, and the view does not move instead */
 }
 
-static bat_status command(bat_context *c, bat_command_id id) {
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    (void)state;
     bat_leveling_settle(c);
     switch (id) {
     case BAT_COMMAND_POINT_NEXT: return step(c, 1);
@@ -292,24 +298,33 @@ static bat_status command(bat_context *c, bat_command_id id) {
 
 /* ---- hover and picture ---- */
 
-static void hover(bat_context *c, const bat_pointer *event) {
-    bat_leveling *l = &c->toolbox->leveling;
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     l->hovering = true;
     l->device = event->device;
     l->hover[0] = event->x;
     l->hover[1] = event->y;
 }
 
-static void leave(bat_context *c) {
-    c->toolbox->leveling.hovering = false;
-    c->toolbox->leveling.hot = (bat_handle){0};
+static void leave(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling_of(c)->hovering = false;
+    bat_leveling_of(c)->hot = (bat_handle){0};
 }
 
-static void modifiers(bat_context *c) { c->toolbox->leveling.due = c->toolbox->leveling.dragging; }
-static bool busy(const bat_context *c) { return c->toolbox->leveling.pressed; }
+static void modifiers(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling_of(c)->due = bat_leveling_of(c)->dragging;
+}
+static bool busy(const bat_context *c, const void *state) {
+    (void)state;
+    return bat_leveling_of(c)->pressed;
+}
 
-static void update(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+static void update(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling *l = bat_leveling_of(c);
     if (!l->dragging) bat_leveling_settle(c);
     drag(c);
     if (!l->pressed) l->hot = l->hovering ? find(c, l->hover) : (bat_handle){0};
@@ -336,7 +351,7 @@ static void show_axis(const bat_context *c, bat_overlay *list, bat_role role, si
 
 static void show_frames(const bat_context *c, bat_overlay *list, const bat_shape *shape) {
     int top = bat_shape_levels(shape),
-        level = c->toolbox->leveling.level < top ? c->toolbox->leveling.level : top - 1;
+        level = bat_leveling_of(c)->level < top ? bat_leveling_of(c)->level : top - 1;
     if (level < 0) return;
     const bat_shape_options *o = bat_shape_options_of(shape);
     bat_frame_options options = bat_frame_defaults();
@@ -364,8 +379,9 @@ static void show_levels(const bat_context *c, bat_overlay *list, const bat_shape
     bat_handles_show_points(list, curve, c->view);
 }
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_leveling *l = &c->toolbox->leveling;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    (void)state;
+    const bat_leveling *l = bat_leveling_of(c);
     const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
     const bat_handle *hot = l->dragging ? &l->grip : &l->hot;
     const bat_curve *chosen = bat_leveling_curve(c), *under = NULL;
@@ -389,8 +405,9 @@ static void overlay(bat_context *c, bat_overlay *list) {
         bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, c->view);
 }
 
-static bat_string hint(const bat_context *c) {
-    const bat_leveling *l = &c->toolbox->leveling;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_leveling *l = bat_leveling_of(c);
     if (l->dragging) return BAT_STRING_HINT_DRAGGING;
     if (l->copying) return BAT_STRING_HINT_COPY_TO;
     if (l->apart) return BAT_STRING_HINT_APART;
@@ -401,14 +418,16 @@ static bat_string hint(const bat_context *c) {
     return bat_leveling_shape(c) ? BAT_STRING_HINT_LEVEL_PULL : BAT_STRING_HINT_LEVELS_NONE;
 }
 
-static bat_cursor cursor(const bat_context *c) {
-    const bat_leveling *l = &c->toolbox->leveling;
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_leveling *l = bat_leveling_of(c);
     if (l->copying) return BAT_CURSOR_PEN;
     return l->dragging || l->hot.kind ? BAT_CURSOR_MOVE : BAT_CURSOR_ARROW;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_leveling *l = &c->toolbox->leveling;
+static const char *check(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_leveling *l = bat_leveling_of(c);
     const bat_shape *shape = bat_leveling_shape(c);
     if (l->dragging && !l->pressed) return "a drag without a press";
     if (l->dragging != (l->live != NULL)) return "a drag without its session, or the reverse";
@@ -421,14 +440,43 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+static void begin(void *state) { ((bat_leveling *)state)->chosen = -1; }
+
+static void end(void *state) { bat_leveling_free(state); }
+
+static bool held_by_panel(const void *state) { return ((const bat_leveling *)state)->fading; }
+
+static void let_go(bat_context *c, void *state) {
+    (void)state;
+    bat_leveling_let_go(c);
+}
+
+static bool focus(const bat_context *c, const void *state, bat_focus *out) {
+    (void)c;
+    const bat_leveling *l = state;
+    *out = (bat_focus){l->object, l->curve, l->level};
+    return l->object != 0;
+}
+
+static bool accept(bat_context *c, void *state) {
+    (void)state;
+    return bat_apart_accept(c);
+}
+
 const bat_tool *bat_tool_levels(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.size = sizeof(bat_leveling),
+                                  .begin = begin,
+                                  .end = end,
+                                  .held_by_panel = held_by_panel,
+                                  .let_go = let_go,
+                                  .focus = focus,
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
-                                  .accept = bat_apart_accept,
+                                  .accept = accept,
                                   .undo = undo,
                                   .command = command,
                                   .modifiers = modifiers,

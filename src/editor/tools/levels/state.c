@@ -1,4 +1,5 @@
 /* The chosen curve and its levels: finding them, and changing them as steps. */
+#include "editor/edit/curves_of.h"
 #include "editor/tools/levels/state.h"
 #include "document/digest.h"
 #include "editor/choice/choice.h"
@@ -14,6 +15,8 @@
 #include "editor/tools/toolbox.h"
 #include <stdlib.h>
 
+bat_leveling *bat_leveling_of(const bat_context *c) { return bat_toolbox_that(c, BAT_EDITS_LEVELS)->state; }
+
 void bat_leveling_free(bat_leveling *l) {
     bat_shape_free(l->base);
     bat_shape_live_cancel(l->live);
@@ -23,19 +26,19 @@ void bat_leveling_free(bat_leveling *l) {
 }
 
 const bat_curve *bat_leveling_curve(const bat_context *c) {
-    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_leveling *l = bat_leveling_of(c);
     return l->object ? bat_edit_target(c->session->document, l->object, l->curve) : NULL;
 }
 
 const bat_shape *bat_leveling_shape(const bat_context *c) {
-    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_leveling *l = bat_leveling_of(c);
     if (!bat_leveling_curve(c)) return NULL;
     return bat_object_shape(
         bat_document_at(c->session->document, bat_document_find(c->session->document, l->object)), l->curve);
 }
 
 void bat_leveling_settle(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     const bat_selection *selection = &c->choice->selection;
     if (selection->count == 1 && selection->ids[0] != l->adopted) {
         l->object = l->adopted = selection->ids[0];
@@ -55,7 +58,7 @@ void bat_leveling_settle(bat_context *c) {
 }
 
 void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     if (l->object != object || l->curve != curve) l->chosen = -1;
     l->object = l->adopted = object;
     l->curve = curve;
@@ -63,44 +66,16 @@ void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
     if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
 }
 
-bat_status bat_leveling_put_at(bat_context *c, bat_id id, int curve, bat_shape *shape) {
-    int at = bat_document_find(c->session->document, id);
-    bat_object *after = NULL;
-    bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_shape(bat_document_at(c->session->document, at), curve,
-                                                       shape, &after);
-    if (status != BAT_OK) {
-        bat_shape_free(shape);
-        return status;
-    }
-    status = bat_transaction_replace(c, at, after);
-    bat_object_release(after);
-    return status;
-}
-
-bat_status bat_leveling_commit_at(bat_context *c, bat_id id, int curve, bat_shape *shape, bat_string label) {
-    bat_status status = bat_shape_commit(shape);
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status != BAT_OK) {
-        bat_shape_free(shape);
-        return status;
-    }
-    status = bat_leveling_put_at(c, id, curve, shape);
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
-}
-
 bat_status bat_leveling_put(bat_context *c, bat_shape *shape) {
-    return bat_leveling_put_at(c, c->toolbox->leveling.object, c->toolbox->leveling.curve, shape);
+    return bat_put_shape(c, bat_leveling_of(c)->object, bat_leveling_of(c)->curve, shape);
 }
 
 bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label) {
-    return bat_leveling_commit_at(c, c->toolbox->leveling.object, c->toolbox->leveling.curve, shape, label);
+    return bat_commit_shape(c, bat_leveling_of(c)->object, bat_leveling_of(c)->curve, shape, label);
 }
 
 bool bat_leveling_let_go(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     if (!l->fading) return false;
     bat_shape_free(l->base);
     l->base = NULL;
@@ -110,7 +85,7 @@ bool bat_leveling_let_go(bat_context *c) {
 }
 
 uint32_t bat_leveling_version(bat_context *c) {
-    bat_leveling *l = &c->toolbox->leveling;
+    bat_leveling *l = bat_leveling_of(c);
     bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS,
          sketch = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS;
     if (!(levels && bat_leveling_curve(c)) && !(sketch && bat_leveling_shape(c))) return 0;

@@ -50,10 +50,6 @@ const bat_shape *bat_leveling_shape(const bat_context *c);
  * whatever it returns. */
 bat_status bat_leveling_put(bat_context *c, bat_shape *shape);
 bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label);
-/* The same for any curve. */
-bat_status bat_leveling_put_at(bat_context *c, bat_id object, int curve, bat_shape *shape);
-bat_status bat_leveling_commit_at(bat_context *c, bat_id object, int curve, bat_shape *shape,
-                                  bat_string label);
 /* A hand on a fader is taken off, and what it did taken back; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
 /* Whether the strip is to be seen, and the number of what it shows then; 0: not. */
@@ -67,5 +63,7 @@ bool bat_apart_accept(bat_context *c);
 bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value);
 /* Detail of the chosen curve to another. */
 bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve);
+/* Of the tool. */
+bat_leveling *bat_leveling_of(const bat_context *c);
 
 #endif

@@ -28,8 +28,8 @@
 static const double REACH = 4, REACH_TOUCH = 12, STILL = 2; /* px */
 
 int bat_guide_chosen(const bat_context *c) {
-    return c->toolbox->guiding.chosen ? bat_document_find(c->session->document, c->toolbox->guiding.chosen)
-                                      : -1;
+    const bat_guiding *g = bat_guiding_of(c);
+    return g->chosen ? bat_document_find(c->session->document, g->chosen) : -1;
 }
 
 /* Commits, or takes everything back and tells. */
@@ -43,6 +43,7 @@ static bat_status finish(bat_context *c, bat_status status) {
 }
 
 bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at) {
+    bat_guiding *g = bat_guiding_of(c);
     bat_object *guide = NULL;
     int index = id ? bat_document_find(c->session->document, id) : 0;
     bat_status status = bat_object_create_guide(id ? id : bat_document_next(c->session->document), axis, at,
@@ -56,7 +57,7 @@ bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at) {
     status = id ? bat_transaction_replace(c, index, guide) : bat_transaction_insert(c, index, guide);
     bat_object_release(guide);
     status = finish(c, status);
-    if (status == BAT_OK) c->toolbox->guiding.chosen = made;
+    if (status == BAT_OK) g->chosen = made;
     return status;
 }
 
@@ -72,10 +73,11 @@ static bat_status take_away(bat_context *c, bat_id id) {
 /* ---- commands ---- */
 
 bat_status bat_command_guide_delete(bat_context *c, bat_command_id id) {
+    bat_guiding *g = bat_guiding_of(c);
     (void)id;
     if (bat_guide_chosen(c) < 0) return BAT_STATE;
-    bat_status status = take_away(c, c->toolbox->guiding.chosen);
-    if (status == BAT_OK) c->toolbox->guiding.chosen = 0;
+    bat_status status = take_away(c, g->chosen);
+    if (status == BAT_OK) g->chosen = 0;
     return status;
 }
 
@@ -117,34 +119,43 @@ static bat_id guide_at(const bat_context *c, const double pixel[2], bat_device d
 }
 
 int bat_guides_hot(bat_context *c) {
-    if (c->toolbox->guiding.on) return c->toolbox->guiding.axis;
+    bat_guiding *g = bat_guiding_of(c);
+    if (g->on) return g->axis;
     if (!c->input->pen_near || bat_toolbox_busy(c)) return -1;
     int axis = bat_ruler_at(c, c->input->pen);
     if (axis >= 0 || !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return axis;
-    const bat_selecting *s = &c->toolbox->selecting;
-    if (s->hovered || s->handle != BAT_GRIP_NONE) return -1;
-    return guide_at(c, c->input->pen, s->device, &axis) ? axis : -1;
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->over && tool->is->over(c, tool->state)) return -1;
+    return guide_at(c, c->input->pen, c->input->points, &axis) ? axis : -1;
+}
+
+/* A press there would be on something of the chosen tool. */
+static bool hit(bat_context *c, const bat_pointer *event) {
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    return tool->is->hits && tool->is->hits(c, tool->state, event);
 }
 
 bool bat_guides_take(bat_context *c, const bat_pointer *event) {
+    bat_guiding *g = bat_guiding_of(c);
     double pixel[2] = {event->x, event->y};
     int axis = bat_ruler_at(c, pixel);
     bat_id id = 0;
-    c->toolbox->guiding.chosen = 0;
+    g->chosen = 0;
     if (axis < 0) {
-        if (!(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) || bat_toolbox_tool(c) != bat_tool_select())
+        if (!(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) ||
+            bat_toolbox_tool(c) != bat_toolbox_chosen(c))
             return false;
         id = guide_at(c, pixel, event->device, &axis);
-        if (!id || bat_selecting_hits(c, event)) return false;
+        if (!id || hit(c, event)) return false;
     }
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->leave) tool->leave(c);
-    c->toolbox->guiding = (bat_guiding){.on = true, .id = id, .axis = axis, .dropping = !id};
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
+    *g = (bat_guiding){.on = true, .id = id, .axis = axis, .dropping = !id};
     return true;
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_guiding *g = &c->toolbox->guiding;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_guiding *g = state;
     double pixel[2] = {event->x, event->y}, point[2];
     if (event->predicted) return;
     g->moved = g->moved || fabs(pixel[g->axis] - g->start[g->axis]) > STILL;
@@ -164,8 +175,8 @@ static void move(bat_context *c, const bat_pointer *event) {
     if (g->dropping) c->snap->kind = BAT_SNAP_NONE;
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_guiding *g = &c->toolbox->guiding;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_guiding *g = state;
     g->start[0] = event->x;
     g->start[1] = event->y;
     bat_notice(c, BAT_STRING_COUNT);
@@ -173,10 +184,11 @@ static void down(bat_context *c, const bat_pointer *event) {
     if (index >= 0) bat_object_guide(bat_document_at(c->session->document, index), &g->at);
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_guiding *g = state;
     (void)event; /* its place has been told as a move */
-    bat_guiding held = c->toolbox->guiding;
-    c->toolbox->guiding = (bat_guiding){.chosen = held.id};
+    bat_guiding held = *g;
+    *g = (bat_guiding){.chosen = held.id};
     if (!held.moved) return;
     if (!held.dropping)
         bat_guide_put(c, held.id, held.axis, held.at);
@@ -184,36 +196,48 @@ static void up(bat_context *c, const bat_pointer *event) {
         take_away(c, held.id);
 }
 
-static bool cancel(bat_context *c) {
-    bool was = c->toolbox->guiding.on;
-    c->toolbox->guiding = (bat_guiding){0};
+static bool cancel(bat_context *c, void *state) {
+    bat_guiding *g = state;
+    bool was = g->on;
+    *g = (bat_guiding){0};
     if (was) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return was;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->guiding.on; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_guiding *g = state;
+    return g->on;
+}
 
-static bat_string hint(const bat_context *c) {
-    const bat_guiding *g = &c->toolbox->guiding;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_guiding *g = state;
     return !g->dropping ? BAT_STRING_HINT_GUIDE
            : g->id      ? BAT_STRING_HINT_GUIDE_DROP
                         : BAT_STRING_HINT_GUIDE_NEW;
 }
 
-static bat_cursor cursor(const bat_context *c) {
-    return c->toolbox->guiding.axis ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_guiding *g = state;
+    return g->axis ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
 }
 
-static const char *check(const bat_context *c) {
+static const char *check(const bat_context *c, const void *state) {
+    const bat_guiding *g = state;
     if (bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a guide is held without a pen";
-    if (c->toolbox->guiding.id && bat_document_find(c->session->document, c->toolbox->guiding.id) < 0)
-        return "the guide that is held is gone";
+    if (g->id && bat_document_find(c->session->document, g->id) < 0) return "the guide that is held is gone";
     return NULL;
 }
 
+static bool on(const void *state) { return ((const bat_guiding *)state)->on; }
+
 const bat_tool *bat_tool_guides(void) {
-    static const bat_tool tool = {.down = down,
+    static const bat_tool tool = {.size = sizeof(bat_guiding),
+                                  .on = on,
+                                  .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
@@ -232,7 +256,7 @@ static void line(bat_overlay *overlay, const double box[4], int axis, double at)
 }
 
 void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
-    const bat_guiding *g = &c->toolbox->guiding;
+    const bat_guiding *g = bat_guiding_of(c);
     double box[4];
     bat_view_box(c->view, box);
     for (int chosen = 0; chosen < 2; chosen++) {
@@ -256,3 +280,5 @@ void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
     bat_view_to_document(c->view, c->input->pen, at);
     bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 36, -18, text);
 }
+
+bat_guiding *bat_guiding_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_guides()); }

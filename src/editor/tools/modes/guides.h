@@ -31,5 +31,7 @@ bat_status bat_command_guide_delete(bat_context *c, bat_command_id id);
 bat_status bat_command_guide_level(bat_context *c, bat_command_id id);
 bat_status bat_command_guide_upright(bat_context *c, bat_command_id id);
 const bat_tool *bat_tool_guides(void);
+/* Of the tool. */
+bat_guiding *bat_guiding_of(const bat_context *c);
 
 #endif

@@ -76,8 +76,7 @@ static bool one_changes(const bat_edit *edit) {
 }
 
 /* The session, begun at need, is given the samples it has not had. */
-static bat_status feed(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static bat_status feed(bat_context *c, bat_sketching *s) {
     if (!s->live) {
         bat_sketch_kind kind = s->edit.kind == BAT_EDIT_SMOOTH ? BAT_SKETCH_SMOOTH
                                : one_changes(&s->edit)         ? BAT_SKETCH_REDRAW
@@ -111,8 +110,7 @@ static void keep_blends(bat_sketching_preview *preview, const bat_sketch_preview
     memcpy(preview->blend_counts, counts, sizeof counts);
 }
 
-static void refresh_preview(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void refresh_preview(bat_context *c, bat_sketching *s) {
     s->preview_due = false;
     drop_preview(s);
     bat_sketch_preview_info info = {0};
@@ -121,7 +119,7 @@ static void refresh_preview(bat_context *c) {
     if (s->edit.kind == BAT_EDIT_LEVEL) {
         status = bat_edit_compute(c, &s->edit, NULL, &curve, &info.report);
     } else {
-        status = feed(c);
+        status = feed(c, s);
         if (status == BAT_OK) status = bat_sketch_preview(s->live, &curve, &info);
     }
     s->preview.status = status;
@@ -188,29 +186,30 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     return status;
 }
 
-static void give_up(bat_context *c, bat_status status) {
-    end_stroke(&c->toolbox->sketching);
+static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
+    end_stroke(s);
     bat_notice_failure(c, status);
 }
 
 bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level) {
-    const bat_leveling *l = &c->toolbox->leveling;
+    const bat_slot *levels = bat_toolbox_that(c, BAT_EDITS_LEVELS);
+    bat_focus l = {0};
+    levels->is->focus(c, levels->state, &l);
     int at = bat_document_find(c->session->document, object);
     const bat_shape *shape = at < 0 ? NULL
                                     : bat_object_shape(bat_document_at(c->session->document, at), curve);
     if (!shape) return false;
-    bool chosen = l->object == object && l->curve == curve;
+    bool chosen = l.object == object && l.curve == curve;
     int way = (int)c->settings->values[BAT_PROPERTY_LEVEL_SKETCH];
-    *level = way == 1                                        ? BAT_LEVEL_FREE
-             : way == 2                                      ? BAT_LEVEL_BARE
-             : chosen && l->level <= bat_shape_levels(shape) ? l->level
-                                                             : BAT_LEVEL_AUTO;
+    *level = way == 1                                       ? BAT_LEVEL_FREE
+             : way == 2                                     ? BAT_LEVEL_BARE
+             : chosen && l.level <= bat_shape_levels(shape) ? l.level
+                                                            : BAT_LEVEL_AUTO;
     return true;
 }
 
 /* Before anything is known a stroke is a new curve; forced: it redraws what was picked. */
-static void begin(bat_context *c, const bat_pointer *event, bat_pick pick, bool forced) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void begin(bat_context *c, bat_sketching *s, const bat_pointer *event, bat_pick pick, bool forced) {
     double pixel[2] = {event->x, event->y};
     bat_samples samples = s->edit.samples;
     samples.count = 0;
@@ -238,18 +237,18 @@ static void begin(bat_context *c, const bat_pointer *event, bat_pick pick, bool 
     bat_status status = forced ? BAT_OK : bat_meaning_begin(c, &s->meaning, event->device);
     if (status == BAT_OK) status = add_sample(s, event);
     if (status != BAT_OK)
-        give_up(c, status);
+        give_up(c, s, status);
     else if (event->modifiers & BAT_ALT)
         start_smoothing(s);
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    begin(c, event, pick_at(c, (double[]){event->x, event->y}, event->device), false);
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
+    begin(c, s, event, pick_at(c, (double[]){event->x, event->y}, event->device), false);
 }
 
 /* A curve with levels follows at one of them. */
-static void apply(bat_context *c, const bat_reading *reading) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void apply(bat_context *c, bat_sketching *s, const bat_reading *reading) {
     bat_edit *edit = &s->edit;
     bat_meaning_apply(c, &s->meaning, reading, edit);
     bool one = edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND;
@@ -257,8 +256,7 @@ static void apply(bat_context *c, const bat_reading *reading) {
 }
 
 /* What the stroke means so far. It turns only for a better reading, or it would flicker. */
-static void decide(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing) return;
     bat_status status = bat_meaning_look(c, m, &s->edit.view, &s->edit.samples, false);
@@ -270,11 +268,11 @@ static void decide(bat_context *c) {
         if (shown != &m->readings[0]) drop_session(s);
         shown = &m->readings[0];
     }
-    apply(c, shown);
+    apply(c, s, shown);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
     if (event->predicted) {
         double point[2];
@@ -291,7 +289,7 @@ static void move(bat_context *c, const bat_pointer *event) {
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
         status = add_sample(s, event);
     if (status != BAT_OK) {
-        give_up(c, status);
+        give_up(c, s, status);
         return;
     }
     if (event->modifiers & BAT_ALT) start_smoothing(s);
@@ -307,11 +305,10 @@ static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
 }
 
 /* The curve that the stroke is fitted by as it is, or as a level of it. */
-static bat_status compute(bat_context *c, bat_curve **curve, bat_sketch_report *report) {
-    bat_sketching *s = &c->toolbox->sketching;
+static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
     bat_sketch_live *live = NULL;
     if (s->edit.kind == BAT_EDIT_SMOOTH || s->forced) {
-        bat_status status = s->edit.kind == BAT_EDIT_LEVEL ? BAT_OK : feed(c);
+        bat_status status = s->edit.kind == BAT_EDIT_LEVEL ? BAT_OK : feed(c, s);
         if (status != BAT_OK) return status;
         live = s->live;
         s->live = NULL;
@@ -320,8 +317,8 @@ static bat_status compute(bat_context *c, bat_curve **curve, bat_sketch_report *
 }
 
 /* What the whole stroke means, carried out; the next reading where that cannot be. Too far for a redraw: a new curve. */
-static bat_status make(bat_context *c, bat_curve **curve, bat_sketch_report *report, bool *strayed) {
-    bat_sketching *s = &c->toolbox->sketching;
+static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report,
+                       bool *strayed) {
     bat_edit *edit = &s->edit;
     bat_status status = BAT_OK;
     int tried = 0;
@@ -331,8 +328,8 @@ static bat_status make(bat_context *c, bat_curve **curve, bat_sketch_report *rep
         if (status == BAT_DOT) s->meaning.count = 0;
     }
     do {
-        if (tried < s->meaning.count && !s->smoothing) apply(c, &s->meaning.readings[tried]);
-        status = compute(c, curve, report);
+        if (tried < s->meaning.count && !s->smoothing) apply(c, s, &s->meaning.readings[tried]);
+        status = compute(c, s, curve, report);
         if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
             edit->kind = BAT_EDIT_NEW;
             *strayed = true;
@@ -353,8 +350,8 @@ static void keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_re
     s->has_pending = true;
 }
 
-static bool accept(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static bool accept(bat_context *c, void *state) {
+    bat_sketching *s = state;
     if (!s->has_pending) return false;
     bat_curve *curve = s->pending_curve;
     s->pending_curve = NULL;
@@ -369,11 +366,11 @@ static bool accept(bat_context *c) {
     return true;
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return;
     if (s->has_pending) { /* not dropped by a stroke, so this was a tap */
-        accept(c);
+        accept(c, s);
         return;
     }
     if (smooths_nothing(s)) {
@@ -385,7 +382,7 @@ static void up(bat_context *c, const bat_pointer *event) {
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bool strayed = false;
-    bat_status status = make(c, &curve, &report, &strayed);
+    bat_status status = make(c, s, &curve, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
         if (s->edit.kind == BAT_EDIT_NEW) {
             s->edit.object = bat_document_new_id(c->session->document);
@@ -414,41 +411,46 @@ static void up(bat_context *c, const bat_pointer *event) {
 
 /* ---- a stroke without a pen ---- */
 
-void bat_sketching_drop(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void drop(bat_context *c, void *state) {
+    bat_sketching *s = state;
+    (void)c;
     if (s->state == BAT_SKETCHING_DRAWING) end_stroke(s);
 }
 
-void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat_id object, int curve) {
-    for (size_t i = 0; i < count; i++) {
+static bat_status trace(bat_context *c, void *state, const bat_traced *stroke) {
+    bat_sketching *s = state;
+    for (size_t i = 0; i < stroke->count; i++) {
         double at[2];
-        bat_view_to_screen(c->view, points + 2 * i, at);
+        bat_view_to_screen(c->view, stroke->points + 2 * i, at);
         bat_pointer event = {.x = bat_samples_round(at[0], 100),
                              .y = bat_samples_round(at[1], 100),
                              .pressure = 0.5,
                              .time = c->time + 4 * (double)i};
         if (i) {
-            move(c, &event);
+            move(c, s, &event);
             continue;
         }
-        if (object)
-            begin(c, &event, (bat_pick){.object = object, .curve = curve}, true);
+        if (stroke->object)
+            begin(c, s, &event, (bat_pick){.object = stroke->object, .curve = stroke->curve}, true);
         else
-            down(c, &event);
-        c->toolbox->sketching.steady = bat_steady_begin(0,
-                                                        (double[]){event.x, event.y}); /* no hand trembles */
+            down(c, s, &event);
+        s->steady = bat_steady_begin(0, (double[]){event.x, event.y}); /* no hand trembles */
     }
+    return BAT_OK;
 }
 
-void bat_sketching_lift(bat_context *c) {
-    const bat_samples *samples = &c->toolbox->sketching.edit.samples;
-    if (c->toolbox->sketching.state != BAT_SKETCHING_DRAWING) return;
+static bat_status lift(bat_context *c, void *state, const bat_traced *stroke) {
+    bat_sketching *s = state;
+    const bat_samples *samples = &s->edit.samples;
+    (void)stroke;
+    if (s->state != BAT_SKETCHING_DRAWING) return BAT_OK;
     const double *last = samples->pixels + 2 * (samples->count - 1);
-    up(c, &(bat_pointer){.x = last[0], .y = last[1]});
+    up(c, s, &(bat_pointer){.x = last[0], .y = last[1]});
+    return BAT_OK;
 }
 
-static bool cancel(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static bool cancel(bat_context *c, void *state) {
+    bat_sketching *s = state;
     if (s->state == BAT_SKETCHING_IDLE) return false;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     if (!drawing) drop_pending(s); /* else a tap on what waits for a yes is let go: it goes on waiting */
@@ -459,35 +461,41 @@ static bool cancel(bat_context *c) {
 
 /* ---- hover and modifiers ---- */
 
-static void hover(bat_context *c, const bat_pointer *event) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    (void)c;
+    bat_sketching *s = state;
     s->hovering = s->hover_changed = true;
     s->device = event->device;
     s->hover[0] = event->x;
     s->hover[1] = event->y;
 }
 
-static void leave(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    bat_sketching *s = state;
     s->hovering = false;
     if (s->state != BAT_SKETCHING_DRAWING) s->pick = (bat_pick){0};
 }
 
-static void modifiers(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void modifiers(bat_context *c, void *state) {
+    bat_sketching *s = state;
     if (s->state == BAT_SKETCHING_DRAWING && c->modifiers & BAT_ALT) start_smoothing(s);
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->sketching.state == BAT_SKETCHING_DRAWING; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_sketching *s = state;
+    return s->state == BAT_SKETCHING_DRAWING;
+}
 
 /* ---- once a frame ---- */
 
-static void update(bat_context *c) {
-    bat_sketching *s = &c->toolbox->sketching;
+static void update(bat_context *c, void *state) {
+    bat_sketching *s = state;
     if (s->state == BAT_SKETCHING_DRAWING) {
         if (!s->preview_due || smooths_nothing(s)) return;
-        decide(c);
-        refresh_preview(c);
+        decide(c, s);
+        refresh_preview(c, s);
         return;
     }
     const bat_view *view = c->view;
@@ -556,8 +564,7 @@ static void highlight(const bat_context *c, bat_overlay *overlay, bat_id object,
     bat_path_curve(&overlay->path, target);
 }
 
-static void show_stroke(const bat_context *c, bat_overlay *overlay) {
-    const bat_sketching *s = &c->toolbox->sketching;
+static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
@@ -592,8 +599,8 @@ static void show_stroke(const bat_context *c, bat_overlay *overlay) {
     }
 }
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_sketching *s = &c->toolbox->sketching;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_sketching *s = state;
     if (s->has_pending) {
         const bat_edit *edit = &s->pending;
         bool whole = !one_changes(edit);
@@ -602,7 +609,7 @@ static void overlay(bat_context *c, bat_overlay *list) {
                  bat_view_pixel(c->view));
     }
     if (s->state == BAT_SKETCHING_DRAWING)
-        show_stroke(c, list);
+        show_stroke(c, s, list);
     else if (s->pick.object && !c->input->holding_pan && bat_contacts_clear(c))
         highlight(c, list, s->pick.object, s->pick.curve);
 }
@@ -620,8 +627,8 @@ static bat_string doing(const bat_edit *edit) {
     return closes ? BAT_STRING_HINT_CLOSING : hints[edit->kind];
 }
 
-static bat_string hint(const bat_context *c) {
-    const bat_sketching *s = &c->toolbox->sketching;
+static bat_string hint(const bat_context *c, const void *state) {
+    const bat_sketching *s = state;
     if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
         if (smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
@@ -637,12 +644,14 @@ static bat_string hint(const bat_context *c) {
     return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
 
-static bat_cursor cursor(const bat_context *c) {
-    return c->toolbox->sketching.pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_sketching *s = state;
+    return s->pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_sketching *s = &c->toolbox->sketching;
+static const char *check(const bat_context *c, const void *state) {
+    const bat_sketching *s = state;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     if (drawing && !s->edit.samples.count) return "a stroke under way has no samples";
     if (!drawing && s->edit.samples.count) return "samples are left of a stroke that ended";
@@ -660,16 +669,29 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
-static void readout(const bat_context *c, bat_readout *out) {
-    const bat_sketching *s = &c->toolbox->sketching;
+static void readout(const bat_context *c, const void *state, bat_readout *out) {
+    (void)c;
+    const bat_sketching *s = state;
     bool drawn = s->state == BAT_SKETCHING_DRAWING && s->preview.curve;
     out->curve = drawn ? s->preview.curve : NULL;
     out->report = drawn ? &s->preview.report : s->has_pending ? &s->pending_report : NULL;
     out->waits = s->has_pending;
 }
 
+static void end(void *state) {
+    bat_sketching *s = state;
+    bat_samples_free(&s->edit.samples);
+    bat_samples_free(&s->pending.samples);
+    bat_meaning_end(&s->meaning);
+}
+
 const bat_tool *bat_tool_sketch(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.size = sizeof(bat_sketching),
+                                  .end = end,
+                                  .trace = trace,
+                                  .lift = lift,
+                                  .drop = drop,
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
@@ -686,3 +708,5 @@ const bat_tool *bat_tool_sketch(void) {
                                   .check = check};
     return &tool;
 }
+
+bat_sketching *bat_sketching_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_sketch()); }

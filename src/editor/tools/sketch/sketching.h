@@ -53,13 +53,8 @@ typedef struct bat_sketching {
     bat_sketch_report pending_report;
 } bat_sketching;
 
-/* A stroke without a pen. trace: the pen comes down at the first point (document units) and goes through the others;
- * object 0: the first point's place decides what it means. lift: the pen is lifted where it is. drop: the stroke is
- * forgotten. */
-void bat_sketching_trace(bat_context *c, const double *points, size_t count, bat_id object, int curve);
-void bat_sketching_lift(bat_context *c);
-void bat_sketching_drop(bat_context *c);
-
+/* Of the tool. */
+bat_sketching *bat_sketching_of(const bat_context *c);
 /* Whether the curve has levels, and which of them a stroke over it redraws. */
 bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level);
 

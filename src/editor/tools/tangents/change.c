@@ -19,7 +19,7 @@ static const double TENSION_MIN = 0.02, TENSION_MAX = 50;
 
 const bat_object *bat_splining_object(const bat_context *c) {
     return bat_document_at(c->session->document,
-                           bat_document_find(c->session->document, c->toolbox->splining.object));
+                           bat_document_find(c->session->document, bat_splining_of(c)->object));
 }
 
 void bat_splining_tell(bat_context *c, bat_status status, bat_string done) {
@@ -44,7 +44,7 @@ static bat_status put(bat_context *c, bat_string step, bat_id id, bat_object *ob
 
 /* The draft becomes the chosen spline, in one step. */
 bat_status bat_splining_commit(bat_context *c, bat_string step) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_object *after = NULL;
     bat_status status = bat_object_with_spline(bat_splining_object(c), &spline, &after);
@@ -73,19 +73,19 @@ bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     }
     bat_object_release(object);
     if (status != BAT_OK) return status;
-    c->toolbox->splining.object = id;
-    c->toolbox->splining.point = 0;
-    c->toolbox->splining.placing = c->toolbox->splining.on_direction = false;
+    bat_splining_of(c)->object = id;
+    bat_splining_of(c)->point = 0;
+    bat_splining_of(c)->placing = bat_splining_of(c)->on_direction = false;
     return BAT_OK;
 }
 
 bat_status bat_splining_load(bat_context *c) {
     const bat_spline *spline = bat_splining_spline(c);
-    return spline ? bat_draft_load(&c->toolbox->splining.draft, spline) : BAT_STATE;
+    return spline ? bat_draft_load(&bat_splining_of(c)->draft, spline) : BAT_STATE;
 }
 
 static bat_status remove_object(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_status status = put(c, BAT_STRING_STEP_REMOVE, s->object, NULL);
     if (status == BAT_OK) s->object = 0;
     return status;
@@ -93,7 +93,7 @@ static bat_status remove_object(bat_context *c) {
 
 /* Takes a point out; a spline that is left with none but one point goes. */
 bat_status bat_splining_remove_point(bat_context *c, int point) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
     bat_draft_remove(&s->draft, point);
@@ -108,7 +108,7 @@ bat_status bat_splining_remove_point(bat_context *c, int point) {
 }
 
 bat_status bat_splining_default(bat_context *c, int point) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
     for (int k = 0; k < 2; k++) s->draft.tangents[2 * point + k] = 0, s->draft.tension[2 * point + k] = 1;
@@ -126,13 +126,13 @@ bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int 
     bat_status status = bat_tangents_insert(spline, bat_object_spline_options(bat_splining_object(c)),
                                             segment, t, &longer, &block, index, deviation);
     if (status != BAT_OK) return status;
-    status = bat_draft_load(&c->toolbox->splining.draft, &longer);
+    status = bat_draft_load(&bat_splining_of(c)->draft, &longer);
     bat_free(block);
     return status;
 }
 
 bat_status bat_splining_insert(bat_context *c, int segment, double t) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     int index = 0;
     double deviation = 0;
     bat_status status = bat_splining_draft_insert(c, segment, t, &index, &deviation);
@@ -150,7 +150,7 @@ bat_status bat_splining_insert(bat_context *c, int segment, double t) {
 }
 
 bat_status bat_splining_close(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     s->draft.closed = true;
     if (status == BAT_OK) status = bat_splining_commit(c, BAT_STRING_STEP_CLOSE);
@@ -160,7 +160,7 @@ bat_status bat_splining_close(bat_context *c) {
 }
 
 bat_status bat_splining_give_free(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     if (!bat_splining_spline(c)) return BAT_STATE;
     bat_object *after = NULL;
     bat_status status = bat_object_to_path(bat_splining_object(c), &after);

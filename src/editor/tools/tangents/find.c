@@ -78,7 +78,7 @@ static bat_spline_hit find_placing(const place *p, const bat_spline *s, const ba
 }
 
 bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_device device) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     place p = place_at(c, pixel, device);
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);

@@ -16,7 +16,7 @@ static const double STEP = 15 * BAT_PI / 180;  /* with Shift */
 static const double NUDGE_TURN = BAT_PI / 180; /* radians a key press */
 
 static bat_status nudge(bat_context *c, double x, double y) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
@@ -47,7 +47,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
 
 /* Points and their directions, one after the other; past the last the key is the host's. */
 static bat_status step_point(bat_context *c, int step) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     for (int i = 0; !spline && i < bat_document_count(c->session->document); i++) {
         s->object = bat_object_id(bat_document_at(c->session->document, i));
@@ -64,7 +64,7 @@ static bat_status step_point(bat_context *c, int step) {
 }
 
 static bat_status take_back(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     if (!s->placing) {
         if (!spline || s->point < 0) return BAT_STATE;
@@ -84,7 +84,7 @@ static bat_status take_back(bat_context *c) {
 
 /* In the middle of the segment that follows the point; of the last one, of the segment before it. */
 static bat_status add_behind(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
@@ -99,7 +99,7 @@ static bat_status add_behind(bat_context *c) {
 }
 
 bat_status bat_splining_command(bat_context *c, bat_command_id id) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     switch ((int)id) {
     case BAT_COMMAND_POINT_NEXT: return step_point(c, 1);
     case BAT_COMMAND_POINT_PREVIOUS: return step_point(c, -1);

@@ -20,6 +20,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+bat_splining *bat_splining_of(const bat_context *c) { return bat_toolbox_that(c, BAT_EDITS_SPLINES)->state; }
+
 static const double POINT_RADIUS = 4.5, CHOSEN_RADIUS = 5.5, HANDLE_RADIUS = 4, ARROW_HEAD = 12; /* px */
 static const double LINE = 18, HALF_WIDTH = 66;    /* px: between values; of most of them */
 static const double GHOSTS[] = {-20, -10, 10, 20}; /* degrees */
@@ -32,7 +34,7 @@ void bat_splining_free(bat_splining *s) {
 }
 
 const bat_spline *bat_splining_spline(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     int at = s->object ? bat_document_find(c->session->document, s->object) : -1;
     const bat_object *object = at < 0 || bat_stage_out_of_reach(c, at)
                                    ? NULL
@@ -51,7 +53,7 @@ const bat_spline *bat_splining_spline(bat_context *c) {
 }
 
 const bat_joint *bat_splining_joints(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     if (!spline) return NULL;
     if (s->joints && s->joints_object == s->object && s->joints_revision == c->session->revision)
@@ -278,7 +280,7 @@ static void values(bat_context *c, bat_overlay *list, const bat_spline *spline, 
 
 /* A spline of one point: nothing of it is in the document yet. */
 static void first_point(bat_context *c, bat_overlay *list) {
-    const bat_splining *s = &c->toolbox->splining;
+    const bat_splining *s = bat_splining_of(c);
     double pixel = bat_view_pixel(c->view), hover[2];
     bool given = s->first_direction[0] != 0 || s->first_direction[1] != 0;
     if (s->hovering) {
@@ -299,7 +301,7 @@ static void first_point(bat_context *c, bat_overlay *list) {
 /* The curve as it would be with the next point under the pen, or closed. */
 static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spline,
                        const bat_tangents_options *options) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     double hover[2];
     if (!s->hovering || (s->over.part != BAT_PART_NOTHING && s->over.part != BAT_PART_FIRST)) return;
     if (spline->count > GHOST_POINTS_MAX || bat_draft_load(&s->draft, spline) != BAT_OK) return;
@@ -312,7 +314,7 @@ static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spli
 }
 
 static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
-    const bat_splining *s = &c->toolbox->splining;
+    const bat_splining *s = bat_splining_of(c);
     double pixel = bat_view_pixel(c->view);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_FILLED | BAT_ITEM_STROKED, 1.5F);
     for (int i = 0; i < spline->count && i < MARKS_MAX; i++)
@@ -324,7 +326,7 @@ static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
 
 static void prompt(bat_context *c, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
                    int point) {
-    const bat_splining *s = &c->toolbox->splining;
+    const bat_splining *s = bat_splining_of(c);
     double pixel = bat_view_pixel(c->view), direction[2], radius = BAT_PROMPT_RADIUS * pixel;
     const double *at = spline->points + 2 * point, *given = spline->tangents + 2 * point;
     bool turning = s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_DIRECTION;
@@ -343,7 +345,7 @@ static void prompt(bat_context *c, bat_overlay *list, const bat_spline *spline, 
 }
 
 static void guide(bat_context *c, bat_overlay *list, const double at[2]) {
-    const bat_splining *s = &c->toolbox->splining;
+    const bat_splining *s = bat_splining_of(c);
     double reach = 3 * BAT_PROMPT_RADIUS * bat_view_pixel(c->view);
     bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     bat_path_move(&list->path, at[0] - reach * s->guide[0], at[1] - reach * s->guide[1]);
@@ -351,7 +353,7 @@ static void guide(bat_context *c, bat_overlay *list, const double at[2]) {
 }
 
 void bat_splining_overlay(bat_context *c, bat_overlay *list) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);
     bool dragging = s->state == BAT_SPLINING_DRAGGING;
@@ -388,4 +390,14 @@ void bat_splining_overlay(bat_context *c, bat_overlay *list) {
         prompt(c, list, spline, joints, s->near);
     marks(c, list, spline);
     if (turning && !joints[point].dropped) values(c, list, spline, joints, point);
+}
+
+bool bat_splining_stop(bat_context *c) {
+    bat_splining *s = bat_splining_of(c);
+    bat_splining_spline(c);
+    if (!s->placing) return false;
+    s->placing = false;
+    if (!s->object) s->point = -1;
+    s->hover_changed = true;
+    return true;
 }

@@ -106,5 +106,7 @@ bat_status bat_splining_give_free(bat_context *c);
 /* tool_tangents.c: no more points are placed; false: none were. splining_keys.c: commands of the tool. */
 bool bat_splining_stop(bat_context *c);
 bat_status bat_splining_command(bat_context *c, bat_command_id id);
+/* Of the tool. */
+bat_splining *bat_splining_of(const bat_context *c);
 
 #endif

@@ -43,7 +43,7 @@ static void unit(double v[2]) {
 
 /* To steps of 15 degrees, or to a chord or a neighbour's direction nearby. */
 static void snap(bat_context *c, double direction[2]) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     s->snapped = false;
     if (c->modifiers & BAT_SHIFT) {
         double angle = STEP * round(bat_atan2(direction[1], direction[0]) / STEP);
@@ -76,7 +76,7 @@ static void snap(bat_context *c, double direction[2]) {
 
 /* The lengths of the point's handles were its tension 1. */
 static bool natural_handles(bat_context *c, int point, double out[2]) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_joint *joints = malloc((size_t)s->draft.count * sizeof *joints);
     if (!joints) return false;
     s->draft.tension[2 * point] = s->draft.tension[2 * point + 1] = 1;
@@ -93,7 +93,7 @@ static bool natural_handles(bat_context *c, int point, double out[2]) {
 
 /* A direction, and a length in document units, for the held point. */
 static void pull(bat_context *c, double direction[2], double length) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_part part = s->press.part;
     int i = s->press.point;
     if (!(length > 0)) return;
@@ -118,7 +118,7 @@ static void pull(bat_context *c, double direction[2], double length) {
 
 /* The pen's place, as it now is, goes into the draft and from there into the document. */
 static void apply(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     s->due = false;
     double point[2], start[2];
     bat_view_to_document(c->view, s->at, point);
@@ -152,7 +152,7 @@ static void apply(bat_context *c) {
 }
 
 static void hold(bat_context *c, bat_part part, int point) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     s->press = (bat_spline_hit){.part = part, .point = point};
     s->point = point;
     s->on_direction = part != BAT_PART_POINT;
@@ -172,7 +172,7 @@ static void let_go(bat_splining *s) {
 
 /* The pen has moved: what it came down on comes along. */
 static void begin_drag(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_spline_hit press = s->press;
     bat_status status;
     s->step = press.part == BAT_PART_POINT || press.part == BAT_PART_FIRST ? BAT_STRING_STEP_MOVE_POINT
@@ -197,7 +197,7 @@ static void begin_drag(bat_context *c) {
 
 /* A point at the end, whose direction the pen then drags. */
 static bat_status add_point(bat_context *c, const double point[2]) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_object *object = NULL;
     bat_status status = BAT_OK;
     bat_id id = s->object;
@@ -251,7 +251,7 @@ static bool taps_twice(bat_splining *s, const bat_pointer *event) {
 }
 
 static void tap(bat_context *c, const bat_pointer *event) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     bat_spline_hit press = s->press;
     bool twice = taps_twice(s, event);
     let_go(s);
@@ -278,7 +278,7 @@ static void tap(bat_context *c, const bat_pointer *event) {
 
 /* Where a tap would place a point; Shift: at a step of angle from the last one. */
 static void place_to_snap(bat_context *c, double point[2]) {
-    const bat_splining *s = &c->toolbox->splining;
+    const bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = s->placing ? bat_splining_spline(c) : NULL;
     int own = s->object ? bat_document_find(c->session->document, s->object) : -1;
     const double *last = spline ? spline->points + 2 * (spline->count - 1) : s->placing ? s->first : NULL;
@@ -288,8 +288,9 @@ static void place_to_snap(bat_context *c, double point[2]) {
         bat_snap_point(c, own >= 0, &own, point);
 }
 
-static void down(bat_context *c, const bat_pointer *event) {
-    bat_splining *s = &c->toolbox->splining;
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     double pixel[2] = {event->x, event->y}, point[2];
     s->device = event->device;
     s->hovering = false;
@@ -319,8 +320,9 @@ static void down(bat_context *c, const bat_pointer *event) {
     if (status != BAT_OK) bat_splining_tell(c, status, BAT_STRING_COUNT);
 }
 
-static void move(bat_context *c, const bat_pointer *event) {
-    bat_splining *s = &c->toolbox->splining;
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     if (s->state == BAT_SPLINING_IDLE || event->predicted) return;
     s->at[0] = event->x, s->at[1] = event->y;
     s->travelled = fmax(s->travelled, bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]));
@@ -328,8 +330,9 @@ static void move(bat_context *c, const bat_pointer *event) {
     if (s->state == BAT_SPLINING_PRESSED && s->travelled > TAP) begin_drag(c);
 }
 
-static void up(bat_context *c, const bat_pointer *event) {
-    bat_splining *s = &c->toolbox->splining;
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     if (s->state == BAT_SPLINING_IDLE) return;
     if (s->state == BAT_SPLINING_PRESSED) {
         if (s->travelled <= TAP)
@@ -352,7 +355,7 @@ static void up(bat_context *c, const bat_pointer *event) {
 }
 
 static bool drop_drag(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+    bat_splining *s = bat_splining_of(c);
     if (s->state == BAT_SPLINING_IDLE) return false;
     if (c->session->transaction.open)
         bat_transaction_cancel(c);
@@ -363,18 +366,9 @@ static bool drop_drag(bat_context *c) {
     return true;
 }
 
-bool bat_splining_stop(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
-    bat_splining_spline(c);
-    if (!s->placing) return false;
-    s->placing = false;
-    if (!s->object) s->point = -1;
-    s->hover_changed = true;
-    return true;
-}
-
-static bool cancel(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+static bool cancel(bat_context *c, void *state) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     if (drop_drag(c) || bat_splining_stop(c)) return true;
     if (!bat_splining_spline(c)) return false;
     s->object = 0;
@@ -383,34 +377,42 @@ static bool cancel(bat_context *c) {
     return true;
 }
 
-static bool undo(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+static bool undo(bat_context *c, void *state) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     if (drop_drag(c)) return true;
     return s->placing && !bat_splining_spline(c) && bat_splining_stop(c);
 }
 
-static void hover(bat_context *c, const bat_pointer *event) {
-    bat_splining *s = &c->toolbox->splining;
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     s->hovering = s->hover_changed = true;
     s->device = event->device;
     s->hover[0] = event->x, s->hover[1] = event->y;
 }
 
-static void leave(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+static void leave(bat_context *c, void *state) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     s->hovering = false;
     s->near = -1;
     s->over = (bat_spline_hit){0};
 }
 
-static void modifiers(bat_context *c) {
-    if (c->toolbox->splining.state == BAT_SPLINING_DRAGGING) c->toolbox->splining.due = true;
+static void modifiers(bat_context *c, void *state) {
+    (void)state;
+    if (bat_splining_of(c)->state == BAT_SPLINING_DRAGGING) bat_splining_of(c)->due = true;
 }
 
-static bool busy(const bat_context *c) { return c->toolbox->splining.state != BAT_SPLINING_IDLE; }
+static bool busy(const bat_context *c, const void *state) {
+    (void)state;
+    return bat_splining_of(c)->state != BAT_SPLINING_IDLE;
+}
 
-static void update(bat_context *c) {
-    bat_splining *s = &c->toolbox->splining;
+static void update(bat_context *c, void *state) {
+    (void)state;
+    bat_splining *s = bat_splining_of(c);
     const bat_view *view = c->view;
     if (s->state != BAT_SPLINING_IDLE) {
         if (s->state == BAT_SPLINING_DRAGGING && s->due) {
@@ -431,8 +433,9 @@ static void update(bat_context *c) {
 
 /* ---- words ---- */
 
-static bat_string hint(const bat_context *c) {
-    const bat_splining *s = &c->toolbox->splining;
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_splining *s = bat_splining_of(c);
     static const bat_string over[] = {
         [BAT_PART_POINT] = BAT_STRING_HINT_POINT,  [BAT_PART_DIRECTION] = BAT_STRING_HINT_DIRECTION,
         [BAT_PART_LEFT] = BAT_STRING_HINT_HANDLE,  [BAT_PART_RIGHT] = BAT_STRING_HINT_HANDLE,
@@ -451,8 +454,9 @@ static bat_string hint(const bat_context *c) {
     return s->placing ? BAT_STRING_HINT_PLACE_NEXT : BAT_STRING_HINT_PLACE;
 }
 
-static bat_cursor cursor(const bat_context *c) {
-    const bat_splining *s = &c->toolbox->splining;
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_splining *s = bat_splining_of(c);
     if (s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_POINT) return BAT_CURSOR_GRABBING;
     bat_part part = s->state == BAT_SPLINING_IDLE ? s->over.part : s->press.part;
     if (part == BAT_PART_NOTHING) return BAT_CURSOR_CROSS;
@@ -460,8 +464,9 @@ static bat_cursor cursor(const bat_context *c) {
                                                                                       : BAT_CURSOR_GRAB;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_splining *s = &c->toolbox->splining;
+static const char *check(const bat_context *c, const void *state) {
+    (void)state;
+    const bat_splining *s = bat_splining_of(c);
     bool dragging = s->state == BAT_SPLINING_DRAGGING;
     if (c->session->transaction.open && !dragging) return "a transaction outlived its drag";
     if (dragging && s->object && !c->session->transaction.open) return "a drag without a transaction";
@@ -471,20 +476,52 @@ static const char *check(const bat_context *c) {
     return NULL;
 }
 
+static void end(void *state) { bat_splining_free(state); }
+
+static bool accept(bat_context *c, void *state) {
+    (void)state;
+    return bat_splining_stop(c);
+}
+
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    (void)state;
+    return bat_splining_command(c, id);
+}
+
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    (void)state;
+    bat_splining_overlay(c, list);
+}
+
+static bat_status lift(bat_context *c, void *state, const bat_traced *stroke) {
+    (void)state;
+    return bat_splining_make(c, stroke->spline);
+}
+
+static bool focus(const bat_context *c, const void *state, bat_focus *out) {
+    const bat_splining *s = state;
+    *out = (bat_focus){.object = s->object};
+    return s->object && bat_document_find(c->session->document, s->object) >= 0;
+}
+
 const bat_tool *bat_tool_tangents(void) {
-    static const bat_tool tool = {.hover = hover,
+    static const bat_tool tool = {.focus = focus,
+                                  .lift = lift,
+                                  .size = sizeof(bat_splining),
+                                  .end = end,
+                                  .hover = hover,
                                   .leave = leave,
                                   .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
-                                  .accept = bat_splining_stop,
+                                  .accept = accept,
                                   .undo = undo,
-                                  .command = bat_splining_command,
+                                  .command = command,
                                   .modifiers = modifiers,
                                   .busy = busy,
                                   .update = update,
-                                  .overlay = bat_splining_overlay,
+                                  .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,
                                   .check = check};

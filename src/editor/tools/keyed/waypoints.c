@@ -1,4 +1,4 @@
-#include "editor/tools/modes/waypoints.h"
+#include "editor/tools/keyed/waypoints.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
@@ -10,9 +10,7 @@
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/modes/range.h"
-#include "editor/tools/sketch/sketching.h"
-#include "editor/tools/tangents/state.h"
+#include "editor/tools/keyed/range.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
@@ -29,29 +27,32 @@ static const double FAR = 10, FARTHER = 100;                        /* px: with 
 
 static double pixel_of(const bat_context *c) { return bat_view_pixel(c->view); }
 
-static bool meet(const bat_context *c, int i, int j, double pixels) {
-    const double *p = c->toolbox->waypoints.points;
+static bool meet(const bat_context *c, const bat_waypoints *w, int i, int j, double pixels) {
+    const double *p = w->points;
     return bat_hypot(p[2 * i] - p[2 * j], p[2 * i + 1] - p[2 * j + 1]) <= pixels * pixel_of(c);
 }
 
 /* The last one has just been put and lies on the one before it. */
-static bool resting(const bat_context *c) {
-    int last = c->toolbox->waypoints.count - 1;
-    return last > 0 && !c->toolbox->waypoints.object && meet(c, last, last - 1, SAME);
+static bool resting(const bat_context *c, const bat_waypoints *w) {
+    int last = w->count - 1;
+    return last > 0 && !w->object && meet(c, w, last, last - 1, SAME);
 }
 
 bat_status bat_command_place(bat_context *c, bat_command_id id) {
+    bat_waypoints *w = bat_waypoints_of(c);
     (void)id;
-    bat_waypoints *w = &c->toolbox->waypoints;
     if ((!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) &&
          !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES)) ||
-        w->on || c->toolbox->range.on)
+        w->on || bat_range_of(c)->on)
         return BAT_STATE;
     /* A chosen spline is being shaped: Escape first lets go of it. */
-    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_splining_spline(c)) return BAT_STATE;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->cancel) tool->cancel(c);
-    if (tool->leave) tool->leave(c);
+    const bat_slot *chosen = bat_toolbox_chosen(c);
+    bat_focus focus;
+    if (chosen->is->lift && chosen->is->focus && chosen->is->focus(c, chosen->state, &focus))
+        return BAT_STATE;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->cancel) tool->is->cancel(c, tool->state);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
     double at[2] = {c->view->width / 2, c->view->height / 2};
     if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
     *w = (bat_waypoints){.on = true, .due = true, .count = 1};
@@ -61,12 +62,12 @@ bat_status bat_command_place(bat_context *c, bat_command_id id) {
 }
 
 void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+    bat_waypoints *w = bat_waypoints_of(c);
     const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return;
     double from = u[0], length = bat_curve_length(target, u[0], u[1], 1e-9), domain[2], d[4];
     bat_curve_domain(target, domain);
-    if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) bat_command_do(c, "tool-sketch");
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) c->choice->tool = bat_tool_that(BAT_DRAWS);
     *w = (bat_waypoints){.on = true, .due = true, .object = object, .curve = curve};
     for (; w->count < OVER_RANGE; w->count++) {
         bool last = w->count == OVER_RANGE - 1;
@@ -80,24 +81,25 @@ void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u
 }
 
 void bat_waypoints_end(bat_context *c) {
-    if (!c->toolbox->waypoints.on) return;
-    c->toolbox->waypoints.on = false;
-    bat_sketching_drop(c);
+    bat_waypoints *w = bat_waypoints_of(c);
+    if (!w->on) return;
+    w->on = false;
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->drop) tool->is->drop(c, tool->state);
 }
 
 /* ---- the stroke ---- */
 
 /* The spline through the points; the last one counts once it has been moved. Closed only for the tangents tool. */
-static bat_spline spline_of(const bat_context *c, double *tangents) {
-    const bat_waypoints *w = &c->toolbox->waypoints;
-    bat_spline spline = {.dimension = 2, .count = w->count - resting(c), .points = w->points};
+static bat_spline spline_of(const bat_context *c, const bat_waypoints *w, double *tangents) {
+    bat_spline spline = {.dimension = 2, .count = w->count - resting(c, w), .points = w->points};
     if (w->object) {
         memset(tangents, 0, 2 * BAT_WAYPOINTS_MAX * sizeof *tangents);
         memcpy(tangents, w->leads, 2 * sizeof *tangents);
         memcpy(tangents + 2 * (spline.count - 1), w->leads + 2, 2 * sizeof *tangents);
         spline.tangents = tangents;
     } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && spline.count > 3 &&
-               meet(c, 0, spline.count - 1, CLOSE)) {
+               meet(c, w, 0, spline.count - 1, CLOSE)) {
         spline.closed = true;
         spline.count--;
     }
@@ -105,9 +107,9 @@ static bat_spline spline_of(const bat_context *c, double *tangents) {
 }
 
 /* Points of the stroke, evenly enough for a pen's; *count of them. */
-static bat_status sample(const bat_context *c, double **out, size_t *count) {
+static bat_status sample(const bat_context *c, const bat_waypoints *w, double **out, size_t *count) {
     double tangents[2 * BAT_WAYPOINTS_MAX], *bezier = NULL;
-    bat_spline spline = spline_of(c, tangents);
+    bat_spline spline = spline_of(c, w, tangents);
     int segments = 0;
     bat_status status = bat_tangents(&spline, NULL, NULL, &bezier, &segments, NULL);
     if (status != BAT_OK) return status;
@@ -133,42 +135,40 @@ static bat_status sample(const bat_context *c, double **out, size_t *count) {
 }
 
 /* The sketch tool is given the stroke as if a pen had drawn it and were still down. */
-static bat_status trace(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status trace(bat_context *c, bat_waypoints *w) {
     double *points = NULL;
     size_t count = 0;
     w->due = false;
-    bat_sketching_drop(c);
-    if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) return BAT_OK;
-    bat_status status = sample(c, &points, &count);
-    if (status == BAT_OK) bat_sketching_trace(c, points, count, w->object, w->curve);
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->drop) tool->is->drop(c, tool->state);
+    if (!tool->is->trace) return BAT_OK;
+    bat_status status = sample(c, w, &points, &count);
+    if (status == BAT_OK)
+        status = tool->is->trace(
+            c, tool->state,
+            &(bat_traced){.count = count, .points = points, .object = w->object, .curve = w->curve});
     free(points);
     return status;
 }
 
-static void finish(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static void finish(bat_context *c, bat_waypoints *w) {
     double tangents[2 * BAT_WAYPOINTS_MAX];
     bat_status status = BAT_OK;
-    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES) {
-        bat_spline spline = spline_of(c, tangents);
-        status = bat_splining_make(c, &spline);
-    } else {
-        status = trace(c);
-        if (status == BAT_OK) bat_sketching_lift(c);
-    }
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    bat_spline spline = spline_of(c, w, tangents);
+    status = trace(c, w);
+    if (status == BAT_OK) status = tool->is->lift(c, tool->state, &(bat_traced){.spline = &spline});
     if (status == BAT_COUNT) { /* nothing but one place */
         bat_notice(c, BAT_STRING_NOTICE_DOT);
         return;
     }
     if (status != BAT_OK) bat_notice_failure(c, status);
-    w->on = c->toolbox->range.on = false;
+    w->on = bat_range_of(c)->on = false;
 }
 
 /* ---- keys ---- */
 
-static bat_status nudge(bat_context *c, double x, double y, double far) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status nudge(bat_context *c, bat_waypoints *w, double x, double y, double far) {
     double *point = w->points + 2 * w->chosen, screen[2];
     bat_view_to_screen(c->view, point, screen);
     screen[0] += x * far;
@@ -179,8 +179,8 @@ static bat_status nudge(bat_context *c, double x, double y, double far) {
     return BAT_OK;
 }
 
-static bat_status insert(bat_context *c, int index, const double point[2]) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status insert(bat_context *c, bat_waypoints *w, int index, const double point[2]) {
+    (void)c;
     if (w->count == BAT_WAYPOINTS_MAX) return BAT_STATE;
     memmove(w->points + 2 * (index + 1), w->points + 2 * index,
             (size_t)(w->count - index) * 2 * sizeof *w->points);
@@ -192,17 +192,16 @@ static bat_status insert(bat_context *c, int index, const double point[2]) {
 }
 
 /* Half way to the next one; behind the last, half way to the one before it. */
-static bat_status add(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status add(bat_context *c, bat_waypoints *w) {
     int left = w->chosen < w->count - 1 ? w->chosen : w->chosen - 1;
     if (left < 0) return BAT_STATE;
     const double *a = w->points + 2 * left;
-    return insert(c, left + 1, (double[]){(a[0] + a[2]) / 2, (a[1] + a[3]) / 2});
+    return insert(c, w, left + 1, (double[]){(a[0] + a[2]) / 2, (a[1] + a[3]) / 2});
 }
 
 /* The ends of a redrawn stretch stay; a new line keeps the point that is being placed. */
-static bat_status take_out(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status take_out(bat_context *c, bat_waypoints *w) {
+    (void)c;
     int i = w->chosen;
     if (w->object ? i == 0 || i == w->count - 1 : w->count == 1) return BAT_OK;
     if (!w->object && i == w->count - 1) i--; /* the one that Enter has put last */
@@ -213,70 +212,72 @@ static bat_status take_out(bat_context *c) {
     return BAT_OK;
 }
 
-static bat_status choose(bat_context *c, int step) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bat_status choose(bat_context *c, bat_waypoints *w, int step) {
     w->chosen = (w->chosen + step + w->count) % w->count;
     bat_view_show(c->view, w->points + 2 * w->chosen, MARGIN);
     return BAT_OK;
 }
 
-static bat_status command(bat_context *c, bat_command_id id) {
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    bat_waypoints *w = state;
     double far = c->modifiers & BAT_SHIFT ? FAR : 1;
     switch ((int)id) {
-    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0, far);
-    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0, far);
-    case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1, far);
-    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, 0, 1, far);
-    case BAT_COMMAND_ROTATE_LEFT: return nudge(c, -1, 0, FARTHER);
-    case BAT_COMMAND_ROTATE_RIGHT: return nudge(c, 1, 0, FARTHER);
-    case BAT_COMMAND_SCALE_UP: return nudge(c, 0, -1, FARTHER);
-    case BAT_COMMAND_SCALE_DOWN: return nudge(c, 0, 1, FARTHER);
-    case BAT_COMMAND_POINT_NEXT: return choose(c, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return choose(c, -1);
-    case BAT_COMMAND_POINT_ADD: return add(c);
-    case BAT_COMMAND_POINT_DELETE: return take_out(c);
+    case BAT_COMMAND_NUDGE_LEFT: return nudge(c, w, -1, 0, far);
+    case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, w, 1, 0, far);
+    case BAT_COMMAND_NUDGE_UP: return nudge(c, w, 0, -1, far);
+    case BAT_COMMAND_NUDGE_DOWN: return nudge(c, w, 0, 1, far);
+    case BAT_COMMAND_ROTATE_LEFT: return nudge(c, w, -1, 0, FARTHER);
+    case BAT_COMMAND_ROTATE_RIGHT: return nudge(c, w, 1, 0, FARTHER);
+    case BAT_COMMAND_SCALE_UP: return nudge(c, w, 0, -1, FARTHER);
+    case BAT_COMMAND_SCALE_DOWN: return nudge(c, w, 0, 1, FARTHER);
+    case BAT_COMMAND_POINT_NEXT: return choose(c, w, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return choose(c, w, -1);
+    case BAT_COMMAND_POINT_ADD: return add(c, w);
+    case BAT_COMMAND_POINT_DELETE: return take_out(c, w);
     default: return BAT_STATE;
     }
 }
 
 /* A new line: puts the point, or ends where one has just been put. */
-static bool accept(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static bool accept(bat_context *c, void *state) {
+    bat_waypoints *w = state;
     int last = w->count - 1;
-    if (w->object || (last > 0 && resting(c)))
-        finish(c);
+    if (w->object || (last > 0 && resting(c, w)))
+        finish(c, w);
     else if (w->chosen < last)
-        choose(c, last - w->chosen);
+        choose(c, w, last - w->chosen);
     else
-        insert(c, w->count, (double[]){w->points[2 * last], w->points[2 * last + 1]});
+        insert(c, w, w->count, (double[]){w->points[2 * last], w->points[2 * last + 1]});
     return true;
 }
 
 /* Back to the range, if that is what they lie on. */
-static bool cancel(bat_context *c) {
-    if (!c->toolbox->waypoints.on) return false;
+static bool cancel(bat_context *c, void *state) {
+    bat_waypoints *w = state;
+    if (!w->on) return false;
     bat_waypoints_end(c);
-    if (!c->toolbox->range.on) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
+    if (!bat_range_of(c)->on) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
 /* ---- picture ---- */
 
-static void update(bat_context *c) {
-    bat_waypoints *w = &c->toolbox->waypoints;
+static void update(bat_context *c, void *state) {
+    bat_waypoints *w = state;
     if (w->object && !bat_edit_target(c->session->document, w->object, w->curve)) {
         bat_range_end(c);
         return;
     }
     if (memcmp(c->view, &w->view, sizeof w->view)) w->due = true;
     w->view = (*c->view);
-    if (w->due) trace(c); /* one place alone has no stroke */
-    if (c->toolbox->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->update(c);
+    if (w->due) trace(c, w); /* one place alone has no stroke */
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->trace && tool->is->update) tool->is->update(c, tool->state);
 }
 
-static void show_spline(const bat_context *c, bat_overlay *list) {
+static void show_spline(const bat_context *c, const bat_waypoints *w, bat_overlay *list) {
     double tangents[2 * BAT_WAYPOINTS_MAX];
-    bat_spline spline = spline_of(c, tangents);
+    bat_spline spline = spline_of(c, w, tangents);
     bat_curve *curve = NULL;
     if (bat_tangents(&spline, NULL, NULL, NULL, NULL, &curve) != BAT_OK) return;
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
@@ -284,11 +285,12 @@ static void show_spline(const bat_context *c, bat_overlay *list) {
     bat_curve_free(curve);
 }
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_waypoints *w = &c->toolbox->waypoints;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_waypoints *w = state;
     double pixel = pixel_of(c);
-    if (c->toolbox->sketching.state == BAT_SKETCHING_DRAWING) bat_tool_sketch()->overlay(c, list);
-    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES) show_spline(c, list);
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->trace && tool->is->busy(c, tool->state)) tool->is->overlay(c, tool->state, list);
+    if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES) show_spline(c, w, list);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
     for (int i = 0; i < w->count; i++)
         if (i != w->chosen) bat_overlay_circle(list, w->points + 2 * i, 5 * pixel);
@@ -304,26 +306,39 @@ static void overlay(bat_context *c, bat_overlay *list) {
     }
 }
 
-static bat_string hint(const bat_context *c) {
-    if (c->toolbox->waypoints.object) return BAT_STRING_HINT_WAYPOINTS_OVER;
-    return resting(c) ? BAT_STRING_HINT_WAYPOINTS_END : BAT_STRING_HINT_WAYPOINTS;
+static bat_string hint(const bat_context *c, const void *state) {
+    const bat_waypoints *w = state;
+    if (w->object) return BAT_STRING_HINT_WAYPOINTS_OVER;
+    return resting(c, w) ? BAT_STRING_HINT_WAYPOINTS_END : BAT_STRING_HINT_WAYPOINTS;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_waypoints *w = &c->toolbox->waypoints;
+static const char *check(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_waypoints *w = state;
     if (w->count < 1 || w->count > BAT_WAYPOINTS_MAX) return "waypoints without a point";
     if (w->chosen < 0 || w->chosen >= w->count) return "a waypoint is chosen that is not there";
     return NULL;
 }
 
-/* The sketch tool carries out the stroke. */
-static void readout(const bat_context *c, bat_readout *out) {
-    const bat_tool *sketch = bat_tool_sketch();
-    sketch->readout(c, out);
+/* The chosen tool carries out the stroke. */
+static void readout(const bat_context *c, const void *state, bat_readout *out) {
+    (void)state;
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (tool->is->readout) tool->is->readout(c, tool->state, out);
 }
 
+static void drop(bat_context *c, void *state) {
+    (void)state;
+    bat_waypoints_end(c);
+}
+
+static bool on(const void *state) { return ((const bat_waypoints *)state)->on; }
+
 const bat_tool *bat_tool_waypoints(void) {
-    static const bat_tool tool = {.readout = readout,
+    static const bat_tool tool = {.drop = drop,
+                                  .size = sizeof(bat_waypoints),
+                                  .on = on,
+                                  .readout = readout,
                                   .cancel = cancel,
                                   .command = command,
                                   .accept = accept,
@@ -333,3 +348,5 @@ const bat_tool *bat_tool_waypoints(void) {
                                   .check = check};
     return &tool;
 }
+
+bat_waypoints *bat_waypoints_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_waypoints()); }

@@ -1,4 +1,4 @@
-#include "editor/tools/modes/range.h"
+#include "editor/tools/keyed/range.h"
 #include "editor/edit/arrange.h"
 #include "editor/tools/brushing.h"
 #include "editor/tools/calm.h"
@@ -16,7 +16,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/modes/waypoints.h"
+#include "editor/tools/keyed/waypoints.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
@@ -31,7 +31,7 @@ static const double STEP = 4, LEAST = 2, MARGIN = 40; /* px along the curve; fro
 static const float RANGE_WIDTH = 5, CURVE_WIDTH = 2;
 
 const bat_curve *bat_range_curve(const bat_context *c) {
-    const bat_range *r = &c->toolbox->range;
+    const bat_range *r = bat_range_of(c);
     return r->on ? bat_edit_target(c->session->document, r->object, r->curve) : NULL;
 }
 
@@ -64,8 +64,7 @@ static void reset(bat_range *r, const bat_curve *curve) {
 }
 
 /* Undo may have taken the curve away, or made it shorter. */
-static const bat_curve *settle(bat_context *c) {
-    bat_range *r = &c->toolbox->range;
+static const bat_curve *settle(bat_context *c, bat_range *r) {
     const bat_curve *curve = bat_range_curve(c);
     double domain[2];
     if (!curve) {
@@ -78,14 +77,13 @@ static const bat_curve *settle(bat_context *c) {
     return curve;
 }
 
-static void show(bat_context *c, const bat_curve *curve) {
+static void show(bat_context *c, bat_range *r, const bat_curve *curve) {
     double at[2];
-    bat_curve_eval(curve, c->toolbox->range.u[c->toolbox->range.end], 0, at);
+    bat_curve_eval(curve, r->u[r->end], 0, at);
     bat_view_show(c->view, at, MARGIN);
 }
 
-static bool choose(bat_context *c, bat_id object, int curve) {
-    bat_range *r = &c->toolbox->range;
+static bool choose(bat_context *c, bat_range *r, bat_id object, int curve) {
     const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return false;
     bool same = r->object == object && r->curve == curve;
@@ -93,20 +91,21 @@ static bool choose(bat_context *c, bat_id object, int curve) {
     r->object = object;
     r->curve = curve;
     if (same)
-        settle(c);
+        settle(c, r);
     else
         reset(r, target);
-    show(c, target);
+    show(c, r, target);
     return true;
 }
 
 bat_status bat_command_range(bat_context *c, bat_command_id id) {
+    bat_range *r = bat_range_of(c);
     (void)id;
-    const bat_tool *tool = bat_toolbox_tool(c);
-    if (tool->cancel && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) &&
+    const bat_slot *tool = bat_toolbox_tool(c);
+    if (tool->is->cancel && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) &&
         !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS))
-        tool->cancel(c);
-    if (tool->leave) tool->leave(c);
+        tool->is->cancel(c, tool->state);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
     bat_stage_sync(c);
     const bat_scene *scene = c->scene;
     int end = 0; /* of the selected group that the walk is in */
@@ -115,30 +114,29 @@ bat_status bat_command_range(bat_context *c, bat_command_id id) {
         bat_id object = bat_object_id(entry->object);
         if (i >= end && bat_selection_has(&c->choice->selection, object))
             end = bat_document_end(c->session->document, i);
-        bool again = object == c->toolbox->range.object;
-        if (i < end && !entry->hidden && !entry->locked &&
-            choose(c, object, again ? c->toolbox->range.curve : 0))
+        bool again = object == r->object;
+        if (i < end && !entry->hidden && !entry->locked && choose(c, r, object, again ? r->curve : 0))
             return BAT_OK;
     }
     double at[2] = {c->view->width / 2, c->view->height / 2}, point[2];
     if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
     bat_view_to_document(c->view, at, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, INFINITY);
-    if (pick.object && choose(c, pick.object, pick.curve)) return BAT_OK;
+    if (pick.object && choose(c, r, pick.object, pick.curve)) return BAT_OK;
     bat_notice(c, BAT_STRING_NOTICE_NO_CURVE);
     return BAT_STATE;
 }
 
 void bat_range_end(bat_context *c) {
+    bat_range *r = bat_range_of(c);
     bat_waypoints_end(c);
-    c->toolbox->range.on = false;
+    r->on = false;
 }
 
 /* ---- keys ---- */
 
 /* The end goes along the curve, but not past the other one. */
-static bat_status move(bat_context *c, const bat_curve *curve, double u) {
-    bat_range *r = &c->toolbox->range;
+static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, double u) {
     double domain[2], period = period_of(curve), pixel = bat_view_pixel(c->view);
     bool closed = bat_curve_closed(curve);
     bat_curve_domain(curve, domain);
@@ -151,19 +149,18 @@ static bat_status move(bat_context *c, const bat_curve *curve, double u) {
     double turns = closed ? floor((r->u[0] - domain[0]) / period) * period : 0;
     r->u[0] -= turns;
     r->u[1] -= turns;
-    show(c, curve);
+    show(c, r, curve);
     return BAT_OK;
 }
 
-static bat_status step(bat_context *c, const bat_curve *curve, int direction) {
+static bat_status step(bat_context *c, bat_range *r, const bat_curve *curve, int direction) {
     double length = direction * STEP * bat_view_pixel(c->view);
     if (c->modifiers & BAT_SHIFT) length *= 10;
-    return move(c, curve, along(curve, c->toolbox->range.u[c->toolbox->range.end], length));
+    return move(c, r, curve, along(curve, r->u[r->end], length));
 }
 
-static bat_status step_knot(bat_context *c, const bat_curve *curve, int direction) {
-    double u = c->toolbox->range.u[c->toolbox->range.end], domain[2], period = period_of(curve), knot,
-           best = NAN;
+static bat_status step_knot(bat_context *c, bat_range *r, const bat_curve *curve, int direction) {
+    double u = r->u[r->end], domain[2], period = period_of(curve), knot, best = NAN;
     bat_curve_domain(curve, domain);
     for (int turn = -1; turn <= 2; turn++) {
         if (turn && !bat_curve_closed(curve)) continue;
@@ -176,12 +173,11 @@ static bat_status step_knot(bat_context *c, const bat_curve *curve, int directio
             if (direction > 0 ? v > u && !(best <= v) : v < u && !(best >= v)) best = v;
         }
     }
-    return isnan(best) ? BAT_OK : move(c, curve, best);
+    return isnan(best) ? BAT_OK : move(c, r, curve, best);
 }
 
 /* The curves of the drawing, back to front; past the last one the keyboard goes on to what lies behind it. */
-static bat_status step_curve(bat_context *c, int direction) {
-    bat_range *r = &c->toolbox->range;
+static bat_status step_curve(bat_context *c, bat_range *r, int direction) {
     bat_stage_sync(c);
     int i = bat_document_find(c->session->document, r->object), j = r->curve + direction;
     for (; i >= 0 && i < c->scene->count; i += direction) {
@@ -189,83 +185,83 @@ static bat_status step_curve(bat_context *c, int direction) {
         int count = entry->hidden || entry->locked ? 0 : bat_object_curve_count(entry->object);
         if (i != bat_document_find(c->session->document, r->object)) j = direction > 0 ? 0 : count - 1;
         for (; j >= 0 && j < count; j += direction)
-            if (choose(c, bat_object_id(entry->object), j)) return BAT_OK;
+            if (choose(c, r, bat_object_id(entry->object), j)) return BAT_OK;
     }
     r->on = false;
     return BAT_STATE;
 }
 
-static bat_status erase(bat_context *c) {
-    bat_range *r = &c->toolbox->range;
+static bat_status erase(bat_context *c, bat_range *r) {
     r->on = false;
-    bat_status status = bat_erase_stretch(c, r->object, r->curve, r->u);
+    const bat_slot *eraser = bat_toolbox_that(c, BAT_ERASES);
+    bat_status status = eraser->is->work(c, eraser->state,
+                                         &(bat_stretch){r->object, r->curve, {r->u[0], r->u[1]}});
     if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }
 
-static bat_status fair(bat_context *c, const bat_curve *curve) {
-    bat_range *r = &c->toolbox->range;
-    double pixel = bat_view_pixel(c->view);
-    bat_curve *faired = NULL;
-    bat_status status = bat_calm_curve(curve, r->u, c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel,
-                                       pixel, &faired);
-    r->on = false;
-    if (status == BAT_OK) status = bat_commit_curve(c, r->object, r->curve, faired, BAT_STRING_STEP_SMOOTH);
-    if (status != BAT_OK) bat_notice_failure(c, status);
-    return status;
-}
-
-static bool accept(bat_context *c) {
-    const bat_curve *curve = settle(c);
+static bool accept(bat_context *c, void *state) {
+    bat_range *r = state;
+    const bat_curve *curve = settle(c, r);
     if (!curve) return false;
     bat_notice(c, BAT_STRING_COUNT);
-    if (bat_tool_at(c->choice->tool)->traits & BAT_SMOOTHS)
-        fair(c, curve);
-    else if (bat_tool_at(c->choice->tool)->traits & BAT_ERASES)
-        erase(c);
-    else
-        bat_waypoints_over(c, c->toolbox->range.object, c->toolbox->range.curve, c->toolbox->range.u);
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    if (!tool->is->work) {
+        bat_waypoints_over(c, r->object, r->curve, r->u);
+        return true;
+    }
+    r->on = false;
+    bat_status status = tool->is->work(c, tool->state,
+                                       &(bat_stretch){r->object, r->curve, {r->u[0], r->u[1]}});
+    if (status != BAT_OK) bat_notice_failure(c, status);
     return true;
 }
 
-static bat_status command(bat_context *c, bat_command_id id) {
-    const bat_curve *curve = settle(c);
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    bat_range *r = state;
+    const bat_curve *curve = settle(c, r);
     if (!curve) return BAT_STATE;
     switch ((int)id) {
-    case BAT_COMMAND_NUDGE_LEFT: return step(c, curve, -1);
-    case BAT_COMMAND_NUDGE_RIGHT: return step(c, curve, 1);
+    case BAT_COMMAND_NUDGE_LEFT: return step(c, r, curve, -1);
+    case BAT_COMMAND_NUDGE_RIGHT: return step(c, r, curve, 1);
     case BAT_COMMAND_NUDGE_UP:
     case BAT_COMMAND_NUDGE_DOWN:
-        c->toolbox->range.end = 1 - c->toolbox->range.end;
-        show(c, curve);
+        r->end = 1 - r->end;
+        show(c, r, curve);
         return BAT_OK;
-    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, curve, 1);
-    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, curve, -1);
-    case BAT_COMMAND_POINT_NEXT: return step_curve(c, 1);
-    case BAT_COMMAND_POINT_PREVIOUS: return step_curve(c, -1);
-    case BAT_COMMAND_POINT_DELETE: return erase(c);
+    case BAT_COMMAND_KNOT_NEXT: return step_knot(c, r, curve, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return step_knot(c, r, curve, -1);
+    case BAT_COMMAND_POINT_NEXT: return step_curve(c, r, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step_curve(c, r, -1);
+    case BAT_COMMAND_POINT_DELETE: return erase(c, r);
     default: return BAT_STATE;
     }
 }
 
-static bool cancel(bat_context *c) {
-    bool was = c->toolbox->range.on;
-    c->toolbox->range.on = false;
+static bool cancel(bat_context *c, void *state) {
+    (void)c;
+    bat_range *r = state;
+    bool was = r->on;
+    r->on = false;
     return was;
 }
 
 /* Undo goes through the history; the range stays where it can. */
-static bool undo(bat_context *c) {
+static bool undo(bat_context *c, void *state) {
+    (void)state;
     (void)c;
     return false;
 }
 
 /* ---- picture ---- */
 
-static void update(bat_context *c) { settle(c); }
+static void update(bat_context *c, void *state) {
+    bat_range *r = state;
+    settle(c, r);
+}
 
-static void overlay(bat_context *c, bat_overlay *list) {
-    const bat_range *r = &c->toolbox->range;
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    bat_range *r = state;
     const bat_curve *curve = bat_range_curve(c);
     double at[2], pixel = bat_view_pixel(c->view);
     char text[32];
@@ -287,20 +283,39 @@ static void overlay(bat_context *c, bat_overlay *list) {
     }
 }
 
-static bat_string hint(const bat_context *c) {
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)state;
     return bat_tool_at(c->choice->tool)->traits & BAT_SMOOTHS  ? BAT_STRING_HINT_RANGE_SMOOTH
            : bat_tool_at(c->choice->tool)->traits & BAT_ERASES ? BAT_STRING_HINT_RANGE_ERASE
                                                                : BAT_STRING_HINT_RANGE;
 }
 
-static const char *check(const bat_context *c) {
-    const bat_range *r = &c->toolbox->range;
+static const char *check(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_range *r = state;
     if (!(r->u[0] < r->u[1])) return "a range without an extent";
     return r->end == 0 || r->end == 1 ? NULL : "a range has a third end";
 }
 
+static bool on(const void *state) { return ((const bat_range *)state)->on; }
+
+static bool stretch(const bat_context *c, const void *state, bat_stretch *out) {
+    const bat_range *r = state;
+    *out = (bat_stretch){r->object, r->curve, {r->u[0], r->u[1]}};
+    return bat_range_curve(c) != NULL;
+}
+
+static void drop(bat_context *c, void *state) {
+    (void)state;
+    bat_range_end(c);
+}
+
 const bat_tool *bat_tool_range(void) {
-    static const bat_tool tool = {.cancel = cancel,
+    static const bat_tool tool = {.stretch = stretch,
+                                  .drop = drop,
+                                  .size = sizeof(bat_range),
+                                  .on = on,
+                                  .cancel = cancel,
                                   .undo = undo,
                                   .command = command,
                                   .accept = accept,
@@ -310,3 +325,5 @@ const bat_tool *bat_tool_range(void) {
                                   .check = check};
     return &tool;
 }
+
+bat_range *bat_range_of(const bat_context *c) { return bat_toolbox_state(c, bat_tool_range()); }

@@ -25,5 +25,7 @@ void bat_range_end(bat_context *c);
 const bat_curve *bat_range_curve(const bat_context *c);
 /* Lies over the chosen tool while the range is on. */
 const bat_tool *bat_tool_range(void);
+/* Of the tool. */
+bat_range *bat_range_of(const bat_context *c);
 
 #endif

@@ -29,5 +29,7 @@ void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u
 void bat_waypoints_end(bat_context *c);
 /* Lies over the chosen tool while there are waypoints. */
 const bat_tool *bat_tool_waypoints(void);
+/* Of the tool. */
+bat_waypoints *bat_waypoints_of(const bat_context *c);
 
 #endif
