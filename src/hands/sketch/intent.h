@@ -34,6 +34,7 @@ typedef struct bat_reading {
     bat_intent_part part[BAT_INTENT_PARTS]; /* JOIN: the two curves; the others but SEVERAL: one; NEW: none */
     bool closed;                            /* NEW: it closes */
     int onto;                               /* NEW: the line that its start is put on; -1: none */
+    double start[2];                        /* there: where the stroke comes from, its hook left out */
     double cost;                            /* in pixels of stroke, margins included; the least is meant */
 } bat_reading;
 

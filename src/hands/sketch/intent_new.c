@@ -30,6 +30,9 @@ static bool closes(const bat_intent *intent) {
 void bat_intent_new(bat_intent *intent, bat_intent_list *list) {
     bat_reading reading = {.kind = BAT_INTENT_NEW, .onto = -1, .cost = intent->length};
     reading.closed = closes(intent);
+    double way[2], ahead = fmin(12, intent->length / 2);
+    bat_intent_heading(intent, intent->hook + ahead / 2, ahead / 2, way);
+    for (int k = 0; k < 2; k++) reading.start[k] = intent->p[k] - intent->hook * way[k];
     double near = intent->on * fmin(1, intent->length / 60);
     for (int i = 0; i < intent->line_count && !reading.closed; i++) {
         const bat_intent_near *line = &intent->line[i];

@@ -4,6 +4,7 @@
 #include "editor/scene/scene.h"
 #include "editor/scene/stage.h"
 #include "editor/session/session.h"
+#include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -164,7 +165,9 @@ static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *r
     const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
     bat_near near;
     if (!finder) return;
-    bat_finder_nearest(finder, edit->samples.points, &near);
+    double from[2];
+    bat_view_to_document(&edit->view, reading->start, from);
+    bat_finder_nearest(finder, from, &near);
     edit->meaning.put = true;
     memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);
 }

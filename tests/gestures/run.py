@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Do strokes do what is meant? Plays the gestures of starter/ and those that families.py writes through the engine.
+
+Usage: run.py HOST [-v | -vv] [--table FILE] [id or category]
+HOST: build/<tree>/tests/gesture_host. -v: which do not hold, and why; -vv: all. --table: writes the confusion table between
+the marks in FILE. Exit 0 when 95 % of all hold, and of each category of five or more as many as BARS says.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+import score as s
+
+BAR, EACH = 0.95, 0.8
+MARKS = ("<!-- confusion: begin -->", "<!-- confusion: end -->")
+
+
+def written():
+    """A folder with the gestures that the families write."""
+    folder = tempfile.TemporaryDirectory(prefix="gestures-")
+    os.mkdir(os.path.join(folder.name, "drawings"))
+    subprocess.run([sys.executable, "-B", os.path.join(HERE, "draw.py"), os.path.join(folder.name, "drawings")], check=True)
+    with open(os.path.join(folder.name, "gestures.json"), "w") as f:
+        subprocess.run([sys.executable, "-B", os.path.join(HERE, "families.py"), folder.name], stdout=f, check=True)
+    return folder
+
+
+def confusion(rows):
+    """Meant in rows, done in columns, as Markdown."""
+    cells = {}
+    for g, ok, why, got, raw, done, cut in rows:
+        meant = s.kind_meant(g)
+        if ok and done != meant:  # one of several outcomes that are right
+            done = meant
+        cells[meant, done] = cells.get((meant, done), 0) + 1
+    kinds = [k for k in s.MEANINGS if any(k in pair for pair in cells)]
+    lines = ["| meant | " + " | ".join(kinds) + " | cut off by mistake | as meant |", "|---" * (len(kinds) + 3) + "|"]
+    for a in kinds:
+        own = [r for r in rows if s.kind_meant(r[0]) == a]
+        if own:
+            lines.append(f"| {a} | " + " | ".join(str(cells.get((a, b), ".")) for b in kinds) +
+                         f" | {sum(r[6] for r in own) or '.'} | {sum(r[1] for r in own)} of {len(own)} |")
+    return "\n".join(lines)
+
+
+def put_table(path, text):
+    with open(path) as f:
+        old = f.read()
+    first, last = (old.index(m) for m in MARKS)
+    with open(path, "w") as f:
+        f.write(old[:first] + MARKS[0] + "\n" + text + "\n" + old[last:])
+
+
+def main():
+    arguments = sys.argv[1:]
+    table = None
+    if "--table" in arguments:
+        at = arguments.index("--table")
+        table = arguments[at + 1]
+        del arguments[at:at + 2]
+    words = [a for a in arguments[1:] if not a.startswith("-")]
+    loud = 2 if "-vv" in arguments else 1 if "-v" in arguments else 0
+    rows = []
+    with written() as own:
+        for title, folder in (("starter set", os.path.join(HERE, "starter")), ("families", own)):
+            part = s.score(arguments[0], folder, words[0] if words else None)
+            print(title)
+            good, total = s.table(part, loud)
+            print(f"  {good} of {total}")
+            rows += part
+    good, low = sum(r[1] for r in rows), []
+    for category in sorted({r[0]["category"] for r in rows}):
+        own = [r[1] for r in rows if r[0]["category"] == category]
+        if len(own) >= 5 and sum(own) < EACH * len(own):
+            low.append(category)
+    text = confusion(rows)
+    print(text)
+    if table:
+        put_table(table, text)
+    print(f"{good} of {len(rows)} gestures do what is meant, {100 * good / max(1, len(rows)):.1f} %")
+    if low:
+        print("too few of: " + ", ".join(low))
+    return 0 if rows and good >= BAR * len(rows) and not low else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
