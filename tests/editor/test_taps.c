@@ -7,7 +7,7 @@
 #include "editor/editor.h"
 #include "support/pen.h"
 #include "editor/show/handles.h"
-#include "editor/tools/pointing.h"
+#include "editor/tools/points.h"
 
 static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 

@@ -9,7 +9,7 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/keyed/range.h"
-#include "editor/tools/selecting.h"
+#include "editor/tools/select.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"

@@ -8,7 +8,6 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
 #include "editor/session/reorder.h"
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,6 @@
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
-#include "editor/commands/dispatch.h"
 #include "editor/edit/clipboard.h"
 #include "editor/input/input.h"
 #include "editor/session/context.h"
@@ -12,8 +11,6 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
-#include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "editor/session/reorder.h"
 #include <math.h>

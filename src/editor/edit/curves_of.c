@@ -4,6 +4,13 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
 
+const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {
+    const bat_object *found = bat_document_at(document, bat_document_find(document, object));
+    if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
+    const bat_curve *target = bat_object_curve(found, curve);
+    return bat_curve_dimension(target) == 2 ? target : NULL;
+}
+
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     int at = bat_document_find(c->session->document, object);
     bat_object *after = NULL;

@@ -5,7 +5,6 @@
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
-#include "editor/commands/dispatch.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"

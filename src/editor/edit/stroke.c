@@ -1,50 +1,16 @@
 #include "editor/tables/settings.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/samples.h"
-#include "editor/panels/first_hints.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/levels/state.h"
-#include "editor/tools/tool.h"
 #include "hands/levels/shape.h"
 #include "text/text.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/curves_of.h"
 #include <stdlib.h>
 #include <string.h>
-
-/* One row a kind: its name in the journal, and what undo says of it. */
-static const struct {
-    const char *name;
-    bat_string label;
-} KINDS[BAT_EDIT_COUNT] = {
-    [BAT_EDIT_NEW] = {"sketch-new", BAT_STRING_STEP_NEW},
-    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
-    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
-    [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
-    [BAT_EDIT_EXTEND] = {"sketch-extend", BAT_STRING_STEP_EXTEND},
-    [BAT_EDIT_CLOSE] = {"sketch-close", BAT_STRING_STEP_CLOSE},
-    [BAT_EDIT_SEVERAL] = {"sketch-several", BAT_STRING_STEP_SEVERAL},
-    [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
-};
-
-const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
-bat_string bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
-
-bat_edit_kind bat_edit_named(const char *name) {
-    int i = 0;
-    while (i < BAT_EDIT_COUNT && strcmp(KINDS[i].name, name)) i++;
-    return (bat_edit_kind)i;
-}
-
-const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {
-    const bat_object *found = bat_document_at(document, bat_document_find(document, object));
-    if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
-    const bat_curve *target = bat_object_curve(found, curve);
-    return bat_curve_dimension(target) == 2 ? target : NULL;
-}
 
 /* The curves of a SEVERAL edit, one a part: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
 static bat_status chain(const bat_document *document, const bat_edit *edit, bat_curve *out[BAT_EDIT_PARTS]) {

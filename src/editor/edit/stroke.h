@@ -64,8 +64,6 @@ const char *bat_edit_name(bat_edit_kind kind);
 bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */
 bat_string bat_edit_label(bat_edit_kind kind);
 
-/* The curve an edit works on, or NULL when the document has none such. */
-const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
 /*
  * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
  * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.

@@ -3,7 +3,6 @@
 #include "editor/input/samples.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
-#include "editor/tools/tool.h"
 #include "hands/levels/shape.h"
 #include <batten/nearest.h>
 #include <math.h>

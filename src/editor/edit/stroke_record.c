@@ -5,6 +5,30 @@
 #include <string.h>
 #include <stdio.h>
 
+/* One row a kind: its name in the journal, and what undo says of it. */
+static const struct {
+    const char *name;
+    bat_string label;
+} KINDS[BAT_EDIT_COUNT] = {
+    [BAT_EDIT_NEW] = {"sketch-new", BAT_STRING_STEP_NEW},
+    [BAT_EDIT_REDRAW] = {"sketch-redraw", BAT_STRING_STEP_REDRAW},
+    [BAT_EDIT_SMOOTH] = {"sketch-smooth", BAT_STRING_STEP_SMOOTH},
+    [BAT_EDIT_JOIN] = {"sketch-join", BAT_STRING_STEP_JOIN},
+    [BAT_EDIT_EXTEND] = {"sketch-extend", BAT_STRING_STEP_EXTEND},
+    [BAT_EDIT_CLOSE] = {"sketch-close", BAT_STRING_STEP_CLOSE},
+    [BAT_EDIT_SEVERAL] = {"sketch-several", BAT_STRING_STEP_SEVERAL},
+    [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
+};
+
+const char *bat_edit_name(bat_edit_kind kind) { return KINDS[kind].name; }
+bat_string bat_edit_label(bat_edit_kind kind) { return KINDS[kind].label; }
+
+bat_edit_kind bat_edit_named(const char *name) {
+    int i = 0;
+    while (i < BAT_EDIT_COUNT && strcmp(KINDS[i].name, name)) i++;
+    return (bat_edit_kind)i;
+}
+
 static void number(bat_text *line, const char *name, double value) {
     bat_text_string(line, ",\"");
     bat_text_string(line, name);

@@ -1,5 +1,4 @@
 #include "editor/edit/style.h"
-#include "editor/commands/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -9,8 +8,6 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
-#include "editor/tools/toolbox.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,7 +12,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/keyed/waypoints.h"
-#include "editor/tools/pointing.h"
+#include "editor/tools/points.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
@@ -20,6 +20,7 @@
 #include "text/text.h"
 #include "editor/show/handles.h"
 #include "editor/tools/tangents/state.h"
+#include "editor/edit/curves_of.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

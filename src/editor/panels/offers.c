@@ -8,7 +8,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
-#include "editor/tools/selecting.h"
+#include "editor/tools/select.h"
 #include <stdlib.h>
 
 typedef struct facts {

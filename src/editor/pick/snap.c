@@ -7,7 +7,6 @@
 #include "editor/scene/stage.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
-#include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"

@@ -2,7 +2,6 @@
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
-#include "editor/tools/tool.h"
 #include <stdlib.h>
 
 void bat_listing_free(bat_listing *listing) {

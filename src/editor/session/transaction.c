@@ -8,7 +8,6 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
 #include "text/text.h"
 #include <stdlib.h>
 

@@ -15,6 +15,7 @@
 #include "base/real.h"
 #include "editor/show/handles.h"
 #include "editor/pick/pick.h"
+#include "editor/edit/curves_of.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <math.h>

@@ -11,8 +11,6 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/keyed/range.h"
-#include "editor/tools/pointing.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"

@@ -21,6 +21,7 @@
 #include "editor/view/view.h"
 #include "hands/levels/shape.h"
 #include "editor/edit/cut_out.h"
+#include "editor/edit/curves_of.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -24,7 +24,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/pointing.h"
+#include "editor/tools/points.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"

@@ -4,7 +4,6 @@
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/tool.h"
 #include "text/number.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 #include "editor/tools/keyed/range.h"
 #include "editor/edit/arrange.h"
-#include "editor/tools/brushing.h"
-#include "editor/tools/calm.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/edit/stroke.h"

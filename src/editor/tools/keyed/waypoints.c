@@ -1,7 +1,6 @@
 #include "editor/tools/keyed/waypoints.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
-#include "editor/commands/dispatch.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/input.h"
 #include "editor/scene/path.h"
@@ -15,6 +14,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "base/real.h"
+#include "editor/edit/curves_of.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <math.h>

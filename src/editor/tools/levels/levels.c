@@ -29,6 +29,7 @@
 #include "editor/view/view.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
+#include "editor/edit/curves_of.h"
 #include <batten/measure.h>
 #include <math.h>
 #include <stdlib.h>

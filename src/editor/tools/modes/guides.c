@@ -16,7 +16,6 @@
 #include "editor/session/transaction.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/selecting.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"

@@ -25,12 +25,12 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/levels/state.h"
 #include "editor/tools/sketch/sketching.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "base/real.h"
+#include "editor/edit/curves_of.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* The Select tool's state. */
-#ifndef BATTEN_EDITOR_TOOLS_SELECTING_H
-#define BATTEN_EDITOR_TOOLS_SELECTING_H
+#ifndef BATTEN_EDITOR_TOOLS_SELECT_H
+#define BATTEN_EDITOR_TOOLS_SELECT_H
 
 #include "editor/session/context.h"
 #include "editor/choice/selection.h"

@@ -1,6 +1,6 @@
 /* The points tool's state. */
-#ifndef BATTEN_EDITOR_TOOLS_POINTING_H
-#define BATTEN_EDITOR_TOOLS_POINTING_H
+#ifndef BATTEN_EDITOR_TOOLS_POINTS_H
+#define BATTEN_EDITOR_TOOLS_POINTS_H
 
 #include "editor/session/context.h"
 #include "editor/show/handles.h"
