@@ -162,7 +162,38 @@ const char *bat_document_check_nesting(const bat_document *document) {
     return NULL;
 }
 
-static const char *check_object(const bat_object *object) {
+/* The group that the object is in; NULL: in none. */
+static const bat_object *outside(const bat_document *document, const bat_object *object) {
+    bat_id parent = bat_object_parent(object);
+    return parent ? bat_document_at(document, bat_document_find(document, parent)) : NULL;
+}
+
+bat_nesting_level bat_document_level(const bat_document *document, int index) {
+    const bat_object *object = bat_document_at(document, index);
+    bat_nesting_level level = {bat_object_id(object), bat_object_kind(object), false, false};
+    for (int depth = 0; object && depth <= BAT_NESTING_MAX; depth++) {
+        level.hidden = level.hidden || bat_object_hidden(object);
+        level.locked = level.locked || bat_object_locked(object);
+        object = outside(document, object);
+    }
+    return level;
+}
+
+bool bat_document_fits(const bat_document *document, int index) {
+    const bat_object *object = bat_document_at(document, index);
+    if (!object || !bat_object_parent(object)) return true;
+    const bat_object *group = outside(document, object), *open = bat_document_at(document, index - 1);
+    if (!group || !open) return false;
+    if (bat_object_kind(object) == BAT_KIND_LAYER && bat_object_kind(group) != BAT_KIND_LAYER) return false;
+    if (!bat_object_is_group(open)) open = outside(document, open);
+    for (int depth = 0; open && open != group && depth < BAT_NESTING_MAX; depth++)
+        open = outside(document, open);
+    int depth = bat_object_is_group(object);
+    for (; group && depth <= BAT_NESTING_MAX; depth++) group = outside(document, group);
+    return open && depth <= BAT_NESTING_MAX;
+}
+
+const char *bat_object_check(const bat_object *object) {
     bat_kind kind = bat_object_kind(object);
     if (bat_object_is_group(object) || kind == BAT_KIND_GUIDE)
         return bat_object_curve_count(object) ? "a group or a guide has curves" : NULL;
@@ -192,7 +223,7 @@ const char *bat_document_check(const bat_document *document) {
         if (id == 0 || id > BAT_ID_MAX || bat_object_parent(object) > BAT_ID_MAX)
             return "an id is out of range";
         if (id >= document->next) return "an id is not below the next one";
-        const char *wrong = check_object(object);
+        const char *wrong = bat_object_check(object);
         if (wrong) return wrong;
     }
     if (!bat_list_holds(&document->list)) return "the list and its ids differ";

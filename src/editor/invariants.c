@@ -1,4 +1,7 @@
 /* What must hold after every event, whatever came in. */
+#include "editor/invariants.h"
+
+#include "document/document.h"
 #include "editor/editor.h"
 #include <math.h>
 
@@ -40,27 +43,65 @@ static const char *check_contacts(const bat_contacts *contacts) {
     return NULL;
 }
 
-const char *bat_editor_check(const bat_editor *editor) {
-    const bat_context *c = &editor->context;
-    const char *wrong = bat_document_check(c->session->document);
-    if (!wrong) wrong = check_view(c->view);
-    if (!wrong) wrong = check_scene(c);
-    if (!wrong) wrong = check_contacts(&c->input->contacts);
-    if (wrong) return wrong;
-    const bat_history *history = &c->session->history;
+static const char *check_deltas(const bat_delta *deltas, int count) {
+    const char *wrong = NULL;
+    for (int i = 0; i < count && !wrong; i++)
+        if (deltas[i].after) wrong = bat_object_check(deltas[i].after);
+    return wrong;
+}
+
+/* The objects of the steps made since, and of the change under way. */
+static const char *check_steps(const bat_session *session, uint64_t states) {
+    const bat_history *history = &session->history;
+    const char *wrong = check_deltas(session->transaction.deltas, session->transaction.count);
+    for (int i = history->count; i > 0 && history->steps[i - 1].after > states && !wrong; i--)
+        wrong = check_deltas(history->steps[i - 1].deltas, history->steps[i - 1].count);
+    return wrong;
+}
+
+static const char *check_session(const bat_session *session) {
+    const bat_history *history = &session->history;
     if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_STEPS)
         return "the history is out of step";
-    if (!c->session->transaction.open && !bat_selection_holds(&c->choice->selection, c->session->document))
-        return "the selection has objects that are not in the document";
-    if (c->session->transaction.open && !bat_toolbox_busy(c))
-        return "a transaction is open and nobody holds it";
+    if (!session->journal.size || session->journal.text[session->journal.size - 1] != '\n')
+        return "the journal does not end with a line";
+    return NULL;
+}
+
+static const char *check_settings(const bat_settings *settings) {
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++) {
         const bat_property_row *row = bat_property_at((bat_property_id)i);
-        if (!(c->settings->values[i] >= row->low && c->settings->values[i] <= row->high))
+        if (!(settings->values[i] >= row->low && settings->values[i] <= row->high))
             return "a property is out of its range";
     }
-    if (!c->session->journal.size || c->session->journal.text[c->session->journal.size - 1] != '\n')
-        return "the journal does not end with a line";
+    return NULL;
+}
+
+const char *bat_editor_check_since(const bat_editor *editor, bat_checked *checked, bool whole) {
+    const bat_context *c = &editor->context;
+    const bat_session *session = c->session;
+    const bat_selection *selection = &c->choice->selection;
+    const bat_checked before = *checked;
+    *checked = (bat_checked){session->history.states, session->revision, c->scene->still_version,
+                             selection->version};
+    bool changed = whole || session->revision != before.revision;
+    const char *wrong = whole     ? bat_document_check(session->document)
+                        : changed ? check_steps(session, before.states)
+                                  : NULL;
+    if (!wrong) wrong = check_view(c->view);
+    if (!wrong && (whole || c->scene->still_version != before.still)) wrong = check_scene(c);
+    if (!wrong) wrong = check_contacts(&c->input->contacts);
+    if (!wrong) wrong = check_session(session);
+    if (!wrong) wrong = check_settings(c->settings);
+    if (wrong) return wrong;
+    bool chosen_anew = changed || selection->version != before.selection;
+    if (chosen_anew && !session->transaction.open && !bat_selection_holds(selection, session->document))
+        return "the selection has objects that are not in the document";
+    if (session->transaction.open && !bat_toolbox_busy(c)) return "a transaction is open and nobody holds it";
     const bat_slot *tool = bat_toolbox_tool(c);
     return tool->is->check ? tool->is->check(c, tool->state) : NULL;
+}
+
+const char *bat_editor_check(const bat_editor *editor) {
+    return bat_editor_check_since(editor, &(bat_checked){0}, true);
 }

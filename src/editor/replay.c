@@ -6,6 +6,7 @@
 #include "editor/session/record.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/editor.h"
+#include "editor/invariants.h"
 #include "format/native/native.h"
 #include <batten/bezier.h>
 #include <math.h>
@@ -193,8 +194,18 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
     return say(problem, BAT_UNSUPPORTED, "no such line is known");
 }
 
-static bat_status compare(const bat_editor *editor, const bat_json *json, bat_problem *problem) {
-    const char *wrong = bat_editor_check(editor);
+/* What a replay has to do, and how far it is. */
+typedef struct playing {
+    bat_editor *editor;
+    bool check;
+    int lines; /* run so far */
+    bat_checked checked;
+} playing;
+
+/* All is looked at after lines 1, 2, 4, 8 ...; in between what each changes. */
+static bat_status compare(playing *p, const bat_json *json, bat_problem *problem) {
+    bat_editor *editor = p->editor;
+    const char *wrong = bat_editor_check_since(editor, &p->checked, (p->lines & (p->lines - 1)) == 0);
     if (wrong) return say(problem, BAT_STATE, wrong);
     const char *expected = bat_json_text(json, bat_json_member(json, 1, "digest"));
     if (!expected) return BAT_OK;
@@ -205,18 +216,17 @@ static bat_status compare(const bat_editor *editor, const bat_json *json, bat_pr
     return same ? BAT_OK : say(problem, BAT_STATE, "the document differs from what the journal says");
 }
 
-static bat_status line(bat_editor *editor, const char *text, size_t size, bool first, bool check,
-                       bat_problem *problem) {
+static bat_status line(playing *p, const char *text, size_t size, bat_problem *problem) {
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    if (first)
-        status = open_snapshot(editor, &json, problem);
+    if (p->lines++ == 0)
+        status = open_snapshot(p->editor, &json, problem);
     else if (bat_json_member(&json, 1, "do"))
-        status = perform(editor, &json, problem);
+        status = perform(p->editor, &json, problem);
     else
-        status = raw(editor, &json, problem);
-    if (status == BAT_OK && check) status = compare(editor, &json, problem);
+        status = raw(p->editor, &json, problem);
+    if (status == BAT_OK && p->check) status = compare(p, &json, problem);
     bat_json_free(&json);
     return status;
 }
@@ -227,30 +237,22 @@ static bool blank(const char *text, size_t size) {
     return true;
 }
 
-static bat_status run(bat_editor *editor, const char *text, size_t size, bool check, bat_problem *problem) {
-    bat_problem fault = {"", ""};
-    bool first = true;
-    int number_of_line = 0;
+/* *number: of the line that it stopped at. */
+static bat_status run(playing *p, const char *text, size_t size, int *number, bat_problem *problem) {
     for (size_t at = 0; at < size;) {
         const char *end = memchr(text + at, '\n', size - at);
         size_t length = end ? (size_t)(end - text) - at : size - at;
-        number_of_line++;
-        if (!blank(text + at, length)) {
-            bat_status status = line(editor, text + at, length, first, check, &fault);
-            if (status != BAT_OK) {
-                if (!fault.message[0]) say(&fault, status, bat_status_message(status));
-                snprintf(fault.place, sizeof fault.place, "line %d", number_of_line);
-                if (problem) *problem = fault;
-                return status;
-            }
-            first = false;
-        }
+        ++*number;
+        bat_status status = blank(text + at, length) ? BAT_OK : line(p, text + at, length, problem);
+        if (status != BAT_OK) return status;
         at += length + 1;
     }
-    if (!first) return BAT_OK;
-    bat_problem_set(&fault, BAT_SYNTAX, "line 1", "the journal is empty");
-    if (problem) *problem = fault;
-    return BAT_SYNTAX;
+    if (p->lines == 0) {
+        *number = 1;
+        return say(problem, BAT_SYNTAX, "the journal is empty");
+    }
+    const char *wrong = p->check ? bat_editor_check(p->editor) : NULL;
+    return wrong ? say(problem, BAT_STATE, wrong) : BAT_OK;
 }
 
 bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
@@ -258,7 +260,14 @@ bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, 
     if (!editor || (!text && size)) return BAT_ARGUMENT;
     bool read_only = editor->session.read_only;
     editor->session.read_only = false; /* for the user, not for the host */
-    bat_status status = run(editor, text, size, check, problem);
+    playing p = {.editor = editor, .check = check};
+    bat_problem fault = {"", ""};
+    int number = 0;
+    bat_status status = run(&p, text, size, &number, &fault);
     editor->session.read_only = read_only;
+    if (status == BAT_OK) return status;
+    if (!fault.message[0]) say(&fault, status, bat_status_message(status));
+    snprintf(fault.place, sizeof fault.place, "line %d", number);
+    if (problem) *problem = fault;
     return status;
 }

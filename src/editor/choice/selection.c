@@ -1,5 +1,5 @@
 #include "editor/choice/selection.h"
-#include "document/nesting.h"
+#include "document/document.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,45 +66,25 @@ void bat_selection_swap(bat_selection *a, bat_selection *b) {
     a->version = b->version = version + 1;
 }
 
+static bool can_be_chosen(const bat_document *document, bat_id id) {
+    int at = bat_document_find(document, id);
+    if (at < 0) return false;
+    bat_nesting_level level = bat_document_level(document, at);
+    return !level.hidden && !level.locked && level.kind != BAT_KIND_GUIDE;
+}
+
 void bat_selection_prune(bat_selection *selection, const bat_document *document) {
-    if (selection->count == 0) return;
-    /* Those found are marked by the top bit, which no id has: one walk over the document, no memory. */
-    const bat_id mark = (bat_id)1 << 63;
-    bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_nesting_level level = {0};
-        bat_nesting_next(&nesting, object, &level);
-        if (level.hidden || level.locked || level.kind == BAT_KIND_GUIDE) continue;
-        bat_id id = bat_object_id(object);
-        int low = 0, high = selection->count;
-        while (low < high) {
-            int middle = low + (high - low) / 2;
-            if ((selection->ids[middle] & ~mark) < id)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        if (low < selection->count && selection->ids[low] == id) selection->ids[low] |= mark;
-    }
     int kept = 0;
     for (int i = 0; i < selection->count; i++)
-        if (selection->ids[i] & mark) selection->ids[kept++] = selection->ids[i] & ~mark;
+        if (can_be_chosen(document, selection->ids[i])) selection->ids[kept++] = selection->ids[i];
     selection->version += kept != selection->count;
     selection->count = kept;
 }
 
 bool bat_selection_holds(const bat_selection *selection, const bat_document *document) {
-    for (int i = 1; i < selection->count; i++)
-        if (selection->ids[i] <= selection->ids[i - 1]) return false;
-    int found = 0;
-    bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document) && selection->count; i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_nesting_level level = {0};
-        bat_nesting_next(&nesting, object, &level);
-        if (!level.hidden && !level.locked && level.kind != BAT_KIND_GUIDE)
-            found += bat_selection_has(selection, bat_object_id(object));
+    for (int i = 0; i < selection->count; i++) {
+        if (i && selection->ids[i] <= selection->ids[i - 1]) return false;
+        if (!can_be_chosen(document, selection->ids[i])) return false;
     }
-    return found == selection->count;
+    return true;
 }

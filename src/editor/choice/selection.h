@@ -20,7 +20,7 @@ bool bat_selection_has(const bat_selection *selection, bat_id id);
 bat_status bat_selection_add(bat_selection *selection, bat_id id);
 void bat_selection_remove(bat_selection *selection, bat_id id);
 void bat_selection_swap(bat_selection *a, bat_selection *b);
-/* Drops the ids that the document does not have, or has hidden or locked, and guides. O(objects log selected). */
+/* Drops the ids that the document does not have, or has hidden or locked, and guides. O(selected). */
 void bat_selection_prune(bat_selection *selection, const bat_document *document);
 /* Ascending, each in the document, seen and free, none a guide. */
 bool bat_selection_holds(const bat_selection *selection, const bat_document *document);

@@ -1,4 +1,5 @@
 #include "editor/session/history.h"
+#include "document/document.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +21,43 @@ bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *do
         }
     }
     return BAT_OK;
+}
+
+/* In the document as it is after all deltas: what was at `place` after delta i. */
+static int place_now(const bat_delta *deltas, int count, int i, int place) {
+    for (i++; i < count; i++) {
+        if (!deltas[i].before) place += deltas[i].index <= place;
+        if (!deltas[i].after) place -= deltas[i].index < place;
+    }
+    return place;
+}
+
+/* As far as groups are concerned. */
+static bool alike(const bat_object *a, const bat_object *b) {
+    bool groups = bat_object_is_group(a) || bat_object_is_group(b);
+    return bat_object_parent(a) == bat_object_parent(b) &&
+           (!groups || bat_object_kind(a) == bat_object_kind(b));
+}
+
+bool bat_deltas_hold(const bat_delta *deltas, int count, const bat_document *document) {
+    enum { LOOKED_AT = 4 };
+    int moved = 0;
+    bool whole = false;
+    for (int i = 0; i < count && !whole; i++) {
+        const bat_object *before = deltas[i].before, *after = deltas[i].after;
+        if (before && after) {
+            whole = !alike(before, after);
+        } else {
+            whole = bat_object_is_group(before ? before : after) || ++moved > LOOKED_AT;
+        }
+    }
+    if (whole) return !bat_document_check_nesting(document);
+    for (int i = 0; i < count && moved; i++) {
+        if (deltas[i].before && deltas[i].after) continue;
+        int place = place_now(deltas, count, i, deltas[i].index);
+        if (!bat_document_fits(document, place) || !bat_document_fits(document, place + 1)) return false;
+    }
+    return true;
 }
 
 void bat_deltas_free(bat_delta *deltas, int count) {

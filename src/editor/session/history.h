@@ -47,5 +47,8 @@ bat_status bat_delta_apply(const bat_delta *delta, bat_document *document, bool 
 /* Applies count deltas (backwards: last first); when one fails, those before it are taken back. */
 bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *document, bool forwards);
 void bat_deltas_free(bat_delta *deltas, int count);
+/* Whether the groups of a document hold together, if they did before these deltas were applied to it. What a stroke
+ * changes is looked at alone: O(count) then, else O(objects). */
+bool bat_deltas_hold(const bat_delta *deltas, int count, const bat_document *document);
 
 #endif

@@ -99,7 +99,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         return BAT_OK;
     }
     bool refused = bat_session_refuses(c);
-    if (refused || bat_document_check_nesting(c->session->document)) {
+    if (refused || !bat_deltas_hold(transaction->deltas, transaction->count, c->session->document)) {
         bat_transaction_cancel(c);
         return refused ? BAT_STATE : BAT_ARGUMENT;
     }
