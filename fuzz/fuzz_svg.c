@@ -1,8 +1,9 @@
 /* A byte stream as elements: 0x01 name 0x02 attribute 0x03 value ... 0x04 opens one, 0x05 closes it, the rest is text.
- * What reads is a valid document, writes, and reads again as the same. */
+ * What reads is a valid document, writes, and reads again as the same; of what was written nothing is lost. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
+#include "support/xml.h"
 #include "text/utf8.h"
 
 #include <stdlib.h>
@@ -51,6 +52,16 @@ static bat_document *read_native(const bat_document *document) {
     return back;
 }
 
+static void read_again(const char *svg) {
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_status status = xml_read(svg, NULL, &document, &report, NULL);
+    if (status == BAT_OK ? !report.native || bat_losses_total(&report.lost) > 0
+                         : status != BAT_MEMORY && status != BAT_COUNT)
+        abort();
+    bat_document_free(document);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_svg_reader *reader;
     bat_document *document = NULL;
@@ -74,6 +85,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_status status = bat_svg_write(document, true, &svg, &size);
     if (status == BAT_OK) {
         if (!bat_utf8_valid(svg, size)) abort();
+        read_again(svg);
         bat_free(svg);
     } else if (status != BAT_MEMORY && status != BAT_COUNT)
         abort();

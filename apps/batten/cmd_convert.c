@@ -34,7 +34,8 @@ static int run(const cli_arguments *arguments) {
     if (failed) return failed;
     char *text;
     size_t size;
-    failed = drawing_print(drawing.document, format, in, &text, &size);
+    failed = drawing_may_replace(arguments, &drawing, in, out, false);
+    if (!failed) failed = drawing_print(drawing.document, format, in, &text, &size);
     if (!failed) {
         failed = io_write(out, text, size);
         bat_free(text);
@@ -46,16 +47,18 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to batten|svg|json] [--tolerance T]",
+    .usage = "IN OUT [--to batten|svg|json] [--tolerance T] [--lossy]",
     .summary = "Converts between the native format, SVG and the JSON of one curve.",
     .details =
         "Formats go by the names' endings: .batten, .svg, .json (one CURVE). Standard input is recognised. "
         "One\n"
-        "line on standard error counts what an SVG held that was left out: texts, images, gradients, clips.",
+        "line on standard error counts what an SVG held that was left out: texts, gradients, clips and the "
+        "like.\nWriting over such a file needs --lossy.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,
     .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg or json"},
-                {"--tolerance", "T", "knots of imported paths are removed within T, document units"}},
+                {"--tolerance", "T", "knots of imported paths are removed within T, document units"},
+                OPTION_LOSSY},
     .run = run,
 };

@@ -64,9 +64,10 @@ static int look_at(const char *path, drawing_format format) {
     free(text);
     if (status != BAT_OK) return fail_problem(path, status, &problem);
     drawing_remark(path, &drawing);
-    if (format == DRAWING_SVG && !drawing.report.native) {
-        remark("%s: saving keeps the outlines; content of other programs is not promised to survive", path);
-    }
+    int lost = bat_losses_total(&drawing.report.lost);
+    if (lost)
+        remark("%s: saving over it loses %d thing%s; the editor asks first", path, lost,
+               lost == 1 ? "" : "s");
     drawing_free(&drawing);
     if (io_read_only(path))
         remark("%s: is read-only; it cannot be saved here, download a copy instead", path);
@@ -156,7 +157,7 @@ const cli_command command_edit = {
         "Ctrl+C\n"
         "ends it. Its address is printed; with a display the browser opens it. A file that is not there is "
         "made\n"
-        "by the first save. Content of an SVG that Batten does not know is not promised to survive a save.",
+        "by the first save. Before an SVG is saved that holds what Batten cannot keep, the editor asks.",
     .example = "batten edit car.svg",
     .operands = 1,
     .options = {{"--port", "N", "the port on 127.0.0.1, else the file's own; 0: any free one"},

@@ -12,10 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool forgets(const drawing_file *drawing) {
-    return drawing->format == DRAWING_SVG && !drawing->report.native;
-}
-
 static void put_member(bat_text *text, const char *name, uint64_t value) {
     bat_text_string(text, ",\"");
     bat_text_string(text, name);
@@ -90,17 +86,15 @@ static int print_json(const char *name, const drawing_file *drawing) {
     put_member(&text, "points", (uint64_t)totals.points);
     put_member(&text, "knots", (uint64_t)totals.knots);
     const bat_svg_report *report = &drawing->report;
-    bat_text_string(&text, forgets(drawing) ? ",\"keeps_all\":false" : ",\"keeps_all\":true");
+    bat_text_string(&text, bat_losses_total(&report->lost) ? ",\"keeps_all\":false" : ",\"keeps_all\":true");
     bat_text_string(&text, report->edited ? ",\"edited\":true" : ",\"edited\":false");
-    put_member(&text, "foreign", (uint64_t)report->foreign);
-    put_member(&text, "broken_paths", (uint64_t)report->broken_paths);
-    bat_text_string(&text, ",\"left_out\":{\"texts\":");
-    bat_text_integer(&text, (uint64_t)report->skipped_text);
-    put_member(&text, "images", (uint64_t)report->skipped_images);
-    put_member(&text, "gradients", (uint64_t)report->skipped_gradients);
-    put_member(&text, "clips", (uint64_t)report->skipped_clips);
-    put_member(&text, "hidden", (uint64_t)report->skipped_hidden);
-    put_member(&text, "other", (uint64_t)report->skipped_other);
+    bat_text_string(&text, ",\"left_out\":{");
+    for (int i = 0; i < BAT_LOSS_COUNT; i++) {
+        if (i) bat_text_string(&text, ",");
+        bat_text_json_string(&text, bat_loss_key((bat_loss)i));
+        bat_text_string(&text, ":");
+        bat_text_integer(&text, (uint64_t)report->lost.count[i]);
+    }
     bat_text_string(&text, "},\n\"objects\":[");
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_text_string(&text, i ? ",\n" : "\n");
@@ -143,6 +137,21 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     }
 }
 
+/* What writing over the file would lose, one kind a line. */
+static void put_losses(bat_text *text, const drawing_file *drawing) {
+    char line[96];
+    int total = bat_losses_total(&drawing->report.lost);
+    snprintf(line, sizeof line, "loses %d thing%s", total, total == 1 ? "" : "s");
+    put_line(text, "saving", total ? line : "keeps everything");
+    for (int i = 0; i < BAT_LOSS_COUNT; i++) {
+        if (!drawing->report.lost.count[i]) continue;
+        bat_loss_words((bat_loss)i, drawing->report.lost.count[i], line, sizeof line);
+        put_line(text, "", line);
+    }
+    if (drawing->report.edited)
+        put_line(text, "edited", "changed by another program since Batten saved it: the drawing counts");
+}
+
 static int print_text(const char *name, const drawing_file *drawing) {
     const bat_document *document = drawing->document;
     bat_text text = {0};
@@ -160,19 +169,7 @@ static int print_text(const char *name, const drawing_file *drawing) {
     snprintf(line, sizeof line, "%d objects, %d curves, %d points, %d knots", bat_document_count(document),
              totals.curves, totals.points, totals.knots);
     put_line(&text, "holds", line);
-    if (drawing->format == DRAWING_SVG) {
-        bat_svg_report_line(&drawing->report, line, sizeof line);
-        if (line[0]) put_line(&text, "import", line);
-        snprintf(line, sizeof line, "%d path%s with errors, read up to the error",
-                 drawing->report.broken_paths, drawing->report.broken_paths == 1 ? "" : "s");
-        if (drawing->report.broken_paths) put_line(&text, "errors", line);
-        snprintf(line, sizeof line, "%d element%s of other programs", drawing->report.foreign,
-                 drawing->report.foreign == 1 ? "" : "s");
-        if (drawing->report.foreign) put_line(&text, "foreign", line);
-    }
-    put_line(&text, "saving",
-             forgets(drawing) ? "keeps the outlines; content of other programs is not promised to survive"
-                              : "keeps everything");
+    put_losses(&text, drawing);
     bat_text_string(&text, "objects  id, name, curves\n");
     for (int i = 0; i < bat_document_count(document); i++) {
         put_object_lines(&text, bat_document_at(document, i));
@@ -199,8 +196,8 @@ const cli_command command_info = {
     .name = "info",
     .usage = "FILE [--json]",
     .summary = "What is in a file: objects, curves, knots, page, and what saving would not keep.",
-    .details = "As JSON, \"keeps_all\" is false when content of the file is not promised to survive a save,\n"
-               "\"left_out\" counts what was not read, \"foreign\" elements of other programs.",
+    .details = "As JSON, \"keeps_all\" is false when writing over the file would lose something, and "
+               "\"left_out\"\ncounts what, by kind.",
     .example = "batten info drawing.svg --json",
     .operands = 1,
     .options = {{"--json", NULL, "as JSON"}},

@@ -139,6 +139,11 @@ static int run(const cli_arguments *arguments) {
     drawing_file drawing;
     failed = drawing_read(in, NULL, &drawing);
     if (failed) return failed;
+    failed = drawing_may_replace(arguments, &drawing, in, arguments->operands[1], true);
+    if (failed) {
+        drawing_free(&drawing);
+        return failed;
+    }
     paint_area area;
     paint_area_of(drawing.document, width, height, &area);
     unsigned char *data = NULL;
@@ -159,7 +164,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_render = {
     .name = "render",
-    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf]",
+    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf] [--lossy]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
     .details =
         "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
@@ -170,6 +175,7 @@ const cli_command command_render = {
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF"},
                 {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
-                {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"}},
+                {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
+                OPTION_LOSSY},
     .run = run,
 };

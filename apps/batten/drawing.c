@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static const struct {
     const char *ending, *name, *type;
@@ -18,6 +20,7 @@ static const struct {
     {".svg", "svg", "image/svg+xml", DRAWING_SVG},
     {".json", "json", "application/json", DRAWING_CURVE},
 };
+enum { LEFT_OUT_ROOM = 1000 };
 enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
 
 drawing_format drawing_format_of(const char *name) {
@@ -134,9 +137,29 @@ int drawing_curve_count(const bat_document *document) {
 
 void drawing_remark(const char *name, const drawing_file *drawing) {
     if (drawing->format != DRAWING_SVG) return;
-    char line[256] = "";
+    char line[LEFT_OUT_ROOM] = "";
     bat_svg_report_line(&drawing->report, line, sizeof line);
     if (line[0]) remark("%s: %s", strcmp(name, "-") == 0 ? "standard input" : name, line);
+}
+
+/* "-": what standard input was taken from. */
+static bool is_same_file(const char *in, const char *out) {
+    struct stat a, b;
+    int found = strcmp(in, "-") == 0 ? fstat(STDIN_FILENO, &a) : stat(in, &a);
+    return strcmp(out, "-") != 0 && found == 0 && stat(out, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
+}
+
+int drawing_may_replace(const cli_arguments *arguments, const drawing_file *drawing, const char *in,
+                        const char *out, bool picture) {
+    int total = bat_losses_total(&drawing->report.lost);
+    if ((total == 0 && !picture) || arguments_value(arguments, "--lossy") || !is_same_file(in, out))
+        return EXIT_DONE;
+    if (picture) return fail_data(out, NULL, "a picture would take the drawing's place; --lossy allows it");
+    char line[LEFT_OUT_ROOM];
+    bat_svg_report_line(&drawing->report, line, sizeof line);
+    return fail_data(out, NULL, "writing over it would lose %d thing%s; --lossy allows it. %s", total,
+                     total == 1 ? "" : "s", line);
 }
 
 int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text,

@@ -2,6 +2,8 @@
 #ifndef BATTEN_APPS_DRAWING_H
 #define BATTEN_APPS_DRAWING_H
 
+#include "program.h"
+
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -34,6 +36,13 @@ void drawing_free(drawing_file *drawing);
 int drawing_curve_count(const bat_document *document);
 /* What an import left out, as a remark, when anything was. */
 void drawing_remark(const char *name, const drawing_file *drawing);
+
+/* Whether OUT may be written, which may be IN: only with --lossy when something of it would be lost (a picture holds no
+ * drawing). Returns 0, or an exit status after telling. */
+int drawing_may_replace(const cli_arguments *arguments, const drawing_file *drawing, const char *in,
+                        const char *out, bool picture);
+#define OPTION_LOSSY                                                                                         \
+    { "--lossy", NULL, "write over the input even when something of it is lost" }
 
 /* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling:
  * a .json holds exactly one curve. */

@@ -41,15 +41,64 @@ typedef struct bat_svg_options {
     double tolerance; /* knots of imported paths are removed within it, document units; 0: exact only */
     double corner;    /* radians: joints that turn more are corners */
 } bat_svg_options;
+
+/* What a file can hold that a document can not, so that writing over the file would lose it. Of each kind the elements
+ * are counted that have it, once each, however often `use` draws them; hidden ones, too. What is not counted: comments,
+ * white space, the order and spelling of attributes, transforms and inherited styles (drawn in), shapes as such (they
+ * become paths). */
+typedef enum bat_loss {
+    BAT_LOSS_TEXT,
+    BAT_LOSS_IMAGE,    /* links to files, and other kinds of pictures than PNG, JPEG and WebP */
+    BAT_LOSS_GRADIENT, /* painted as the mean of its stops */
+    BAT_LOSS_PATTERN,  /* and whatever else paints: by its fallback colour, else grey */
+    BAT_LOSS_CLIP,
+    BAT_LOSS_MASK,
+    BAT_LOSS_FILTER,
+    BAT_LOSS_MARKER,
+    BAT_LOSS_DASH,
+    BAT_LOSS_ORDER,     /* a stroke or markers painted before the fill */
+    BAT_LOSS_EFFECT,    /* a stroke that does not scale: its width is kept as it is */
+    BAT_LOSS_UNEVEN,    /* a stroke that a transform makes thicker one way than another */
+    BAT_LOSS_BLEND,     /* blend modes, isolation */
+    BAT_LOSS_OPACITY,   /* of a container as a whole: each thing in it gets it */
+    BAT_LOSS_HINT,      /* on rendering */
+    BAT_LOSS_COPY,      /* `use`: drawn, but a copy that is tied to nothing */
+    BAT_LOSS_NESTED,    /* an svg in the svg: drawn, not clipped */
+    BAT_LOSS_SWITCH,    /* one of its versions is drawn */
+    BAT_LOSS_INVISIBLE, /* visibility hidden, no paint, or hidden things that no document can hide */
+    BAT_LOSS_BROKEN,    /* shapes, path data, transforms, references with errors: read up to there */
+    BAT_LOSS_UNKNOWN,   /* elements, attributes, properties and values that are not known */
+    BAT_LOSS_TITLE,     /* titles, descriptions, and what is said to screen readers */
+    BAT_LOSS_LINK,
+    BAT_LOSS_ANIMATION,
+    BAT_LOSS_SCRIPT,   /* event attributes, too */
+    BAT_LOSS_EMBEDDED, /* pages and media */
+    BAT_LOSS_UNUSED,   /* definitions that nothing refers to */
+    BAT_LOSS_METADATA,
+    BAT_LOSS_FOREIGN, /* elements of other programs, elements with attributes of theirs */
+    /* of the whole file */
+    BAT_LOSS_RULE,   /* of style sheets: what they set is drawn in, where they are known */
+    BAT_LOSS_PAGE,   /* its size in units, or another size than that of the view box */
+    BAT_LOSS_NATIVE, /* a document of Batten that the drawing no longer agrees with */
+    BAT_LOSS_COUNT
+} bat_loss;
+
+typedef struct bat_losses {
+    int count[BAT_LOSS_COUNT];
+} bat_losses;
+
+BAT_API int bat_losses_total(const bat_losses *losses);
+/* A short word for files and keys of words, "gradients"; static storage, NULL for no kind. */
+BAT_API const char *bat_loss_key(bat_loss kind);
+/* In English, "3 gradients"; "" when there is no room for all of it. */
+BAT_API void bat_loss_words(bat_loss kind, int count, char *words, size_t room);
+
 typedef struct bat_svg_report {
-    int paths, curves; /* what was read; the rest tells about the visible drawing */
-    int skipped_text, skipped_images, skipped_gradients, skipped_clips, skipped_other; /* what was left out */
-    int hidden;         /* paths that are not displayed: kept in the document, hidden; not among `paths` */
-    int skipped_hidden; /* not displayed otherwise, visibility hidden, neither stroke nor fill */
-    int broken_paths;   /* path data, shapes or transforms with errors: read up to the error */
-    int foreign; /* elements of other programs (editor settings, licences, ...): not kept when saving */
-    bool native; /* the file carried a native document: every knot is as it was */
-    bool edited; /* it did, but the drawing has been changed since: the drawing was read */
+    int paths, curves; /* what was read */
+    int hidden;        /* paths that are not displayed: kept in the document, hidden; not among `paths` */
+    bat_losses lost;   /* what was not */
+    bool native;       /* the file carried a native document: every knot is as it was */
+    bool edited;       /* it did, but the drawing has been changed since: the drawing was read */
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
@@ -63,7 +112,8 @@ BAT_API bat_status bat_svg_reader_end(bat_svg_reader *reader);
 BAT_API bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,
                                          bat_problem *problem); /* frees the reader whatever it returns */
 BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up early */
-/* "Left out: 3 texts, 1 image." or "" when nothing was; then, if so, that another program changed the file. */
+/* "Left out: 3 texts, 1 image." or "" when nothing was; then, if so, that another program changed the file. 1,000 bytes
+ * are room enough. */
 BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room);
 
 /* SVG out: exact cubic Béziers, and the native document in the metadata. */

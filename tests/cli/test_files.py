@@ -154,6 +154,51 @@ class Output(ProgramTest):
             self.assertEqual(os.listdir(self.folder), ["c.json"])
 
 
+class Lossy(ProgramTest):
+    """What would be lost by writing over the input is not written without a word."""
+
+    def test_writing_over_the_input(self):
+        name = self.file("m.svg", MIXED)
+        (self.folder / "link.svg").symlink_to("m.svg")
+        os.link(name, self.folder / "twin.svg")
+        for out in (name, self.folder / "link.svg", self.folder / "twin.svg"):
+            line = self.refused(1, "convert", name, out)
+            self.assertRegex(line, r"^.*\.svg: writing over it would lose \d+ things; --lossy allows it\. Left out: .*2 texts")
+            self.assertEqual(open_text(name), MIXED)
+        self.done("convert", "-", name, stdin=MIXED)  # what comes by a pipe is not that file
+
+    def test_standard_input_from_the_file(self):
+        name = self.file("m.svg", MIXED)
+        with open(name, "rb") as source:
+            result = subprocess.run([PROGRAM, "convert", "-", name], stdin=source, capture_output=True, check=False)
+        self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
+        self.assertEqual(open_text(name), MIXED)
+
+    def test_lossy(self):
+        name = self.file("m.svg", MIXED)
+        self.done("convert", name, self.folder / "other.svg")
+        self.assertEqual(self.run_program("convert", name, name, "--lossy").returncode, 0)
+        self.assertIs(self.json("info", name, "--json")["keeps_all"], True)
+        self.done("convert", name, name)  # nothing is left to lose
+
+    def test_never_when_nothing_is_lost(self):
+        self.done("convert", self.file("c.json", CURVE), self.folder / "a.batten")
+        self.file("a.svg", '<svg viewBox="0 0 9 9"><path id="p" d="M0 0L5 5" stroke="red"/></svg>')
+        for name in ("a.batten", "a.svg", "a.svg"):
+            self.assertEqual(self.run_program("convert", name, name).stderr, b"")
+        self.done("convert", CAR, self.folder / "car.svg")
+        self.done("convert", self.folder / "car.svg", self.folder / "car.svg")
+
+    def test_a_picture_in_the_drawings_place(self):
+        path = self.folder / "car.svg"
+        self.done("convert", CAR, path)
+        before = path.read_bytes()
+        self.assertIn("--lossy", self.refused(1, "render", path, path))
+        self.assertEqual(path.read_bytes(), before)
+        self.done("render", path, path, "--lossy")
+        self.assertNotIn(b"metadata", path.read_bytes())
+
+
 class Info(ProgramTest):
     def test_car(self):
         info = self.json("info", CAR, "--json")
@@ -164,7 +209,7 @@ class Info(ProgramTest):
         self.assertEqual([c["degree"] for c in roof["curves"]], [3])
         self.assertEqual(info["curves"], sum(len(item["curves"]) for item in info["objects"]))
         text = self.done("info", CAR).decode()
-        self.assertIn("not promised to survive", text)
+        self.assertRegex(text, r"saving +loses 1 thing\n +1 title or description\n")
         self.assertIn("roof", text)
 
     def test_svg_saved_by_batten_keeps_everything(self):
@@ -176,7 +221,17 @@ class Info(ProgramTest):
     def test_what_is_left_out(self):
         info = self.json("info", self.file("m.svg", MIXED), "--json")
         self.assertEqual((info["left_out"]["texts"], info["left_out"]["images"]), (2, 1))
+        self.assertIs(info["keeps_all"], False)
         self.assertEqual(len(info["objects"]), 2)
+        text = self.done("info", self.folder / "m.svg").decode()
+        total = sum(info["left_out"].values())
+        self.assertRegex(text, rf"saving +loses {total} things\n +2 texts\n +1 image\n")
+
+    def test_a_plain_drawing_loses_nothing(self):
+        plain = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><g fill="red"><rect id="r" width="3" height="3"/></g></svg>'
+        info = self.json("info", self.file("p.svg", plain), "--json")
+        self.assertIs(info["keeps_all"], True)
+        self.assertEqual(sum(info["left_out"].values()), 0)
 
     def test_svg_that_another_program_changed(self):
         self.done("convert", CAR, self.folder / "car.svg")

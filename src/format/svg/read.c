@@ -8,6 +8,7 @@
 #include "format/native/native.h"
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
+#include "format/svg/notes.h"
 #include "format/svg/style.h"
 #include "format/svg/tree.h"
 
@@ -21,6 +22,9 @@
 
 /* Elements drawn (each time that `use` repeats them), and style rules tried, at most. */
 enum { DRAWN_MAX = 1 << 20, TRIED_MAX = 1 << 28 };
+
+/* What has no known colour: its outline can be seen and shaped. */
+#define GREY 0x808080ffu
 
 struct bat_svg_reader {
     bat_svg_options options;
@@ -101,12 +105,14 @@ typedef struct walk {
     const bat_svg_sheet *sheet;
     bat_document *document;
     bat_svg_report *report;
+    bat_svg_notes notes;
+    uint32_t *means; /* of the gradients that paint, by element, the last bit turned; 0: not known yet */
     bat_outline outline;
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
     int depth;
-    long drawn, tried;
+    long drawn, tried, put;
     bat_id group;      /* the group being read, 0: none */
     int members;       /* read into it so far */
     int groups;        /* how deep that is */
@@ -147,26 +153,130 @@ static void find_style(walk *w, uint32_t element, const scope *outer, bat_svg_st
     const bat_svg_element *e = &w->tree->elements[element];
     const uint32_t *pair = w->tree->attributes + e->attributes;
     const char *strings = w->tree->strings.data, *own = attribute(w, element, "style");
-    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2)
-        bat_svg_style_set(style, &outer->style, diagonal(outer), strings + pair[0], strings + pair[1]);
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        const char *value = strings + pair[1];
+        bat_svg_name name = bat_svg_name_of(strings + pair[0]);
+        if (name < BAT_SVG_IDLE &&
+            !bat_svg_style_set(style, &outer->style, diagonal(outer), name, value, value))
+            style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
+    }
     match_rules(w, element, outer, false, style);
     if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), false);
     match_rules(w, element, outer, true, style);
     if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), true);
 }
 
+/* The style of an element where it stands, by all that it is in. */
+static void find_style_in_place(walk *w, uint32_t element, scope *s) {
+    uint32_t way[BAT_SVG_DEPTH];
+    int depth = 0;
+    s->style = bat_svg_style_initial();
+    for (uint32_t at = element; at; at = w->tree->elements[at].parent) way[depth++] = at;
+    while (depth > 0) {
+        bat_svg_style style;
+        find_style(w, way[--depth], s, &style);
+        s->style = style;
+    }
+}
+
+/* Adds a gradient's stops, each as far as it covers; sum: red, green, blue, cover, how many. */
+static void add_stops(walk *w, uint32_t gradient, double sum[5]) {
+    scope s = {.width = 100, .height = 100};
+    find_style_in_place(w, gradient, &s);
+    for (uint32_t at = w->tree->elements[gradient].first; at; at = w->tree->elements[at].next) {
+        if (w->tree->elements[at].kind != BAT_SVG_STOP) continue;
+        if (++w->drawn > DRAWN_MAX) {
+            w->status = BAT_COUNT;
+            return;
+        }
+        bat_svg_style style;
+        find_style(w, at, &s, &style);
+        uint32_t c = style.stop.kind == BAT_PAINT_CURRENT ? style.colour : style.stop.colour;
+        double share = (c & 0xff) * style.stop_opacity;
+        for (int k = 0; k < 3; k++) sum[k] += share * (c >> (24 - 8 * k) & 0xff);
+        sum[3] += share;
+        sum[4]++;
+    }
+}
+
+/* The mean of a gradient's stops, which may be another one's; *colour is left alone when there are none. */
+static void find_mean(walk *w, uint32_t gradient, uint32_t *colour) {
+    enum { HOPS_MAX = 32 };
+    double sum[5] = {0};
+    for (int hops = 0; hops < HOPS_MAX && sum[4] == 0; hops++) {
+        add_stops(w, gradient, sum);
+        const char *href = attribute(w, gradient, "href");
+        if (!href) href = attribute(w, gradient, "xlink:href");
+        gradient = href ? bat_svg_tree_refer(w->tree, href) : 0;
+        if (!gradient || w->tree->elements[gradient].kind != BAT_SVG_GRADIENT) break;
+    }
+    if (sum[4] == 0) return;
+    uint32_t mean = 0;
+    for (int k = 0; k < 3; k++) mean = mean << 8 | (uint32_t)floor(sum[3] > 0 ? sum[k] / sum[3] + 0.5 : 0);
+    *colour = mean << 8 | (uint32_t)floor(sum[3] / sum[4] + 0.5);
+}
+
+/* What paints in place of a gradient, pattern or the like; *colour: its fallback, which stays where no mean is
+ * known. True: there is one. */
+static bool resolve_server(walk *w, uint32_t element, const char *text, uint32_t *colour) {
+    uint32_t server = bat_svg_tree_refer(w->tree, text);
+    bool gradient = server && w->tree->elements[server].kind == BAT_SVG_GRADIENT;
+    bat_svg_note(&w->notes, element,
+                 gradient ? BAT_LOSS_GRADIENT
+                 : server ? BAT_LOSS_PATTERN
+                          : BAT_LOSS_BROKEN);
+    if (!gradient) return false;
+    if (!w->means && !(w->means = calloc(w->tree->count, sizeof *w->means))) {
+        w->status = BAT_MEMORY;
+        return false;
+    }
+    uint32_t mean = GREY;
+    if (!w->means[server]) {
+        find_mean(w, server, &mean);
+        w->means[server] = mean ^ 1;
+    }
+    *colour = w->means[server] ^ 1;
+    return true;
+}
+
 /* False: nothing is painted. */
-static bool resolve_paint(walk *w, const bat_svg_paint *paint, const bat_svg_style *style, double share,
-                          uint32_t *colour) {
-    if (paint->server) w->report->skipped_gradients++;
-    if (paint->kind == BAT_PAINT_NONE && !paint->bare) return false;
-    /* A gradient without a fallback becomes grey, so that its outline can be seen and shaped. */
-    uint32_t c = paint->bare ? 0x808080ff : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;
+static bool resolve_paint(walk *w, uint32_t element, const bat_svg_paint *paint, const bat_svg_style *style,
+                          double share, uint32_t *colour) {
+    uint32_t c = paint->bare ? GREY : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;
+    bool painted = paint->kind != BAT_PAINT_NONE || paint->bare;
+    if (paint->server && resolve_server(w, element, paint->server, &c)) painted = true;
+    if (!painted) return false;
     *colour = (c & 0xffffff00) | (uint32_t)floor((double)(c & 0xff) * share + 0.5);
     return true;
 }
 
-static bat_style resolve_style(walk *w, const scope *s) {
+/* A circle stays a circle. */
+static bool is_even(const double m[6]) {
+    double x = m[0] * m[0] + m[1] * m[1], y = m[2] * m[2] + m[3] * m[3], xy = m[0] * m[2] + m[1] * m[3];
+    return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
+}
+
+/* What of a shape's style is lost, of that which shows. */
+static void note_style(walk *w, uint32_t element, const scope *s, const bat_style *style) {
+    const char *name = bat_svg_tree_name(w->tree, element);
+    uint32_t markers = BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
+                       BAT_SVG_BIT(BAT_SVG_MARKER_END);
+    uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~BAT_SVG_BIT(BAT_SVG_IMAGE_HINT);
+    if (style->stroked)
+        mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
+    else
+        mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
+    bool line = name[0] == 'p' || strcmp(name, "line") == 0; /* path, polyline, polygon */
+    if (!line) mask &= ~markers;
+    if (!style->stroked || !style->filled) {
+        if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
+    }
+    bat_svg_note_odd(&w->notes, element, odd, mask);
+    bool fixed = odd & BAT_SVG_BIT(BAT_SVG_EFFECT);
+    if (style->stroked && !fixed && !is_even(s->matrix)) bat_svg_note(&w->notes, element, BAT_LOSS_UNEVEN);
+}
+
+static bat_style resolve_style(walk *w, uint32_t element, const scope *s) {
     const bat_svg_style *from = &s->style;
     const double *m = s->matrix;
     bat_style style = {.even_odd = from->even_odd,
@@ -175,9 +285,9 @@ static bat_style resolve_style(walk *w, const scope *s) {
                        .cap = from->cap,
                        .join = from->join,
                        .miter_limit = from->miter_limit};
-    style.filled = resolve_paint(w, &from->fill, from, from->fill_opacity, &style.fill);
-    style.stroked = resolve_paint(w, &from->stroke, from, from->stroke_opacity, &style.stroke);
-    if (!from->fixed_width) style.width *= sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
+    style.filled = resolve_paint(w, element, &from->fill, from, from->fill_opacity, &style.fill);
+    style.stroked = resolve_paint(w, element, &from->stroke, from, from->stroke_opacity, &style.stroke);
+    if (!(from->odd & BAT_SVG_BIT(BAT_SVG_EFFECT))) style.width *= sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
     return style;
 }
 
@@ -187,7 +297,7 @@ static void count_paths(bat_svg_report *report, int curves) {
 }
 
 /* One curve for each subpath that has any length. */
-static int make_curves(walk *w, bat_curve **curves) {
+static int make_curves(walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
     const bat_outline *o = &w->outline;
     int count = 0;
     for (int i = 0; i < o->subpath_count && w->status == BAT_OK; i++) {
@@ -198,7 +308,11 @@ static int make_curves(walk *w, bat_curve **curves) {
             good = good && fabs(points[k]) <= BAT_COORDINATE_MAX;
             moves = moves || points[k] != points[k % 2];
         }
-        if (good && !moves) continue;
+        if (good && !moves) {
+            bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
+            bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT);
+            continue;
+        }
         double error;
         bat_status status = good ? bat_curve_from_bezier(3, 2, path->segments, points, path->closed,
                                                          w->options->corner, w->options->tolerance,
@@ -209,7 +323,7 @@ static int make_curves(walk *w, bat_curve **curves) {
         else if (status == BAT_OK || status == BAT_TOLERANCE)
             count++;
         else
-            w->report->broken_paths++;
+            bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     }
     return count;
 }
@@ -241,6 +355,7 @@ static void put_object(walk *w, uint32_t element, bool shown, bat_object *object
         object = placed;
     }
     if (status == BAT_OK) status = bat_document_put(w->document, bat_document_count(w->document), object);
+    if (status == BAT_OK && bat_object_is_drawn(object)) w->put++;
     bat_object_release(object);
     if (status == BAT_OK) w->members++;
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
@@ -253,7 +368,7 @@ static void add_object(walk *w, uint32_t element, bool shown, const bat_style *s
         w->status = BAT_MEMORY;
         return;
     }
-    int count = make_curves(w, curves);
+    int count = make_curves(w, element, style, curves);
     bat_object *object = NULL;
     bat_status status = w->status;
     if (status == BAT_OK && count > 0)
@@ -267,7 +382,8 @@ static void add_object(walk *w, uint32_t element, bool shown, const bat_style *s
             count_paths(w->report, count);
     } else {
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
-        if (count > 0 && status != BAT_OK) w->report->broken_paths++; /* a stroke width out of all bounds */
+        if (count > 0 && status != BAT_OK) /* a stroke width out of all bounds */
+            bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     }
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
     free(curves);
@@ -285,23 +401,23 @@ static const char *shape_attribute(const void *element, const char *name) {
 
 static void draw_shape(walk *w, uint32_t element, const scope *s) {
     if (!s->style.visible) {
-        w->report->skipped_hidden++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
     element_of holder = {w->tree, element};
     bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
     bat_outline_clear(&w->outline);
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
-        w->report->broken_paths++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
     if (w->outline.subpath_count == 0 || w->status != BAT_OK) return;
     bat_outline_transform(&w->outline, s->matrix);
-    bat_style style = resolve_style(w, s);
+    bat_style style = resolve_style(w, element, s);
     if (!style.stroked && !style.filled) {
-        w->report->skipped_hidden++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
-    if (s->style.marked) w->report->skipped_other++;
+    note_style(w, element, s, &style);
     if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style);
     add_object(w, element, s->style.shown, &style);
 }
@@ -384,6 +500,11 @@ static void draw_viewport(walk *w, uint32_t element, uint32_t sizer, double x, d
     draw_children(w, element, &inner);
 }
 
+/* What of a style is lost where it stands, and is not handed down. */
+static void note_own_style(walk *w, uint32_t element, const bat_svg_style *style) {
+    bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | BAT_SVG_BIT(BAT_SVG_EFFECT)));
+}
+
 static void draw_use(walk *w, uint32_t element, const scope *s) {
     const char *href = attribute(w, element, "href");
     if (!href) href = attribute(w, element, "xlink:href");
@@ -391,7 +512,7 @@ static void draw_use(walk *w, uint32_t element, const scope *s) {
     for (int i = 0; i < w->depth; i++)
         if (w->active[i] == target) target = 0; /* it would draw itself */
     if (!target) {
-        w->report->skipped_other++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         return;
     }
     double x = length_of(w, element, "x", s->width, 0), y = length_of(w, element, "y", s->height, 0);
@@ -406,6 +527,7 @@ static void draw_use(walk *w, uint32_t element, const scope *s) {
     if (w->depth == BAT_SVG_DEPTH) return;
     scope own = inner;
     find_style(w, target, &inner, &own.style);
+    note_own_style(w, target, &own.style);
     own.opacity = inner.opacity * own.style.opacity;
     w->active[w->depth++] = target;
     if (own.style.shown) draw_viewport(w, target, element, 0, 0, &own);
@@ -417,7 +539,7 @@ static void draw_switch(walk *w, uint32_t element, const scope *s) {
     for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
         bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;
         const char *language = attribute(w, at, "systemLanguage");
-        if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_OTHER || kind == BAT_SVG_NEVER) continue;
+        if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_OTHER || kind >= BAT_SVG_NEVER) continue;
         if (attribute(w, at, "requiredExtensions") || (language && strncmp(language, "en", 2) != 0)) continue;
         draw(w, at, s);
         return;
@@ -443,17 +565,20 @@ static void draw_image(walk *w, uint32_t element, const scope *s) {
     bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
     bat_object *object = NULL;
     if (!picture) {
-        w->report->skipped_images++;
+        bat_svg_note(&w->notes, element, s->style.visible ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
         return;
     }
+    bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_IMAGE_HINT));
     double box[4] = {0}, m[6], matrix[6];
     bat_picture_sides(picture, box + 2);
     double width = length_of(w, element, "width", s->width, -1);
     double height = length_of(w, element, "height", s->height, -1);
     if (width < 0) width = height < 0 ? box[2] : height * box[2] / box[3];
     if (height < 0) height = width * box[3] / box[2];
+    const char *ratio = attribute(w, element, "preserveAspectRatio");
+    if (ratio && strstr(ratio, "slice")) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
     bat_svg_fit(box, length_of(w, element, "x", s->width, 0), length_of(w, element, "y", s->height, 0), width,
-                height, attribute(w, element, "preserveAspectRatio"), m);
+                height, ratio, m);
     bat_svg_compose(s->matrix, m, matrix);
     bat_status status = bat_object_create_image(bat_document_new_id(w->document), find_name(w, element),
                                                 picture, matrix, s->opacity, &object);
@@ -462,14 +587,54 @@ static void draw_image(walk *w, uint32_t element, const scope *s) {
             w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
         put_object(w, element, s->style.shown, object);
     } else
-        w->report->skipped_images++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_IMAGE);
     if (status == BAT_MEMORY) w->status = status;
     bat_picture_release(picture);
 }
 
+/* What of an element is lost, apart from its style. */
+static void note_element(walk *w, uint32_t element) {
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data, *name = bat_svg_tree_name(w->tree, element);
+    if (!bat_svg_note_once(&w->notes, element)) return;
+    bat_svg_note(&w->notes, element, (bat_loss)e->loss);
+    if (e->kind == BAT_SVG_ROOT && element != 1) bat_svg_note(&w->notes, element, BAT_LOSS_NESTED);
+    if (e->kind == BAT_SVG_TEXT || e->kind == BAT_SVG_OTHER) return; /* as a whole */
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        bat_svg_name what = bat_svg_name_of(strings + pair[0]);
+        if (what > BAT_SVG_IDLE)
+            bat_svg_note(&w->notes, element, bat_svg_attribute_loss(what, strings + pair[0]));
+        if (strcmp(name, "a") == 0 && strstr(strings + pair[0], "href"))
+            bat_svg_note(&w->notes, element, BAT_LOSS_LINK);
+    }
+    if (e->kind != BAT_SVG_ROOT && e->kind != BAT_SVG_GROUP && e->kind != BAT_SVG_SWITCH)
+        bat_svg_note_inside(&w->notes, element);
+}
+
+static void draw_kind(walk *w, uint32_t element, const scope *s) {
+    long before = w->put;
+    switch (w->tree->elements[element].kind) {
+    case BAT_SVG_GROUP: draw_group(w, element, s); break;
+    case BAT_SVG_SWITCH: draw_switch(w, element, s); break;
+    case BAT_SVG_ROOT:
+        draw_viewport(w, element, element, length_of(w, element, "x", s->width, 0),
+                      length_of(w, element, "y", s->height, 0), s);
+        break;
+    case BAT_SVG_USE: draw_use(w, element, s); break;
+    case BAT_SVG_SHAPE: draw_shape(w, element, s); break;
+    case BAT_SVG_IMAGE: draw_image(w, element, s); break;
+    default: break;
+    }
+    if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
+}
+
 static void draw(walk *w, uint32_t element, const scope *outer) {
     bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
-    if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_SYMBOL || kind >= BAT_SVG_NEVER) return;
+    if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_SYMBOL || kind >= BAT_SVG_NEVER) {
+        bat_svg_note_undrawn(&w->notes, element);
+        return;
+    }
     if (++w->drawn > DRAWN_MAX || w->tried > TRIED_MAX) {
         w->status = BAT_COUNT;
         return;
@@ -479,43 +644,28 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     bool shown = s.style.shown;
     /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
     if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
-        w->report->skipped_hidden++;
+        bool copied = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER;
+        bat_loss loss = (bat_loss)w->tree->elements[element].loss;
+        bat_svg_note(&w->notes, element, copied ? BAT_LOSS_INVISIBLE : loss);
         return;
     }
+    note_element(w, element);
     if (w->depth == BAT_SVG_DEPTH) {
-        w->report->skipped_other++;
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         return;
     }
     s.opacity = outer->opacity * s.style.opacity;
     const char *transform = attribute(w, element, "transform");
     double m[6];
     if (transform) {
-        if (!bat_svg_transform(transform, m)) w->report->broken_paths++;
+        if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         bat_svg_compose(outer->matrix, m, s.matrix);
     }
-    bat_svg_report before = *w->report;
-    if (s.style.clipped) w->report->skipped_clips++;
-    if (s.style.filtered) w->report->skipped_other++;
+    if (kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER) note_own_style(w, element, &s.style);
     w->active[w->depth++] = element;
     w->unseen += !shown;
-    switch (kind) {
-    case BAT_SVG_GROUP: draw_group(w, element, &s); break;
-    case BAT_SVG_SWITCH: draw_switch(w, element, &s); break;
-    case BAT_SVG_ROOT:
-        draw_viewport(w, element, element, length_of(w, element, "x", s.width, 0),
-                      length_of(w, element, "y", s.height, 0), &s);
-        break;
-    case BAT_SVG_USE: draw_use(w, element, &s); break;
-    case BAT_SVG_SHAPE: draw_shape(w, element, &s); break;
-    case BAT_SVG_TEXT: w->report->skipped_text++; break;
-    case BAT_SVG_IMAGE: draw_image(w, element, &s); break;
-    default: w->report->skipped_other++; break;
-    }
+    draw_kind(w, element, &s);
     w->unseen -= !shown;
-    if (!shown) { /* the report tells of the visible drawing */
-        before.hidden = w->report->hidden;
-        *w->report = before;
-    }
     w->depth--;
 }
 
@@ -535,15 +685,18 @@ static void draw_root(walk *w) {
     scope s = none;
     find_style(w, 1, &none, &s.style);
     s.opacity = s.style.opacity;
-    if (transform && !bat_svg_transform(transform, s.matrix)) w->report->broken_paths++;
-    if (s.style.clipped) w->report->skipped_clips++;
+    if (transform && !bat_svg_transform(transform, s.matrix)) bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN);
+    note_element(w, 1);
+    note_own_style(w, 1, &s.style);
+    bat_svg_note_page(&w->notes, page);
     if (!s.style.shown) {
-        w->report->skipped_hidden++;
+        bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;
     }
     w->active[w->depth++] = 1;
     draw_children(w, 1, &s);
     w->depth--;
+    if (s.opacity < 1 && w->put > 1) bat_svg_note(&w->notes, 1, BAT_LOSS_OPACITY);
 }
 
 /* ---- the native document ---- */
@@ -557,6 +710,7 @@ static void use_native(bat_svg_reader *reader, uint64_t digest, bat_pictures *pi
     bat_digest_print(digest, own);
     bat_document *native = NULL;
     report->edited = true;
+    report->lost.count[BAT_LOSS_NATIVE] = 1;
     if (!noted || strcmp(noted, own) != 0) return;
     bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
                                                reader->native.size, pictures, &native, NULL);
@@ -568,11 +722,16 @@ static void use_native(bat_svg_reader *reader, uint64_t digest, bat_pictures *pi
     if (memcmp(page, written, sizeof page) != 0) bat_document_set_page(native, page);
     report->edited = false;
     report->native = true;
+    report->lost.count[BAT_LOSS_NATIVE] = 0;
     report->paths = report->curves = 0;
+    int *invisible = &report->lost.count[BAT_LOSS_INVISIBLE];
     for (int i = 0; i < bat_document_count(native); i++) {
         const bat_object *object = bat_document_at(native, i);
+        const bat_style *style = bat_object_style(object);
         report->paths += bat_object_is_drawn(object);
         report->curves += bat_object_curve_count(object);
+        /* What paints nothing is not read from the drawing, but it is here. */
+        if (bat_object_is_drawn(object) && !style->stroked && !style->filled && *invisible > 0) --*invisible;
     }
     bat_document_free(*document);
     *document = native;
@@ -597,13 +756,14 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                 .document = document,
                 .report = report,
                 .digest = bat_digest_begin()};
-    report->foreign = (int)reader->tree.foreign;
-    report->skipped_other += (int)(sheet.left_out > 1000000 ? 1000000 : sheet.left_out);
-    draw_root(w);
-    status = w->status;
+    status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &report->lost);
+    if (status == BAT_OK) draw_root(w);
+    if (status == BAT_OK) status = w->status;
     if (status == BAT_OK) use_native(reader, w->digest, &w->pictures, &document, report);
     bat_outline_free(&w->outline);
     bat_pictures_free(&w->pictures);
+    bat_svg_notes_free(&w->notes);
+    free(w->means);
     free(w);
     bat_svg_sheet_free(&sheet);
     if (status != BAT_OK)

@@ -50,10 +50,7 @@ static uint32_t weigh(const char *selector, size_t size) {
 }
 
 static bat_status add_rule(bat_svg_sheet *sheet, size_t *room, bat_svg_rule rule) {
-    if (sheet->count >= BAT_SVG_RULES_MAX) {
-        sheet->left_out++;
-        return BAT_OK;
-    }
+    if (sheet->count >= BAT_SVG_RULES_MAX) return BAT_OK;
     if (sheet->count == *room) {
         size_t more = *room < 32 ? 32 : *room * 2;
         bat_svg_rule *grown = realloc(sheet->rules, more * sizeof *grown);
@@ -92,8 +89,8 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         }
         size_t open = at;
         while (open < size && text[open] != '{' && text[open] != ';') open++;
+        sheet->blocks++;
         if (text[at] == '@') {
-            sheet->left_out++;
             at = open < size && text[open] == '{' ? skip_block(text, size, open) : open + 1;
             continue;
         }
@@ -112,12 +109,8 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
             uint32_t weight = weigh(text + from, to - from);
             bat_svg_rule rule = {(uint32_t)from, (uint32_t)(to - from), (uint32_t)(open + 1),
                                  (uint32_t)(close - open - 1), weight};
-            if (from == to || weight == 0)
-                sheet->left_out++;
-            else {
-                bat_status status = add_rule(sheet, &room, rule);
-                if (status != BAT_OK) return status;
-            }
+            bat_status status = from < to && weight ? add_rule(sheet, &room, rule) : BAT_OK;
+            if (status != BAT_OK) return status;
             from = next;
         }
         at = close + 1;
@@ -130,10 +123,12 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
 bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *sheet) {
     *sheet = (bat_svg_sheet){0};
     if (size == 0) return BAT_OK;
-    sheet->text = malloc(size);
+    sheet->text = malloc(size + 1);
     if (!sheet->text) return BAT_MEMORY;
     memcpy(sheet->text, text, size);
-    bat_status status = parse(sheet, drop_comments(sheet->text, size));
+    size = drop_comments(sheet->text, size);
+    sheet->text[size] = '\0';
+    bat_status status = parse(sheet, size);
     if (status != BAT_OK) bat_svg_sheet_free(sheet);
     return status;
 }

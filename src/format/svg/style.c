@@ -18,169 +18,152 @@ bat_svg_style bat_svg_style_initial(void) {
                            .join = BAT_JOIN_MITER,
                            .visible = true,
                            .opacity = 1,
-                           .shown = true};
+                           .shown = true,
+                           .stop = {.kind = BAT_PAINT_COLOUR, .colour = 0x000000ff},
+                           .stop_opacity = 1};
 }
 
 bat_svg_style bat_svg_style_child(const bat_svg_style *parent) {
-    bat_svg_style style = *parent;
-    style.opacity = 1;
+    bat_svg_style style = *parent, initial = bat_svg_style_initial();
+    style.odd &= BAT_SVG_INHERITED;
+    style.opacity = style.stop_opacity = 1;
     style.shown = true;
-    style.clipped = style.filtered = style.fixed_width = false;
+    style.stop = initial.stop;
     return style;
 }
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-static void set_paint(bat_svg_paint *paint, const char *value) {
+static bool set_paint(bat_svg_paint *paint, const char *value, const char *source) {
     uint32_t colour;
     bat_svg_paint made = {.kind = BAT_PAINT_NONE};
     if (strncmp(value, "url(", 4) == 0) {
         const char *close = strchr(value, ')');
-        if (!close) return;
-        made.server = true;
+        if (!close) return false;
+        made.server = source + 4;
         value = close + 1;
         while (is_space(*value)) value++;
         if (!*value) {
             made.bare = true;
             *paint = made;
-            return;
+            return true;
         }
     }
     if (strcmp(value, "currentColor") == 0 || strcmp(value, "currentcolor") == 0)
         made.kind = BAT_PAINT_CURRENT;
     else if (strcmp(value, "none") != 0) {
-        if (!bat_svg_colour(value, &colour)) return;
+        if (!bat_svg_colour(value, &colour)) return false;
         made.kind = BAT_PAINT_COLOUR;
         made.colour = colour;
     }
     *paint = made;
+    return true;
 }
 
 /* A number from 0 to 1, or a percentage; clamped. */
-static void set_share(double *share, const char *value) {
+static bool set_share(double *share, const char *value) {
     double number;
     const char *end = value + strlen(value), *at = bat_number_scan(value, end, &number);
-    if (!at || !isfinite(number)) return;
+    if (!at || !isfinite(number)) return false;
     if (*at == '%') number /= 100, at++;
-    if (at == end) *share = fmin(fmax(number, 0), 1);
+    if (at != end) return false;
+    *share = fmin(fmax(number, 0), 1);
+    return true;
 }
 
-/* The index of value among words, or what it was. */
-static int choose(const char *value, const char *const words[], int count, int before) {
+/* What is below `low` means nothing to anybody. */
+static bool set_length(double *length, const char *value, double whole, double low) {
+    double number;
+    if (!bat_svg_length(value, whole, &number)) return false;
+    if (number >= low) *length = number;
+    return true;
+}
+
+/* The index of value among words, or -1. */
+static int choose(const char *value, const char *const words[], int count) {
     for (int i = 0; i < count; i++)
         if (strcmp(value, words[i]) == 0) return i;
-    return before;
+    return -1;
 }
 
-static bool is_none(const char *value) { return strcmp(value, "none") == 0; }
-
-enum {
-    COLOUR,
-    FILL,
-    STROKE,
-    FILL_OPACITY,
-    STROKE_OPACITY,
-    WIDTH,
-    MITER,
-    CAP,
-    JOIN,
-    RULE,
-    VISIBILITY,
-    OPACITY,
-    DISPLAY,
-    CLIP,
-    MASK,
-    FILTER,
-    MARKER,
-    MARKER_START,
-    MARKER_MID,
-    MARKER_END,
-    EFFECT,
-    PROPERTIES
-};
-
-static const char *const properties[PROPERTIES] = {"color",
-                                                   "fill",
-                                                   "stroke",
-                                                   "fill-opacity",
-                                                   "stroke-opacity",
-                                                   "stroke-width",
-                                                   "stroke-miterlimit",
-                                                   "stroke-linecap",
-                                                   "stroke-linejoin",
-                                                   "fill-rule",
-                                                   "visibility",
-                                                   "opacity",
-                                                   "display",
-                                                   "clip-path",
-                                                   "mask",
-                                                   "filter",
-                                                   "marker",
-                                                   "marker-start",
-                                                   "marker-mid",
-                                                   "marker-end",
-                                                   "vector-effect"};
-
-static void inherit(bat_svg_style *style, const bat_svg_style *parent, int property) {
+static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_name property) {
     switch (property) {
-    case COLOUR: style->colour = parent->colour; break;
-    case FILL: style->fill = parent->fill; break;
-    case STROKE: style->stroke = parent->stroke; break;
-    case FILL_OPACITY: style->fill_opacity = parent->fill_opacity; break;
-    case STROKE_OPACITY: style->stroke_opacity = parent->stroke_opacity; break;
-    case WIDTH: style->width = parent->width; break;
-    case MITER: style->miter_limit = parent->miter_limit; break;
-    case CAP: style->cap = parent->cap; break;
-    case JOIN: style->join = parent->join; break;
-    case RULE: style->even_odd = parent->even_odd; break;
-    case VISIBILITY: style->visible = parent->visible; break;
-    case OPACITY: style->opacity = parent->opacity; break;
-    case DISPLAY: style->shown = parent->shown; break;
+    case BAT_SVG_COLOUR: style->colour = parent->colour; break;
+    case BAT_SVG_FILL: style->fill = parent->fill; break;
+    case BAT_SVG_STROKE: style->stroke = parent->stroke; break;
+    case BAT_SVG_FILL_OPACITY: style->fill_opacity = parent->fill_opacity; break;
+    case BAT_SVG_STROKE_OPACITY: style->stroke_opacity = parent->stroke_opacity; break;
+    case BAT_SVG_WIDTH: style->width = parent->width; break;
+    case BAT_SVG_MITER: style->miter_limit = parent->miter_limit; break;
+    case BAT_SVG_CAP: style->cap = parent->cap; break;
+    case BAT_SVG_JOIN: style->join = parent->join; break;
+    case BAT_SVG_RULE: style->even_odd = parent->even_odd; break;
+    case BAT_SVG_VISIBILITY: style->visible = parent->visible; break;
+    case BAT_SVG_OPACITY: style->opacity = parent->opacity; break;
+    case BAT_SVG_DISPLAY: style->shown = parent->shown; break;
+    case BAT_SVG_STOP_COLOUR: style->stop = parent->stop; break;
+    case BAT_SVG_STOP_OPACITY: style->stop_opacity = parent->stop_opacity; break;
     default: break;
     }
 }
 
-void bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, const char *name,
-                       const char *value) {
+/* One of the words that say so little that nothing is lost. */
+static void set_odd(bat_svg_style *style, bat_svg_name property, const char *value) {
+    static const char *const plain[] = {"none", "normal", "auto",    "0",
+                                        "sRGB", "fill",   "initial", "geometricPrecision"};
+    uint32_t bits = property == BAT_SVG_MARKER
+                        ? BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
+                              BAT_SVG_BIT(BAT_SVG_MARKER_END)
+                        : BAT_SVG_BIT(property);
+    if (choose(value, plain, sizeof plain / sizeof *plain) >= 0)
+        style->odd &= ~bits;
+    else
+        style->odd |= bits;
+}
+
+static bool set_word(bat_svg_style *style, bat_svg_name property, const char *value) {
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
     static const char *const rules[] = {"nonzero", "evenodd"};
-    int property = choose(name, properties, PROPERTIES, PROPERTIES);
-    if (property == PROPERTIES) return;
-    while (is_space(*value)) value++;
-    if (strcmp(value, "inherit") == 0) {
-        inherit(style, parent, property);
-        return;
-    }
-    double number;
-    uint32_t colour;
+    int word;
     switch (property) {
-    case COLOUR:
-        if (bat_svg_colour(value, &colour)) style->colour = colour;
-        break;
-    case FILL: set_paint(&style->fill, value); break;
-    case STROKE: set_paint(&style->stroke, value); break;
-    case FILL_OPACITY: set_share(&style->fill_opacity, value); break;
-    case STROKE_OPACITY: set_share(&style->stroke_opacity, value); break;
-    case OPACITY: set_share(&style->opacity, value); break;
-    case WIDTH:
-        if (bat_svg_length(value, diagonal, &number) && number >= 0) style->width = number;
-        break;
-    case MITER:
-        if (bat_svg_length(value, 0, &number) && number >= 1) style->miter_limit = number;
-        break;
-    case CAP: style->cap = (bat_cap)choose(value, caps, 3, (int)style->cap); break;
-    case JOIN: style->join = (bat_join)choose(value, joins, 3, (int)style->join); break;
-    case RULE: style->even_odd = choose(value, rules, 2, style->even_odd) == 1; break;
-    case VISIBILITY: style->visible = strcmp(value, "visible") == 0; break;
-    case DISPLAY: style->shown = !is_none(value); break;
-    case CLIP:
-    case MASK:
-        if (!is_none(value)) style->clipped = true;
-        break;
-    case FILTER: style->filtered = !is_none(value); break;
-    case EFFECT: style->fixed_width = strcmp(value, "non-scaling-stroke") == 0; break;
-    default: style->marked = !is_none(value); break;
+    case BAT_SVG_CAP:
+        if ((word = choose(value, caps, 3)) >= 0) style->cap = (bat_cap)word;
+        return word >= 0;
+    case BAT_SVG_JOIN:
+        if ((word = choose(value, joins, 3)) >= 0) style->join = (bat_join)word;
+        return word >= 0;
+    default:
+        if ((word = choose(value, rules, 2)) >= 0) style->even_odd = word == 1;
+        return word >= 0;
+    }
+}
+
+bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, bat_svg_name name,
+                       const char *value, const char *source) {
+    if (name > BAT_SVG_MARKER) return name == BAT_SVG_IDLE;
+    while (is_space(*value)) value++, source++;
+    if (strcmp(value, "inherit") == 0) {
+        inherit(style, parent, name);
+        return true;
+    }
+    switch (name) {
+    case BAT_SVG_COLOUR: return bat_svg_colour(value, &style->colour);
+    case BAT_SVG_FILL: return set_paint(&style->fill, value, source);
+    case BAT_SVG_STROKE: return set_paint(&style->stroke, value, source);
+    case BAT_SVG_STOP_COLOUR: return set_paint(&style->stop, value, source);
+    case BAT_SVG_FILL_OPACITY: return set_share(&style->fill_opacity, value);
+    case BAT_SVG_STROKE_OPACITY: return set_share(&style->stroke_opacity, value);
+    case BAT_SVG_STOP_OPACITY: return set_share(&style->stop_opacity, value);
+    case BAT_SVG_OPACITY: return set_share(&style->opacity, value);
+    case BAT_SVG_WIDTH: return set_length(&style->width, value, diagonal, 0);
+    case BAT_SVG_MITER: return set_length(&style->miter_limit, value, 0, 1);
+    case BAT_SVG_CAP:
+    case BAT_SVG_JOIN:
+    case BAT_SVG_RULE: return set_word(style, name, value);
+    case BAT_SVG_VISIBILITY: style->visible = strcmp(value, "visible") == 0; return true;
+    case BAT_SVG_DISPLAY: style->shown = strcmp(value, "none") != 0; return true;
+    default: set_odd(style, name, value); return true;
     }
 }
 
@@ -218,16 +201,23 @@ void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *paren
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
         const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
-        char name[24], value[160]; /* what is longer is none of ours */
-        if (colon && copy_trimmed(at, colon, name, sizeof name) &&
-            copy_trimmed(colon + 1, stop, value, sizeof value)) {
+        char name[32], value[160]; /* what is longer is none of ours */
+        bool named = colon && copy_trimmed(at, colon, name, sizeof name);
+        bool known = !colon || (named && name[0] == '-'); /* neither is of any effect here */
+        bool marked = false;
+        if (named && copy_trimmed(colon + 1, stop, value, sizeof value)) {
+            const char *source = colon + 1;
+            while (is_space(*source)) source++;
             char *mark = strchr(value, '!');
+            marked = mark != NULL;
             if (mark) {
                 while (mark > value && is_space(mark[-1])) mark--;
                 *mark = '\0';
             }
-            if ((mark != NULL) == important) bat_svg_style_set(style, parent, diagonal, name, value);
+            known = marked != important ||
+                    bat_svg_style_set(style, parent, diagonal, bat_svg_name_of(name), value, source);
         }
+        if (!known) style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
         at = stop < end ? stop + 1 : end;
     }
 }

@@ -2,13 +2,15 @@
 #ifndef BATTEN_FORMAT_SVG_STYLE_H
 #define BATTEN_FORMAT_SVG_STYLE_H
 
+#include "format/svg/names.h"
+
 #include <batten/document.h>
 
 typedef struct bat_svg_paint {
     enum { BAT_PAINT_NONE, BAT_PAINT_COLOUR, BAT_PAINT_CURRENT } kind;
     uint32_t colour;
-    bool server; /* a gradient or pattern stood here; kind is its fallback */
-    bool bare;   /* ... and it had none */
+    const char *server; /* what stood in url(), where it was read; NULL: nothing. kind is its fallback */
+    bool bare;          /* ... and it had none */
 } bat_svg_paint;
 
 typedef struct bat_svg_style {
@@ -20,10 +22,13 @@ typedef struct bat_svg_style {
     double miter_limit;
     bat_cap cap;
     bat_join join;
-    bool even_odd, visible, marked;
+    bool even_odd, visible;
+    uint32_t odd; /* BAT_SVG_BIT of the odd properties that are set; some are handed down */
     /* of the element alone */
     double opacity;
-    bool shown, clipped, filtered, fixed_width;
+    bool shown;
+    bat_svg_paint stop; /* of a gradient */
+    double stop_opacity;
 } bat_svg_style;
 
 bool bat_svg_colour(const char *text, uint32_t *colour); /* 0xRRGGBBAA */
@@ -32,11 +37,11 @@ bool bat_svg_colour(const char *text, uint32_t *colour); /* 0xRRGGBBAA */
 bat_svg_style bat_svg_style_initial(void);
 /* The style that a child of an element with this style begins with. */
 bat_svg_style bat_svg_style_child(const bat_svg_style *parent);
-/* One property; unknown names and values that do not parse change nothing. diagonal: what stroke-width's %
- * refer to. */
-void bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, const char *name,
-                       const char *value);
-/* Declarations "name: value; ...", those that are !important or those that are not. */
+/* One property; what is no property, and values that do not parse, change nothing, and it is false. diagonal: what
+ * stroke-width's % refer to. source: where the value stands and stays; it may go on there. */
+bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, bat_svg_name name,
+                       const char *value, const char *source);
+/* Declarations "name: value; ...", those that are !important or those that are not; text stays. */
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important);
 
@@ -47,10 +52,10 @@ typedef struct bat_svg_rule {
 } bat_svg_rule;
 
 typedef struct bat_svg_sheet {
-    char *text;          /* without comments; owned */
+    char *text;          /* without comments, a zero behind it; owned */
     bat_svg_rule *rules; /* ascending weight, then order */
     size_t count;
-    size_t left_out; /* rules with selectors that are not known */
+    int blocks; /* "{ ... }" and what begins with "@" */
 } bat_svg_sheet;
 
 enum { BAT_SVG_RULES_MAX = 20000 };

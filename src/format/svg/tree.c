@@ -3,48 +3,61 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct {
+typedef struct sort {
     const char *name;
     bat_svg_kind kind;
-} kinds[] = {
-    {"path", BAT_SVG_SHAPE},
-    {"g", BAT_SVG_GROUP},
-    {"rect", BAT_SVG_SHAPE},
-    {"circle", BAT_SVG_SHAPE},
-    {"ellipse", BAT_SVG_SHAPE},
-    {"line", BAT_SVG_SHAPE},
-    {"polyline", BAT_SVG_SHAPE},
-    {"polygon", BAT_SVG_SHAPE},
-    {"svg", BAT_SVG_ROOT},
-    {"a", BAT_SVG_GROUP},
-    {"switch", BAT_SVG_SWITCH},
-    {"symbol", BAT_SVG_SYMBOL},
-    {"use", BAT_SVG_USE},
-    {"text", BAT_SVG_TEXT},
-    {"image", BAT_SVG_IMAGE},
-    {"foreignObject", BAT_SVG_OTHER},
-    {"animate", BAT_SVG_OTHER},
-    {"animateTransform", BAT_SVG_OTHER},
-    {"animateMotion", BAT_SVG_OTHER},
-    {"set", BAT_SVG_OTHER},
-    {"video", BAT_SVG_OTHER},
-    {"iframe", BAT_SVG_OTHER},
-    {"canvas", BAT_SVG_OTHER},
-    {"audio", BAT_SVG_OTHER},
-    {"defs", BAT_SVG_NEVER},
-    {"linearGradient", BAT_SVG_NEVER},
-    {"radialGradient", BAT_SVG_NEVER},
-    {"pattern", BAT_SVG_NEVER},
-    {"clipPath", BAT_SVG_NEVER},
-    {"mask", BAT_SVG_NEVER},
-    {"marker", BAT_SVG_NEVER},
-    {"filter", BAT_SVG_NEVER},
-    {"stop", BAT_SVG_NEVER},
-    {"title", BAT_SVG_NEVER},
-    {"desc", BAT_SVG_NEVER},
-    {"script", BAT_SVG_NEVER},
-    {"metadata", BAT_SVG_METADATA},
-    {"style", BAT_SVG_STYLE},
+    bat_loss loss; /* of the element as such */
+} sort;
+
+static const sort sorts[] = {
+    {"path", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"g", BAT_SVG_GROUP, BAT_LOSS_COUNT},
+    {"rect", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"circle", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"ellipse", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"line", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"polyline", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"polygon", BAT_SVG_SHAPE, BAT_LOSS_COUNT},
+    {"svg", BAT_SVG_ROOT, BAT_LOSS_COUNT},
+    {"a", BAT_SVG_GROUP, BAT_LOSS_COUNT},
+    {"switch", BAT_SVG_SWITCH, BAT_LOSS_SWITCH},
+    {"symbol", BAT_SVG_SYMBOL, BAT_LOSS_UNUSED},
+    {"use", BAT_SVG_USE, BAT_LOSS_COPY},
+    {"text", BAT_SVG_TEXT, BAT_LOSS_TEXT},
+    {"image", BAT_SVG_IMAGE, BAT_LOSS_COUNT},
+    {"foreignObject", BAT_SVG_OTHER, BAT_LOSS_EMBEDDED},
+    {"animate", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"animateTransform", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"animateMotion", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"set", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"video", BAT_SVG_OTHER, BAT_LOSS_EMBEDDED},
+    {"iframe", BAT_SVG_OTHER, BAT_LOSS_EMBEDDED},
+    {"canvas", BAT_SVG_OTHER, BAT_LOSS_EMBEDDED},
+    {"audio", BAT_SVG_OTHER, BAT_LOSS_EMBEDDED},
+    {"animateColor", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"discard", BAT_SVG_OTHER, BAT_LOSS_ANIMATION},
+    {"flowRoot", BAT_SVG_TEXT, BAT_LOSS_TEXT},
+    {"defs", BAT_SVG_DEFS, BAT_LOSS_COUNT},
+    {"linearGradient", BAT_SVG_GRADIENT, BAT_LOSS_UNUSED},
+    {"radialGradient", BAT_SVG_GRADIENT, BAT_LOSS_UNUSED},
+    {"pattern", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"clipPath", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"mask", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"marker", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"filter", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"stop", BAT_SVG_STOP, BAT_LOSS_COUNT},
+    {"meshgradient", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"hatch", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"solidcolor", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"view", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"cursor", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"font", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"color-profile", BAT_SVG_NEVER, BAT_LOSS_UNUSED},
+    {"title", BAT_SVG_NEVER, BAT_LOSS_TITLE},
+    {"desc", BAT_SVG_NEVER, BAT_LOSS_TITLE},
+    {"script", BAT_SVG_NEVER, BAT_LOSS_SCRIPT},
+    {"metadata", BAT_SVG_METADATA, BAT_LOSS_METADATA},
+    {"style", BAT_SVG_STYLE, BAT_LOSS_COUNT},
 };
 
 /* Remembers which prefixes stand for SVG and for Batten's own namespace. */
@@ -63,22 +76,24 @@ static bool prefix_is(const char *name, size_t length, const char *prefix) {
 }
 
 /* *local: the name behind its prefix. */
-static bat_svg_kind kind_of(const bat_svg_tree *tree, const char *name, const char **local) {
+static const sort *sort_of(const bat_svg_tree *tree, const char *name, const char **local) {
+    static const sort native = {"", BAT_SVG_NATIVE, BAT_LOSS_COUNT},
+                      foreign = {"", BAT_SVG_UNKNOWN, BAT_LOSS_FOREIGN},
+                      unknown = {"", BAT_SVG_UNKNOWN, BAT_LOSS_UNKNOWN},
+                      part = {"", BAT_SVG_NEVER, BAT_LOSS_COUNT}; /* of a filter: it belongs to SVG */
     const char *colon = strchr(name, ':');
     *local = colon ? colon + 1 : name;
     if (colon) {
         size_t length = (size_t)(colon - name);
         if (prefix_is(name, length, tree->native_prefix) && strcmp(*local, "document") == 0 &&
             tree->depth > 0 && tree->elements[tree->open[tree->depth - 1]].kind == BAT_SVG_METADATA)
-            return BAT_SVG_NATIVE;
+            return &native;
         if (!prefix_is(name, length, tree->drawing_prefix) && !prefix_is(name, length, "svg"))
-            return BAT_SVG_UNKNOWN;
+            return &foreign;
     }
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(kinds[i].name, *local) == 0) return kinds[i].kind;
-    /* The parts of filters are not drawn, and belong to SVG. */
-    return strncmp(*local, "fe", 2) == 0 && (*local)[2] >= 'A' && (*local)[2] <= 'Z' ? BAT_SVG_NEVER
-                                                                                     : BAT_SVG_UNKNOWN;
+    for (size_t i = 0; i < sizeof sorts / sizeof *sorts; i++)
+        if (strcmp(sorts[i].name, *local) == 0) return &sorts[i];
+    return strncmp(*local, "fe", 2) == 0 && (*local)[2] >= 'A' && (*local)[2] <= 'Z' ? &part : &unknown;
 }
 
 /* Where the string stands; check strings.failed at the end. */
@@ -122,8 +137,9 @@ bat_status bat_svg_tree_open(bat_svg_tree *tree, const char *name, const char *c
     note_prefixes(tree, attributes);
     bat_svg_element made = {.attributes = tree->attribute_count, .attribute_count = (uint32_t)count};
     const char *local;
-    made.kind = (uint8_t)kind_of(tree, name, &local);
-    if (made.kind == BAT_SVG_UNKNOWN) tree->foreign++;
+    const sort *found = sort_of(tree, name, &local);
+    made.kind = (uint8_t)found->kind;
+    made.loss = (uint8_t)found->loss;
     made.name = keep(tree, local);
     for (size_t i = 0; i < 2 * count; i++)
         tree->attributes[tree->attribute_count++] = keep(tree, attributes[i]);
@@ -204,6 +220,18 @@ uint32_t bat_svg_tree_find(const bat_svg_tree *tree, const char *id) {
     if (low == tree->id_count || strcmp(bat_svg_tree_attribute(tree, tree->ids[low], "id"), id) != 0)
         return 0;
     return tree->ids[low];
+}
+
+uint32_t bat_svg_tree_refer(const bat_svg_tree *tree, const char *text) {
+    char id[256];
+    size_t size;
+    while (*text && strchr(" \t\r\n\"'", *text)) text++;
+    if (*text++ != '#') return 0;
+    size = strcspn(text, " \t\r\n\"')");
+    if (size >= sizeof id) return 0;
+    memcpy(id, text, size);
+    id[size] = '\0';
+    return bat_svg_tree_find(tree, id);
 }
 
 void bat_svg_tree_free(bat_svg_tree *tree) {

@@ -4,6 +4,8 @@
 
 #include "text/text.h"
 
+#include <batten/format.h>
+
 enum { BAT_SVG_DEPTH = 256, BAT_SVG_ELEMENTS_MAX = 1 << 22 };
 
 #define BAT_SVG_NAMESPACE "http://www.w3.org/2000/svg"
@@ -20,7 +22,10 @@ typedef enum bat_svg_kind {
     BAT_SVG_TEXT,
     BAT_SVG_IMAGE,
     BAT_SVG_OTHER, /* drawn or moving, and not supported */
-    BAT_SVG_NEVER, /* defs, gradients, clipPath, ...: not drawn where they stand */
+    BAT_SVG_NEVER, /* clipPath, title, ...: not drawn where they stand */
+    BAT_SVG_DEFS,
+    BAT_SVG_GRADIENT, /* linear or radial */
+    BAT_SVG_STOP,
     BAT_SVG_METADATA,
     BAT_SVG_STYLE,
     BAT_SVG_NATIVE /* Batten's own document, in the metadata */
@@ -32,6 +37,7 @@ typedef struct bat_svg_element {
     uint32_t attributes, attribute_count;
     uint32_t parent, first, next;
     uint8_t kind;
+    uint8_t loss; /* bat_loss of the element as such; BAT_LOSS_COUNT: none */
 } bat_svg_element;
 
 typedef struct bat_svg_tree {
@@ -44,7 +50,6 @@ typedef struct bat_svg_tree {
     int depth;
     uint32_t *ids; /* elements that have an id, sorted by it; after bat_svg_tree_index */
     uint32_t id_count;
-    uint32_t foreign; /* elements of kind BAT_SVG_UNKNOWN */
     char drawing_prefix[16], native_prefix[16];
 } bat_svg_tree;
 
@@ -58,5 +63,7 @@ const char *bat_svg_tree_name(const bat_svg_tree *tree, uint32_t element);
 const char *bat_svg_tree_attribute(const bat_svg_tree *tree, uint32_t element,
                                    const char *name);                 /* or NULL */
 uint32_t bat_svg_tree_find(const bat_svg_tree *tree, const char *id); /* the first with this id, or 0 */
+/* What "#id" behind url( refers to; it may be in quotes, and the text go on behind it. 0: nothing here. */
+uint32_t bat_svg_tree_refer(const bat_svg_tree *tree, const char *text);
 
 #endif

@@ -1,0 +1,125 @@
+#include "format/svg/notes.h"
+
+#include "format/svg/svg.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Kinds from BAT_LOSS_RULE on are of the whole file, and leave room for these bits. */
+#define REFERRED (1u << 31)
+#define DRAWN (1u << 30)
+_Static_assert(BAT_LOSS_RULE <= 30, "a bit a kind");
+
+static void refer(bat_svg_notes *notes, uint32_t element) {
+    if (element) notes->seen[element] |= REFERRED;
+}
+
+/* Marks what the url()s of a text lead to. */
+static void refer_all(bat_svg_notes *notes, const char *text) {
+    while ((text = strstr(text, "url("))) {
+        text += 4;
+        refer(notes, bat_svg_tree_refer(notes->tree, text));
+    }
+}
+
+/* Path data hold no reference, and are most of a file. */
+static void refer_attributes(bat_svg_notes *notes) {
+    const bat_svg_tree *tree = notes->tree;
+    for (uint32_t i = 0; i < tree->attribute_count; i += 2) {
+        const char *name = tree->strings.data + tree->attributes[i],
+                   *value = tree->strings.data + tree->attributes[i + 1];
+        size_t size = strlen(name);
+        if (size >= 4 && strcmp(name + size - 4, "href") == 0)
+            refer(notes, bat_svg_tree_refer(tree, value));
+        else if (size > 1)
+            refer_all(notes, value);
+    }
+}
+
+bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, const bat_svg_sheet *sheet,
+                               bat_losses *lost) {
+    *notes = (bat_svg_notes){
+        .tree = tree, .lost = lost, .seen = calloc(tree->count + 1, sizeof *notes->seen)};
+    if (!notes->seen) return BAT_MEMORY;
+    refer_attributes(notes);
+    if (sheet->text) refer_all(notes, sheet->text);
+    lost->count[BAT_LOSS_RULE] = sheet->blocks;
+    return BAT_OK;
+}
+
+void bat_svg_notes_free(bat_svg_notes *notes) { free(notes->seen); }
+
+void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind) {
+    if (kind >= BAT_LOSS_RULE || notes->seen[element] & 1u << kind) return;
+    notes->seen[element] |= 1u << kind;
+    notes->lost->count[kind]++;
+}
+
+void bat_svg_note_odd(bat_svg_notes *notes, uint32_t element, uint32_t odd, uint32_t mask) {
+    odd &= mask;
+    for (int bit = 0; odd; bit++, odd >>= 1)
+        if (odd & 1) bat_svg_note(notes, element, bat_svg_odd_loss(bit));
+}
+
+bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element) {
+    bool first = !(notes->seen[element] & DRAWN);
+    notes->seen[element] |= DRAWN;
+    return first;
+}
+
+/* It, or something in it. What is in an element follows it at once, and has no parent before it. */
+static bool is_referred(const bat_svg_notes *notes, uint32_t element) {
+    const bat_svg_tree *tree = notes->tree;
+    for (uint32_t i = element; i < tree->count && (i == element || tree->elements[i].parent >= element); i++)
+        if (notes->seen[i] & REFERRED) return true;
+    return false;
+}
+
+/* Something else than Batten's own document. */
+static bool is_foreign(const bat_svg_tree *tree, uint32_t metadata) {
+    for (uint32_t at = tree->elements[metadata].first; at; at = tree->elements[at].next)
+        if (tree->elements[at].kind != BAT_SVG_NATIVE) return true;
+    return false;
+}
+
+void bat_svg_note_undrawn(bat_svg_notes *notes, uint32_t element) {
+    const bat_svg_element *e = &notes->tree->elements[element];
+    bat_loss loss = (bat_loss)e->loss;
+    if (!bat_svg_note_once(notes, element)) return;
+    if (e->kind == BAT_SVG_DEFS) {
+        for (uint32_t at = e->first; at; at = notes->tree->elements[at].next) {
+            bat_svg_kind kind = (bat_svg_kind)notes->tree->elements[at].kind;
+            bool drawn = kind > BAT_SVG_UNKNOWN && kind < BAT_SVG_NEVER;
+            if (!drawn)
+                bat_svg_note_undrawn(notes, at);
+            else if (!is_referred(notes, at))
+                bat_svg_note(notes, at, BAT_LOSS_UNUSED);
+        }
+        return;
+    }
+    if (loss == BAT_LOSS_UNUSED && is_referred(notes, element)) return;
+    if (loss == BAT_LOSS_METADATA && !is_foreign(notes->tree, element)) return;
+    bat_svg_note(notes, element, loss);
+}
+
+void bat_svg_note_inside(bat_svg_notes *notes, uint32_t element) {
+    for (uint32_t at = notes->tree->elements[element].first; at; at = notes->tree->elements[at].next)
+        bat_svg_note_undrawn(notes, at);
+}
+
+void bat_svg_note_page(bat_svg_notes *notes, const double page[4]) {
+    static const char *const names[] = {"width", "height"};
+    const char *ratio = bat_svg_tree_attribute(notes->tree, 1, "preserveAspectRatio");
+    bool other = ratio && strncmp(ratio, "xMidYMid", 8) != 0;
+    for (int i = 0; i < 2; i++) {
+        const char *text = bat_svg_tree_attribute(notes->tree, 1, names[i]);
+        double value, number;
+        if (!text || strcmp(text, "100%") == 0 || !bat_svg_length(text, 0, &value)) continue;
+        const char *unit = bat_number_scan(text, text + strlen(text), &number);
+        bool plain = unit && (!*unit || strcmp(unit, "px") == 0);
+        other = other || !plain || !(fabs(value - page[2 + i]) <= 1e-9 * fabs(value));
+    }
+    if (other) notes->lost->count[BAT_LOSS_PAGE] = 1;
+}
