@@ -17,7 +17,7 @@ static void check(bat_picture *picture) {
     for (int k = 0; k < 2; k++)
         if (!(sides[k] >= 1 && sides[k] <= BAT_PICTURE_SIDE)) abort();
     bat_base64_write(&text, bytes, size);
-    if (bat_base64_picture(text.data, text.size, &again) != BAT_OK) abort();
+    if (bat_picture_from_base64(text.data, text.size, &again) != BAT_OK) abort();
     const void *read = bat_picture_bytes(again, &back);
     if (back != size || memcmp(bytes, read, size) != 0) abort();
     if (bat_picture_digest(picture) != bat_picture_digest(again)) abort();
@@ -29,6 +29,6 @@ static void check(bat_picture *picture) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_picture *picture = NULL;
     if (bat_picture_create(data, size, &picture) == BAT_OK) check(picture);
-    if (bat_base64_picture((const char *)data, size, &picture) == BAT_OK) check(picture);
+    if (bat_picture_from_base64((const char *)data, size, &picture) == BAT_OK) check(picture);
     return 0;
 }

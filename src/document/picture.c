@@ -1,3 +1,4 @@
+#include "text/base64.h"
 #include "document/picture.h"
 
 #include "document/digest.h"
@@ -86,4 +87,14 @@ void bat_pictures_drop(bat_pictures *pictures) {
     bat_picture *last = pictures->list[--pictures->count];
     pictures->size -= last->size;
     bat_picture_release(last);
+}
+
+bat_status bat_picture_from_base64(const char *text, size_t size, bat_picture **out) {
+    unsigned char *bytes = malloc(size / 4 * 3 + 3);
+    size_t made;
+    if (!bytes) return BAT_MEMORY;
+    bat_status status = bat_base64_read(text, size, bytes, &made);
+    if (status == BAT_OK) status = bat_picture_create(bytes, made, out);
+    free(bytes);
+    return status;
 }

@@ -23,4 +23,8 @@ const bat_picture *bat_pictures_find(const bat_pictures *pictures, uint64_t dige
 bat_status bat_pictures_add(bat_pictures *pictures, const bat_picture *picture);
 void bat_pictures_drop(bat_pictures *pictures); /* the one added last */
 
+/* The picture that the text holds; white space is passed over, as in data URIs of many lines. BAT_SYNTAX: it is not
+ * base 64, or not padded; else what bat_picture_create says. */
+bat_status bat_picture_from_base64(const char *text, size_t size, bat_picture **out);
+
 #endif

@@ -27,8 +27,7 @@ static int value_of(char c) {
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/* into: room for 3/4 of the size. */
-static bat_status decode(const char *text, size_t size, unsigned char *into, size_t *made) {
+bat_status bat_base64_read(const char *text, size_t size, unsigned char *into, size_t *made) {
     uint32_t bits = 0;
     size_t digits = 0, padding = 0;
     *made = 0;
@@ -49,14 +48,4 @@ static bat_status decode(const char *text, size_t size, unsigned char *into, siz
     if (digits % 4 > 1) into[(*made)++] = (unsigned char)(bits >> (digits % 4 == 2 ? 4 : 10));
     if (digits % 4 > 2) into[(*made)++] = (unsigned char)(bits >> 2);
     return BAT_OK;
-}
-
-bat_status bat_base64_picture(const char *text, size_t size, bat_picture **out) {
-    unsigned char *bytes = malloc(size / 4 * 3 + 3);
-    size_t made;
-    if (!bytes) return BAT_MEMORY;
-    bat_status status = decode(text, size, bytes, &made);
-    if (status == BAT_OK) status = bat_picture_create(bytes, made, out);
-    free(bytes);
-    return status;
 }

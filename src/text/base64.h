@@ -2,12 +2,10 @@
 #ifndef BATTEN_TEXT_BASE64_H
 #define BATTEN_TEXT_BASE64_H
 
-#include "document/picture.h"
 #include "text/text.h"
 
+/* White space is passed over. into: room for 3/4 of the size, and 3. BAT_SYNTAX: it is none. */
+bat_status bat_base64_read(const char *text, size_t size, unsigned char *into, size_t *made);
 void bat_base64_write(bat_text *text, const void *bytes, size_t size);
-/* The picture that the text holds; white space is passed over, as in data URIs of many lines. BAT_SYNTAX: it is not
- * base 64, or not padded; else what bat_picture_create says. */
-bat_status bat_base64_picture(const char *text, size_t size, bat_picture **out);
 
 #endif

@@ -104,15 +104,15 @@ static void base_64(void **unused) {
         memset(b + size, 0xfb, more);
         bat_base64_write(&text, b, size + more);
         bat_text_add(&text, "", 1);
-        assert_int_equal(bat_base64_picture(text.data, text.size - 1, &picture), BAT_OK);
+        assert_int_equal(bat_picture_from_base64(text.data, text.size - 1, &picture), BAT_OK);
         size_t back;
         assert_memory_equal(bat_picture_bytes(picture, &back), b, size + more);
         assert_int_equal(back, size + more);
         bat_picture_release(picture);
         for (size_t cut = 1; cut < 4; cut++)
-            assert_int_equal(bat_base64_picture(text.data, text.size - 1 - cut, &picture), BAT_SYNTAX);
+            assert_int_equal(bat_picture_from_base64(text.data, text.size - 1 - cut, &picture), BAT_SYNTAX);
         text.data[5] = '*';
-        assert_int_equal(bat_base64_picture(text.data, text.size - 1, &picture), BAT_SYNTAX);
+        assert_int_equal(bat_picture_from_base64(text.data, text.size - 1, &picture), BAT_SYNTAX);
         bat_text_free(&text);
     }
 }

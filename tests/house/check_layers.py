@@ -20,7 +20,7 @@ ROOMS = [
     "editor/commands", "editor/panels", "editor",
 ]
 # Rooms side by side, that do not see each other.
-APART = [{"hands/sketch", "hands/tangents"}, {"format/native", "format/svg"},
+APART = [{"hands/sketch", "hands/tangents"},
          {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/sketch", "editor/tools/tangents",
           "editor/tools/levels"}]
 # Rooms in which files do not see each other either; but for the headers named here, which are for all of them.

@@ -1,5 +1,5 @@
 /* Commands that the host carries out: it is asked with the next frame. */
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/clipboard.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"

@@ -1,5 +1,5 @@
 /* Commands that cut and mend the selected curves. */
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"

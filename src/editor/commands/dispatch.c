@@ -1,6 +1,6 @@
 /* The dispatcher: what each command of the table does. */
 #include "editor/commands/dispatch.h"
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/session/session.h"
 #include "editor/tables/keys.h"
 #include "editor/tools/toolbox.h"

@@ -1,6 +1,6 @@
 /* Undo and redo. */
 #include "editor/choice/choice.h"
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"

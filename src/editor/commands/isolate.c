@@ -1,6 +1,6 @@
 /* The command "isolate". */
 #include "editor/choice/choice.h"
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/input/input.h"
 #include "editor/pick/pick.h"

@@ -1,12 +1,11 @@
 /* Layers: the active one takes new curves; names, eyes and locks of all objects. */
 #include "document/nesting.h"
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
-#include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -230,49 +229,4 @@ bat_status bat_choice_select(bat_context *c, bat_id id, bool add) {
     bat_status status = id ? bat_selection_add(&c->choice->selection, id) : BAT_OK;
     bat_selection_prune(&c->choice->selection, c->session->document);
     return status;
-}
-
-const char *bat_panel_layers(bat_context *c) {
-    const bat_document *document = c->session->document;
-    bat_text text = {0};
-    int loose = 0, layers = 0;
-    bat_nesting nesting = {0};
-    bat_text_string(&text, "{\"layers\":[");
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_nesting_next(&nesting, object, NULL);
-        if (bat_object_kind(object) != BAT_KIND_LAYER) {
-            loose += !bat_object_parent(object);
-            continue;
-        }
-        int members = 0;
-        for (int k = i + 1; k < bat_document_end(document, i); k++)
-            members += !bat_object_is_group(bat_document_at(document, k));
-        bat_text_string(&text, layers++ ? ",{\"id\":" : "{\"id\":");
-        bat_text_integer(&text, bat_object_id(object));
-        bat_text_string(&text, ",\"name\":");
-        bat_text_json_string(&text, bat_object_name(object));
-        bat_text_string(&text, bat_object_hidden(object) ? ",\"hidden\":true" : ",\"hidden\":false");
-        bat_text_string(&text, bat_object_locked(object) ? ",\"locked\":true" : ",\"locked\":false");
-        bat_text_string(&text, ",\"depth\":");
-        bat_text_integer(&text, (uint64_t)(nesting.depth - 1));
-        bat_text_string(&text, ",\"members\":");
-        bat_text_integer(&text, (uint64_t)members);
-        bat_text_string(&text, "}");
-    }
-    bat_text_string(&text, "],\"active\":");
-    bat_text_integer(&text, c->choice->layer);
-    bat_text_string(&text, ",\"loose\":");
-    bat_text_integer(&text, (uint64_t)loose);
-    bat_text_string(&text, ",\"pictures\":");
-    bat_text_integer(&text, (uint64_t)bat_tracing_count(document));
-    bat_text_string(&text, "}");
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(c->panels->layers);
-    c->panels->layers = text.data;
-    return c->panels->layers;
 }

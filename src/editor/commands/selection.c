@@ -1,4 +1,4 @@
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"

@@ -1,5 +1,5 @@
 /* Presets of the style: hairline, pen, marker, filled shape. */
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/style.h"
 #include "editor/session/notice.h"
 

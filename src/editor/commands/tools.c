@@ -1,6 +1,6 @@
 /* Commands that choose a tool, and those that the tool in force carries out. */
 #include "editor/choice/choice.h"
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/session/notice.h"
 #include "editor/tools/toolbox.h"

@@ -1,5 +1,5 @@
 /* Commands that change what is seen, not what is drawn. */
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/input/input.h"
 #include "editor/scene/stage.h"
 #include "editor/session/notice.h"

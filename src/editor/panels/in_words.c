@@ -226,7 +226,7 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
     double at[2];
     if (!object || !place_of(object, point, at)) return BAT_ARGUMENT;
     bool spline = bat_object_spline(object) != NULL;
-    bat_tool_id tool = spline ? BAT_TOOL_TANGENTS : BAT_TOOL_POINTS;
+    bat_tool_id tool = bat_tool_that(spline ? BAT_EDITS_SPLINES : BAT_EDITS_POINTS);
     bat_range_end(c);
     bat_status status = c->choice->tool == tool ? BAT_OK
                                                 : bat_command_run(c, bat_tool_at(tool)->command, true);

@@ -339,7 +339,7 @@ bat_status bat_picture_from_json(const bat_json *json, uint32_t node, bat_pictur
         return bat_json_complain(json, named ? named : node, BAT_SYNTAX, "picture", "16 hexadecimal digits",
                                  problem);
     if (!text) return bat_json_complain(json, data ? data : node, BAT_SYNTAX, "data", "a text", problem);
-    bat_status status = bat_base64_picture(text, strlen(text), &picture);
+    bat_status status = bat_picture_from_base64(text, strlen(text), &picture);
     if (status == BAT_OK && bat_picture_digest(picture) != digest) status = BAT_ARGUMENT;
     if (status == BAT_OK) status = bat_pictures_add(pictures, picture);
     bat_picture_release(picture);

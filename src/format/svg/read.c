@@ -553,7 +553,7 @@ static bat_picture *find_picture(walk *w, uint32_t element) {
     const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
     bat_picture *picture = NULL;
     if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
-    bat_status status = bat_base64_picture(data + 1, strlen(data + 1), &picture);
+    bat_status status = bat_picture_from_base64(data + 1, strlen(data + 1), &picture);
     if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
     if (status == BAT_MEMORY) w->status = status;
     if (status == BAT_OK) return picture;

@@ -105,3 +105,11 @@ uint32_t bat_leveling_version(bat_context *c) {
     }
     return l->version;
 }
+
+bool bat_apart_drop(bat_context *c) {
+    bat_leveling *l = bat_leveling_of(c);
+    bool any = l->apart != NULL;
+    bat_shape_free(l->apart);
+    l->apart = NULL;
+    return any;
+}

@@ -57,6 +57,8 @@ uint32_t bat_leveling_version(bat_context *c);
 
 /* Taking apart: the preview anew, dropped (false: there was none), made so. */
 bat_status bat_apart_make(bat_context *c);
+/* As many points as are left when every other knot goes, `levels` times; no fewer than a base has. */
+int bat_apart_halved(const bat_curve *curve, int levels);
 bool bat_apart_drop(bat_context *c);
 bool bat_apart_accept(bat_context *c);
 /* Properties of levels: what follows from a new value; what FRAME_RULE is. */

@@ -685,8 +685,17 @@ static void end(void *state) {
     bat_meaning_end(&s->meaning);
 }
 
+/* What would be redrawn. */
+static bool focus(const bat_context *c, const void *state, bat_focus *out) {
+    const bat_sketching *s = state;
+    (void)c;
+    *out = (bat_focus){.object = s->pick.object, .curve = s->pick.curve};
+    return s->pick.object != 0;
+}
+
 const bat_tool *bat_tool_sketch(void) {
-    static const bat_tool tool = {.size = sizeof(bat_sketching),
+    static const bat_tool tool = {.focus = focus,
+                                  .size = sizeof(bat_sketching),
                                   .end = end,
                                   .trace = trace,
                                   .lift = lift,

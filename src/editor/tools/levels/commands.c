@@ -1,8 +1,7 @@
 /* Commands and properties of levels: taking a curve apart, adding a level, stepping, copying, flattening, the
  * frame rule. They act on the curve chosen in the levels tool, or else on what is selected. */
-#include "editor/commands/commands.h"
+#include "editor/tables/commands.h"
 #include "editor/choice/choice.h"
-#include "editor/commands/dispatch.h"
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
 #include "editor/session/context.h"
@@ -14,13 +13,13 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/edit/curves_of.h"
-#include "editor/tools/sketch/sketching.h"
 #include <math.h>
 #include <stdio.h>
 
 /* The chosen curve, seen in its tool. */
 static const bat_curve *chosen(bat_context *c) {
-    if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS)) bat_command_do(c, "tool-levels");
+    if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS))
+        bat_toolbox_choose(c, bat_tool_that(BAT_EDITS_LEVELS));
     bat_leveling_settle(c);
     const bat_curve *curve = bat_leveling_curve(c);
     if (!curve) bat_notice(c, BAT_STRING_NOTICE_CHOOSE_CURVE);
@@ -37,67 +36,16 @@ static bat_status told(bat_context *c, bat_status status, bat_string why) {
 
 /* ---- taking apart ---- */
 
-/* The fewest points that a base has. */
-static int least(const bat_curve *curve) { return bat_curve_closed(curve) ? 3 : bat_curve_degree(curve) + 1; }
-
-/* As many as are left when every other knot goes, `levels` times. */
-static int halved(const bat_curve *curve, int levels) {
-    int fixed = bat_curve_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_curve_count(curve);
-    for (; levels > 0; levels--) count = (count - fixed) / 2 + fixed;
-    return count < least(curve) ? least(curve) : count;
-}
-
-static double within(double value, double low, double high) {
-    return fmin(fmax(floor(value + 0.5), low), high);
-}
-
-bat_status bat_apart_make(bat_context *c) {
-    bat_leveling *l = bat_leveling_of(c);
-    const bat_curve *curve = bat_leveling_curve(c);
-    double *levels = &c->settings->values[BAT_PROPERTY_APART_LEVELS],
-           *points = &c->settings->values[BAT_PROPERTY_APART_POINTS];
-    int count = bat_curve_count(curve), few = least(curve);
-    if (count <= few) return BAT_COUNT;
-    *levels = within(*levels, 1, fmin(BAT_LEVELS_MAX, count - few));
-    *points = within(*points, few, count - *levels);
-    bat_shape *shape = NULL;
-    bat_status status = bat_shape_decompose_to(curve, (int)*levels, (int)*points, NULL, &shape);
-    if (status != BAT_OK) return status;
-    bat_apart_drop(c);
-    l->apart = shape;
-    l->apart_revision = c->session->revision;
-    return BAT_OK;
-}
-
-bool bat_apart_drop(bat_context *c) {
-    bat_leveling *l = bat_leveling_of(c);
-    bool any = l->apart != NULL;
-    bat_shape_free(l->apart);
-    l->apart = NULL;
-    return any;
-}
-
-bool bat_apart_accept(bat_context *c) {
-    bat_leveling *l = bat_leveling_of(c);
-    bat_shape *shape = l->apart;
-    if (!shape) return false;
-    l->apart = NULL;
-    bat_status status = bat_leveling_commit(c, shape, BAT_STRING_STEP_APART);
-    if (status == BAT_OK) l->level = 0, l->chosen = -1;
-    told(c, status, BAT_STRING_NOTICE_FAILED);
-    return true;
-}
-
 bat_status bat_command_take_apart(bat_context *c, bat_command_id id) {
     (void)id;
     const bat_curve *curve = chosen(c);
     if (!curve) return BAT_STATE;
     int levels = 1;
-    while (levels < BAT_LEVELS_MAX && halved(curve, levels) > 12 &&
-           halved(curve, levels + 1) < halved(curve, levels))
+    while (levels < BAT_LEVELS_MAX && bat_apart_halved(curve, levels) > 12 &&
+           bat_apart_halved(curve, levels + 1) < bat_apart_halved(curve, levels))
         levels++;
     c->settings->values[BAT_PROPERTY_APART_LEVELS] = levels;
-    c->settings->values[BAT_PROPERTY_APART_POINTS] = halved(curve, levels);
+    c->settings->values[BAT_PROPERTY_APART_POINTS] = bat_apart_halved(curve, levels);
     bat_leveling_of(c)->copying = false;
     return told(c, bat_apart_make(c), BAT_STRING_NOTICE_FEW_POINTS);
 }
@@ -162,9 +110,10 @@ bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve) {
 /* In the levels tool, and in the sketch tool over the chosen curve; elsewhere the keys mean something else. */
 static bat_status step(bat_context *c, int direction) {
     bat_leveling *l = bat_leveling_of(c);
-    const bat_pick *pick = &bat_sketching_of(c)->pick;
-    bool over = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS && l->object && pick->object == l->object &&
-                pick->curve == l->curve;
+    const bat_slot *chosen_tool = bat_toolbox_chosen(c);
+    bat_focus pick = {0};
+    if (bat_toolbox_has(c, BAT_DRAWS)) chosen_tool->is->focus(c, chosen_tool->state, &pick);
+    bool over = l->object && pick.object == l->object && pick.curve == l->curve;
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS) && !over) return BAT_STATE;
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
@@ -208,6 +157,7 @@ bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value) {
     const bat_curve *curve = bat_leveling_curve(c);
     if (!bat_leveling_of(c)->apart || !curve) return BAT_OK;
     if (id == BAT_PROPERTY_APART_LEVELS)
-        c->settings->values[BAT_PROPERTY_APART_POINTS] = halved(curve, (int)within(value, 1, BAT_LEVELS_MAX));
+        c->settings->values[BAT_PROPERTY_APART_POINTS] = bat_apart_halved(
+            curve, (int)fmin(fmax(floor(value + 0.5), 1), BAT_LEVELS_MAX));
     return told(c, bat_apart_make(c), BAT_STRING_NOTICE_FEW_POINTS);
 }

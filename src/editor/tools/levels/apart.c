@@ -1,0 +1,59 @@
+/* Taking a curve apart: the preview, made and accepted. */
+#include "editor/tables/commands.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/stroke.h"
+#include "editor/pick/pick.h"
+#include "editor/session/context.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/levels/state.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/edit/curves_of.h"
+#include <math.h>
+#include <stdio.h>
+
+/* The fewest points that a base has. */
+static int least(const bat_curve *curve) { return bat_curve_closed(curve) ? 3 : bat_curve_degree(curve) + 1; }
+
+/* As many as are left when every other knot goes, `levels` times. */
+int bat_apart_halved(const bat_curve *curve, int levels) {
+    int fixed = bat_curve_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_curve_count(curve);
+    for (; levels > 0; levels--) count = (count - fixed) / 2 + fixed;
+    return count < least(curve) ? least(curve) : count;
+}
+
+static double within(double value, double low, double high) {
+    return fmin(fmax(floor(value + 0.5), low), high);
+}
+
+bat_status bat_apart_make(bat_context *c) {
+    bat_leveling *l = bat_leveling_of(c);
+    const bat_curve *curve = bat_leveling_curve(c);
+    double *levels = &c->settings->values[BAT_PROPERTY_APART_LEVELS],
+           *points = &c->settings->values[BAT_PROPERTY_APART_POINTS];
+    int count = bat_curve_count(curve), few = least(curve);
+    if (count <= few) return BAT_COUNT;
+    *levels = within(*levels, 1, fmin(BAT_LEVELS_MAX, count - few));
+    *points = within(*points, few, count - *levels);
+    bat_shape *shape = NULL;
+    bat_status status = bat_shape_decompose_to(curve, (int)*levels, (int)*points, NULL, &shape);
+    if (status != BAT_OK) return status;
+    bat_apart_drop(c);
+    l->apart = shape;
+    l->apart_revision = c->session->revision;
+    return BAT_OK;
+}
+
+bool bat_apart_accept(bat_context *c) {
+    bat_leveling *l = bat_leveling_of(c);
+    bat_shape *shape = l->apart;
+    if (!shape) return false;
+    l->apart = NULL;
+    bat_status status = bat_leveling_commit(c, shape, BAT_STRING_STEP_APART);
+    if (status == BAT_OK) l->level = 0, l->chosen = -1;
+    if (status != BAT_OK) bat_notice_failure(c, status);
+    return true;
+}
