@@ -9,6 +9,7 @@
 #include <batten/levels.h>
 
 #include <stdlib.h>
+#include <string.h>
 
 static int print(const bat_shape *shape) {
     bat_text text = {0};
@@ -60,7 +61,10 @@ static int edit(const char *name, bat_shape *shape) {
     bat_problem problem = {.place = ""};
     bat_status status = bat_shape_edit(shape, data, size, &problem);
     free(data);
-    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+    if (status != BAT_OK) return fail_problem(name, status, &problem);
+    if (problem.message[0])
+        remark("%s: %s: %s", strcmp(name, "-") ? name : "standard input", problem.place, problem.message);
+    return EXIT_DONE;
 }
 
 static int run(const cli_arguments *arguments) {

@@ -31,7 +31,8 @@ BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *st
 /* One SPLINE of the tangents hand; its arrays lie in one block: bat_free(*block). */
 BAT_API bat_status bat_spline_read(const char *text, size_t size, bat_spline *spline, void **block,
                                    bat_problem *problem);
-/* One SHAPE of the levels hand, and EDITS of it, all made or none. */
+/* One SHAPE of the levels hand, and EDITS of it, all made or none. A sketch too short for its level is made as well as
+ * that can be; problem then says, with BAT_OK, by how much it is missed. */
 BAT_API bat_status bat_shape_read(const char *text, size_t size, bat_shape **out, bat_problem *problem);
 BAT_API bat_status bat_shape_write(const bat_shape *shape, char **text, size_t *size);
 BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_problem *problem);

@@ -16,7 +16,10 @@
 extern "C" {
 #endif
 
-enum { BAT_LEVELS_MAX = 24 };
+enum {
+    BAT_LEVELS_MAX = 24,
+    BAT_LEVEL_SPANS_LEAST = 3 /* a stroke over fewer spans of a level is not met there (math 3.6) */
+};
 
 typedef enum bat_node_rule {
     BAT_NODES_GREVILLE, /* second order */
@@ -89,11 +92,18 @@ BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, i
 BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
 /* A muted level shows nothing and cannot be edited; its gain is kept for when it sounds again. */
 BAT_API bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted);
-/* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level. */
+/* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level, in any order. Beyond the
+ * stroke, which covers an open curve from the first parameter to the last and a closed one but for the longest gap, C^level
+ * moves nowhere by more than the largest displacement asked for, beyond two of its spans by 6 % of that at most, and
+ * not at all beyond the supports of the basis functions that the stroke meets. */
 BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
                                     const double *targets);
 /* A pen stroke over C^level: cleaned and matched as the sketch hand does it. BAT_DOT, BAT_FAR (also a stroke
- * with a loop). options NULL: defaults. */
+ * with a loop). options NULL: defaults. report (may be NULL) says how many spans of the level the stroke covers, and
+ * how far it lies from C^level now, at most: over fewer than BAT_LEVEL_SPANS_LEAST spans that is much. */
+BAT_API bat_status bat_shape_redraw_level(bat_shape *shape, int level, const bat_stroke *stroke,
+                                          const bat_sketch_options *options, bat_sketch_report *report);
+/* The same without a report. */
 BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
                                            const bat_sketch_options *options);
 /* A pen stroke over the base, or over what it looks like, free: the base is redrawn as bat_sketch does it, its knots

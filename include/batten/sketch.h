@@ -43,6 +43,7 @@ typedef struct bat_sketch_report {
     bool reversed;         /* the stroke ran against the curve */
     bool extended[2];      /* that end of the open curve now ends with the stroke */
     bool replaced;         /* the whole curve was replaced */
+    double spans;          /* at a level of a shape: how many of its spans the stroke covers; else 0 */
 } bat_sketch_report;
 
 BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, width 3, corners not kept */
@@ -51,7 +52,9 @@ BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, 
  * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
  * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
  * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.
- * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides.
+ * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from
+ * the curve to be meant for it; of a closed curve it is enough that one end does, unless the stroke closes itself, for
+ * a closed curve has no end that the stroke could become.
  */
 BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke,
                               const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);

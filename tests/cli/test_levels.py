@@ -1,4 +1,5 @@
 """frames and levels: against chains of frames and syntheses written here anew, with scipy's B-splines."""
+import json
 import math
 import unittest
 
@@ -192,6 +193,26 @@ class Levels(ProgramTest):
         self.assertEqual(numpy.abs(change[:3]).max(), 0)  # what the stroke misses stays
         self.assertEqual(drawn["curves"][0], plain["curves"][0])
         self.assertGreater(numpy.abs(change).max(), 2)
+
+    def test_short_sketch_is_said(self):
+        base = {"degree": 3, "closed": False, "knots": [0, 0, 0, *range(12), 11, 11, 11],
+                "points": [[40 * i, 0] for i in range(14)]}
+        shape = self.file("s.json", {"base": base, "levels": []})
+        for width, short in ((60, True), (250, False)):
+            x = numpy.linspace(100, 100 + width, 120)
+            stroke = {"points": numpy.c_[x, 20 * numpy.sin((x - 100) / width * math.pi) ** 2].tolist()}
+            edits = self.file("e.json", [{"type": "sketch", "level": 0, "stroke": stroke}])
+            result = self.run_program("levels", shape, edits)
+            said = result.stderr.decode()
+            self.assertEqual(result.returncode, 0, said)
+            points = numpy.array(json.loads(result.stdout)["curves"][0]["points"])
+            if short:
+                self.assertRegex(said, r"e\.json: line 1, column 2: the stroke is short for level 0 \(1\.\d of its spans\): "
+                                       r"it is missed by \d+(\.\d)?\n$")
+                self.assertLess(float(said.split()[-1]), 20)
+            else:
+                self.assertEqual(said, "")
+            self.assertLess(numpy.abs(points[-3:, 1]).max(), 1e-9)
 
     def test_decompose(self):
         knots = [0, 0, 0, *range(38), 37, 37, 37]

@@ -396,6 +396,40 @@ static void a_level_is_redrawn(void **state) {
     bat_editor_free(editor);
 }
 
+/* Eight points span five spans, so a tenth of the curve is half a span of the base. Where the base was chosen it follows
+ * as well as it can, and how well is said; else a level is meant whose spans are shorter. */
+static void short_strokes_mean_finer_levels(void **state) {
+    (void)state;
+    for (int chosen = 0; chosen < 2; chosen++) {
+        pen p;
+        bat_editor *editor = apart_editor(&p);
+        bat_shape *before = NULL;
+        double from[2], to[2];
+        bat_shape_copy(shape_at(editor, 0), &before);
+        if (chosen)
+            assert_int_equal(bat_editor_level(editor, BAT_LEVEL_CHOOSE, 0, 0, true), BAT_OK);
+        else
+            bat_editor_command(editor, "deselect");
+        bat_editor_command(editor, "tool-sketch");
+        on_curve(editor, 0, 0.45, from);
+        on_curve(editor, 0, 0.55, to);
+        pen_line(&p, from[0], from[1], to[0], to[1], -25);
+        check(editor);
+        const bat_shape *after = shape_at(editor, 0);
+        bool base_stays = bat_curve_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0));
+        assert_true(base_stays != (bool)chosen);
+        const char *notice = bat_editor_frame(editor)->notice;
+        assert_true(!strncmp(notice, "A short stroke for this level: it follows within ", 49) ==
+                    (bool)chosen);
+        if (chosen) {
+            double px = strtod(notice + 49, NULL);
+            assert_true(px > 2 && px < 30);
+        }
+        bat_shape_free(before);
+        round_trip(editor, plain_digest(), 2);
+    }
+}
+
 static void rules_copies_and_flattening(void **state) {
     (void)state;
     pen p;
@@ -575,6 +609,7 @@ int main(void) {
         cmocka_unit_test(faders),
         cmocka_unit_test(keys_step_levels),
         cmocka_unit_test(a_level_is_redrawn),
+        cmocka_unit_test(short_strokes_mean_finer_levels),
         cmocka_unit_test(rules_copies_and_flattening),
         cmocka_unit_test(a_spline_becomes_a_base),
         cmocka_unit_test(a_press_taken_away_keeps_the_choice),

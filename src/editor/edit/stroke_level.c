@@ -24,11 +24,12 @@ static double miss(const bat_shape *shape, const bat_samples *samples) {
     return worst;
 }
 
-static bat_status at_level(const bat_shape *from, const bat_edit *edit, int level, bat_shape **out) {
+static bat_status at_level(const bat_shape *from, const bat_edit *edit, int level, bat_shape **out,
+                           bat_sketch_report *report) {
     bat_shape *shape = NULL;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     bat_status status = bat_shape_copy(from, &shape);
-    if (status == BAT_OK) status = bat_shape_sketch_stroke(shape, level, &stroke, &edit->options);
+    if (status == BAT_OK) status = bat_shape_redraw_level(shape, level, &stroke, &edit->options, report);
     if (status == BAT_OK) status = bat_shape_commit(shape);
     if (status != BAT_OK)
         bat_shape_free(shape);
@@ -60,17 +61,19 @@ bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape 
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
     if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != 2) return BAT_ARGUMENT;
     int top = bat_shape_levels(from);
-    if (edit->level >= 0) return edit->level <= top ? at_level(from, edit, edit->level, out) : BAT_ARGUMENT;
+    if (edit->level > top) return BAT_ARGUMENT;
+    if (edit->level >= 0) return at_level(from, edit, edit->level, out, report);
     if (edit->level != BAT_LEVEL_AUTO) return freely(from, edit, out, report);
     bat_shape *best = NULL; /* the finest when none is near enough */
     bat_status status = BAT_STATE;
     for (int level = 0; level <= top; level++) {
         bat_shape *shape = NULL;
-        bat_status now = at_level(from, edit, level, &shape);
+        bat_status now = at_level(from, edit, level, &shape, report);
         if (now == BAT_STATE) continue; /* silent */
         status = now;
         if (now != BAT_OK) break;
-        bool near = miss(shape, &edit->samples) <= edit->options.tolerance;
+        bool near = report->spans >= BAT_LEVEL_SPANS_LEAST &&
+                    miss(shape, &edit->samples) <= edit->options.tolerance;
         bat_shape_free(best);
         best = shape;
         if (near) break;

@@ -10,9 +10,12 @@
 
 #include "format/json/shape.h"
 #include "hands/levels/shape.h"
+#include "text/number.h"
 
 #include <batten/bezier.h>
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -351,7 +354,42 @@ static bat_status read_matrix(const bat_json *json, uint32_t object, int dimensi
     return BAT_OK;
 }
 
-static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape, bat_problem *problem) {
+/* A sketch that is too short for its level: the first of all edits. */
+typedef struct short_sketch {
+    uint32_t edit; /* 0: none was */
+    int level;
+    bat_sketch_report report;
+} short_sketch;
+
+static bat_status sketch(const bat_json *json, uint32_t object, bat_shape *shape, int level,
+                         short_sketch *told, bat_problem *problem) {
+    bat_stroke stroke;
+    void *block;
+    bat_sketch_report report;
+    bat_status status = bat_stroke_from_json(json, bat_json_member(json, object, "stroke"), &stroke, &block,
+                                             problem);
+    if (status != BAT_OK) return status;
+    status = bat_shape_redraw_level(shape, level, &stroke, NULL, &report);
+    bat_free(block);
+    if (status != BAT_OK) return bat_json_say(json, object, status, bat_status_message(status), problem);
+    if (!told->edit && report.spans < BAT_LEVEL_SPANS_LEAST && report.max_error > bat_sketch_defaults().pixel)
+        *told = (short_sketch){object, level, report};
+    return BAT_OK;
+}
+
+static bat_status say_short(const bat_json *json, const short_sketch *told, bat_problem *problem) {
+    char spans[BAT_NUMBER_ROOM], miss[BAT_NUMBER_ROOM], message[sizeof problem->message];
+    if (!told->edit) return bat_problem_set(problem, BAT_OK, "", "");
+    bat_number_print(round(10 * told->report.spans) / 10, spans);
+    bat_number_print(round(10 * told->report.max_error) / 10, miss);
+    snprintf(message, sizeof message,
+             "the stroke is short for level %d (%s of its spans): it is missed by %s", told->level, spans,
+             miss);
+    return bat_json_say(json, told->edit, BAT_OK, message, problem);
+}
+
+static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape, short_sketch *told,
+                        bat_problem *problem) {
     int type = -1, level = 0, index = 0, dimension = bat_curve_dimension(bat_shape_curve(shape, 0));
     double value[12], u = 0;
     if (!is(json, object, BAT_JSON_OBJECT))
@@ -383,16 +421,10 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
         if (status != BAT_OK) return status;
         status = bat_shape_set_gain(shape, level, value[0]);
         break;
-    case EDIT_SKETCH: {
-        bat_stroke stroke;
-        void *block;
-        status = bat_stroke_from_json(json, bat_json_member(json, object, "stroke"), &stroke, &block,
-                                      problem);
+    case EDIT_SKETCH:
+        status = sketch(json, object, shape, level, told, problem);
         if (status != BAT_OK) return status;
-        status = bat_shape_sketch_stroke(shape, level, &stroke, NULL);
-        bat_free(block);
         break;
-    }
     case EDIT_TRANSFORM:
         status = read_matrix(json, object, dimension, value, problem);
         if (status != BAT_OK) return status;
@@ -410,11 +442,13 @@ bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_p
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
     bat_shape *edited = NULL;
+    short_sketch told = {0};
     if (!is(&json, 1, BAT_JSON_LIST))
         status = bat_json_complain(&json, 1, BAT_SYNTAX, "edits", "a list", problem);
     if (status == BAT_OK) status = bat_shape_copy(shape, &edited);
     for (uint32_t at = bat_json_first(&json, 1); at && status == BAT_OK; at = json.nodes[at].next)
-        status = apply(&json, at, edited, problem);
+        status = apply(&json, at, edited, &told, problem);
+    if (status == BAT_OK) say_short(&json, &told, problem);
     bat_json_free(&json);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);

@@ -1,14 +1,9 @@
 /* Edits of a shape: each is made on a copy, which takes the shape's place when all has gone well. */
 #include "hands/levels/shape.h"
 
-#include "curve/banded.h"
 #include "curve/frames_walk.h"
-#include "curve/lsq.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-static const double MU = 1e-6, NU = 1e-3; /* math 3.6 */
 
 static bool finite_all(const double *v, size_t n) {
     for (size_t i = 0; i < n; i++)
@@ -142,102 +137,6 @@ bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain) {
 bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted) {
     if (check(shape, level) != BAT_OK || level == 0) return BAT_ARGUMENT;
     return set_level(shape, level, shape->levels[level - 1].gain, muted);
-}
-
-/* ---- sketch at a level (math 3.6) ---- */
-
-/* Adds w (sum_k c_k x_{at_k})^2 to a banded matrix of unknowns in ascending order (cyclic: modulo n). */
-static void add_row(double *a, int band, int n, bool closed, int first, int terms, const double *c,
-                    double w) {
-    for (int r = 0; r < terms; r++)
-        for (int s = 0; s <= r; s++) {
-            int row = closed ? (first + r) % n : first + r;
-            a[row * (band + 1) + r - s] += w * c[r] * c[s];
-        }
-}
-
-bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
-                            const double *targets) {
-    bat_status status = check(shape, level);
-    if (status != BAT_OK) return status;
-    if (!u || !targets || count < 1 || count > BAT_POINTS_MAX) return BAT_ARGUMENT;
-    const bat_curve *curve = bat_shape_curve(shape, level);
-    int p = curve->degree, size = curve->dimension, n = curve->count;
-    if (!finite_all(targets, count * (size_t)size)) return BAT_NUMBER;
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(u[i])) return BAT_NUMBER;
-
-    int band = p > 2 ? p : 2; /* second differences reach two neighbours */
-    size_t cells = (size_t)n * (size_t)(band + 1);
-    double *a = calloc(cells, sizeof(double)), *b = calloc((size_t)(n * size), sizeof(double));
-    double *border = malloc((bat_cyclic_room(n, band) + 1) * sizeof(double));
-    bool *met = calloc((size_t)n, sizeof(bool));
-    status = a && b && border && met ? BAT_OK : BAT_MEMORY;
-    if (status == BAT_OK) {
-        for (size_t i = 0; i < count; i++) {
-            double basis[BAT_DEGREE_MAX + 1], at[3];
-            int first;
-            bat_curve_basis(curve, u[i], &first, basis);
-            bat_curve_eval(curve, u[i], 0, at);
-            add_row(a, band, n, curve->closed, first, p + 1, basis, 1);
-            for (int k = 0; k <= p; k++) {
-                int row = (first + k) % n;
-                if (basis[k] != 0) met[row] = true;
-                for (int d = 0; d < size; d++)
-                    b[row * size + d] += basis[k] * (targets[i * (size_t)size + (size_t)d] - at[d]);
-            }
-        }
-        const double second[3] = {1, -2, 1};
-        for (int i = 0; i < (curve->closed ? n : n - 2); i++)
-            add_row(a, band, n, curve->closed, i, 3, second, NU);
-        for (int i = 0; i < n; i++) a[i * (band + 1)] += MU;
-        /* What the stroke misses stays exactly: its row and column become the identity. */
-        for (int i = 0; i < n; i++) {
-            if (met[i]) continue;
-            for (int d = 0; d < size; d++) b[i * size + d] = 0;
-            for (int k = 1; k <= band; k++) {
-                a[i * (band + 1) + k] = 0;
-                int right = curve->closed ? (i + k) % n : i + k;
-                if (right < n) a[right * (band + 1) + k] = 0;
-            }
-            a[i * (band + 1)] = 1;
-        }
-        status = curve->closed ? bat_cyclic_factor(a, n, band, border) : bat_banded_factor(a, n, band);
-    }
-    if (status == BAT_OK) {
-        if (curve->closed)
-            bat_cyclic_solve(a, n, band, border, b, size);
-        else
-            bat_banded_solve(a, n, band, b, size);
-        /* The shortest run that holds all that moves; on a closed curve it begins behind the longest gap. */
-        int first = 0, moved = n;
-        if (!curve->closed) {
-            while (first < n && !met[first]) first++;
-            while (moved > 0 && !met[moved - 1]) moved--;
-            moved -= first;
-        } else {
-            int gap = 0, best = 0;
-            for (int i = 0; i < 2 * n; i++) {
-                gap = met[i % n] ? 0 : gap + 1;
-                if (gap > best && gap < n) best = gap, first = (i + 1) % n;
-            }
-            moved = n - best;
-        }
-        double *deltas = malloc((size_t)(moved * size) * sizeof(double));
-        if (deltas) {
-            for (int i = 0; i < moved; i++)
-                memcpy(deltas + i * size, b + ((first + i) % n) * size, (size_t)size * sizeof(double));
-            status = bat_shape_move_many(shape, level, first, moved, deltas);
-            free(deltas);
-        } else {
-            status = BAT_MEMORY;
-        }
-    }
-    free(a);
-    free(b);
-    free(border);
-    free(met);
-    return status;
 }
 
 /* ---- whole-curve transforms ---- */

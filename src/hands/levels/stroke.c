@@ -1,7 +1,7 @@
 /* A stroke drawn over C^j: which point of the curve each sample is meant for, then the least squares of 3.6.
  */
 #include "hands/sketch/correspond.h"
-#include "hands/levels/shape.h"
+#include "hands/levels/fit.h"
 #include "hands/sketch/sketch.h"
 
 #include <batten/nearest.h>
@@ -22,9 +22,49 @@ static void assign(const bat_canvas *canvas, const bat_clean *clean, const bat_c
     }
 }
 
-bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
-                                   const bat_sketch_options *options) {
-    if (!shape || level < 0 || level > shape->count) return BAT_ARGUMENT;
+/* Greatest distance from the stroke to the level as it has become; the samples' parameters are a good start. */
+static double miss(const bat_curve *curve, const bat_clean *clean, const double *u) {
+    double worst = 0, at[BAT_DIMENSION_MAX];
+    for (size_t i = 0; i < clean->count; i++) {
+        const double *x = clean->points + i * (size_t)clean->dimension;
+        bat_curve_eval(curve, bat_curve_project_near(curve, x, u[i], PROJECTIONS), 0, at);
+        worst = fmax(worst, bat_distance(x, at, clean->dimension));
+    }
+    return worst;
+}
+
+/* The cleaned stroke, in pixels about the origin, over C^level. Turns it round, and brings it back to document units.
+ */
+static bat_status draw(bat_shape *shape, int level, bat_clean *clean, const double *origin, double pixel,
+                       bat_sketch_report *report) {
+    bat_canvas canvas;
+    bat_status status = bat_canvas_make(bat_shape_curve(shape, level), origin, pixel, &canvas);
+    if (status != BAT_OK) return status;
+    bat_correspondence found = bat_correspond(&canvas.track, clean, 0);
+    if (found.reversed) bat_clean_reverse(clean);
+    double *u = NULL;
+    if (found.loop || bat_ends_far(clean, &found, canvas.pixels->closed ? canvas.track.length : 0))
+        status = BAT_FAR;
+    if (status == BAT_OK && !(u = malloc(clean->count * sizeof *u))) status = BAT_MEMORY;
+    if (status == BAT_OK) {
+        assign(&canvas, clean, &found, u);
+        for (size_t i = 0; i < clean->count * (size_t)clean->dimension; i++)
+            clean->points[i] = origin[i % (size_t)clean->dimension] + pixel * clean->points[i];
+        status = bat_level_fit(shape, level, clean->count, u, clean->points, &report->spans);
+    }
+    if (status == BAT_OK) {
+        report->max_error = miss(bat_shape_curve(shape, level), clean, u);
+        report->noise = clean->sigma * pixel;
+        report->reversed = found.reversed;
+    }
+    free(u);
+    bat_canvas_free(&canvas);
+    return status;
+}
+
+bat_status bat_shape_redraw_level(bat_shape *shape, int level, const bat_stroke *stroke,
+                                  const bat_sketch_options *options, bat_sketch_report *report) {
+    if (!shape || level < 0 || level > bat_shape_levels(shape)) return BAT_ARGUMENT;
     bat_sketch_options o;
     bat_status status = bat_sketch_check(stroke, options, &o);
     if (status != BAT_OK) return status;
@@ -36,26 +76,15 @@ bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke
     bat_clean clean;
     status = bat_clean_stroke(stroke, &cleaning, &clean);
     if (status != BAT_OK) return status;
-    bat_canvas canvas;
-    status = bat_canvas_make(curve, origin, o.pixel, &canvas);
-    if (status != BAT_OK) {
-        bat_clean_free(&clean);
-        return status;
-    }
-    bat_correspondence found = bat_correspond(&canvas.track, &clean, 0);
-    if (found.reversed) bat_clean_reverse(&clean);
-    const double near = fmin(found.offset[0], found.offset[1]);
-    if (found.loop || near > fmax(40, 0.25 * clean.length)) status = BAT_FAR;
-    double *u = malloc(clean.count * sizeof *u);
-    if (!u && status == BAT_OK) status = BAT_MEMORY;
-    if (status == BAT_OK) {
-        assign(&canvas, &clean, &found, u);
-        for (size_t i = 0; i < clean.count * (size_t)clean.dimension; i++)
-            clean.points[i] = origin[i % (size_t)clean.dimension] + o.pixel * clean.points[i];
-        status = bat_shape_sketch(shape, level, clean.count, u, clean.points);
-    }
-    free(u);
-    bat_canvas_free(&canvas);
+    const int knots = bat_curve_knot_count(curve);
+    bat_sketch_report facts = {.knots_before = knots, .knots_after = knots};
+    status = draw(shape, level, &clean, origin, o.pixel, &facts);
     bat_clean_free(&clean);
+    if (status == BAT_OK && report) *report = facts;
     return status;
+}
+
+bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
+                                   const bat_sketch_options *options) {
+    return bat_shape_redraw_level(shape, level, stroke, options, NULL);
 }

@@ -12,10 +12,20 @@ static double angle_between(const double *a, const double *b, size_t m) {
     return bat_acos(dot > 1 ? 1 : dot < -1 ? -1 : dot);
 }
 
+/* How far from the curve an end of the stroke may lie and still be meant for it. */
+static double reach_of(const bat_clean *stroke) { return fmax(40, 0.25 * stroke->length); }
+
+bool bat_ends_far(const bat_clean *stroke, const bat_correspondence *found, double around) {
+    if (around == 0) return fmin(found->offset[0], found->offset[1]) > reach_of(stroke);
+    const double most = fmax(40,
+                             fmin(0.25 * stroke->length, around / 16)); /* of a circle, 0.4 of its radius */
+    return fmax(found->offset[0], found->offset[1]) > most;
+}
+
 bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
-    const double far = fmax(40, 0.25 * stroke->length);
+    const double far = reach_of(stroke);
     const bool told = plan->end[0].rule || plan->end[1].rule;
     if (!told && fmin(found->offset[0], found->offset[1]) > far) return BAT_FAR;
     for (int side = 0; side < 2; side++) {

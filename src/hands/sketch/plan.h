@@ -54,7 +54,11 @@ typedef struct bat_plan {
     double *fixed; /* w of kept corners of the stroke; owned */
 } bat_plan;
 
-/* docs/math sketch 5.4: decides the kinds of both ends. BAT_FAR. */
+/* Too far from the curve to be meant for it: both ends are. around > 0: of a closed curve of that length one far end is
+ * enough. An open curve can end with the stroke; a closed one has no end, and would lose the arc up to wherever it comes
+ * nearest to the far end of the stroke. */
+bool bat_ends_far(const bat_clean *stroke, const bat_correspondence *found, double around);
+/* docs/math sketch 5.4: decides the kinds of both ends. BAT_FAR: both are far. */
 bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found);
 /* 5.5: lengths of the transitions. */
 void bat_plan_leads(bat_plan *plan);

@@ -250,14 +250,14 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
                      .stroke = clean};
     bat_canvas_bind(&plan, &canvas);
     const bat_correspondence found = bat_correspond(&canvas.track, clean, meaning ? meaning->sense : 0);
-    const bool all_round = curve->closed &&
-                           ((bat_clean_closes(clean) && clean->length > 0.5 * canvas.track.length) ||
-                            found.end - found.start >= 0.98 * canvas.track.length);
+    const bool ring = curve->closed && bat_clean_closes(clean) && clean->length > 0.5 * canvas.track.length;
+    const bool all_round = ring || (curve->closed && found.end - found.start >= 0.98 * canvas.track.length);
     if (!all_round && found.reversed) bat_clean_reverse(clean);
     facts.reversed = found.reversed;
     if (hints) hints->turned = found.reversed;
     for (int side = 0; side < 2 && meaning; side++) plan.end[side].rule = meaning->end[side ^ found.reversed];
-    status = bat_plan_ends(&plan, &found);
+    const double around = curve->closed && !ring ? canvas.track.length : 0;
+    status = around > 0 && bat_ends_far(clean, &found, around) ? BAT_FAR : bat_plan_ends(&plan, &found);
     facts.changed[0] = canvas.track.start, facts.changed[1] = canvas.track.end;
     if (status == BAT_OK && all_round) {
         status = plan_ring(&plan, &canvas, &facts);

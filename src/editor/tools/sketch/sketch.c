@@ -32,6 +32,7 @@
 #include "base/real.h"
 #include "editor/edit/curves_of.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -304,6 +305,23 @@ static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
     return BAT_STRING_COUNT;
 }
 
+/* A level whose spans are long against the stroke cannot follow it. */
+static bool too_short(const bat_edit *edit, const bat_sketch_report *report) {
+    return edit->kind == BAT_EDIT_LEVEL && report->spans > 0 && report->spans < BAT_LEVEL_SPANS_LEAST &&
+           report->max_error > edit->options.tolerance;
+}
+
+static void say_done(bat_context *c, const bat_edit *edit, const bat_sketch_report *report, bool strayed,
+                     bool closed) {
+    if (!too_short(edit, report)) {
+        bat_notice(c, outcome(edit, strayed, closed));
+        return;
+    }
+    char number[32];
+    snprintf(number, sizeof number, "%.3g", report->max_error / edit->options.pixel);
+    bat_notice_value(c, BAT_STRING_NOTICE_SHORT, number);
+}
+
 /* The curve that the stroke is fitted by as it is, or as a level of it. */
 static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
     bat_sketch_live *live = NULL;
@@ -395,7 +413,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             bool closed = bat_curve_closed(curve);
             status = bat_edit_commit(c, &s->edit, curve);
             if (status == BAT_OK)
-                bat_notice(c, outcome(&s->edit, strayed, closed));
+                say_done(c, &s->edit, &report, strayed, closed);
             else
                 bat_notice_failure(c, status);
         }
