@@ -153,6 +153,36 @@ static void away_from_curves_a_new_one(void **state) {
 }
 
 /* Escape, a cancelled pointer, undo: each drops the stroke; the pen still down draws nothing more. */
+/* From a closed curve into its middle: it stays as it is, and there is a new line. */
+static void into_a_closed_curve_a_new_one(void **state) {
+    (void)state;
+    double points[32], knots[17];
+    for (int i = 0; i < 17; i++) knots[i] = i;
+    for (int i = 0; i < 16; i++) {
+        points[2 * i] = 400 + 200 * cos(i * 0.39269908169872414);
+        points[2 * i + 1] = 400 + 200 * sin(i * 0.39269908169872414);
+    }
+    bat_curve *ring = NULL, *before = NULL;
+    assert_int_equal(bat_curve_create(3, 2, true, 16, knots, points, &ring), BAT_OK);
+    bat_curve_copy(ring, &before);
+    bat_document *drawing = NULL;
+    bat_editor *editor = pen_editor();
+    bat_document_create(&drawing);
+    bat_document_set_page(drawing, (double[]){0, 0, 1000, 800});
+    pen_add(drawing, ring);
+    bat_editor_open(editor, drawing, "ring");
+    bat_editor_command(editor, "zoom-100");
+    pen p = pen_for(editor);
+    pen_line(&p, 592, 404, 410, 398, 3);
+    check(editor);
+    const bat_document *document = bat_editor_document(editor);
+    assert_int_equal(bat_document_count(document), 2);
+    assert_true(bat_curve_equal(before, bat_object_curve(bat_document_at(document, 0), 0)));
+    assert_string_equal(bat_editor_frame(editor)->notice, "Too far from the curve; drew a new one");
+    bat_curve_free(before);
+    bat_editor_free(editor);
+}
+
 static void cancel_changes_nothing(void **state) {
     (void)state;
     for (int way = 0; way < 3; way++) {
@@ -488,6 +518,7 @@ int main(void) {
         cmocka_unit_test(redraw_is_one_step),
         cmocka_unit_test(fit_shows_while_the_pen_is_down),
         cmocka_unit_test(away_from_curves_a_new_one),
+        cmocka_unit_test(into_a_closed_curve_a_new_one),
         cmocka_unit_test(cancel_changes_nothing),
         cmocka_unit_test(dot_says_so),
         cmocka_unit_test(alt_smooths),

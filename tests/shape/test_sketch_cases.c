@@ -223,6 +223,43 @@ static void closed_curves_have_no_seam(void **state) {
     bat_curve_free(curve);
 }
 
+static double reach_in; /* how far the stroke goes towards the middle */
+static void into_the_middle(double f, double *q) { q[0] = 200 - reach_in * f, q[1] = 3 * sin(4 * f); }
+static void out_of_it(double f, double *q) { q[0] = 200 + 150 * f, q[1] = 40 * f; }
+static void along_then_in(double f, double *q) {
+    const double a = 2.5 * f, radius = 200 - 195 * fmax(0, 3 * f - 2);
+    q[0] = radius * cos(a), q[1] = radius * sin(a);
+}
+static void round_and_in(double f, double *q) {
+    const double a = 2 * pi * f, radius = 205 - 4 * f - 196 * fmax(0, 10 * f - 9);
+    q[0] = radius * cos(a), q[1] = radius * sin(a);
+}
+static void dent(double f, double *q) {
+    const double a = 0.6 * f, radius = 200 - 90 * sin(pi * f);
+    q[0] = radius * cos(a), q[1] = radius * sin(a);
+}
+/* A closed curve has no end that the stroke could become. Were the curve brought back from the far end of the stroke, the
+ * arc between would be lost: the stroke is not meant for it. */
+static void closed_curves_lose_no_arc(void **state) {
+    (void)state;
+    bat_curve *curve = circle(), *now = NULL;
+    bat_sketch_report report;
+    void (*const far_ends[])(double, double *) = {into_the_middle, out_of_it, along_then_in, round_and_in};
+    reach_in = 195;
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(draw(curve, far_ends[i], NULL, &now, &report), BAT_FAR);
+        assert_null(now);
+    }
+    /* Near ends, however deep the stroke goes between them, and ends that are not far, are meant. */
+    assert_int_equal(draw(curve, dent, NULL, &now, &report), BAT_OK);
+    assert_true(bat_curve_closed(now) && distance_to(now, 110 * cos(0.3), 110 * sin(0.3)) <= 1.5);
+    bat_curve_free(now);
+    reach_in = 30;
+    assert_int_equal(draw(curve, into_the_middle, NULL, &now, &report), BAT_OK);
+    bat_curve_free(now);
+    bat_curve_free(curve);
+}
+
 /* A corner at (300, 0): two straight runs, knot of multiplicity 3. */
 static bat_curve *cornered(void) {
     double points[2 * 7] = {0, 0, 100, 0, 200, 0, 300, 0, 300, 100, 300, 200, 300, 300};
@@ -522,6 +559,7 @@ int main(void) {
                                        cmocka_unit_test(loops),
                                        cmocka_unit_test(a_very_short_stroke_is_a_bump),
                                        cmocka_unit_test(closed_curves_have_no_seam),
+                                       cmocka_unit_test(closed_curves_lose_no_arc),
                                        cmocka_unit_test(corners_kept_or_not),
                                        cmocka_unit_test(multiple_knots),
                                        cmocka_unit_test(a_tolerance_that_cannot_be_met),
