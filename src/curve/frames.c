@@ -190,7 +190,7 @@ static void solve(const bat_frame_chain *chain, const bat_frame_span *piece, run
     if (rule == BAT_FRAMES_FIXED) {
         repeat(r->count, (vec){1, 0, 0}, r->ts);
         repeat(r->count, (vec){0, 1, 0}, r->ss);
-    } else if (chain->holonomy != 0) {
+    } else if (chain->holonomy != 0 && chain->length > 0) {
         for (int i = 0, k = 0; i < r->count; i++) {
             k += i == r->end[k];
             const bat_frame_node *from = chain->nodes + r->node[k];
@@ -218,7 +218,8 @@ static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, c
     bool flat = chain->curve->dimension == 2 && chain->options.rule == BAT_FRAMES_RMF;
     at *= to->stride;
     if (to->stride == 3 && !to->r) {
-        const double none[3] = {0, 0, 0};
+        const double none[3] = {-0.0, -0.0,
+                                -0.0}; /* what it is added to keeps its bits, also a zero's sign */
         if (to->point) put_rows(r->count, r->xs, piece->origin, to->point + at);
         if (to->t) put_rows(r->count, r->ts, none, to->t + at);
         if (to->s) put_rows(r->count, r->ss, none, to->s + at);

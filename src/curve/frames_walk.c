@@ -13,6 +13,19 @@ static const double NOTHING = 1e-12; /* derivatives this small against the other
 
 /* ---- one sample at a time ---- */
 
+static const double SMALL =
+    1e-140; /* derivatives below it are brought up: squares and quotients leave the range */
+
+/* By a power of two, which changes no bits; only their directions and proportions count. */
+static void bring_up(double most, vec d[4], double size[4]) {
+    int power;
+    frexp(most, &power);
+    for (int k = 1; k < 4; k++) {
+        d[k] = (vec){ldexp(d[k].x, -power), ldexp(d[k].y, -power), ldexp(d[k].z, -power)};
+        size[k] = vec_norm(d[k]);
+    }
+}
+
 /* Derivatives 0..3 times powers of the span's width; where C' vanishes the tangent is that of the first
  * derivative that does not, as seen from inside the span; a span that is a point keeps the tangent before. */
 static void sample_at(const bat_frame_span *f, double h, bool from_left, vec before, bat_frame_node *out,
@@ -32,6 +45,10 @@ static void sample_at(const bat_frame_span *f, double h, bool from_left, vec bef
     out->span = f->span;
     out->x = d[0];
     out->t = before;
+    if (most > 0 && most < SMALL) {
+        bring_up(most, d, size);
+        most = fmax(fmax(size[1], size[2]), size[3]);
+    }
     for (int k = 1; k < 4; k++)
         if (size[k] > NOTHING * most) {
             out->t = vec_scale(d[k], (from_left && k == 2 ? -1 : 1) / size[k]);
@@ -251,7 +268,7 @@ double bat_frame_length(const bat_frame_span *f, double a, double b) {
         for (int k = f->degree; k > 0; k--)
             for (int d = 0; d < 3; d++) v[d] = v[d] * s + k * f->c[k][d];
         for (int d = 0; d < 3; d++) square += v[d] * v[d];
-        sum += w[i] * sqrt(square);
+        sum += w[i] * (square > 1e-280 ? sqrt(square) : vec_norm(vec_load(v, 3)));
     }
     return sum * (b - a) / 2;
 }

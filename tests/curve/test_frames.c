@@ -273,6 +273,123 @@ static bat_curve *osculating(void (*at)(double t, double d[4][3]), double end, i
     return curve;
 }
 
+/* Frames know no size. A curve times a power of two has the same ones, down to where its coordinates are a few units of
+ * the smallest number: tangents to the last bits, the rest as near as the chain is to the truth, for very small curves take
+ * more steps. Loops close by the same angle. Nothing is ever NaN. */
+static void tiny_and_huge(void **state) {
+    (void)state;
+    const int powers[] = {-200, -340, -500, -540, -900, -1000, -1029, -1040, -1060, -1072, -1080, 200, 240};
+    seed = 21;
+    for (int round = 0; round < 156; round++) {
+        int dimension = 2 + round % 2, power = powers[round % 13], count = 4 + round % 7;
+        bool closed = round / 2 % 2;
+        bat_curve *curve = random_curve(dimension, closed, count), *scaled;
+        double points[64], least = ldexp(1, -1074);
+        for (int i = 0; i < count * dimension; i++) points[i] = ldexp(bat_curve_points(curve)[i], power);
+        assert_int_equal(
+            bat_curve_create(3, dimension, closed, count, bat_curve_knots(curve), points, &scaled), BAT_OK);
+        /* what a unit of the smallest number is of the curve */
+        double blur = least / ldexp(100, power), near = 1e-11 + 1e6 * blur, domain[2];
+        bat_curve_domain(curve, domain);
+        for (int rule = 0; rule < 3; rule++) {
+            bat_frame_options options = bat_frame_defaults();
+            options.rule = (bat_frame_rule)rule;
+            enum { COUNT = 40 };
+            double u[COUNT], angle[2];
+            bat_frame3 a[COUNT], b[COUNT];
+            for (int i = 0; i < COUNT; i++) u[i] = domain[0] + (domain[1] - domain[0]) * i / (COUNT - 1);
+            assert_int_equal(bat_frames(curve, &options, COUNT, u, a, &angle[0]), BAT_OK);
+            assert_int_equal(bat_frames(scaled, &options, COUNT, u, b, &angle[1]), BAT_OK);
+            assert_true(isfinite(angle[1]));
+            if (near < 0.01) assert_true(fabs(remainder(angle[0] - angle[1], 2 * PI)) < 0.01);
+            for (int i = 0; i < COUNT; i++) {
+                assert_orthonormal(&b[i]);
+                for (int d = 0; d < 3; d++) {
+                    assert_true(isfinite(b[i].point[d]));
+                    if (near < 0.01)
+                        assert_true(fabs(a[i].t[d] - b[i].t[d]) < near && fabs(a[i].s[d] - b[i].s[d]) < 0.01);
+                }
+            }
+        }
+        bat_curve_free(scaled);
+        bat_curve_free(curve);
+    }
+}
+
+/* A curve all of whose points are one, also as a loop, has frames, and the same everywhere. */
+static void all_points_equal(void **state) {
+    (void)state;
+    const double places[] = {0, 1e-310, 3, -1e75};
+    for (int round = 0; round < 16; round++) {
+        int dimension = 2 + round % 2;
+        double points[18], knots[10];
+        for (int i = 0; i < 18; i++) points[i] = places[round / 4];
+        for (int i = 0; i < 10; i++) knots[i] = round / 2 % 2 ? i : i < 4 ? 0 : i > 5 ? 3 : i - 3;
+        bat_curve *curve;
+        assert_int_equal(bat_curve_create(3, dimension, round / 2 % 2, 6, knots, points, &curve), BAT_OK);
+        for (int rule = 0; rule < 3; rule++) {
+            bat_frame_options options = bat_frame_defaults();
+            options.rule = (bat_frame_rule)rule;
+            double u[7] = {0, 0.5, 1, 1.5, 2.2, 2.9, 3}, angle;
+            bat_frame3 f[7];
+            assert_int_equal(bat_frames(curve, &options, 7, u, f, &angle), BAT_OK);
+            assert_true(angle == 0);
+            for (int i = 0; i < 7; i++) {
+                assert_orthonormal(&f[i]);
+                for (int d = 0; d < dimension; d++) assert_true(f[i].point[d] == places[round / 4]);
+                assert_memory_equal(f[i].t, f[0].t, sizeof f[0].t);
+                assert_memory_equal(f[i].s, f[0].s, sizeof f[0].s);
+            }
+        }
+        bat_curve_free(curve);
+    }
+}
+
+/* One at a time, many at once and without a chain: the same bits, zeros with their signs. */
+static void all_ways_give_the_same_bits(void **state) {
+    (void)state;
+    enum { COUNT = 90 };
+    seed = 22;
+    for (int round = 0; round < 96; round++) {
+        int dimension = 2 + round % 2, count = 4 + round % 9;
+        bool closed = round / 2 % 2;
+        double points[64], knots[24];
+        for (int i = 0; i < count * dimension; i++) /* many lie on one line, with zeros of both signs */
+            points[i] = round % 3 ? uniform(-2, 2) : i % dimension == 0 ? 3 - i : round % 4 ? 0.0 : -0.0;
+        for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : fmin(fmax(i - 3, 0), count - 3);
+        bat_curve *curve;
+        assert_int_equal(bat_curve_create(3, dimension, closed, count, knots, points, &curve), BAT_OK);
+        for (int rule = 0; rule < 3; rule++) {
+            bat_frame_options options = bat_frame_defaults();
+            options.rule = (bat_frame_rule)rule;
+            double u[COUNT], domain[2];
+            double x[3 * COUNT], t[3 * COUNT], s[3 * COUNT], r[3 * COUNT];
+            bat_frame3 all[COUNT];
+            bat_frame_chain *chain;
+            bat_curve_domain(curve, domain);
+            for (int i = 0; i < COUNT; i++) u[i] = uniform(domain[0], domain[1]);
+            for (int i = 0; i < COUNT / 2; i++) u[i] = domain[0] + (domain[1] - domain[0]) * i / (COUNT / 2);
+            assert_int_equal(bat_frame_chain_create(curve, &options, &chain), BAT_OK);
+            assert_int_equal(bat_frames(curve, &options, COUNT, u, all, NULL), BAT_OK);
+            for (int with_r = 0; with_r < 2; with_r++) {
+                const bat_frame_arrays out = {x, t, s, with_r ? r : NULL};
+                assert_int_equal(bat_frame_chain_many(chain, COUNT, u, &out), BAT_OK);
+                for (int i = 0; i < COUNT; i++) {
+                    bat_frame3 one;
+                    bat_frame_chain_at(chain, u[i], &one);
+                    assert_memory_equal(one.point, x + 3 * i, sizeof one.point);
+                    assert_memory_equal(one.t, t + 3 * i, sizeof one.t);
+                    assert_memory_equal(one.s, s + 3 * i, sizeof one.s);
+                    if (with_r) assert_memory_equal(one.r, r + 3 * i, sizeof one.r);
+                    assert_memory_equal(&one, &all[i], sizeof one);
+                }
+            }
+            bat_frame_chain_free(chain);
+        }
+        bat_curve_free(curve);
+    }
+}
+
 static void helix_at(double t, double d[4][3]) {
     const double rows[4][3] = {{2 * cos(t), 2 * sin(t), 0.7 * t},
                                {-2 * sin(t), 2 * cos(t), 0.7},
@@ -506,6 +623,9 @@ int main(void) {
         cmocka_unit_test(inflection),
         cmocka_unit_test(closed_loops_meet),
         cmocka_unit_test(degenerate),
+        cmocka_unit_test(tiny_and_huge),
+        cmocka_unit_test(all_points_equal),
+        cmocka_unit_test(all_ways_give_the_same_bits),
         cmocka_unit_test(helix),
         cmocka_unit_test(spheres_are_exact),
         cmocka_unit_test(bulk_equals_serial),

@@ -87,7 +87,7 @@ bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out) {
             vec t = v->walk.t, s = v->walk.s;
             double angle = bat_frame_holonomy(first_t, first_s, t, s, options.holonomy_near);
             shape->holonomy[l] = angle;
-            for (int i = 0; i < met && angle != 0; i++)
+            for (int i = 0; i < met && angle != 0 && v->walk.length > 0; i++)
                 v->s[i] = vec_unit(vec_reject(
                     bat_turn_about(v->s[i], v->t[i], -angle * v->lengths[i] / v->walk.length), v->t[i]));
         }
