@@ -82,6 +82,8 @@ BAT_API bat_status bat_object_create_image(bat_id id, const char *name, const ba
 BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out);
 /* A guide: the line x = at (axis 0) or y = at (axis 1). BAT_NUMBER: at beyond BAT_COORDINATE_MAX. */
 BAT_API bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out);
+/* A copy elsewhere along its axis. BAT_ARGUMENT: the object is no guide. */
+BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, bat_object **out);
 /* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
  * is kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,

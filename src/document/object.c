@@ -24,13 +24,18 @@ typedef struct part {
     uint64_t digest; /* of shape or curve: made once, since each step asks for that of the whole document */
 } part;
 
-struct bat_object {
-    bat_users users;
-    bat_kind kind;
+/* What objects of every kind have, besides the name; copies take it over as a whole. */
+typedef struct head {
     bat_id id;
     bat_id parent; /* of the group it is in, 0: in none */
     bool hidden, locked;
     bat_style style;
+} head;
+
+struct bat_object {
+    bat_users users;
+    bat_kind kind;
+    head head;
     double box[4];
     int axis;  /* of a guide, else -1 */
     double at; /* of a guide, else 0 */
@@ -144,8 +149,8 @@ bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *
     }
     bat_object *object = allocate(curve_count, name);
     if (!object) return BAT_MEMORY;
-    object->id = id;
-    object->style = *style;
+    object->head.id = id;
+    object->head.style = *style;
     for (int i = 0; i < curve_count; i++) {
         object->parts[i] = part_create();
         if (!object->parts[i]) {
@@ -186,8 +191,8 @@ bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_
     bat_object *object = allocate(0, name);
     if (!object) return BAT_MEMORY;
     object->kind = layer ? BAT_KIND_LAYER : BAT_KIND_GROUP;
-    object->id = id;
-    object->style = bat_style_defaults();
+    object->head.id = id;
+    object->head.style = bat_style_defaults();
     measure(object);
     *out = object;
     return BAT_OK;
@@ -209,9 +214,9 @@ bat_status bat_object_create_image(bat_id id, const char *name, const bat_pictur
     bat_status status = out ? bat_object_create_group(id, name, false, &object) : BAT_ARGUMENT;
     if (status != BAT_OK) return status;
     object->kind = BAT_KIND_IMAGE;
-    object->style.stroked = false;
-    object->style.filled = true; /* it covers what lies behind it */
-    object->style.opacity = opacity;
+    object->head.style.stroked = false;
+    object->head.style.filled = true; /* it covers what lies behind it */
+    object->head.style.opacity = opacity;
     object->picture = bat_picture_retain(picture);
     if (!set_matrix(object, matrix)) {
         bat_object_release(object);
@@ -227,8 +232,8 @@ bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **
     bat_object *object = allocate(0, "");
     if (!object) return BAT_MEMORY;
     object->kind = BAT_KIND_GUIDE;
-    object->id = id;
-    object->style = bat_style_defaults();
+    object->head.id = id;
+    object->head.style = bat_style_defaults();
     object->axis = axis;
     object->at = at;
     measure(object);
@@ -236,18 +241,12 @@ bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **
     return BAT_OK;
 }
 
-/* What lies beside curves and style. */
-static void keep_place(bat_object *object, const bat_object *from) {
-    object->parent = from->parent;
-    object->hidden = from->hidden;
-    object->locked = from->locked;
-}
-
 bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                   bat_object **out) {
     if (!object || !object->count) return BAT_ARGUMENT;
-    bat_status status = bat_object_create_path(object->id, object->name, &object->style, count, curves, out);
-    if (status == BAT_OK) keep_place(*out, object);
+    bat_status status = bat_object_create_path(object->head.id, object->name, &object->head.style, count,
+                                               curves, out);
+    if (status == BAT_OK) (*out)->head = object->head;
     return status;
 }
 
@@ -256,11 +255,9 @@ static bat_object *share_as(const bat_object *object, const char *name) {
     bat_object *copy = allocate(object->count, name);
     if (!copy) return NULL;
     copy->kind = object->kind;
-    copy->id = object->id;
-    copy->style = object->style;
+    copy->head = object->head;
     copy->axis = object->axis;
     copy->at = object->at;
-    keep_place(copy, object);
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
@@ -318,9 +315,9 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
     if (object->picture)
-        copy->style.opacity = style->opacity;
+        copy->head.style.opacity = style->opacity;
     else
-        copy->style = *style;
+        copy->head.style = *style;
     *out = copy;
     return BAT_OK;
 }
@@ -337,11 +334,21 @@ bat_status bat_object_with_matrix(const bat_object *object, const double matrix[
     return BAT_OK;
 }
 
-bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
-    if (!object || !out || parent > BAT_ID_MAX || parent == object->id) return BAT_ARGUMENT;
+bat_status bat_object_with_guide(const bat_object *object, double at, bat_object **out) {
+    if (!object || object->axis < 0 || !out) return BAT_ARGUMENT;
+    if (!(fabs(at) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
-    copy->parent = parent;
+    copy->at = at;
+    *out = copy;
+    return BAT_OK;
+}
+
+bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
+    if (!object || !out || parent > BAT_ID_MAX || parent == object->head.id) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    copy->head.parent = parent;
     *out = copy;
     return BAT_OK;
 }
@@ -358,26 +365,26 @@ bat_status bat_object_with_state(const bat_object *object, bool hidden, bool loc
     if (!object || !out) return BAT_ARGUMENT;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
-    copy->hidden = hidden;
-    copy->locked = locked;
+    copy->head.hidden = hidden;
+    copy->head.locked = locked;
     *out = copy;
     return BAT_OK;
 }
 
 bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out) {
-    if (!object || !out || id == 0 || id > BAT_ID_MAX || id == object->parent) return BAT_ARGUMENT;
+    if (!object || !out || id == 0 || id > BAT_ID_MAX || id == object->head.parent) return BAT_ARGUMENT;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
-    copy->id = id;
+    copy->head.id = id;
     *out = copy;
     return BAT_OK;
 }
 
 bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline, bat_object **out) {
     if (!object || !object->spline) return BAT_ARGUMENT;
-    bat_status status = bat_object_create_spline(object->id, object->name, &object->style, spline,
+    bat_status status = bat_object_create_spline(object->head.id, object->name, &object->head.style, spline,
                                                  &object->spline->options, out);
-    if (status == BAT_OK) keep_place(*out, object);
+    if (status == BAT_OK) (*out)->head = object->head;
     return status;
 }
 
@@ -426,13 +433,13 @@ void bat_object_release(bat_object *object) {
     free(object);
 }
 
-bat_id bat_object_id(const bat_object *object) { return object->id; }
+bat_id bat_object_id(const bat_object *object) { return object->head.id; }
 bat_kind bat_object_kind(const bat_object *object) { return object->kind; }
 const char *bat_object_name(const bat_object *object) { return object->name; }
-const bat_style *bat_object_style(const bat_object *object) { return &object->style; }
-bat_id bat_object_parent(const bat_object *object) { return object->parent; }
-bool bat_object_hidden(const bat_object *object) { return object->hidden; }
-bool bat_object_locked(const bat_object *object) { return object->locked; }
+const bat_style *bat_object_style(const bat_object *object) { return &object->head.style; }
+bat_id bat_object_parent(const bat_object *object) { return object->head.parent; }
+bool bat_object_hidden(const bat_object *object) { return object->head.hidden; }
+bool bat_object_locked(const bat_object *object) { return object->head.locked; }
 bool bat_object_is_group(const bat_object *object) {
     return object->kind == BAT_KIND_GROUP || object->kind == BAT_KIND_LAYER;
 }
@@ -484,9 +491,9 @@ const char *bat_object_check_makings(const bat_object *object) {
 void bat_object_bounds(const bat_object *object, double box[4]) { memcpy(box, object->box, 4 * sizeof *box); }
 
 uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
-    const bat_style *style = &object->style;
+    const bat_style *style = &object->head.style;
     digest = bat_digest_number(digest, (uint64_t)object->kind);
-    digest = bat_digest_number(digest, object->id);
+    digest = bat_digest_number(digest, object->head.id);
     digest = bat_digest_text(digest, object->name);
     digest = bat_digest_number(digest, style->stroked);
     digest = bat_digest_number(digest, style->filled);
@@ -500,9 +507,9 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     digest = bat_digest_double(digest, style->miter_limit);
     digest = bat_digest_number(digest, (uint64_t)object->count);
     for (int i = 0; i < object->count; i++) digest = bat_digest_number(digest, object->parts[i]->digest);
-    if (object->parent) digest = bat_digest_number(digest, object->parent << 2 | 1);
-    if (object->hidden) digest = bat_digest_number(digest, 2);
-    if (object->locked) digest = bat_digest_number(digest, 3);
+    if (object->head.parent) digest = bat_digest_number(digest, object->head.parent << 2 | 1);
+    if (object->head.hidden) digest = bat_digest_number(digest, 2);
+    if (object->head.locked) digest = bat_digest_number(digest, 3);
     if (object->spline) digest = bat_kept_spline_digest(digest, object->spline);
     if (object->picture) {
         digest = bat_digest_number(digest, bat_picture_digest(object->picture));

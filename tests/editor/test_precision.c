@@ -277,6 +277,65 @@ static void guides_by_hand(void **state) {
     bat_editor_free(editor);
 }
 
+static void put(bat_document *document, bat_object *object, bat_id parent, bool hidden, bool locked) {
+    bat_object *made = NULL, *placed = NULL;
+    assert_int_equal(bat_object_with_parent(object, parent, &made), BAT_OK);
+    assert_int_equal(bat_object_with_state(made, hidden, locked, &placed), BAT_OK);
+    assert_int_equal(bat_document_put(document, bat_document_count(document), placed), BAT_OK);
+    bat_object_release(object);
+    bat_object_release(made);
+    bat_object_release(placed);
+}
+
+/* A layer is moved with the guides in it; a guide that is dragged is the one that it was. */
+static void a_layer_moves_with_its_guides(void **state) {
+    (void)state;
+    static const bool flags[][2] = {{false, false}, {true, false}, {false, true}};
+    for (int i = 0; i < 3; i++) {
+        bat_document *document = NULL;
+        bat_object *layer = NULL, *guide = NULL, *named = NULL, *line = NULL;
+        bat_style style = bat_style_defaults();
+        bat_curve *curve = segment(400, 300, 600, 320);
+        bat_document_create(&document);
+        bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+        assert_int_equal(bat_object_create_group(1, "Roof", true, &layer), BAT_OK);
+        put(document, layer, 0, false, false);
+        assert_int_equal(bat_object_create_guide(2, 0, 250, &guide), BAT_OK);
+        assert_int_equal(bat_object_with_name(guide, "axle", &named), BAT_OK);
+        bat_object_release(guide);
+        put(document, named, 1, flags[i][0], flags[i][1]);
+        assert_int_equal(bat_object_create_path(3, NULL, &style, 1, &curve, &line), BAT_OK);
+        put(document, line, 1, false, false);
+        bat_editor *editor = NULL;
+        bat_editor_create(&editor);
+        bat_editor_resize(editor, 1000, 800, 1);
+        assert_int_equal(bat_editor_open(editor, document, "test"), BAT_OK);
+        bat_editor_command(editor, "zoom-100");
+        bat_editor_command(editor, "tool-select");
+        uint64_t first = digest(editor);
+        double at = 0, box[4];
+        bat_editor_select(editor, 1, false);
+        assert_int_equal(editor->choice.selection.count, 1);
+        assert_int_equal(bat_editor_command(editor, "nudge-right"), BAT_OK);
+        bat_object_bounds(bat_document_at(editor->session.document, 2), box);
+        assert_true(guides(editor, 0, &at) == 1 && at == 251 && box[0] == 401);
+        if (!flags[i][0] && !flags[i][1]) {
+            bat_editor_select(editor, 0, false);
+            pen p = mouse(editor);
+            drag(&p, 251, 700, 300, 700);
+            assert_true(guides(editor, 0, &at) == 1 && at == 300);
+        }
+        const bat_object *now = bat_document_at(editor->session.document, 1);
+        assert_string_equal(bat_object_name(now), "axle");
+        assert_true(bat_object_id(now) == 2 && bat_object_parent(now) == 1);
+        assert_true(bat_object_hidden(now) == flags[i][0] && bat_object_locked(now) == flags[i][1]);
+        replays(editor);
+        while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
+        assert_true(digest(editor) == first);
+        bat_editor_free(editor);
+    }
+}
+
 /* A moved line's end lands on the end of another to the last bit; the picture says so while it is held. */
 static void moves_snap(void **state) {
     (void)state;
@@ -659,6 +718,7 @@ int main(void) {
         cmocka_unit_test(snaps_to_known_places),
         cmocka_unit_test(guides_and_grid_draw),
         cmocka_unit_test(guides_by_hand),
+        cmocka_unit_test(a_layer_moves_with_its_guides),
         cmocka_unit_test(moves_snap),
         cmocka_unit_test(units_are_read_and_written),
         cmocka_unit_test(rulers_tell_places),

@@ -271,10 +271,10 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
                                                 : bat_curve_split(whole, u, &left, &right);
     if (status != BAT_OK) return status;
     if (right) {
-        status = bat_object_create_path(bat_document_new_id(c->session->document), bat_object_name(object),
-                                        bat_object_style(object), 1, &right, &other);
+        status = bat_object_with_curves(object, 1, &right, &other);
         if (status == BAT_OK) right = NULL;
-        if (status == BAT_OK) status = bat_object_with_parent(other, bat_object_parent(object), &placed);
+        if (status == BAT_OK)
+            status = bat_object_with_id(other, bat_document_new_id(c->session->document), &placed);
     }
     if (status == BAT_OK) {
         status = bat_object_with_curve(object, curve, left, &after);

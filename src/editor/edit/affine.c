@@ -119,8 +119,7 @@ bat_status bat_affine_object(const bat_object *object, const double matrix[6], b
     double at;
     int axis = bat_object_guide(object, &at);
     if (axis >= 0) /* upright or level whatever turns */
-        return bat_object_create_guide(bat_object_id(object), axis, at * matrix[3 * axis] + matrix[4 + axis],
-                                       out);
+        return bat_object_with_guide(object, at * matrix[3 * axis] + matrix[4 + axis], out);
     if (bat_object_picture(object)) {
         double placed[6];
         bat_svg_compose(matrix, bat_object_matrix(object), placed);

@@ -240,31 +240,36 @@ static bat_status read_image(const reader *r, uint32_t node, bat_id id, const ch
                                                 "six numbers that do not flatten", r->problem);
 }
 
-/* Group, visibility and lock; takes `object` over. */
-static bat_status place_object(const reader *r, uint32_t node, bat_object *object, bat_object **out) {
+/* `made` takes the object's place, or what went wrong is told (fault NULL: in the words of the status). */
+static bat_status exchange(const reader *r, uint32_t node, bat_status status, const char *fault,
+                           bat_object *made, bat_object **object) {
+    if (status != BAT_OK)
+        return bat_json_say(r->json, node, status, fault ? fault : bat_status_message(status), r->problem);
+    bat_object_release(*object);
+    *object = made;
+    return BAT_OK;
+}
+
+/* Name, where it is not given at once, group, visibility and lock; takes `object` over. */
+static bat_status place_object(const reader *r, uint32_t node, const char *name, bat_object *object,
+                               bat_object **out) {
     bat_id parent = 0;
     bool hidden = false, locked = false;
     bat_object *placed = NULL;
     bat_status status = read_id(r, node, "parent", BAT_ID_MAX, &parent);
     if (status == BAT_OK) status = read_flag(r, node, "hidden", &hidden);
     if (status == BAT_OK) status = read_flag(r, node, "locked", &locked);
+    if (status == BAT_OK && strcmp(name, bat_object_name(object)) != 0) {
+        status = bat_object_with_name(object, name, &placed);
+        status = exchange(r, node, status, NULL, placed, &object);
+    }
     if (status == BAT_OK && parent > 0) {
         status = bat_object_with_parent(object, parent, &placed);
-        if (status != BAT_OK)
-            bat_json_say(r->json, node, status, "parent: not itself", r->problem);
-        else {
-            bat_object_release(object);
-            object = placed;
-        }
+        status = exchange(r, node, status, "parent: not itself", placed, &object);
     }
     if (status == BAT_OK && (hidden || locked)) {
         status = bat_object_with_state(object, hidden, locked, &placed);
-        if (status != BAT_OK)
-            bat_json_say(r->json, node, status, bat_status_message(status), r->problem);
-        else {
-            bat_object_release(object);
-            object = placed;
-        }
+        status = exchange(r, node, status, NULL, placed, &object);
     }
     if (status != BAT_OK)
         bat_object_release(object);
@@ -321,7 +326,7 @@ static bat_status read_object(const reader *r, uint32_t node, bat_object **out) 
     } else {
         status = read_path(r, node, id, name, &style, shape, &object);
     }
-    return status == BAT_OK ? place_object(r, node, object, out) : status;
+    return status == BAT_OK ? place_object(r, node, name, object, out) : status;
 }
 
 bat_status bat_object_from_json(const bat_json *json, uint32_t node, const bat_pictures *pictures,

@@ -45,8 +45,9 @@ bat_status bat_guide_put(bat_context *c, bat_id id, int axis, double at) {
     bat_guiding *g = bat_guiding_of(c);
     bat_object *guide = NULL;
     int index = id ? bat_document_find(c->session->document, id) : 0;
-    bat_status status = bat_object_create_guide(id ? id : bat_document_next(c->session->document), axis, at,
-                                                &guide);
+    bat_status status = id ? bat_object_with_guide(bat_document_at(c->session->document, index), at, &guide)
+                           : bat_object_create_guide(bat_document_next(c->session->document), axis, at,
+                                                     &guide);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_object_release(guide);

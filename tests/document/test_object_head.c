@@ -1,0 +1,208 @@
+/* What objects of every kind have (id, name, parent, hidden, locked, style) survives every copy that changes
+ * something else, and both formats. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include <batten/batten.h>
+#include "editor/edit/affine.h"
+#include "support/pen.h"
+#include "support/pictures.h"
+#include "support/xml.h"
+
+enum { ID = 12, PARENT = 3 };
+static const bat_kind kinds[] = {BAT_KIND_PATH,  BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
+                                 BAT_KIND_SHAPE, BAT_KIND_IMAGE,  BAT_KIND_GUIDE};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static bat_style style_of(void) {
+    bat_style style = bat_style_defaults();
+    style.stroke = 0x11223344;
+    style.filled = true;
+    style.fill = 0x55667788;
+    style.width = 3.25;
+    style.opacity = 0.5;
+    style.cap = BAT_CAP_BUTT;
+    style.join = BAT_JOIN_MITER;
+    style.miter_limit = 7;
+    return style;
+}
+
+/* Takes `made` in place of *object. */
+static void become(bat_object **object, bat_object *made) {
+    bat_object_release(*object);
+    *object = made;
+}
+
+static bat_object *bare(bat_kind kind, bat_id id) {
+    bat_style style = style_of();
+    bat_object *object = NULL, *made = NULL;
+    unsigned char head[HEAD_ROOM];
+    double points[] = {0, 0, 40, 60, 110, 60};
+    bat_spline spline = {.dimension = 2, .count = 3, .points = points};
+    bat_picture *picture = NULL;
+    bat_shape *shape = NULL;
+    bat_shape_options options = bat_shape_defaults();
+    bat_curve *curve = pen_curve(10, 20, 10, 3, 12);
+    switch (kind) {
+    case BAT_KIND_SPLINE:
+        assert_int_equal(bat_object_create_spline(id, "", &style, &spline, NULL, &object), BAT_OK);
+        break;
+    case BAT_KIND_GROUP:
+    case BAT_KIND_LAYER:
+        assert_int_equal(bat_object_create_group(id, "", kind == BAT_KIND_LAYER, &object), BAT_OK);
+        break;
+    case BAT_KIND_IMAGE:
+        assert_int_equal(bat_picture_create(head, head_png(head, 30, 20), &picture), BAT_OK);
+        assert_int_equal(bat_object_create_image(id, "", picture, (double[]){1, 0, 0, 1, 5, 6}, 0.5, &object),
+                         BAT_OK);
+        bat_picture_release(picture);
+        break;
+    case BAT_KIND_GUIDE: assert_int_equal(bat_object_create_guide(id, 1, 40, &object), BAT_OK); break;
+    case BAT_KIND_PATH:
+    case BAT_KIND_SHAPE:
+        if (kind == BAT_KIND_SHAPE) assert_int_equal(bat_shape_decompose(curve, 1, &options, &shape), BAT_OK);
+        assert_int_equal(bat_object_create_path(id, "", &style, 1, &curve, &object), BAT_OK);
+        curve = NULL;
+        if (shape) {
+            assert_int_equal(bat_object_with_shape(object, 0, shape, &made), BAT_OK);
+            become(&object, made);
+        }
+        break;
+    }
+    bat_curve_free(curve);
+    assert_int_equal(bat_object_kind(object), kind);
+    return object;
+}
+
+static bat_object *make(bat_kind kind, bat_id id, bat_id parent) {
+    bat_object *object = bare(kind, id), *made = NULL;
+    assert_int_equal(bat_object_with_parent(object, parent, &made), BAT_OK);
+    become(&object, made);
+    assert_int_equal(bat_object_with_name(object, "Wölbung \"9\"", &made), BAT_OK);
+    become(&object, made);
+    assert_int_equal(bat_object_with_state(object, true, true, &made), BAT_OK);
+    become(&object, made);
+    return object;
+}
+
+/* All of it but what the caller has changed on purpose. */
+static void same_head(const bat_object *a, const bat_object *b, bat_id id, bat_id parent) {
+    assert_int_equal(bat_object_id(a), id);
+    assert_int_equal(bat_object_parent(a), parent);
+    assert_string_equal(bat_object_name(a), bat_object_name(b));
+    assert_int_equal(bat_object_hidden(a), bat_object_hidden(b));
+    assert_int_equal(bat_object_locked(a), bat_object_locked(b));
+    assert_memory_equal(bat_object_style(a), bat_object_style(b), sizeof(bat_style));
+}
+
+static void every_copy_keeps_it(void **state) {
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        bat_object *object = make(kinds[k], ID, PARENT), *copy = NULL;
+        const double shear[6] = {2, 0.25, -0.5, 3, 10, -7};
+        if (!bat_object_is_group(object)) {
+            assert_int_equal(bat_affine_object(object, shear, false, &copy), BAT_OK);
+            same_head(copy, object, ID, PARENT);
+            become(&copy, NULL);
+        }
+        assert_int_equal(bat_object_with_id(object, 99, &copy), BAT_OK);
+        same_head(copy, object, 99, PARENT);
+        become(&copy, NULL);
+        assert_int_equal(bat_object_with_parent(object, 98, &copy), BAT_OK);
+        same_head(copy, object, ID, 98);
+        become(&copy, NULL);
+        assert_int_equal(bat_object_with_style(object, bat_object_style(object), &copy), BAT_OK);
+        same_head(copy, object, ID, PARENT);
+        become(&copy, NULL);
+        assert_int_equal(bat_object_with_name(object, bat_object_name(object), &copy), BAT_OK);
+        same_head(copy, object, ID, PARENT);
+        become(&copy, NULL);
+        double at;
+        if (bat_object_guide(object, &at) >= 0) {
+            assert_int_equal(bat_object_with_guide(object, 17, &copy), BAT_OK);
+            same_head(copy, object, ID, PARENT);
+            assert_true(bat_object_guide(copy, &at) == 1 && at == 17);
+            become(&copy, NULL);
+        } else {
+            assert_int_equal(bat_object_with_guide(object, 17, &copy), BAT_ARGUMENT);
+        }
+        if (bat_object_to_path(object, &copy) == BAT_OK) {
+            same_head(copy, object, ID, PARENT);
+            become(&copy, NULL);
+        }
+        if (bat_object_spline(object)) {
+            assert_int_equal(bat_object_with_spline(object, bat_object_spline(object), &copy), BAT_OK);
+            same_head(copy, object, ID, PARENT);
+            become(&copy, NULL);
+        }
+        if (bat_object_curve_count(object)) {
+            bat_curve *curves[2] = {pen_curve(0, 0, 5, 1, 5), pen_curve(0, 50, 5, 1, 5)};
+            assert_int_equal(bat_object_with_curve(object, 0, curves[0], &copy), BAT_OK);
+            same_head(copy, object, ID, PARENT);
+            become(&copy, NULL);
+            curves[0] = pen_curve(0, 0, 5, 1, 5);
+            assert_int_equal(bat_object_with_curves(object, 2, curves, &copy), BAT_OK);
+            same_head(copy, object, ID, PARENT);
+            become(&copy, NULL);
+        }
+        become(&object, NULL);
+    }
+    bat_object *guide = bare(BAT_KIND_GUIDE, 1), *copy = NULL;
+    assert_int_equal(bat_object_with_guide(guide, NAN, &copy), BAT_NUMBER);
+    assert_int_equal(bat_object_with_guide(guide, 2 * BAT_COORDINATE_MAX, &copy), BAT_NUMBER);
+    assert_int_equal(bat_object_with_guide(NULL, 0, &copy), BAT_ARGUMENT);
+    assert_null(copy);
+    become(&guide, NULL);
+}
+
+/* A layer with one of each kind, native and as SVG. */
+static void both_formats_keep_it(void **state) {
+    (void)state;
+    bat_document *document = NULL, *again = NULL;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    int count = 0;
+    bat_object *layer = make(BAT_KIND_LAYER, PARENT, 0);
+    assert_int_equal(bat_document_put(document, count++, layer), BAT_OK);
+    become(&layer, NULL);
+    for (int k = 0; k < KINDS; k++) {
+        bat_object *object = make(kinds[k], ID + (bat_id)k, PARENT);
+        assert_int_equal(bat_document_put(document, count++, object), BAT_OK);
+        become(&object, NULL);
+    }
+    assert_null(bat_document_check(document));
+    for (int svg = 0; svg < 2; svg++) {
+        char *text = NULL;
+        size_t size = 0;
+        bat_svg_report report;
+        bat_problem problem;
+        if (svg) {
+            assert_int_equal(bat_svg_write(document, true, &text, &size), BAT_OK);
+            assert_int_equal(xml_read(text, NULL, &again, &report, &problem), BAT_OK);
+        } else {
+            assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+            assert_int_equal(bat_document_read(text, size, &again, &problem), BAT_OK);
+        }
+        assert_int_equal(bat_document_count(again), count);
+        for (int i = 0; i < count; i++) {
+            const bat_object *object = bat_document_at(document, i);
+            same_head(bat_document_at(again, i), object, bat_object_id(object), bat_object_parent(object));
+        }
+        assert_true(bat_document_digest(again) == bat_document_digest(document));
+        bat_document_free(again);
+        bat_free(text);
+    }
+    bat_document_free(document);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_copy_keeps_it),
+        cmocka_unit_test(both_formats_keep_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
