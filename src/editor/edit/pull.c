@@ -1,77 +1,232 @@
 #include "editor/edit/pull.h"
 #include "base/real.h"
-#include <batten/drag.h>
-#include <batten/refine.h>
+#include "curve/curve.h"
+#include "editor/edit/smooth_node.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-static const double SMOOTH = 0.06; /* tangent of the turn */
+/* Rows: what is pulled, the two ends, and a node for each control point that is reached and two beside them. */
+enum { REACHED = BAT_PULLS_MAX * (BAT_DEGREE_MAX + 1), ROWS = 2 * REACHED, ENTRIES = BAT_DEGREE_MAX + 1 };
 
-static bool looks_smooth(const bat_curve *curve, double u) {
-    double a[4], b[4];
-    bat_curve_eval_left(curve, u, 1, a);
-    bat_curve_eval(curve, u, 1, b);
-    double along = a[2] * b[2] + a[3] * b[3], across = a[2] * b[3] - a[3] * b[2];
-    return along > 0 && fabs(across) < SMOOTH * along;
+static const double SAME = 1e-12,
+                    APART = 1e-8; /* squared sines: one row of others; a pull of what must stay */
+
+/* Of the control points' moves: sum weights[i] move[points[i]] = delta. */
+typedef struct row {
+    int node; /* that it keeps smooth; -1: none */
+    int count, points[ENTRIES];
+    double weights[ENTRIES], delta[2];
+    double size; /* sum of the squares of its weights, those of pinned points too */
+} row;
+
+typedef struct system {
+    const bat_curve *curve;
+    int pinned[2];                              /* control points that are ends and stay; -1: none */
+    int pulls, reached[REACHED], reached_count; /* control points that the pulls hang on */
+    int count;
+    row rows[ROWS];
+    double gram[ROWS][ROWS], share[ROWS][2];
+} system;
+
+static bool is_reached(const system *s, int point) {
+    for (int i = 0; i < s->reached_count; i++)
+        if (s->reached[i] == point) return true;
+    return false;
 }
 
-/* The knots less one copy of each that looks smooth; those go to `dropped`. Returns how many are dropped. */
-static int thin(const bat_curve *curve, double *kept, double *dropped) {
-    const double *knots = bat_curve_knots(curve);
-    int count = bat_curve_knot_count(curve), p = bat_curve_degree(curve), gone = 0, left = 0;
-    double domain[2];
-    bat_curve_domain(curve, domain);
-    for (int i = 0, next; i < count; i = next) {
-        for (next = i + 1; next < count && knots[next] == knots[i]; next++) {
+static void add_entry(const system *s, row *r, int point, double weight) {
+    r->size += weight * weight;
+    if (point == s->pinned[0] || point == s->pinned[1]) return;
+    for (int i = 0; i < r->count; i++)
+        if (r->points[i] == point) { /* a short closed curve has a point several times in a row */
+            r->weights[i] += weight;
+            return;
         }
-        bool inside = knots[i] > domain[0] && knots[i] < domain[1];
-        bool one_less = inside && p > 1 && next - i == p && looks_smooth(curve, knots[i]);
-        if (one_less) dropped[gone++] = knots[i];
-        for (int k = i + one_less; k < next; k++) kept[left++] = knots[i];
+    r->points[r->count] = point;
+    r->weights[r->count++] = weight;
+}
+
+static row *add_row(system *s) {
+    row *r = &s->rows[s->count++];
+    *r = (row){.node = -1};
+    return r;
+}
+
+static row *add_place(system *s, double u) {
+    row *r = add_row(s);
+    double weights[BAT_DEGREE_MAX + 1];
+    int first;
+    bat_curve_basis(s->curve, u, &first, weights);
+    for (int i = 0; i <= s->curve->degree; i++)
+        if (weights[i] != 0) add_entry(s, r, (first + i) % s->curve->count, weights[i]);
+    return r;
+}
+
+/* A handle that nothing pulls moves for one node; what hangs on two stays. */
+static bool may_move(const system *s, int point, int node) {
+    bat_smooth_node other;
+    if (is_reached(s, point)) return true;
+    int n = s->curve->count;
+    for (int side = -1; side <= 1; side++) {
+        int on = (point + side + n) % n;
+        if (on != node && bat_smooth_node_at(s->curve, on, &other) &&
+            (other.in == point || other.out == point))
+            return false;
     }
-    return gone;
+    return true;
 }
 
-/* A curve of the same kind with fewer points, all at the origin. */
-static bat_status nowhere(const bat_curve *curve, int count, const double *knots, bat_curve **out) {
-    double *points = count > 0 ? calloc(2 * (size_t)count, sizeof *points) : NULL;
-    if (!points) return BAT_MEMORY;
-    bat_status status = bat_curve_create(bat_curve_degree(curve), 2, bat_curve_closed(curve), count, knots,
-                                         points, out);
-    free(points);
-    return status;
+static void add_node(system *s, int on) {
+    bat_smooth_node node;
+    for (int i = 0; i < s->count; i++)
+        if (s->rows[i].node == on) return;
+    if (s->count == ROWS || !bat_smooth_node_at(s->curve, on, &node)) return;
+    const int points[3] = {node.in, node.on, node.out};
+    const double weights[3] = {node.ratio / (1 + node.ratio), -1, 1 / (1 + node.ratio)};
+    row *r = add_row(s);
+    r->node = on;
+    for (int i = 0; i < 3; i++)
+        if (may_move(s, points[i], on)) add_entry(s, r, points[i], weights[i]);
 }
 
-static bat_status sum(const bat_curve *a, const bat_curve *b, bat_curve **out) {
-    int count = bat_curve_count(a), knots = bat_curve_knot_count(a);
-    if (bat_curve_count(b) != count || bat_curve_knot_count(b) != knots ||
-        memcmp(bat_curve_knots(a), bat_curve_knots(b), (size_t)knots * sizeof(double)) != 0)
-        return BAT_SINGULAR; /* numbered otherwise */
-    double *points = malloc(2 * (size_t)count * sizeof *points);
-    if (!points) return BAT_MEMORY;
-    for (int i = 0; i < 2 * count; i++) points[i] = bat_curve_points(a)[i] + bat_curve_points(b)[i];
-    bat_status status = bat_curve_create(bat_curve_degree(a), 2, bat_curve_closed(a), count,
-                                         bat_curve_knots(a), points, out);
-    free(points);
-    return status;
+static void add_ends(system *s, const double *u) {
+    double domain[2];
+    bat_curve_domain(s->curve, domain);
+    for (int side = 0; side < 2 && !s->curve->closed; side++) {
+        bool pulled = false;
+        for (int k = 0; k < s->pulls; k++) pulled = pulled || u[k] == domain[side];
+        if (pulled || s->pinned[side] >= 0) continue;
+        row *r = add_place(s, domain[side]);
+        if (r->count != 1) continue;
+        s->pinned[side] = r->points[0]; /* it hangs on one point */
+        s->count--;
+    }
+}
+
+static void gather(system *s, int count, const double *u, const double *delta, bool ends) {
+    s->pulls = count;
+    if (ends) { /* first, for what they pin */
+        add_ends(s, u);
+        s->count = 0;
+    }
+    for (int k = 0; k < count; k++) {
+        row *r = add_place(s, u[k]);
+        memcpy(r->delta, delta + 2 * k, sizeof r->delta);
+        for (int i = 0; i < r->count; i++)
+            if (!is_reached(s, r->points[i])) s->reached[s->reached_count++] = r->points[i];
+    }
+    if (ends) add_ends(s, u);
+    int n = s->curve->count;
+    for (int i = 0; i < s->reached_count; i++)
+        for (int side = -1; side <= 1; side++) {
+            int on = s->reached[i] + side;
+            if (s->curve->closed || (on >= 0 && on < n)) add_node(s, (on + n) % n);
+        }
+}
+
+static double product(const row *a, const row *b) {
+    double sum = 0;
+    for (int i = 0; i < a->count; i++)
+        for (int j = 0; j < b->count; j++)
+            if (a->points[i] == b->points[j]) sum += a->weights[i] * b->weights[j];
+    return sum;
+}
+
+/* Cholesky, conditions first and pulls last (row k stands at place count - 1 - k); a condition that follows from
+ * others is left out. */
+static bat_status solve(system *s) {
+    int n = s->count;
+    for (int j = 0; j < n; j++)
+        for (int i = j; i < n; i++) s->gram[i][j] = product(&s->rows[n - 1 - i], &s->rows[n - 1 - j]);
+    for (int j = 0; j < n; j++) {
+        double left = s->gram[j][j];
+        for (int k = 0; k < j; k++) left -= s->gram[j][k] * s->gram[j][k];
+        bool pull = n - 1 - j < s->pulls;
+        bool gone = !(left > (pull ? APART : SAME) * s->rows[n - 1 - j].size);
+        if (pull && gone) return BAT_SINGULAR;
+        double root = gone ? 1 : sqrt(left);
+        for (int i = j + 1; i < n; i++) {
+            double sum = s->gram[i][j];
+            for (int k = 0; k < j; k++) sum -= s->gram[i][k] * s->gram[j][k];
+            s->gram[i][j] = gone ? 0 : sum / root;
+        }
+        if (gone)
+            for (int k = 0; k < j; k++) s->gram[j][k] = 0;
+        s->gram[j][j] = root;
+    }
+    for (int c = 0; c < 2; c++) {
+        for (int i = 0; i < n; i++) {
+            double sum = s->rows[n - 1 - i].delta[c];
+            for (int k = 0; k < i; k++) sum -= s->gram[i][k] * s->share[k][c];
+            s->share[i][c] = sum / s->gram[i][i];
+        }
+        for (int i = n - 1; i >= 0; i--) {
+            for (int k = i + 1; k < n; k++) s->share[i][c] -= s->gram[k][i] * s->share[k][c];
+            s->share[i][c] /= s->gram[i][i];
+        }
+    }
+    return BAT_OK;
+}
+
+/* A copy whose points may still be written. */
+static bat_status begin(const bat_curve *curve, bat_curve **out) {
+    bat_status status = bat_curve_allocate(curve->degree, 2, curve->closed, curve->count, out);
+    if (status != BAT_OK) return status;
+    memcpy(bat_curve_own_knots(*out), bat_curve_knots(curve),
+           (size_t)bat_curve_knot_count(curve) * sizeof(double));
+    memcpy(bat_curve_own_points(*out), bat_curve_points(curve), 2 * (size_t)curve->count * sizeof(double));
+    return BAT_OK;
 }
 
 bat_status bat_pull(const bat_curve *curve, int count, const double *u, const double *delta,
                     bat_curve **out) {
-    int knots = bat_curve_knot_count(curve);
-    double *kept = malloc(2 * (size_t)knots * sizeof *kept);
-    if (!kept) return BAT_MEMORY;
-    double *dropped = kept + knots;
-    int gone = thin(curve, kept, dropped);
-    bat_curve *still = NULL, *thinned = NULL, *move = NULL;
-    bat_status status = gone ? nowhere(curve, bat_curve_count(curve) - gone, kept, &still) : BAT_SINGULAR;
-    if (status == BAT_OK) status = bat_curve_drag(still, count, u, delta, &thinned);
-    if (status == BAT_OK) status = bat_curve_insert_knots(thinned, gone, dropped, &move);
-    if (status == BAT_OK) status = sum(curve, move, out);
-    bat_curve_free(still);
-    bat_curve_free(thinned);
-    bat_curve_free(move);
-    free(kept);
-    return status == BAT_OK || status == BAT_MEMORY ? status : bat_curve_drag(curve, count, u, delta, out);
+    system s;
+    bat_status status = BAT_SINGULAR;
+    for (int ends = 1; ends >= 0 && status == BAT_SINGULAR;
+         ends--) { /* all but at an end: that is what is pulled */
+        s = (system){.curve = curve, .pinned = {-1, -1}};
+        gather(&s, count, u, delta, ends != 0);
+        status = solve(&s);
+    }
+    bat_curve *moved = NULL;
+    if (status == BAT_OK) status = begin(curve, &moved);
+    if (status != BAT_OK) return status;
+    double *points = bat_curve_own_points(moved);
+    for (int k = 0; k < s.count; k++) {
+        const row *r = &s.rows[k];
+        const double *share = s.share[s.count - 1 - k];
+        for (int i = 0; i < r->count && (share[0] != 0 || share[1] != 0); i++)
+            for (int c = 0; c < 2; c++) points[2 * r->points[i] + c] += r->weights[i] * share[c];
+    }
+    return bat_curve_finish(moved, out);
+}
+
+/* The handle opposite to the one that has moved: in line with it, as long as it was. */
+static void turn_opposite(double *points, int moved, int on, int opposite) {
+    double *far = points + 2 * opposite, *at = points + 2 * on, *near = points + 2 * moved;
+    double away[2] = {at[0] - near[0], at[1] - near[1]}, length = bat_hypot(away[0], away[1]);
+    double kept = bat_hypot(far[0] - at[0], far[1] - at[1]);
+    if (!(length > 0)) return;
+    for (int c = 0; c < 2; c++) far[c] = at[c] + away[c] * (kept / length);
+}
+
+bat_status bat_pull_point(const bat_curve *curve, int index, const double delta[2], bool alone,
+                          bat_curve **out) {
+    bat_smooth_node node;
+    bat_curve *moved = NULL;
+    if (index < 0 || index >= curve->count) return BAT_ARGUMENT;
+    bat_status status = begin(curve, &moved);
+    if (status != BAT_OK) return status;
+    double *points = bat_curve_own_points(moved);
+    bool tied = !alone && bat_smooth_node_of(curve, index, &node);
+    for (int c = 0; c < 2; c++) points[2 * index + c] += delta[c];
+    if (tied && index == node.on) {
+        for (int c = 0; c < 2; c++) {
+            points[2 * node.in + c] += delta[c];
+            points[2 * node.out + c] += delta[c];
+        }
+    } else if (tied) {
+        turn_opposite(points, index, node.on, index == node.in ? node.out : node.in);
+    }
+    return bat_curve_finish(moved, out);
 }

@@ -1,7 +1,8 @@
 /*
  * The points tool. Of the chosen curve (else the one under the pen) control polygon, control points and knots are
- * shown. A control point is dragged as it is; the curve is dragged anywhere by direct manipulation, and a knot that
- * is chosen stays where it is then. A double tap inserts a knot, Delete removes one.
+ * shown. A control point is dragged as it is, but smooth nodes stay smooth unless Alt is held; the curve is dragged
+ * anywhere by direct manipulation, and its ends and a knot that is chosen stay where they are then. A double tap
+ * inserts a knot, Delete removes one.
  *
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
  * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
@@ -32,8 +33,8 @@
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/pull.h"
+#include "editor/edit/smooth_node.h"
 #include "editor/edit/curves_of.h"
-#include <batten/drag.h>
 #include <batten/measure.h>
 #include <batten/refine.h>
 #include <math.h>
@@ -96,13 +97,19 @@ static void choose_curve(bat_context *c, bat_pointing *p, bat_id object, int cur
     if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
 }
 
+/* The last control points of an open curve, which hold its ends. */
+static bool is_end(const bat_curve *curve, const bat_handle *handle) {
+    bool last = handle->index == 0 || handle->index == bat_curve_count(curve) - 1;
+    return handle->kind == BAT_HANDLE_POINT && last && !bat_curve_closed(curve);
+}
+
 /* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
  * polygon is close to the curve, the curve could not be pulled otherwise. */
 static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_curve *curve,
                       const double point[2], const bat_pick *pick, bat_handle *out) {
     double at[2];
     if (!bat_handle_find(curve, point, reach(c, p, HANDLE_REACH), out)) return false;
-    if (!pick->object) return true;
+    if (!pick->object || is_end(curve, out)) return true;
     bat_handle_place(curve, out, at);
     double distance = bat_hypot(at[0] - point[0], at[1] - point[1]);
     return distance <= pick->near.distance + reach(c, p, HANDLE_LEAD);
@@ -135,11 +142,19 @@ static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
+/* Whether the control point is one of a smooth node, and the node is to stay one. */
+static bool is_tied(const bat_pointing *p, const bat_curve *curve, const bat_handle *handle) {
+    bat_smooth_node node;
+    if (!bat_smooth_node_of(curve, handle->index, &node)) return false;
+    return !p->corner.kind || handle->object != p->corner.object || handle->curve != p->corner.curve ||
+           node.u != p->corner.u;
+}
+
 static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_curve *base,
                         const bat_handle *grip, const double delta[2], bat_curve **out) {
-    (void)c;
     const bat_handle *held = &p->chosen;
-    if (grip->kind == BAT_HANDLE_POINT) return bat_curve_move_point(base, grip->index, delta, out);
+    bool alone = c->modifiers & BAT_ALT || !is_tied(p, base, grip);
+    if (grip->kind == BAT_HANDLE_POINT) return bat_pull_point(base, grip->index, delta, alone, out);
     double u[2] = {grip->u, held->u}, deltas[4] = {delta[0], delta[1], 0, 0};
     bool holds = held->kind == BAT_HANDLE_KNOT && held->object == grip->object &&
                  held->curve == grip->curve && held->u != grip->u;
@@ -338,7 +353,9 @@ static bat_status make_corner(bat_context *c, bat_pointing *p) {
         bat_notice(c, BAT_STRING_NOTICE_CORNER_ALREADY);
         return BAT_STATE;
     }
-    return insert(c, p, curve, u, more, BAT_STRING_STEP_CORNER);
+    bat_status status = insert(c, p, curve, u, more, BAT_STRING_STEP_CORNER);
+    if (status == BAT_OK) p->corner = p->chosen;
+    return status;
 }
 
 /* Down to as many copies as leave the curve C2 (degree 2: C1), whatever it costs; what it cost is said. */
@@ -610,11 +627,13 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
 }
 
 static bat_string hint(const bat_context *c, const void *state) {
-    (void)c;
     const bat_pointing *p = state;
     if (p->dragging) return BAT_STRING_HINT_DRAGGING;
     if (p->measured) return BAT_STRING_HINT_MEASURED;
-    if (p->hot.kind == BAT_HANDLE_POINT) return BAT_STRING_HINT_CONTROL_POINT;
+    if (p->hot.kind == BAT_HANDLE_POINT) {
+        const bat_curve *curve = bat_edit_target(c->session->document, p->hot.object, p->hot.curve);
+        return curve && is_tied(p, curve, &p->hot) ? BAT_STRING_HINT_TIED : BAT_STRING_HINT_CONTROL_POINT;
+    }
     if (p->hot.kind == BAT_HANDLE_KNOT) return BAT_STRING_HINT_KNOT;
     if (p->hot.kind == BAT_HANDLE_CURVE)
         return p->chosen.kind == BAT_HANDLE_KNOT && p->hot.object == p->object ? BAT_STRING_HINT_PULL_HELD

@@ -14,6 +14,7 @@ typedef struct bat_pointing {
     int curve;
     bat_id adopted;    /* the selection that has been taken up */
     bat_handle chosen; /* a point or knot of it, or none */
+    bat_handle corner; /* the knot that was made a corner last, or none: its points move alone */
     bool measured;     /* with Shift: a stretch of it, from the chosen knot */
     double stretch[2]; /* ascending; closed: the end may lie in the next period */
 
