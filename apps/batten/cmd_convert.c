@@ -25,9 +25,12 @@ static int output_format(const cli_arguments *arguments, drawing_format *out) {
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     drawing_format format;
-    bat_svg_options options = bat_svg_defaults();
+    bat_svg_options options = bat_svg_merging();
     int failed = output_format(arguments, &format);
-    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &options.tolerance);
+    double tolerance = -1;
+    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
+    if (tolerance >= 0)
+        options.tolerance = tolerance, options.share = 0; /* as asked, however small a path is */
     if (failed) return failed;
     drawing_file drawing;
     failed = drawing_read(in, &options, &drawing);
@@ -58,7 +61,8 @@ const cli_command command_convert = {
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,
     .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg or json"},
-                {"--tolerance", "T", "knots of imported paths are removed within T, document units"},
+                {"--tolerance", "T",
+                 "knots of imported paths are removed within T units; 0: only where nothing changes"},
                 OPTION_LOSSY},
     .run = run,
 };

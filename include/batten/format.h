@@ -41,6 +41,7 @@ BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t siz
 typedef struct bat_svg_options {
     double tolerance; /* knots of imported paths are removed within it, document units; 0: exact only */
     double corner;    /* radians: joints that turn more are corners */
+    double share; /* of a path's larger side, which bounds the tolerance for small ones; 0: nothing does */
 } bat_svg_options;
 
 /* What a file can hold that a document can not, so that writing over the file would lose it. Of each kind the elements
@@ -103,7 +104,10 @@ typedef struct bat_svg_report {
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
-BAT_API bat_svg_options bat_svg_defaults(void);
+BAT_API bat_svg_options bat_svg_defaults(void); /* exact; corners from 0.05 on */
+/* For drawings that are going to be edited: nodes are merged where the curve is the same within 0.001, of small paths
+ * within a ten-thousandth of their size. */
+BAT_API bat_svg_options bat_svg_merging(void);
 BAT_API bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out);
 /* attributes: name, value, name, value, ..., NULL. Namespaced names as written ("xlink:href"). */
 BAT_API bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name,

@@ -17,7 +17,7 @@ int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, cha
 
 /* NULL when memory is short. */
 bat_svg_reader *svg_begin(void) {
-    const bat_svg_options options = bat_svg_defaults();
+    const bat_svg_options options = bat_svg_merging();
     bat_svg_reader *reader = NULL;
     return bat_svg_reader_create(&options, &reader) == BAT_OK ? reader : NULL;
 }

@@ -35,12 +35,16 @@ struct bat_svg_reader {
     uint32_t failed_at; /* elements begun when it came */
 };
 
-bat_svg_options bat_svg_defaults(void) { return (bat_svg_options){.tolerance = 0, .corner = 0.05}; }
+bat_svg_options bat_svg_defaults(void) { return (bat_svg_options){.corner = 0.05}; }
+
+bat_svg_options bat_svg_merging(void) {
+    return (bat_svg_options){.tolerance = 1e-3, .corner = 0.05, .share = 1e-4};
+}
 
 bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out) {
     bat_svg_options chosen = options ? *options : bat_svg_defaults();
     if (!out || !(chosen.tolerance >= 0 && chosen.tolerance <= BAT_COORDINATE_MAX) ||
-        !(chosen.corner >= 0 && chosen.corner <= 4))
+        !(chosen.corner >= 0 && chosen.corner <= 4) || !(chosen.share >= 0))
         return BAT_ARGUMENT;
     bat_svg_reader *reader = malloc(sizeof *reader);
     if (!reader) return BAT_MEMORY;
@@ -296,6 +300,17 @@ static void count_paths(bat_svg_report *report, int curves) {
     report->curves += curves;
 }
 
+/* What a point may be off is nothing to a large path and much to a small one. */
+static double tolerance_for(const bat_svg_options *options, int segments, const double *points) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    if (!(options->share > 0)) return options->tolerance;
+    for (size_t i = 0; i < 2 * (3 * (size_t)segments + 1); i++) {
+        low[i % 2] = fmin(low[i % 2], points[i]);
+        high[i % 2] = fmax(high[i % 2], points[i]);
+    }
+    return fmin(options->tolerance, options->share * fmax(high[0] - low[0], high[1] - low[1]));
+}
+
 /* One curve for each subpath that has any length. */
 static int make_curves(walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
     const bat_outline *o = &w->outline;
@@ -314,10 +329,11 @@ static int make_curves(walk *w, uint32_t element, const bat_style *style, bat_cu
             continue;
         }
         double error;
-        bat_status status = good ? bat_curve_from_bezier(3, 2, path->segments, points, path->closed,
-                                                         w->options->corner, w->options->tolerance,
-                                                         &curves[count], &error)
-                                 : BAT_NUMBER;
+        bat_status status = BAT_NUMBER;
+        if (good)
+            status = bat_curve_from_bezier(3, 2, path->segments, points, path->closed, w->options->corner,
+                                           tolerance_for(w->options, path->segments, points), &curves[count],
+                                           &error);
         if (status == BAT_MEMORY)
             w->status = status;
         else if (status == BAT_OK || status == BAT_TOLERANCE)
