@@ -11,6 +11,24 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
     return bat_curve_dimension(target) == 2 ? target : NULL;
 }
 
+bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,
+                            bat_curve *curve) {
+    const bat_document *document = c->session->document;
+    bat_object *object = NULL, *placed = NULL;
+    bat_status status = bat_object_create_path(id, NULL, style, 1, &curve, &object);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    int layer = parent ? bat_document_find(document, parent) : -1;
+    int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
+    status = parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, parent, &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, index, placed);
+    bat_object_release(placed);
+    bat_object_release(object);
+    return status;
+}
+
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     int at = bat_document_find(c->session->document, object);
     bat_object *after = NULL;

@@ -10,6 +10,10 @@
 
 /* The curve an edit works on, or NULL when the document has none such. */
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
+/* Within a transaction: a new path of one curve, in front within `parent` (0: of all). Takes the curve over, whatever it
+ * returns. */
+bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,
+                            bat_curve *curve);
 /* Within a transaction: the object's curve `index` becomes `curve`, which is taken over whatever it returns. */
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
 /* The same as one step of its own. */

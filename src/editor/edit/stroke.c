@@ -117,24 +117,6 @@ static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *c
     return put;
 }
 
-/* Takes the curve over, whatever it returns. */
-static bat_status insert_new(bat_context *c, const bat_edit *edit, bat_curve *curve) {
-    const bat_document *document = c->session->document;
-    bat_object *object = NULL, *placed = NULL;
-    bat_status status = bat_object_create_path(edit->object, NULL, &edit->style, 1, &curve, &object);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
-    int layer = edit->parent ? bat_document_find(document, edit->parent) : -1;
-    int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
-    status = edit->parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, edit->parent, &placed);
-    if (status == BAT_OK) status = bat_transaction_insert(c, index, placed);
-    bat_object_release(placed);
-    bat_object_release(object);
-    return status;
-}
-
 static bat_status remove_curve(bat_context *c, bat_id id, int index) {
     int at = bat_document_find(c->session->document, id);
     if (at < 0) return BAT_ARGUMENT;
@@ -153,7 +135,7 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
     if (status != BAT_OK)
         bat_curve_free(curve);
     else if (edit->kind == BAT_EDIT_NEW)
-        status = insert_new(c, edit, curve);
+        status = bat_insert_curve(c, edit->object, &edit->style, edit->parent, curve);
     else if (edit->kind == BAT_EDIT_LEVEL)
         status = put_level(c, edit, curve);
     else if (edit->kind == BAT_EDIT_SEVERAL)
