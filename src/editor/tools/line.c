@@ -1,0 +1,221 @@
+/*
+ * The line tool: a straight line by a drag. Shift keeps to steps of 15 degrees. Each further drag or click goes on from
+ * where the last line ended, in the same curve, with a corner there; a click on that end, or Esc, is the end of it.
+ *
+ * IDLE --down--> PRESSED --up, moved--> ON --down, up--> ON ... --Esc--> IDLE. A click in IDLE puts the first point.
+ */
+#include "base/real.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/curves_of.h"
+#include "editor/edit/style.h"
+#include "editor/pick/snap.h"
+#include "editor/scene/stage.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/show/overlay.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/view.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double CLICK = 5; /* px of travel that are still a click */
+
+typedef struct lining {
+    bool placed;             /* there is a point to go on from */
+    bool hovering;           /* `at` is where the next line would end */
+    bool pressed;            /* between down and up */
+    bool began;              /* this press has put the first point */
+    bat_id object;           /* the curve that goes on; 0: none yet */
+    double from[2], at[2];   /* document units */
+    double start[2], now[2]; /* view pixels of the press */
+} lining;
+
+/* The curve that goes on, while it ends where the last line did: undo or another tool may have changed it. */
+static const bat_curve *settle(const bat_context *c, lining *l) {
+    if (!l->object) return NULL;
+    const bat_curve *curve = bat_edit_target(c->session->document, l->object, 0);
+    bool good = curve && !bat_curve_closed(curve) && bat_curve_degree(curve) == 3;
+    if (good)
+        good = !memcmp(bat_curve_points(curve) + 2 * (bat_curve_count(curve) - 1), l->from, sizeof l->from);
+    if (good) return curve;
+    l->object = 0;
+    l->placed = false;
+    return NULL;
+}
+
+static void place(bat_context *c, lining *l, const bat_pointer *event) {
+    l->now[0] = event->x;
+    l->now[1] = event->y;
+    bat_view_to_document(c->view, l->now, l->at);
+    if (c->modifiers & BAT_SHIFT && l->placed)
+        bat_snap_angle(c, l->from, l->at);
+    else
+        bat_snap_point(c, 0, NULL, l->at);
+}
+
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    lining *l = state;
+    settle(c, l);
+    l->hovering = true;
+    place(c, l, event);
+}
+
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    ((lining *)state)->hovering = false;
+}
+
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    lining *l = state;
+    settle(c, l);
+    bat_notice(c, BAT_STRING_COUNT);
+    place(c, l, event);
+    l->began = !l->placed;
+    l->pressed = l->placed = true;
+    if (l->began) memcpy(l->from, l->at, sizeof l->from);
+    memcpy(l->start, l->now, sizeof l->start);
+}
+
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    lining *l = state;
+    if (l->pressed && !event->predicted) place(c, l, event);
+}
+
+/* The curve, or nothing, and a straight piece from its end: knots as long as the piece, three at the corner. */
+static bat_status straight(const bat_curve *before, const double from[2], const double to[2],
+                           bat_curve **out) {
+    int old = before ? bat_curve_count(before) : 1, count = old + 3;
+    double length = bat_hypot(to[0] - from[0], to[1] - from[1]), last = 0;
+    double *points = malloc((size_t)count * 2 * sizeof *points);
+    double *knots = malloc((size_t)(count + 4) * sizeof *knots);
+    bat_status status = points && knots ? BAT_OK : BAT_MEMORY;
+    if (status == BAT_OK) {
+        if (before) {
+            memcpy(points, bat_curve_points(before), (size_t)old * 2 * sizeof *points);
+            memcpy(knots, bat_curve_knots(before), (size_t)(old + 3) * sizeof *knots);
+            last = knots[old + 2];
+        } else {
+            memcpy(points, from, 2 * sizeof *points);
+            memset(knots, 0, 4 * sizeof *knots);
+        }
+        for (int i = 1; i <= 3; i++)
+            for (int k = 0; k < 2; k++) points[2 * (old - 1 + i) + k] = from[k] + (to[k] - from[k]) * i / 3;
+        memcpy(points + 2 * (count - 1), to, 2 * sizeof *points);
+        for (int i = 0; i < 4; i++) knots[count + i] = last + length;
+        status = bat_curve_create(3, 2, false, count, knots, points, out);
+    }
+    free(points);
+    free(knots);
+    return status;
+}
+
+static bat_status commit(bat_context *c, lining *l) {
+    bat_curve *curve = NULL;
+    bat_status status = straight(settle(c, l), l->from, l->at, &curve);
+    if (status != BAT_OK) return status;
+    if (l->object) return bat_commit_curve(c, l->object, 0, curve, BAT_STRING_STEP_LINE);
+    status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    bat_id id = bat_document_new_id(c->session->document);
+    bat_style style = bat_styling_new(c);
+    status = bat_insert_curve(c, id, &style, c->choice->layer, curve);
+    if (status == BAT_OK) status = bat_transaction_commit(c, BAT_STRING_STEP_LINE, NULL);
+    if (status == BAT_OK)
+        l->object = id;
+    else
+        bat_transaction_cancel(c);
+    return status;
+}
+
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    lining *l = state;
+    if (!l->pressed) return; /* cancelled */
+    place(c, l, event);
+    l->pressed = false;
+    bool clicked = bat_hypot(l->now[0] - l->start[0], l->now[1] - l->start[1]) <= CLICK;
+    if (clicked && l->began) return; /* the first point is put */
+    if (bat_hypot(l->at[0] - l->from[0], l->at[1] - l->from[1]) <= CLICK * bat_view_pixel(c->view)) {
+        l->placed = false; /* on the end: that was all */
+        l->object = 0;
+        return;
+    }
+    bat_status status = commit(c, l);
+    if (status == BAT_OK)
+        memcpy(l->from, l->at, sizeof l->from);
+    else
+        bat_notice_failure(c, status);
+}
+
+/* A press is taken back first, then the line comes to its end. */
+static bool cancel(bat_context *c, void *state) {
+    lining *l = state;
+    bool had = l->placed;
+    (void)c;
+    if (l->pressed && !l->began) {
+        l->pressed = false;
+        return true;
+    }
+    l->pressed = l->placed = false;
+    l->object = 0;
+    return had;
+}
+
+/* Before undo: only what is not in the document yet. */
+static bool undo(bat_context *c, void *state) {
+    lining *l = state;
+    return (l->pressed || !l->object) && cancel(c, state);
+}
+
+static bool accept(bat_context *c, void *state) { return cancel(c, state); }
+
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    return ((const lining *)state)->pressed;
+}
+
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    lining *l = state;
+    settle(c, l);
+    if (!l->placed) return;
+    double pixel = bat_view_pixel(c->view);
+    if (l->pressed || l->hovering) {
+        bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
+        bat_overlay_polyline(list, 2, (double[]){l->from[0], l->from[1], l->at[0], l->at[1]});
+    }
+    bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
+    bat_overlay_circle(list, l->from, 4 * pixel);
+}
+
+static bat_string hint(const bat_context *c, const void *state) {
+    (void)c;
+    return ((const lining *)state)->placed ? BAT_STRING_HINT_LINE_ON : BAT_STRING_HINT_LINE;
+}
+
+static const char *check(const bat_context *c, const void *state) {
+    const lining *l = state;
+    (void)c;
+    if (l->object && !l->placed) return "a line goes on from nowhere";
+    return l->pressed && !l->placed ? "a line is drawn from nowhere" : NULL;
+}
+
+const bat_tool *bat_tool_line(void) {
+    static const bat_tool tool = {.size = sizeof(lining),
+                                  .hover = hover,
+                                  .leave = leave,
+                                  .down = down,
+                                  .move = move,
+                                  .up = up,
+                                  .cancel = cancel,
+                                  .undo = undo,
+                                  .accept = accept,
+                                  .busy = busy,
+                                  .overlay = overlay,
+                                  .hint = hint,
+                                  .check = check};
+    return &tool;
+}
