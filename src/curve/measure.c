@@ -13,14 +13,33 @@ enum { ORDERS = BAT_DEGREE_MAX + 1 };
 
 /* ---- Length ---- */
 
-/* C' by u, as a polynomial of the local coordinate of one slot. */
+/* C' by u, as a polynomial of the local coordinate of one slot, over a power of two that makes its coefficients at
+ * most 1: squares neither overflow nor vanish. Lengths taken from it are in units of that scale. */
 typedef struct hodograph {
     int terms, dimension;
     double middle, half;
+    double scale;
+    double density; /* error allowed a unit of u */
+    double noise;   /* what the speed may be wrong by, from rounding */
     double c[ORDERS * BAT_DIMENSION_MAX];
 } hodograph;
 
-static void hodograph_of(const bat_curve *curve, int slot, hodograph *out) {
+static void rescale(hodograph *h, double density) {
+    double greatest = 0, sum = 0;
+    int exponent = 0;
+    const int count = h->terms * h->dimension;
+    for (int i = 0; i < count; i++) greatest = fmax(greatest, fabs(h->c[i]));
+    if (isfinite(greatest)) frexp(greatest, &exponent);
+    h->scale = ldexp(1, exponent);
+    for (int i = 0; i < count; i++) {
+        h->c[i] = ldexp(h->c[i], -exponent);
+        sum += fabs(h->c[i]);
+    }
+    h->noise = 4 * DBL_EPSILON * sum;
+    h->density = density / h->scale;
+}
+
+static void hodograph_of(const bat_curve *curve, int slot, double density, hodograph *out) {
     const int p = curve->degree, m = curve->dimension, w = p + 1;
     const double *t = curve->knots + p + slot;
     const double *P = curve->points + (size_t)slot * (size_t)m;
@@ -34,6 +53,7 @@ static void hodograph_of(const bat_curve *curve, int slot, hodograph *out) {
             for (int j = 1; j < w; j++) sum += T[k * w + j] * (P[j * m + c] - P[c]);
             out->c[(k - 1) * m + c] = sum * k / out->half;
         }
+    rescale(out, density);
 }
 
 static double speed(const hodograph *h, double u) {
@@ -60,21 +80,21 @@ static double gauss(const hodograph *h, double a, double b) {
     return sum * half;
 }
 
-/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to `density` a unit of u.
- * At a cusp only the one branch goes deep, and the depth is limited. */
-static double adapt(const hodograph *h, double a, double b, double whole, double relative, double density,
-                    int depth) {
+/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to what is allowed a unit of u, or as
+ * well as rounding lets them. At a cusp only the one branch goes deep, and the depth is limited. */
+static double adapt(const hodograph *h, double a, double b, double whole, double relative, int depth) {
     const double middle = 0.5 * (a + b);
     const double left = gauss(h, a, middle), right = gauss(h, middle, b), sum = left + right;
     const double gap = fabs(sum - whole);
-    if (depth == 0 || !(gap > relative * sum && gap > density * (b - a)) || !(middle > a && middle < b))
+    if (depth == 0 || !(gap > relative * sum && gap > (h->density + h->noise) * (b - a)) ||
+        !(middle > a && middle < b))
         return sum;
-    return adapt(h, a, middle, left, relative, density, depth - 1) +
-           adapt(h, middle, b, right, relative, density, depth - 1);
+    return adapt(h, a, middle, left, relative, depth - 1) + adapt(h, middle, b, right, relative, depth - 1);
 }
 
-static double piece_length(const hodograph *h, double a, double b, double relative, double density) {
-    return b > a ? adapt(h, a, b, gauss(h, a, b), relative, density, 40) : 0;
+/* In units of the scale. */
+static double piece_length(const hodograph *h, double a, double b, double relative) {
+    return b > a ? adapt(h, a, b, gauss(h, a, b), relative, 40) : 0;
 }
 
 /* Error allowed a unit of u, from the length of the control polygon. */
@@ -102,8 +122,8 @@ static double length_inside(const bat_curve *curve, double a, double b, double r
     hodograph h;
     for (int i = bat_span(curve, a, -1); i < curve->spread && t[i] < b; i++) {
         if (!(t[i + 1] > t[i])) continue;
-        hodograph_of(curve, i - curve->degree, &h);
-        sum += piece_length(&h, a > t[i] ? a : t[i], b < t[i + 1] ? b : t[i + 1], relative, density);
+        hodograph_of(curve, i - curve->degree, density, &h);
+        sum += h.scale * piece_length(&h, a > t[i] ? a : t[i], b < t[i + 1] ? b : t[i + 1], relative);
     }
     return sum;
 }
@@ -123,15 +143,16 @@ double bat_curve_length(const bat_curve *curve, double u0, double u1, double rel
     return sum;
 }
 
-/* Where the length from a reaches s, forwards, a <= u <= b in one slot; total: the length of a..b. */
-static double invert(const hodograph *h, double a, double b, double s, double total, double relative,
-                     double density) {
+/* Where the length from a reaches s, forwards, a <= u <= b in one slot; total: the length of a..b. Both in units of the
+ * scale. */
+static double invert(const hodograph *h, double a, double b, double s, double total, double relative) {
+    const double near = fmax(0.1 * relative, 4 * DBL_EPSILON) * total + h->noise * (b - a);
     double low = a, high = b, before = 0, u = a + (b - a) * (s / total);
     for (int step = 0; step < 100; step++) {
         if (!(u > low && u < high)) u = 0.5 * (low + high);
         if (!(u > low && u < high)) break;
-        const double at = before + piece_length(h, low, u, relative, density), miss = s - at;
-        if (fabs(miss) <= 0.1 * relative * total) return u;
+        const double at = before + piece_length(h, low, u, relative), miss = s - at;
+        if (fabs(miss) <= near) return u;
         const double v = speed(h, u);
         if (miss > 0)
             low = u, before = at;
@@ -168,10 +189,10 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
                 i = p, u = start, shift += period;
             }
             if (!(t[i + 1] > t[i])) continue;
-            hodograph_of(curve, i - p, &h);
-            const double all = piece_length(&h, u, t[i + 1], relative, density);
-            if (rest < all) return invert(&h, u, t[i + 1], rest, all, relative, density) + shift;
-            rest -= all, u = t[i + 1];
+            hodograph_of(curve, i - p, density, &h);
+            const double all = piece_length(&h, u, t[i + 1], relative), left = rest / h.scale;
+            if (left < all) return invert(&h, u, t[i + 1], left, all, relative) + shift;
+            rest -= h.scale * all, u = t[i + 1];
             if (rest <= 0) return u + shift;
         }
     }
@@ -181,10 +202,10 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
             i = curve->spread - 1, u = end, shift -= period;
         }
         if (!(t[i + 1] > t[i])) continue;
-        hodograph_of(curve, i - p, &h);
-        const double all = piece_length(&h, t[i], u, relative, density);
-        if (rest < all) return invert(&h, t[i], u, all - rest, all, relative, density) + shift;
-        rest -= all, u = t[i];
+        hodograph_of(curve, i - p, density, &h);
+        const double all = piece_length(&h, t[i], u, relative), left = rest / h.scale;
+        if (left < all) return invert(&h, t[i], u, all - left, all, relative) + shift;
+        rest -= h.scale * all, u = t[i];
         if (rest <= 0) return u + shift;
     }
 }

@@ -68,6 +68,33 @@ static void closed_length(void **state) {
 }
 
 /* length and its inverse on curves of every kind; additive; against a polygon of many chords from below. */
+/* A power of two changes the scale and nothing else, where squares of speeds would overflow or vanish, too. */
+static void length_at_every_scale(void **state) {
+    (void)state;
+    static const int powers[] = {-900, -530, -400, 100, 230};
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        random_source r = {seed};
+        bat_curve *curve = random_curve(&r, 1 + (int)(seed % 7), 2 + (int)(seed % 2), seed % 3 == 0, 6);
+        const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve), n = bat_curve_count(curve);
+        double domain[2], *points = malloc(sizeof(double) * (size_t)(n * m));
+        assert_non_null(points);
+        bat_curve_domain(curve, domain);
+        const double length = bat_curve_length(curve, domain[0], domain[1], 1e-9);
+        const double u = bat_curve_at_length(curve, domain[0], 0.37 * length, 1e-9);
+        for (size_t k = 0; k < sizeof powers / sizeof *powers; k++) {
+            for (int i = 0; i < n * m; i++) points[i] = ldexp(bat_curve_points(curve)[i], powers[k]);
+            bat_curve *scaled = make(p, m, bat_curve_closed(curve), n, bat_curve_knots(curve), points);
+            const double there = bat_curve_length(scaled, domain[0], domain[1], 1e-9);
+            assert_true(fabs(ldexp(there, -powers[k]) - length) <= 1e-12 * length);
+            const double v = bat_curve_at_length(scaled, domain[0], ldexp(0.37 * length, powers[k]), 1e-9);
+            assert_true(fabs(v - u) <= 1e-9 * (domain[1] - domain[0]));
+            bat_curve_free(scaled);
+        }
+        free(points);
+        bat_curve_free(curve);
+    }
+}
+
 static void length_properties(void **state) {
     (void)state;
     random_source r = {3};
@@ -234,9 +261,14 @@ static void distances(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(parabola_length), cmocka_unit_test(cusp_length),
-                                       cmocka_unit_test(closed_length),   cmocka_unit_test(length_properties),
-                                       cmocka_unit_test(boxes),           cmocka_unit_test(circle),
-                                       cmocka_unit_test(inflections),     cmocka_unit_test(distances)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(parabola_length),
+                                       cmocka_unit_test(cusp_length),
+                                       cmocka_unit_test(closed_length),
+                                       cmocka_unit_test(length_at_every_scale),
+                                       cmocka_unit_test(length_properties),
+                                       cmocka_unit_test(boxes),
+                                       cmocka_unit_test(circle),
+                                       cmocka_unit_test(inflections),
+                                       cmocka_unit_test(distances)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
