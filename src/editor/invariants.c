@@ -61,7 +61,7 @@ static const char *check_steps(const bat_session *session, uint64_t states) {
 
 static const char *check_session(const bat_session *session) {
     const bat_history *history = &session->history;
-    if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_STEPS)
+    if (history->done < 0 || history->done > history->count || history->count > BAT_HISTORY_ROOM)
         return "the history is out of step";
     if (!session->journal.size || session->journal.text[session->journal.size - 1] != '\n')
         return "the journal does not end with a line";

@@ -10,12 +10,12 @@ void bat_selection_free(bat_selection *selection) {
 
 void bat_selection_clear(bat_selection *selection) {
     selection->version += selection->count > 0;
-    selection->count = 0;
+    selection->count = selection->loose = 0;
 }
 
-/* Where the id is, or would be. */
+/* Where the id is, or would be, among those in order. */
 static int place(const bat_selection *selection, bat_id id) {
-    int low = 0, high = selection->count;
+    int low = 0, high = selection->count - selection->loose;
     while (low < high) {
         int middle = low + (high - low) / 2;
         if (selection->ids[middle] < id)
@@ -31,22 +31,54 @@ bool bat_selection_has(const bat_selection *selection, bat_id id) {
     return at < selection->count && selection->ids[at] == id;
 }
 
+static bat_status make_room(bat_selection *selection) {
+    if (selection->count < selection->room) return BAT_OK;
+    int room = selection->room ? 2 * selection->room : 16;
+    bat_id *ids = realloc(selection->ids, (size_t)room * sizeof *ids);
+    if (!ids) return BAT_MEMORY;
+    selection->ids = ids;
+    selection->room = room;
+    return BAT_OK;
+}
+
 bat_status bat_selection_add(bat_selection *selection, bat_id id) {
     int at = place(selection, id);
     if (at < selection->count && selection->ids[at] == id) return BAT_OK;
-    if (selection->count == selection->room) {
-        int room = selection->room ? 2 * selection->room : 16;
-        bat_id *ids = realloc(selection->ids, (size_t)room * sizeof *ids);
-        if (!ids) return BAT_MEMORY;
-        selection->ids = ids;
-        selection->room = room;
-    }
+    if (make_room(selection) != BAT_OK) return BAT_MEMORY;
     memmove(selection->ids + at + 1, selection->ids + at,
             (size_t)(selection->count - at) * sizeof *selection->ids);
     selection->ids[at] = id;
     selection->count++;
     selection->version++;
     return BAT_OK;
+}
+
+bat_status bat_selection_append(bat_selection *selection, bat_id id) {
+    int at = place(selection, id);
+    if (at < selection->count - selection->loose && selection->ids[at] == id) return BAT_OK;
+    if (make_room(selection) != BAT_OK) return BAT_MEMORY;
+    selection->ids[selection->count++] = id;
+    selection->loose++;
+    selection->version++;
+    return BAT_OK;
+}
+
+static int compare(const void *a, const void *b) {
+    bat_id x = *(const bat_id *)a, y = *(const bat_id *)b;
+    return (x > y) - (x < y);
+}
+
+void bat_selection_sort(bat_selection *selection) {
+    bool sorted = true;
+    int kept = 0;
+    selection->loose = 0;
+    for (int i = 1; i < selection->count && sorted; i++) sorted = selection->ids[i - 1] < selection->ids[i];
+    if (sorted) return;
+    qsort(selection->ids, (size_t)selection->count, sizeof *selection->ids, compare); /* equal ids are one */
+    for (int i = 0; i < selection->count; i++)
+        if (i == 0 || selection->ids[i] != selection->ids[kept - 1])
+            selection->ids[kept++] = selection->ids[i];
+    selection->count = kept;
 }
 
 void bat_selection_remove(bat_selection *selection, bat_id id) {

@@ -10,6 +10,7 @@
 typedef struct bat_selection {
     bat_id *ids; /* ascending */
     int count, room;
+    int loose;        /* at the end, not in order yet: between bat_selection_append and bat_selection_sort */
     uint32_t version; /* grows with every change */
 } bat_selection;
 
@@ -18,6 +19,10 @@ void bat_selection_clear(bat_selection *selection); /* keeps the memory */
 bool bat_selection_has(const bat_selection *selection, bat_id id);
 /* Adding what is there changes nothing. BAT_MEMORY: the selection is as it was. */
 bat_status bat_selection_add(bat_selection *selection, bat_id id);
+/* Many at once: appended in any order, also what is there; nothing else may be asked before the sort. n log n, where
+ * adding one by one costs n^2. */
+bat_status bat_selection_append(bat_selection *selection, bat_id id);
+void bat_selection_sort(bat_selection *selection);
 void bat_selection_remove(bat_selection *selection, bat_id id);
 void bat_selection_swap(bat_selection *a, bat_selection *b);
 /* Drops the ids that the document does not have, or has hidden or locked, and guides. O(selected). */

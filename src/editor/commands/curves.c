@@ -108,26 +108,23 @@ static bat_status finish(bat_context *c, bat_status status, bool changed, bat_st
 
 static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat_curve **), bat_string label,
                        bat_string otherwise) {
-    int *roots = NULL, count = 0;
+    int *members = NULL, count = 0;
     bool changed = false;
-    bat_status status = bat_arrange_roots(c, &roots, &count);
+    bat_status status = bat_arrange_members(c, &members, &count);
     if (status == BAT_STATE) status = BAT_OK;
     if (status == BAT_OK) status = bat_transaction_begin(c);
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]) && status == BAT_OK;
-             k++) {
-            bat_object *after = NULL;
-            if (bat_object_is_group(bat_document_at(c->session->document, k))) continue;
-            status = made_over(bat_document_at(c->session->document, k), make, &after);
-            if (status == BAT_STATE) {
-                status = BAT_OK;
-                continue;
-            }
-            if (status == BAT_OK) status = bat_transaction_replace(c, k, after);
-            bat_object_release(after);
-            changed = status == BAT_OK;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        bat_object *after = NULL;
+        status = made_over(bat_document_at(c->session->document, members[i]), make, &after);
+        if (status == BAT_STATE) {
+            status = BAT_OK;
+            continue;
         }
-    free(roots);
+        if (status == BAT_OK) status = bat_transaction_replace(c, members[i], after);
+        bat_object_release(after);
+        changed = status == BAT_OK;
+    }
+    free(members);
     return finish(c, status, changed, label, otherwise);
 }
 
@@ -151,18 +148,17 @@ typedef struct open_curve {
 } open_curve;
 
 /* The selected open curves of the plane; at most `room` written. */
-static int find_open(const bat_context *c, const int *roots, int count, open_curve *out, int room) {
+static int find_open(const bat_context *c, const int *members, int count, open_curve *out, int room) {
     int found = 0;
-    for (int i = 0; i < count; i++)
-        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]); k++) {
-            const bat_object *object = bat_document_at(c->session->document, k);
-            for (int j = 0; j < bat_object_curve_count(object); j++) {
-                const bat_curve *curve = bat_object_curve(object, j);
-                if (bat_curve_closed(curve) || bat_curve_dimension(curve) != 2) continue;
-                if (found < room) out[found] = (open_curve){k, j};
-                found++;
-            }
+    for (int i = 0; i < count; i++) {
+        const bat_object *object = bat_document_at(c->session->document, members[i]);
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            const bat_curve *curve = bat_object_curve(object, j);
+            if (bat_curve_closed(curve) || bat_curve_dimension(curve) != 2) continue;
+            if (found < room) out[found] = (open_curve){members[i], j};
+            found++;
         }
+    }
     return found;
 }
 
@@ -247,11 +243,11 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
 
 /* Two open curves become one; a single one is closed. */
 bat_status bat_command_curve_join(bat_context *c, bat_command_id id) {
-    int *roots = NULL, count = 0, found;
+    int *members = NULL, count = 0, found;
     open_curve two[2];
-    bat_status status = bat_arrange_roots(c, &roots, &count);
-    found = status == BAT_OK ? find_open(c, roots, count, two, 2) : 0;
-    free(roots);
+    bat_status status = bat_arrange_members(c, &members, &count);
+    found = status == BAT_OK ? find_open(c, members, count, two, 2) : 0;
+    free(members);
     if (found == 1) return bat_command_curve_close(c, id);
     if (status == BAT_STATE) status = BAT_OK;
     if (status == BAT_OK) status = bat_transaction_begin(c);
@@ -299,24 +295,23 @@ bat_status bat_command_curve_split(bat_context *c, bat_command_id id) {
         s->has_point = true;
     }
     bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(c->view) : -1};
-    int *roots = NULL, count = 0, index = -1, which = 0;
-    bat_status status = bat_arrange_roots(c, &roots, &count);
+    int *members = NULL, count = 0, index = -1, which = 0;
+    bat_status status = bat_arrange_members(c, &members, &count);
     if (status == BAT_STATE) status = BAT_OK;
-    for (int i = 0; i < count; i++)
-        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]); k++) {
-            const bat_object *object = bat_document_at(c->session->document, k);
-            for (int j = 0; j < bat_object_curve_count(object); j++) {
-                bat_near near;
-                const bat_curve *curve = bat_object_curve(object, j);
-                if (bat_curve_dimension(curve) != 2) continue;
-                if (bat_curve_nearest(curve, s->point, &near) == BAT_OK && near.distance <= best.distance) {
-                    best = near;
-                    index = k;
-                    which = j;
-                }
+    for (int i = 0; i < count; i++) {
+        const bat_object *object = bat_document_at(c->session->document, members[i]);
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            bat_near near;
+            const bat_curve *curve = bat_object_curve(object, j);
+            if (bat_curve_dimension(curve) != 2) continue;
+            if (bat_curve_nearest(curve, s->point, &near) == BAT_OK && near.distance <= best.distance) {
+                best = near;
+                index = members[i];
+                which = j;
             }
         }
-    free(roots);
+    }
+    free(members);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK && index >= 0) {
         double domain[2];

@@ -20,8 +20,9 @@ static void follow(bat_context *c, bool undone) {
         if (from || !to || bat_document_find(c->session->document, bat_object_id(to)) < 0) continue;
         if (!cleared) bat_selection_clear(&c->choice->selection);
         cleared = true;
-        bat_selection_add(&c->choice->selection, bat_object_id(to)); /* without memory: not selected */
+        bat_selection_append(&c->choice->selection, bat_object_id(to)); /* without memory: not selected */
     }
+    bat_selection_sort(&c->choice->selection);
     bat_selection_prune(&c->choice->selection, c->session->document); /* what is hidden or locked */
 }
 

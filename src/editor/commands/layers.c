@@ -87,12 +87,14 @@ static bat_status shift(bat_context *c, int at, int steps) {
         if (last) break;
         to = bat_document_end(document, to);
     }
-    for (; steps < 0; steps++) {
-        int before = from;
-        for (int i = 0; i < from; i++)
-            if (bat_object_parent(bat_document_at(document, i)) == parent) before = i;
-        if (before == from) break;
-        from = before;
+    int behind = 0; /* siblings */
+    for (int i = 0; i < at && steps < 0; i++)
+        behind += bat_object_parent(bat_document_at(document, i)) == parent;
+    for (int i = 0; i < at && steps < 0; i++) {
+        if (bat_object_parent(bat_document_at(document, i)) != parent) continue;
+        if (behind-- > -steps) continue;
+        from = i;
+        break;
     }
     if (from == at && to == end) return BAT_STATE;
     bat_listing listing = {0};

@@ -90,7 +90,8 @@ bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
     bat_nesting nesting = {0};
     bat_selection_clear(&c->choice->selection);
     bat_stage_sync(c);
-    for (int i = 0; i < bat_document_count(document); i++) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
@@ -100,9 +101,10 @@ bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
         if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER ||
             bat_object_kind(object) == BAT_KIND_GUIDE || (i < c->scene->count && c->scene->entries[i].pale))
             continue;
-        bat_status status = bat_selection_add(&c->choice->selection, bat_object_id(object));
-        if (status != BAT_OK) return told(c, status);
+        status = bat_selection_append(&c->choice->selection, bat_object_id(object));
     }
+    bat_selection_sort(&c->choice->selection);
+    if (status != BAT_OK) return told(c, status);
     /* Seen at once where there are handles for it. */
     if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) bat_toolbox_choose(c, bat_tool_that(BAT_CHOOSES));
     return BAT_OK;

@@ -36,6 +36,22 @@ bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count) {
     return BAT_OK;
 }
 
+bat_status bat_arrange_members(const bat_context *c, int **members, int *count) {
+    const bat_document *document = c->session->document;
+    int *roots = NULL, roots_count = 0, n = 0;
+    bat_status status = bat_arrange_roots(c, &roots, &roots_count);
+    int *found = status == BAT_OK ? malloc((size_t)bat_document_count(document) * sizeof *found) : NULL;
+    if (status == BAT_OK && !found) status = BAT_MEMORY;
+    for (int i = 0; i < roots_count && found; i++)
+        for (int k = roots[i], end = bat_document_end(document, k); k < end; k++)
+            if (!bat_object_is_group(bat_document_at(document, k))) found[n++] = k;
+    free(roots);
+    if (status != BAT_OK) return status;
+    *members = found;
+    *count = n;
+    return BAT_OK;
+}
+
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
     box[0] = box[1] = INFINITY;
     box[2] = box[3] = -INFINITY;
@@ -164,7 +180,7 @@ bat_status bat_arrange_delete(bat_context *c) {
     bool *gone = calloc((size_t)all + 1, sizeof *gone);
     bat_listing listing = {.failed = !gone};
     for (int i = 0; i < count && gone; i++)
-        for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) gone[k] = true;
+        for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) gone[k] = true;
     /* A group that the deletion leaves empty goes too; a layer stays. */
     for (int i = 0; i < all && gone; i++) {
         const bat_object *object = bat_document_at(document, i);
@@ -256,7 +272,8 @@ static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
     }
     if (status == BAT_OK && copies) {
         bat_selection_clear(&c->choice->selection);
-        for (int i = 0; i < count; i++) bat_selection_add(&c->choice->selection, copies[i]);
+        for (int i = 0; i < count; i++) bat_selection_append(&c->choice->selection, copies[i]);
+        bat_selection_sort(&c->choice->selection);
     }
     free(copies);
     free(roots);
@@ -363,7 +380,8 @@ bat_status bat_arrange_ungroup(bat_context *c) {
     status = apply(c, &listing, BAT_STRING_STEP_UNGROUP);
     if (status == BAT_OK) {
         bat_selection_clear(&c->choice->selection);
-        for (int i = 0; i < freed_count; i++) bat_selection_add(&c->choice->selection, freed[i]);
+        for (int i = 0; i < freed_count; i++) bat_selection_append(&c->choice->selection, freed[i]);
+        bat_selection_sort(&c->choice->selection);
         bat_selection_prune(&c->choice->selection, c->session->document);
     }
     free(freed);

@@ -11,6 +11,8 @@
 
 /* Document indices of the roots, ascending; freed by free. BAT_STATE: nothing is selected. */
 bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count);
+/* The same of all that is in them, but for groups: it may be none. */
+bat_status bat_arrange_members(const bat_context *c, int **members, int *count);
 /* The box of objects first..end of the document: outlines, exact. False: there are none. */
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]);
 /* The box of the selection. */

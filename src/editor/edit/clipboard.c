@@ -144,7 +144,8 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     bat_selection_clear(&c->choice->selection);
     for (int i = first; i < p.index;
          i = bat_document_end(c->session->document, i)) /* without memory: not selected */
-        bat_selection_add(&c->choice->selection, bat_object_id(bat_document_at(c->session->document, i)));
+        bat_selection_append(&c->choice->selection, bat_object_id(bat_document_at(c->session->document, i)));
+    bat_selection_sort(&c->choice->selection);
     bat_selection_prune(&c->choice->selection, c->session->document);
     return BAT_OK;
 }

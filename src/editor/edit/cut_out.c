@@ -65,16 +65,27 @@ static double border(const bat_curve *curve, double inside, double outside, cons
     return inside;
 }
 
-/* Samples to take in a Bezier segment: none when its hull is out of reach. */
-static int steps_of(const double *hull, int count, const double a[2], const double b[2], double radius) {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, length = 0;
+/* Whether the box of count points is within reach of the segment's. */
+static bool hull_near(const double *hull, int count, const double a[2], const double b[2], double radius) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < count; i++)
         for (int c = 0; c < 2; c++) {
             low[c] = fmin(low[c], hull[2 * i + c]);
             high[c] = fmax(high[c], hull[2 * i + c]);
         }
     for (int c = 0; c < 2; c++)
-        if (low[c] > fmax(a[c], b[c]) + radius || high[c] < fmin(a[c], b[c]) - radius) return 0;
+        if (low[c] > fmax(a[c], b[c]) + radius || high[c] < fmin(a[c], b[c]) - radius) return false;
+    return true;
+}
+
+bool bat_spans_near(const bat_curve *curve, const double a[2], const double b[2], double radius) {
+    return hull_near(bat_curve_points(curve), bat_curve_count(curve), a, b, radius);
+}
+
+/* Samples to take in a Bezier segment: none when its hull is out of reach. */
+static int steps_of(const double *hull, int count, const double a[2], const double b[2], double radius) {
+    double length = 0;
+    if (!hull_near(hull, count, a, b, radius)) return 0;
     for (int i = 1; i < count; i++)
         length += bat_hypot(hull[2 * i] - hull[2 * i - 2], hull[2 * i + 1] - hull[2 * i - 1]);
     return (int)fmin(fmax(ceil(20 * length / radius), STEPS_MIN), STEPS_MAX);

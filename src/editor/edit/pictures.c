@@ -78,20 +78,29 @@ int bat_tracing_count(const bat_document *document) {
     return count;
 }
 
-/* Whether commands mean the picture at index: it is selected, or none is and it is the one in front, or all are
- * meant then. */
-static bool meant(const bat_context *c, int index, bool all) {
+/* Which pictures commands mean: those selected, or, when none is, the one in front, or all. */
+typedef struct meaning {
+    bool chosen, all;
+    int front; /* index */
+} meaning;
+
+static meaning look(const bat_context *c, bool all) {
     const bat_document *document = c->session->document;
-    const bat_object *object = bat_document_at(document, index);
-    if (!is_picture(object)) return false; /* most are not, and looking at all others costs */
-    bool chosen = false, last = true;
+    meaning m = {.all = all, .front = -1};
     for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *other = bat_document_at(document, i);
-        if (!is_picture(other)) continue;
-        if (bat_selection_has(&c->choice->selection, bat_object_id(other))) chosen = true;
-        if (i > index) last = false;
+        const bat_object *object = bat_document_at(document, i);
+        if (!is_picture(object)) continue;
+        if (bat_selection_has(&c->choice->selection, bat_object_id(object))) m.chosen = true;
+        m.front = i;
     }
-    return chosen ? bat_selection_has(&c->choice->selection, bat_object_id(object)) : all || last;
+    return m;
+}
+
+static bool meant(const bat_context *c, const meaning *m, int index) {
+    const bat_object *object = bat_document_at(c->session->document, index);
+    if (!is_picture(object)) return false;
+    return m->chosen ? bat_selection_has(&c->choice->selection, bat_object_id(object))
+                     : m->all || index == m->front;
 }
 
 typedef bat_status make_function(const bat_object *object, const double *numbers, bat_object **out);
@@ -100,11 +109,12 @@ typedef bat_status make_function(const bat_object *object, const double *numbers
 static bat_status make_over(bat_context *c, bool all, make_function *make, const double *numbers,
                             bat_string label) {
     int changed = 0;
+    const meaning m = look(c, all);
     bat_status status = c->session->busy ? BAT_STATE : bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     for (int i = 0; i < bat_document_count(c->session->document) && status == BAT_OK; i++) {
         bat_object *after = NULL;
-        if (!meant(c, i, all)) continue;
+        if (!meant(c, &m, i)) continue;
         changed++;
         status = make(bat_document_at(c->session->document, i), numbers, &after);
         if (status == BAT_OK) status = bat_transaction_replace(c, i, after);
@@ -140,8 +150,9 @@ bat_status bat_tracing_scale(bat_context *c, const double matrix[6]) {
 }
 
 double bat_tracing_opacity(const bat_context *c) {
+    const meaning m = look(c, true);
     for (int i = bat_document_count(c->session->document) - 1; i >= 0; i--)
-        if (meant(c, i, true)) return bat_object_style(bat_document_at(c->session->document, i))->opacity;
+        if (meant(c, &m, i)) return bat_object_style(bat_document_at(c->session->document, i))->opacity;
     return c->settings->values[BAT_PROPERTY_PICTURE_OPACITY];
 }
 

@@ -91,15 +91,12 @@ static bat_status restyle(bat_context *c, int index, int count, const bat_stylin
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values) {
     for (int i = 0; i < count; i++) c->settings->values[values[i].property] = values[i].value;
     if (!c->choice->selection.count || c->session->busy || c->session->transaction.open) return BAT_OK;
-    int *roots, root_count;
-    bat_status status = bat_arrange_roots(c, &roots, &root_count);
+    int *members, member_count;
+    bat_status status = bat_arrange_members(c, &members, &member_count);
     if (status != BAT_OK) return status;
     status = bat_transaction_begin(c);
-    for (int i = 0; i < root_count && status == BAT_OK; i++)
-        for (int k = roots[i]; k < bat_document_end(c->session->document, roots[i]) && status == BAT_OK; k++)
-            if (!bat_object_is_group(bat_document_at(c->session->document, k)))
-                status = restyle(c, k, count, values);
-    free(roots);
+    for (int i = 0; i < member_count && status == BAT_OK; i++) status = restyle(c, members[i], count, values);
+    free(members);
     if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_STYLE, NULL);
     bat_transaction_cancel(c);
     return status;

@@ -33,7 +33,7 @@ const char *bat_panel_layers(bat_context *c) {
             continue;
         }
         int members = 0;
-        for (int k = i + 1; k < bat_document_end(document, i); k++)
+        for (int k = i + 1, end = bat_document_end(document, i); k < end; k++)
             members += !bat_object_is_group(bat_document_at(document, k));
         bat_text_string(&text, layers++ ? ",{\"id\":" : "{\"id\":");
         bat_text_integer(&text, bat_object_id(object));

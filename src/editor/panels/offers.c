@@ -30,7 +30,7 @@ static bat_status find(const bat_context *c, facts *f) {
     for (int i = 0; i < count; i++) {
         f->groups += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_GROUP;
         f->layers += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
-        for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) {
+        for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             for (int j = 0; j < bat_object_curve_count(object); j++)
                 ++*(bat_curve_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);

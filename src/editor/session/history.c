@@ -83,9 +83,9 @@ void bat_history_clear(bat_history *history) {
 }
 
 bat_status bat_history_reserve(bat_history *history) {
-    if (history->done < history->room || history->room == BAT_HISTORY_STEPS) return BAT_OK;
+    if (history->done < history->room || history->room == BAT_HISTORY_ROOM) return BAT_OK;
     int room = history->room ? 2 * history->room : 32;
-    if (room > BAT_HISTORY_STEPS) room = BAT_HISTORY_STEPS;
+    if (room > BAT_HISTORY_ROOM) room = BAT_HISTORY_ROOM;
     bat_step *steps = realloc(history->steps, (size_t)room * sizeof *steps);
     if (!steps) return BAT_MEMORY;
     history->steps = steps;
@@ -95,9 +95,10 @@ bat_status bat_history_reserve(bat_history *history) {
 
 void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas) {
     if (history->count > history->done) drop_steps(history, history->done, history->count - history->done);
-    if (history->count == BAT_HISTORY_STEPS) {
-        drop_steps(history, 0, 1);
-        history->done--;
+    if (history->count == BAT_HISTORY_ROOM) { /* many at once: each time moves all that stay */
+        int more = BAT_HISTORY_ROOM - BAT_HISTORY_STEPS + 1;
+        drop_steps(history, 0, more);
+        history->done -= more;
     }
     uint64_t after = ++history->states;
     history->steps[history->count++] = (bat_step){label, count, deltas, history->state, after};

@@ -8,7 +8,8 @@
 
 #include <batten/document.h>
 
-enum { BAT_HISTORY_STEPS = 1000 }; /* older steps are forgotten */
+/* Steps kept, at least; older ones are forgotten when there is no more room. */
+enum { BAT_HISTORY_STEPS = 1000, BAT_HISTORY_ROOM = 1250 };
 
 /* At `index`: before NULL: after was inserted; after NULL: before was removed; else replaced. */
 typedef struct bat_delta {

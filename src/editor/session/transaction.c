@@ -17,9 +17,7 @@ bat_status bat_transaction_begin(bat_context *c) {
     return BAT_OK;
 }
 
-static bat_status add(bat_context *c, int index, const bat_object *before, bat_object *after) {
-    bat_transaction *transaction = &c->session->transaction;
-    if (!transaction->open) return BAT_STATE;
+static bat_status reserve(bat_transaction *transaction, bool replacement) {
     if (transaction->count == transaction->room) {
         int room = transaction->room ? 2 * transaction->room : 4;
         bat_delta *deltas = realloc(transaction->deltas, (size_t)room * sizeof *deltas);
@@ -27,16 +25,27 @@ static bat_status add(bat_context *c, int index, const bat_object *before, bat_o
         transaction->deltas = deltas;
         transaction->room = room;
     }
+    return replacement ? bat_replaced_reserve(&transaction->replaced) : BAT_OK;
+}
+
+static bat_status add(bat_context *c, int index, const bat_object *before, bat_object *after) {
+    bat_transaction *transaction = &c->session->transaction;
+    if (!transaction->open) return BAT_STATE;
+    bat_status status = reserve(transaction, before && after);
+    if (status != BAT_OK) return status;
     bat_delta delta = {index, before ? bat_object_retain(before) : NULL,
                        after ? bat_object_retain(after) : NULL};
-    bat_status status = bat_delta_apply(&delta, c->session->document, true);
+    status = bat_delta_apply(&delta, c->session->document, true);
     if (status != BAT_OK) {
         bat_object_release(delta.before);
         bat_object_release(delta.after);
         return status;
     }
+    if (before && after)
+        bat_replaced_add(&transaction->replaced, index, transaction->count);
+    else
+        bat_replaced_clear(&transaction->replaced); /* indices mean something else from now on */
     transaction->deltas[transaction->count++] = delta;
-    if (!before || !after) transaction->moved = true;
     c->session->revision++;
     return BAT_OK;
 }
@@ -45,28 +54,13 @@ bat_status bat_transaction_insert(bat_context *c, int index, bat_object *object)
     return object ? add(c, index, NULL, object) : BAT_ARGUMENT;
 }
 
-/* A drag replaces the same objects again and again: one delta an object for all of it. NULL: none yet. Indices
- * before an insertion or a removal mean something else. */
-static bat_delta *replaced(bat_transaction *transaction, int index) {
-    bat_delta *deltas = transaction->deltas;
-    /* A drag of many goes through them in the same order each time. */
-    int next = transaction->next;
-    if (!transaction->moved && next < transaction->count && deltas[next].index == index)
-        return &deltas[transaction->next++];
-    for (int i = transaction->count - 1; i >= 0 && deltas[i].before && deltas[i].after; i--)
-        if (deltas[i].index == index) {
-            transaction->next = i + 1;
-            return &deltas[i];
-        }
-    return NULL;
-}
-
 bat_status bat_transaction_replace(bat_context *c, int index, bat_object *object) {
     bat_transaction *transaction = &c->session->transaction;
     const bat_object *before = bat_document_at(c->session->document, index);
     if (!before || !object) return BAT_ARGUMENT;
-    bat_delta *delta = replaced(transaction, index);
-    if (!delta) return add(c, index, before, object);
+    int number = bat_replaced_find(&transaction->replaced, index);
+    if (number < 0) return add(c, index, before, object);
+    bat_delta *delta = &transaction->deltas[number];
     bat_status status = bat_document_replace(c->session->document, index, object);
     if (status != BAT_OK) return status;
     bat_object_release(delta->after);
@@ -127,6 +121,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         c->session->freed = true;
     }
     bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas);
+    bat_replaced_clear(&transaction->replaced);
     *transaction = (bat_transaction){0};
     c->session->stepped(c);
     return BAT_OK;
@@ -140,6 +135,7 @@ void bat_transaction_cancel(bat_context *c) {
         c->session->revision++;
     }
     bat_deltas_free(transaction->deltas, transaction->count);
+    bat_replaced_clear(&transaction->replaced);
     *transaction = (bat_transaction){0};
     c->session->stepped(c);
 }

@@ -8,6 +8,7 @@
 
 #include "editor/session/context.h"
 #include "editor/session/history.h"
+#include "editor/session/replaced.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
 #include <batten/editor.h>
@@ -16,8 +17,7 @@ typedef struct bat_transaction {
     bool open;
     bat_delta *deltas;
     int count, room;
-    int next;   /* the delta that the next replacement of a run of them is likely to be */
-    bool moved; /* something was inserted or removed: indices mean different things along the list */
+    bat_replaced replaced; /* since the last insertion or removal */
 } bat_transaction;
 
 /* BAT_STATE when one is open. */

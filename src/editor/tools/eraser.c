@@ -45,7 +45,7 @@ static double radius(const bat_context *c, const bat_brushing *b) {
 }
 
 static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
-    for (int i = 0; i < b->count; i++)
+    for (int i = b->count - 1; i >= 0; i--) /* mostly one of the last */
         if (b->rubbed[i].object == object && b->rubbed[i].curve == curve) return &b->rubbed[i];
     if (b->count == b->room) {
         int room = b->room ? 2 * b->room : 8;
@@ -79,7 +79,7 @@ static void rub(bat_context *c, bat_brushing *b, const double from[2], const dou
             continue;
         for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
             const bat_curve *curve = bat_object_curve(entry->object, j);
-            if (bat_curve_dimension(curve) != 2) continue;
+            if (bat_curve_dimension(curve) != 2 || !bat_spans_near(curve, a, end, r)) continue;
             bat_rubbed *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
             bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, end, r) : BAT_MEMORY;
             if (status != BAT_OK) {
@@ -95,7 +95,7 @@ static void rub(bat_context *c, bat_brushing *b, const double from[2], const dou
 /* All that is left of an object: curves owned by the list. */
 typedef struct rest {
     bat_curve **curves;
-    int count;
+    int count, room;
 } rest;
 
 static void rest_free(rest *r) {
@@ -104,40 +104,42 @@ static void rest_free(rest *r) {
     *r = (rest){0};
 }
 
-static bat_status rest_of(const bat_context *c, const bat_brushing *b, const bat_object *object, rest *out) {
-    static const bat_spans none = {0};
-    for (int j = 0; j < bat_object_curve_count(object); j++) {
-        const bat_spans *spans = &none;
-        for (int i = 0; i < b->count; i++)
-            if (b->rubbed[i].object == bat_object_id(object) && b->rubbed[i].curve == j)
-                spans = &b->rubbed[i].spans;
-        bat_curve **pieces = NULL;
-        int count = 0;
-        const bat_curve *curve = bat_object_curve(object, j);
-        bat_status status;
-        if (spans->count) {
-            double least = LEAST * bat_view_pixel(c->view);
-            status = bat_spans_rest(spans, curve, least, &pieces, &count);
-        } else if ((pieces = calloc(1, sizeof *pieces))) {
-            status = bat_curve_copy(curve, pieces);
-            count = status == BAT_OK;
-        } else {
-            status = BAT_MEMORY;
-        }
-        bat_curve **all = NULL;
-        if (status == BAT_OK && count) all = realloc(out->curves, (size_t)(out->count + count) * sizeof *all);
-        if (status == BAT_OK && count && !all) status = BAT_MEMORY;
-        if (all) {
-            memcpy(all + out->count, pieces, (size_t)count * sizeof *all);
-            out->curves = all;
-            out->count += count;
-        } else {
+/* Takes the pieces over, whatever it returns. */
+static bat_status rest_add(rest *r, int count, bat_curve **pieces) {
+    if (r->count + count > r->room) {
+        int room = 2 * r->room + count;
+        bat_curve **more = realloc(r->curves, (size_t)room * sizeof *more);
+        if (!more) {
             for (int i = 0; i < count; i++) bat_curve_free(pieces[i]);
+            return BAT_MEMORY;
         }
-        free(pieces);
-        if (status != BAT_OK) return status;
+        r->curves = more;
+        r->room = room;
     }
+    for (int i = 0; i < count; i++) r->curves[r->count++] = pieces[i];
     return BAT_OK;
+}
+
+/* rubbed: those of the object that have spans, ascending. */
+static bat_status rest_of(const bat_context *c, const bat_rubbed *rubbed, int rubbed_count,
+                          const bat_object *object, rest *out) {
+    const double least = LEAST * bat_view_pixel(c->view);
+    bat_status status = BAT_OK;
+    for (int j = 0; j < bat_object_curve_count(object) && status == BAT_OK; j++) {
+        const bat_curve *curve = bat_object_curve(object, j);
+        bat_curve *whole = NULL, **pieces = NULL;
+        int count = 0;
+        if (rubbed_count && rubbed->curve == j) {
+            status = bat_spans_rest(&rubbed->spans, curve, least, &pieces, &count);
+            rubbed++, rubbed_count--;
+        } else {
+            status = bat_curve_copy(curve, &whole);
+            count = status == BAT_OK;
+        }
+        if (count) status = rest_add(out, count, whole ? &whole : pieces);
+        free(pieces);
+    }
+    return status;
 }
 
 /* Curves first..first+count of the rest, which are the object's then, as a copy of it; id 0: its own. */
@@ -157,12 +159,12 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
 }
 
 /* An object of one curve falls into objects of one curve; one of several stays one. */
-static bat_status cut(bat_context *c, bat_brushing *b, bat_id id) {
-    int at = bat_document_find(c->session->document, id);
+static bat_status cut(bat_context *c, const bat_rubbed *rubbed, int count) {
+    int at = bat_document_find(c->session->document, rubbed->object);
     if (at < 0) return BAT_OK;
     bat_object *object = bat_object_retain(bat_document_at(c->session->document, at));
     rest r = {0};
-    bat_status status = rest_of(c, b, object, &r);
+    bat_status status = rest_of(c, rubbed, count, object, &r);
     bool apart = bat_object_curve_count(object) == 1;
     if (status == BAT_OK && r.count == 0) status = bat_transaction_remove(c, at);
     int parts = r.count == 0 ? 0 : apart ? r.count : 1;
@@ -179,17 +181,27 @@ static bat_status cut(bat_context *c, bat_brushing *b, bat_id id) {
     return status;
 }
 
+static int by_curve(const void *a, const void *b) {
+    const bat_rubbed *x = a, *y = b;
+    return x->object != y->object ? (x->object > y->object) - (x->object < y->object)
+                                  : (x->curve > y->curve) - (x->curve < y->curve);
+}
+
 static bat_status cut_all(bat_context *c, bat_brushing *b) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
-    for (int i = 0; i < b->count && status == BAT_OK; i++) {
-        bool touched = false, before = false;
-        for (int k = 0; k < b->count; k++) {
-            if (b->rubbed[k].object != b->rubbed[i].object) continue;
-            touched = touched || b->rubbed[k].spans.count > 0;
-            before = before || k < i;
-        }
-        if (touched && !before) status = cut(c, b, b->rubbed[i].object);
+    int count = 0;
+    for (int i = 0; i < b->count; i++) {
+        if (b->rubbed[i].spans.count)
+            b->rubbed[count++] = b->rubbed[i];
+        else
+            bat_spans_free(&b->rubbed[i].spans);
+    }
+    b->count = count;
+    if (count > 1) qsort(b->rubbed, (size_t)count, sizeof *b->rubbed, by_curve); /* no ties */
+    for (int i = 0, end = 0; i < count && status == BAT_OK; i = end) {
+        while (end < count && b->rubbed[end].object == b->rubbed[i].object) end++;
+        status = cut(c, b->rubbed + i, end - i);
     }
     if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_ERASE, NULL);
     bat_transaction_cancel(c);

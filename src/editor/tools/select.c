@@ -174,28 +174,16 @@ static void find_sources(bat_context *c, bat_selecting *s) {
 /* Keeps what the drag is going to change, as it is now. */
 static bat_status take_hold(bat_context *c, bat_selecting *s) {
     const bat_document *document = c->session->document;
-    int *roots, count;
-    bat_status status = bat_arrange_roots(c, &roots, &count);
+    int count;
+    bat_status status = bat_arrange_members(c, &s->indices, &count);
     if (status != BAT_OK) return status;
-    size_t room = (size_t)bat_document_count(document);
-    s->indices = malloc(room * sizeof *s->indices);
-    s->before = malloc(room * sizeof *s->before);
-    if (!s->indices || !s->before) {
-        status = BAT_MEMORY;
-    } else {
-        for (int i = 0; i < count; i++)
-            for (int k = roots[i]; k < bat_document_end(document, roots[i]); k++) {
-                const bat_object *object = bat_document_at(document, k);
-                if (bat_object_is_group(object)) continue;
-                s->indices[s->count] = k;
-                s->before[s->count++] = bat_object_retain(object);
-            }
-        bat_arrange_selection_box(c, s->box);
-        find_sources(c, s);
-        if (!c->session->transaction.open) status = bat_transaction_begin(c);
-    }
-    free(roots);
-    return status;
+    s->before = malloc(((size_t)count + 1) * sizeof *s->before);
+    if (!s->before) return BAT_MEMORY;
+    for (; s->count < count; s->count++)
+        s->before[s->count] = bat_object_retain(bat_document_at(document, s->indices[s->count]));
+    bat_arrange_selection_box(c, s->box);
+    find_sources(c, s);
+    return c->session->transaction.open ? BAT_OK : bat_transaction_begin(c);
 }
 
 /* Copies in place of the selection, to be dragged. */
@@ -410,19 +398,18 @@ static void marquee(const bat_context *c, const bat_selecting *s, double box[4])
 
 static void select_box(bat_context *c, bat_selecting *s) {
     double box[4];
+    bat_status status = BAT_OK;
     marquee(c, s, box);
     bat_stage_sync(c);
-    for (int i = 0; i < c->scene->count; i++) {
+    for (int i = 0; i < c->scene->count && status == BAT_OK; i++) {
         if (!bat_pick_touches(c->scene, i, c->view, box)) continue;
         if (!bat_arrange_entered(c, i)) continue;
         int whole = bat_arrange_whole(c, i);
-        bat_status status = bat_selection_add(&c->choice->selection,
-                                              bat_object_id(bat_document_at(c->session->document, whole)));
-        if (status != BAT_OK) {
-            bat_notice_failure(c, status);
-            return;
-        }
+        status = bat_selection_append(&c->choice->selection,
+                                      bat_object_id(bat_document_at(c->session->document, whole)));
     }
+    bat_selection_sort(&c->choice->selection);
+    if (status != BAT_OK) bat_notice_failure(c, status);
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
