@@ -339,6 +339,17 @@ export class Engine {
       { layers: [], active: 0, loose: 0, pictures: 0 });
   }
 
+  /** @returns {import('./chips.js').Readings} */
+  readings() {
+    return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_readings(this.editor))),
+      { at: [0, 0], chosen: -1, words: [] });
+  }
+
+  /** @param {number} reading @returns {boolean} */
+  readAs(reading) {
+    return this.#guard(() => this.wasm.editor_read_as(this.editor, reading) === OK, false);
+  }
+
   /** @returns {import('./levels.js').Levels} */
   levels() {
     return this.#guard(() => JSON.parse(this.#string(this.wasm.editor_levels(this.editor))),

@@ -67,6 +67,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     selection: word('frame.selection'),
     selected: word('frame.selected'),
     layer: word('frame.layer'),
+    readings: word('frame.readings'),
     levels: word('frame.levels'),
     first: word('frame.first'),
   };

@@ -38,6 +38,9 @@ export class Panel {
     this.controls = [];
     this.shown = '';
     this.levels = 0;
+    this.readings = ''; // what the chips show, and from where
+    /** @type {Promise<import('./chips.js').Chips> | undefined} */
+    this.chips = undefined;
     /** @type {Promise<import('./levels.js').LevelStrip> | undefined} */
     this.strip = undefined;
     /** The row of what the selection makes possible. @type {{ show(frame: Frame): void } | null} */
@@ -186,6 +189,12 @@ export class Panel {
   async #showLevels() {
     this.strip ??= import('./levels.js').then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
     (await this.strip).show(this.levels > 0);
+  }
+
+  /** The chips come with the first stroke that could have meant something else. @param {boolean} some */
+  async #showReadings(some) {
+    this.chips ??= import('./chips.js').then(({ Chips }) => new Chips(this.engine, part('stage'), this.wake));
+    (await this.chips).show(some);
   }
 
   /** Lets a property be typed. @param {string} property */
@@ -416,6 +425,11 @@ export class Panel {
   /** @param {Frame} frame */
   show(frame) {
     this.layers?.show(frame);
+    const readings = frame.readings ? [frame.readings, frame.x, frame.y, frame.zoom, frame.angle].join() : '';
+    if (readings !== this.readings) {
+      this.readings = readings;
+      void this.#showReadings(readings !== '');
+    }
     if (frame.levels !== this.levels) {
       this.levels = frame.levels;
       void this.#showLevels();

@@ -70,6 +70,7 @@
  * @property {number} selection grows with every change of the selection
  * @property {number} selected
  * @property {number} layer the active one; 0: none
+ * @property {number} readings another number when the last stroke's readings change; 0: none
  * @property {number} levels another number when the level strip shows something else; 0: no strip
  * @property {number} first bits: hints to be shown
  * @property {number} requests

@@ -151,6 +151,15 @@ BAT_API bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, si
  * asked by "paste-in-place". Layers are dropped, what is in them is not. BAT_STATE: there is nothing in it. */
 BAT_API bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own);
 
+/* ---- the last stroke, read as something else ---- */
+
+/* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y], its end
+ * in view pixels, "chosen": which it was taken for, "words":["New line","Redraw roof", ...]}; no words: it is settled.
+ * Owned by the editor, valid until the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_readings(bat_editor *editor);
+/* Takes it as that one: its step of the history becomes another. BAT_STATE: there is none such any more. */
+BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
+
 /* ---- levels of the chosen curve, for the level strip ---- */
 
 /* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the
@@ -303,6 +312,7 @@ typedef struct bat_frame {
     uint32_t selection;      /* grows with every change of the selection */
     uint32_t selected;       /* objects in it */
     uint32_t layer;          /* the active one; 0: none */
+    uint32_t readings;       /* another number whenever the last stroke's readings change; 0: none */
     uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
     uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;

@@ -201,6 +201,12 @@ bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bo
     return settled(editor, bat_clipboard_paste(&editor->context, document, own));
 }
 
+const char *bat_editor_readings(bat_editor *editor) { return bat_panel_readings(&editor->context); }
+
+bat_status bat_editor_read_as(bat_editor *editor, int reading) {
+    return settled(editor, bat_panel_read_as(&editor->context, reading));
+}
+
 const char *bat_editor_levels(bat_editor *editor) { return bat_panel_levels(&editor->context); }
 
 bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, double value, bool done) {

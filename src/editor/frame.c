@@ -5,6 +5,7 @@
 #include "editor/tools/calm.h"
 #include "editor/show/ruler.h"
 #include "editor/tools/levels/state.h"
+#include "editor/tools/sketch/sketching.h"
 #include "editor/tools/modes/guides.h"
 #include <string.h>
 
@@ -103,6 +104,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .selection = c->choice->selection.version,
                          .selected = (uint32_t)c->choice->selection.count,
                          .layer = (uint32_t)c->choice->layer,
+                         .readings = bat_sketching_readings(c) ? bat_sketching_of(c)->again.version : 0,
                          .levels = bat_leveling_version(c),
                          .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);

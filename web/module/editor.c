@@ -25,6 +25,8 @@ MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *comma
 MODULE_EXPORT(editor_actions) const char *editor_actions(bat_editor *editor);
 MODULE_EXPORT(editor_place_layer) int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target);
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
+MODULE_EXPORT(editor_readings) const char *editor_readings(bat_editor *editor);
+MODULE_EXPORT(editor_read_as) int editor_read_as(bat_editor *editor, int reading);
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
 int editor_level(bat_editor *editor, int act, int level, double value, int done);
@@ -123,6 +125,16 @@ int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target) {
 const char *editor_layers(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_layers(editor);
+}
+
+const char *editor_readings(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_readings(editor);
+}
+
+int editor_read_as(bat_editor *editor, int reading) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_read_as(editor, reading);
 }
 
 const char *editor_levels(bat_editor *editor) {

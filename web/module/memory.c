@@ -89,6 +89,7 @@ const module_field *module_layout(void) {
         {"frame.selection", offsetof(bat_frame, selection)},
         {"frame.selected", offsetof(bat_frame, selected)},
         {"frame.layer", offsetof(bat_frame, layer)},
+        {"frame.readings", offsetof(bat_frame, readings)},
         {"frame.levels", offsetof(bat_frame, levels)},
         {"frame.first", offsetof(bat_frame, first)},
         {"problem.size", sizeof(bat_problem)},

@@ -3,6 +3,7 @@
 #include "editor/tables/commands.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/session/undo.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
 
@@ -26,21 +27,9 @@ static void follow(bat_context *c, bool undone) {
     bat_selection_prune(&c->choice->selection, c->session->document); /* what is hidden or locked */
 }
 
-/* Undo and redo go into the journal like any other step, so that replay arrives at the same place. */
-static bat_status step(bat_context *c, const char *name, bat_status (*go)(bat_history *, bat_document *),
-                       bat_status (*back)(bat_history *, bat_document *)) {
-    if (bat_session_refuses(c)) return BAT_STATE;
-    bat_session *session = c->session;
-    bat_status status = go(&session->history, session->document);
-    if (status != BAT_OK) return status;
-    bat_text line = {0};
-    bat_text_string(&line, "{\"do\":\"");
-    bat_text_string(&line, name);
-    bat_text_string(&line, "\"");
-    status = bat_session_log(session, &line, session->document);
-    if (status != BAT_OK) back(&session->history, session->document);
-    session->revision++;
-    if (status == BAT_OK) follow(c, go == bat_history_undo);
+static bat_status step(bat_context *c, bool back) {
+    bat_status status = bat_session_step(c, back);
+    if (status == BAT_OK) follow(c, back);
     return status;
 }
 
@@ -60,7 +49,7 @@ static bat_status tell_step(bat_context *c, bat_status status, bat_string done, 
 bat_status bat_command_undo(bat_context *c, bat_command_id id) {
     (void)id;
     if (bat_toolbox_drop_uncommitted(c)) return BAT_OK;
-    bat_status status = step(c, "undo", bat_history_undo, bat_history_redo);
+    bat_status status = step(c, true);
     if (status == BAT_OK) bat_settings_follow(c->settings, BAT_FIRST_UNDO);
     return tell_step(c, status, BAT_STRING_NOTICE_UNDONE, BAT_STRING_NOTICE_NOTHING_TO_UNDO);
 }
@@ -68,6 +57,5 @@ bat_status bat_command_undo(bat_context *c, bat_command_id id) {
 bat_status bat_command_redo(bat_context *c, bat_command_id id) {
     (void)id;
     bat_toolbox_drop_uncommitted(c);
-    return tell_step(c, step(c, "redo", bat_history_redo, bat_history_undo), BAT_STRING_NOTICE_REDONE,
-                     BAT_STRING_NOTICE_NOTHING_TO_REDO);
+    return tell_step(c, step(c, false), BAT_STRING_NOTICE_REDONE, BAT_STRING_NOTICE_NOTHING_TO_REDO);
 }

@@ -63,6 +63,22 @@ bat_status bat_command_switch(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
+bat_status bat_command_draw_new(bat_context *c, bool down) {
+    c->input->drawing_new = down;
+    return BAT_OK;
+}
+
+/* As drawn, redraw only, new only, and round again. */
+bat_status bat_command_meaning(bat_context *c, bat_command_id id) {
+    static const bat_string words[] = {BAT_STRING_MEANING_DRAWN, BAT_STRING_MEANING_REDRAW,
+                                       BAT_STRING_MEANING_NEW};
+    (void)id;
+    double *value = &c->settings->values[BAT_PROPERTY_STROKE_MEANING];
+    *value = *value >= 2 ? 0 : *value + 1;
+    bat_notice_value(c, BAT_STRING_NOTICE_MEANING, bat_word(c, words[(int)*value]));
+    return BAT_OK;
+}
+
 /* The next value of a ladder whose rungs lie about a third apart. */
 bat_status bat_command_tolerance(bat_context *c, bat_command_id id) {
     static const double rungs[] = {0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20};

@@ -17,6 +17,7 @@ typedef struct bat_input {
     double pen[2];     /* where it was last, view pixels */
     bat_device points; /* what kind it is */
     bool erasing;      /* the pen's other end is down */
+    bool drawing_new;  /* the key that makes each stroke a new curve is held */
     bool calming;      /* the key that calms is held */
 } bat_input;
 

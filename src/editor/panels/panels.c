@@ -5,5 +5,6 @@ void bat_panels_free(bat_panels *panels) {
     free(panels->actions);
     free(panels->layers);
     free(panels->outline);
+    free(panels->readings);
     free(panels->tables);
 }

@@ -7,7 +7,7 @@
 #include "editor/view/unit.h"
 
 typedef struct bat_panels {
-    char *actions, *layers, *outline, *tables;
+    char *actions, *layers, *outline, *readings, *tables;
     char number_text[BAT_UNIT_ROOM]; /* what bat_panel_number hands out */
     bat_told told;
 } bat_panels;
@@ -24,6 +24,8 @@ const char *bat_panel_said(bat_context *c);
 bat_status bat_panel_enter(bat_context *c, const char *name, const char *text);
 const char *bat_panel_number(bat_context *c, const char *name);
 const char *bat_panel_levels(bat_context *c);
+const char *bat_panel_readings(bat_context *c);
+bat_status bat_panel_read_as(bat_context *c, int reading);
 bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done);
 
 #endif

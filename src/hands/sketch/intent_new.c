@@ -36,8 +36,12 @@ void bat_intent_new(bat_intent *intent, bat_intent_list *list) {
     double near = intent->on * fmin(1, intent->length / 60);
     for (int i = 0; i < intent->line_count && !reading.closed; i++) {
         const bat_intent_near *line = &intent->line[i];
-        if (!line->seeds || line->track[0].foot[0].d >= near) continue;
-        near = line->track[0].foot[0].d; /* the first seed is the nearest */
+        if (!line->seeds || line->track[0].foot[0].d >= near + intent->hook) continue;
+        /* The first seed is the nearest. */
+        const bat_foot foot = bat_intent_foot(&line->line, reading.start, &line->track[0].foot[0],
+                                              intent->hook, -INFINITY, INFINITY);
+        if (foot.d >= near) continue;
+        near = foot.d;
         reading.onto = i;
     }
     bat_intent_offer(list, &reading);

@@ -348,6 +348,7 @@ void bat_clean_reverse(bat_clean *clean) {
         clean->corners[j] = swap;
     }
     measure(clean->points, clean->count, m, clean->arc);
+    clean->length = clean->arc[clean->count - 1]; /* to the last bit: what lies beyond it is left out */
 }
 
 void bat_clean_at(const bat_clean *clean, double s, double *point) {

@@ -1,9 +1,12 @@
 #include "editor/tools/sketch/meaning.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
+#include "editor/input/input.h"
 #include "editor/scene/scene.h"
 #include "editor/scene/stage.h"
 #include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
@@ -111,6 +114,17 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_view *view, 
     return status;
 }
 
+/* Only new curves, or none, when that was asked for. */
+static void keep_allowed(const bat_context *c, bat_meaning *m) {
+    enum { AS_DRAWN, REDRAW_ONLY, NEW_ONLY };
+    int way = c->input->drawing_new ? NEW_ONLY : (int)c->settings->values[BAT_PROPERTY_STROKE_MEANING];
+    int kept = 0;
+    for (int i = 0; i < m->count && way != AS_DRAWN; i++)
+        if ((m->readings[i].kind == BAT_INTENT_NEW) == (way == NEW_ONLY))
+            m->readings[kept++] = m->readings[i];
+    if (way != AS_DRAWN) m->count = kept;
+}
+
 bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_view *view, const bat_samples *samples,
                             bool whole) {
     if (!m->intent || !samples->count) return BAT_STATE;
@@ -126,7 +140,9 @@ bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_view *view
         status = look_at(c, m, view, samples->points + 2 * m->asked, within);
     }
     m->count = 0;
-    return status == BAT_OK ? bat_intent_rank(m->intent, whole, m->readings, &m->count) : status;
+    if (status == BAT_OK) status = bat_intent_rank(m->intent, whole, m->readings, &m->count);
+    if (status == BAT_OK) keep_allowed(c, m);
+    return status;
 }
 
 /* ---- readings as edits ---- */
@@ -172,6 +188,23 @@ static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *r
     memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);
 }
 
+bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level) {
+    const bat_slot *levels = bat_toolbox_that(c, BAT_EDITS_LEVELS);
+    bat_focus l = {0};
+    levels->is->focus(c, levels->state, &l);
+    int at = bat_document_find(c->session->document, object);
+    const bat_shape *shape = at < 0 ? NULL
+                                    : bat_object_shape(bat_document_at(c->session->document, at), curve);
+    if (!shape) return false;
+    bool chosen = l.object == object && l.curve == curve;
+    int way = (int)c->settings->values[BAT_PROPERTY_LEVEL_SKETCH];
+    *level = way == 1                                       ? BAT_LEVEL_FREE
+             : way == 2                                     ? BAT_LEVEL_BARE
+             : chosen && l.level <= bat_shape_levels(shape) ? l.level
+                                                            : BAT_LEVEL_AUTO;
+    return true;
+}
+
 void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
     edit->kind = KINDS[reading->kind];
     edit->meaning = (bat_sketch_meaning){0};
@@ -189,6 +222,9 @@ void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *
         edit->other = curve_of(m, reading, 1)->object;
         edit->other_curve = curve_of(m, reading, 1)->curve;
     }
+    /* A curve with levels follows at one of them. */
+    bool one = reading->kind == BAT_INTENT_REDRAW || reading->kind == BAT_INTENT_EXTEND;
+    if (one && bat_meaning_level(c, edit->object, edit->curve, &edit->level)) edit->kind = BAT_EDIT_LEVEL;
     if (reading->kind != BAT_INTENT_SEVERAL) return;
     edit->part_count = reading->count;
     for (int i = 0; i < reading->count; i++) {

@@ -34,6 +34,8 @@ bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_view
 /* The edit as this reading has it; what is not of the reading stays as it is. */
 void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,
                        bat_edit *edit);
+/* Whether the curve has levels, and which of them a stroke over it redraws. */
+bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level);
 /* Whether the reading would make that same kind of edit of the same curves. */
 bool bat_meaning_is(const bat_meaning *meaning, const bat_reading *reading, const bat_edit *edit);
 

@@ -40,6 +40,8 @@ static const double REACH = 12, REACH_TOUCH = 24; /* px from the pen to a curve 
 static const double TAP = 4;                      /* px that a tap may travel */
 static const float HIGHLIGHT_WIDTH = 3, FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
 static const double KNOT_RADIUS = 3.5; /* px */
+static const double SURE_AFTER = 20,
+                    SURE = 0.1; /* px; by how much the best reading is cheaper, a pixel of stroke */
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
@@ -181,6 +183,7 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
     bat_status status = bat_samples_add(samples, &s->edit.view, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
+    if (status != BAT_OK) return status;
     s->travelled = fmax(s->travelled,
                         bat_hypot(event->x - samples->pixels[0], event->y - samples->pixels[1]));
     s->preview_due = true;
@@ -190,23 +193,6 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
 static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
     end_stroke(s);
     bat_notice_failure(c, status);
-}
-
-bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level) {
-    const bat_slot *levels = bat_toolbox_that(c, BAT_EDITS_LEVELS);
-    bat_focus l = {0};
-    levels->is->focus(c, levels->state, &l);
-    int at = bat_document_find(c->session->document, object);
-    const bat_shape *shape = at < 0 ? NULL
-                                    : bat_object_shape(bat_document_at(c->session->document, at), curve);
-    if (!shape) return false;
-    bool chosen = l.object == object && l.curve == curve;
-    int way = (int)c->settings->values[BAT_PROPERTY_LEVEL_SKETCH];
-    *level = way == 1                                       ? BAT_LEVEL_FREE
-             : way == 2                                     ? BAT_LEVEL_BARE
-             : chosen && l.level <= bat_shape_levels(shape) ? l.level
-                                                            : BAT_LEVEL_AUTO;
-    return true;
 }
 
 /* Before anything is known a stroke is a new curve; forced: it redraws what was picked. */
@@ -222,7 +208,7 @@ static void begin(bat_context *c, bat_sketching *s, const bat_pointer *event, ba
     if (forced) {
         s->edit.object = pick.object;
         s->edit.curve = pick.curve;
-        bool level = bat_sketching_level(c, pick.object, pick.curve, &s->edit.level);
+        bool level = bat_meaning_level(c, pick.object, pick.curve, &s->edit.level);
         s->edit.kind = level ? BAT_EDIT_LEVEL : BAT_EDIT_REDRAW;
     }
     s->state = BAT_SKETCHING_DRAWING;
@@ -232,10 +218,11 @@ static void begin(bat_context *c, bat_sketching *s, const bat_pointer *event, ba
     s->pick = pick;
     s->forced = forced;
     s->travelled = 0;
-    s->smoothing = false;
+    s->smoothing = s->nothing = false;
     s->predicted_count = 0;
     if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
     bat_status status = forced ? BAT_OK : bat_meaning_begin(c, &s->meaning, event->device);
+    bat_again_drop(&s->again);
     if (status == BAT_OK) status = add_sample(s, event);
     if (status != BAT_OK)
         give_up(c, s, status);
@@ -248,20 +235,14 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     begin(c, s, event, pick_at(c, (double[]){event->x, event->y}, event->device), false);
 }
 
-/* A curve with levels follows at one of them. */
-static void apply(bat_context *c, bat_sketching *s, const bat_reading *reading) {
-    bat_edit *edit = &s->edit;
-    bat_meaning_apply(c, &s->meaning, reading, edit);
-    bool one = edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND;
-    if (one && bat_sketching_level(c, edit->object, edit->curve, &edit->level)) edit->kind = BAT_EDIT_LEVEL;
-}
-
 /* What the stroke means so far. It turns only for a better reading, or it would flicker. */
 static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing) return;
     bat_status status = bat_meaning_look(c, m, &s->edit.view, &s->edit.samples, false);
-    if (status != BAT_OK || !m->count) return; /* too short yet, or no memory: as it was */
+    if (status != BAT_OK) return; /* too short yet, or no memory: as it was */
+    s->nothing = !m->count;
+    if (s->nothing) return;
     const bat_reading *shown = NULL;
     for (int i = 0; i < m->count && !shown; i++)
         if (bat_meaning_is(m, &m->readings[i], &s->edit)) shown = &m->readings[i];
@@ -269,7 +250,7 @@ static void decide(bat_context *c, bat_sketching *s) {
         if (shown != &m->readings[0]) drop_session(s);
         shown = &m->readings[0];
     }
-    apply(c, s, shown);
+    bat_meaning_apply(c, m, shown, &s->edit);
 }
 
 static void move(bat_context *c, void *state, const bat_pointer *event) {
@@ -343,10 +324,13 @@ static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_
     if (!s->forced && !s->smoothing) {
         status = bat_meaning_look(c, &s->meaning, &edit->view, &edit->samples, true);
         if (status != BAT_OK && status != BAT_DOT) return status;
+        s->nothing = status == BAT_OK && !s->meaning.count;
         if (status == BAT_DOT) s->meaning.count = 0;
+        if (s->nothing) return BAT_STATE;
     }
     do {
-        if (tried < s->meaning.count && !s->smoothing) apply(c, s, &s->meaning.readings[tried]);
+        if (tried < s->meaning.count && !s->smoothing)
+            bat_meaning_apply(c, &s->meaning, &s->meaning.readings[tried], edit);
         status = compute(c, s, curve, report);
         if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
             edit->kind = BAT_EDIT_NEW;
@@ -384,6 +368,20 @@ static bool accept(bat_context *c, void *state) {
     return true;
 }
 
+/* And keeps what else the stroke could mean. */
+static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
+                   bool strayed) {
+    bool closed = bat_curve_closed(curve), choice = !s->forced && !s->smoothing;
+    if (choice) bat_again_gather(c, &s->meaning, &s->edit, &s->again);
+    bat_status status = bat_edit_commit(c, &s->edit, curve);
+    if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+        return;
+    }
+    say_done(c, &s->edit, report, strayed, closed);
+    if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples);
+}
+
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return;
@@ -410,15 +408,12 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             keep_pending(s, curve, &report);
             bat_notice(c, BAT_STRING_NOTICE_PENDING);
         } else {
-            bool closed = bat_curve_closed(curve);
-            status = bat_edit_commit(c, &s->edit, curve);
-            if (status == BAT_OK)
-                say_done(c, &s->edit, &report, strayed, closed);
-            else
-                bat_notice_failure(c, status);
+            commit(c, s, curve, &report, strayed);
         }
     } else if (status == BAT_DOT) {
         bat_notice(c, BAT_STRING_NOTICE_DOT);
+    } else if (status == BAT_STATE && s->nothing) {
+        bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_REDRAW);
     } else if (status == BAT_STATE && s->edit.kind == BAT_EDIT_LEVEL) {
         bat_notice(c, BAT_STRING_NOTICE_MUTED);
     } else {
@@ -513,7 +508,10 @@ static void update(bat_context *c, void *state) {
     if (s->state == BAT_SKETCHING_DRAWING) {
         if (!s->preview_due || smooths_nothing(s)) return;
         decide(c, s);
-        refresh_preview(c, s);
+        if (s->nothing)
+            drop_preview(s);
+        else
+            refresh_preview(c, s);
         return;
     }
     const bat_view *view = c->view;
@@ -582,6 +580,14 @@ static void highlight(const bat_context *c, bat_overlay *overlay, bat_id object,
     bat_path_curve(&overlay->path, target);
 }
 
+/* Of another meaning than a new line: until then the ink and the fit are both as they might become. */
+static bool sure(const bat_sketching *s) {
+    const bat_meaning *m = &s->meaning;
+    if (s->forced || s->smoothing || s->edit.kind == BAT_EDIT_NEW || m->count < 2) return true;
+    const double length = bat_intent_length(m->intent);
+    return length >= SURE_AFTER && m->readings[1].cost - m->readings[0].cost >= SURE * length;
+}
+
 static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
@@ -592,7 +598,7 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
     if (s->edit.kind == BAT_EDIT_JOIN) highlight(c, overlay, s->edit.other, s->edit.other_curve);
     for (int i = 1; i < s->edit.part_count; i++)
         highlight(c, overlay, s->edit.part[i].object, s->edit.part[i].curve);
-    if (preview->curve && target) show_stretch(c, overlay, &s->edit, &preview->report);
+    if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {
@@ -602,8 +608,8 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
                              preview->blends + 2 * preview->blend_counts[0]);
     }
     if (preview->curve)
-        show_fit(overlay, BAT_ROLE_FIT, preview->curve, &preview->report, !one_changes(&s->edit),
-                 bat_view_pixel(c->view));
+        show_fit(overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
+                 !one_changes(&s->edit), bat_view_pixel(c->view));
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink by the pen to what is to come */
         double pen[2];
@@ -657,7 +663,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     if (c->modifiers & BAT_ALT)
         return s->pick.object ? BAT_STRING_HINT_SMOOTH : BAT_STRING_HINT_SMOOTH_NOTHING;
     int level = -1;
-    if (bat_sketching_level(c, s->pick.object, s->pick.curve, &level) && level >= 0)
+    if (bat_meaning_level(c, s->pick.object, s->pick.curve, &level) && level >= 0)
         return BAT_STRING_HINT_LEVEL_SKETCH;
     return s->pick.object ? BAT_STRING_HINT_REDRAW : BAT_STRING_HINT_NEW;
 }
@@ -700,6 +706,7 @@ static void end(void *state) {
     bat_sketching *s = state;
     bat_samples_free(&s->edit.samples);
     bat_samples_free(&s->pending.samples);
+    bat_samples_free(&s->again.samples);
     bat_meaning_end(&s->meaning);
 }
 
@@ -709,6 +716,32 @@ static bool focus(const bat_context *c, const void *state, bat_focus *out) {
     (void)c;
     *out = (bat_focus){.object = s->pick.object, .curve = s->pick.curve};
     return s->pick.object != 0;
+}
+
+/* ---- read again ---- */
+
+bool bat_sketching_readings(const bat_context *c) {
+    const bat_sketching *s = bat_sketching_of(c);
+    return s->state == BAT_SKETCHING_IDLE && bat_again_holds(c, &s->again);
+}
+
+bat_status bat_sketching_read_as(bat_context *c, int reading) {
+    bat_sketching *s = bat_sketching_of(c);
+    if (!bat_sketching_readings(c)) return BAT_STATE;
+    bat_status status = bat_again_read(c, &s->again, reading);
+    if (status == BAT_OK)
+        bat_notice(c, bat_again_word(&s->again.edit[s->again.at]));
+    else if (status != BAT_STATE)
+        bat_notice_failure(c, status);
+    return status;
+}
+
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    const bat_again *again = &((const bat_sketching *)state)->again;
+    int step = id == BAT_COMMAND_READING_PREVIOUS ? again->count - 1 : 1;
+    if (id != BAT_COMMAND_READING_NEXT && id != BAT_COMMAND_READING_PREVIOUS) return BAT_STATE;
+    if (!bat_sketching_readings(c)) return BAT_STATE;
+    return bat_sketching_read_as(c, (again->at + step) % again->count);
 }
 
 const bat_tool *bat_tool_sketch(void) {
@@ -725,6 +758,7 @@ const bat_tool *bat_tool_sketch(void) {
                                   .up = up,
                                   .cancel = cancel,
                                   .accept = accept,
+                                  .command = command,
                                   .modifiers = modifiers,
                                   .busy = busy,
                                   .update = update,

@@ -6,6 +6,7 @@
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
+#include "editor/tools/sketch/again.h"
 #include "editor/tools/sketch/meaning.h"
 
 typedef enum bat_sketching_state {
@@ -37,6 +38,7 @@ typedef struct bat_sketching {
     bat_steady steady;     /* between the pen and the samples */
     bool forced;           /* what it means was said beforehand */
     bat_meaning meaning;   /* what it may mean */
+    bool nothing;          /* it means none of what it may mean */
     bool smoothing;        /* Alt was held at some moment of the stroke */
     double travelled;      /* pixels, the greatest distance from the first sample */
     bat_sketch_live *live; /* NULL: no session (it is begun when it is needed) */
@@ -45,6 +47,8 @@ typedef struct bat_sketching {
     bat_sketching_preview preview;
     size_t predicted_count;
     double predicted[2 * 16]; /* document units */
+
+    bat_again again; /* IDLE: what the last stroke could mean besides */
 
     /* PENDING, and DRAWING over it while it may still be a tap */
     bool has_pending;
@@ -55,7 +59,8 @@ typedef struct bat_sketching {
 
 /* Of the tool. */
 bat_sketching *bat_sketching_of(const bat_context *c);
-/* Whether the curve has levels, and which of them a stroke over it redraws. */
-bool bat_sketching_level(const bat_context *c, bat_id object, int curve, int *level);
+/* Whether the last stroke can be read again; takes it as another of its readings (again.h). */
+bool bat_sketching_readings(const bat_context *c);
+bat_status bat_sketching_read_as(bat_context *c, int reading);
 
 #endif

@@ -1,0 +1,56 @@
+/* The chips at the end of a stroke: what else it could mean. */
+#include "editor/panels/panels.h"
+#include "editor/session/journal_line.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tables/tables.h"
+#include "editor/tools/sketch/sketching.h"
+#include "editor/view/view.h"
+#include "text/text.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* "Redraw roof" where the curve has a name. */
+static void word(const bat_context *c, const bat_edit *edit, bat_text *text) {
+    bat_text words = {0};
+    bat_text_string(&words, bat_word(c, bat_again_word(edit)));
+    bool one = edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL || edit->kind == BAT_EDIT_EXTEND;
+    const bat_document *document = c->session->document;
+    const bat_object *object = one ? bat_document_at(document, bat_document_find(document, edit->object))
+                                   : NULL;
+    if (object && *bat_object_name(object)) {
+        bat_text_string(&words, " ");
+        bat_text_string(&words, bat_object_name(object));
+    }
+    bat_text_add(&words, "", 1);
+    bat_text_json_string(text, words.failed ? "" : words.data);
+    text->failed = text->failed || words.failed;
+    bat_text_free(&words);
+}
+
+const char *bat_panel_readings(bat_context *c) {
+    const bat_again *again = &bat_sketching_of(c)->again;
+    bat_text text = {0};
+    double at[2] = {0, 0};
+    int count = bat_sketching_readings(c) ? again->count : 0;
+    if (count) bat_view_to_screen(c->view, again->place, at);
+    bat_text_string(&text, "{\"at\":");
+    bat_line_numbers(&text, at, 2, 1);
+    bat_text_string(&text, ",\"chosen\":");
+    bat_line_number(&text, again->at);
+    bat_text_string(&text, ",\"words\":[");
+    for (int i = 0; i < count; i++) {
+        if (i) bat_text_string(&text, ",");
+        word(c, &again->edit[i], &text);
+    }
+    bat_text_string(&text, "]}");
+    bat_text_add(&text, "", 1);
+    if (text.failed) {
+        bat_text_free(&text);
+        return NULL;
+    }
+    free(c->panels->readings);
+    return c->panels->readings = text.data;
+}
+
+bat_status bat_panel_read_as(bat_context *c, int reading) { return bat_sketching_read_as(c, reading); }

@@ -1,0 +1,95 @@
+#include "editor/tools/sketch/again.h"
+#include "editor/edit/arrange.h"
+#include "editor/session/session.h"
+#include "editor/session/undo.h"
+#include <math.h>
+#include <string.h>
+
+static const double NOT_MUCH = 0.5; /* pixels a pixel of stroke that a reading may cost more than the best */
+
+static bool same(const bat_edit *a, const bat_edit *b) {
+    return a->kind == b->kind && a->object == b->object && a->curve == b->curve && a->other == b->other &&
+           a->other_curve == b->other_curve && a->part_count == b->part_count;
+}
+
+static void offer(bat_again *again, const bat_edit *edit) {
+    for (int i = 0; i < again->count; i++)
+        if (same(&again->edit[i], edit)) return;
+    again->edit[again->count++] = *edit;
+}
+
+void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit, bat_again *again) {
+    again->count = 0;
+    for (int i = 0; i < m->count; i++) {
+        const bat_reading *reading = &m->readings[i];
+        bool fresh = reading->kind == BAT_INTENT_NEW;
+        bool near = reading->cost - m->readings[0].cost <= NOT_MUCH * bat_intent_length(m->intent);
+        if (!fresh && (!near || again->count >= BAT_AGAIN_MOST - 1))
+            continue; /* one place is for the new line */
+        bat_edit other = *edit;
+        bat_meaning_apply(c, m, reading, &other);
+        if (again->count < BAT_AGAIN_MOST) offer(again, &other);
+    }
+}
+
+void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples) {
+    again->at = -1;
+    for (int i = 0; i < again->count; i++)
+        if (again->edit[i].kind == edit->kind && (edit->kind == BAT_EDIT_NEW || same(&again->edit[i], edit)))
+            again->at = i;
+    if (again->count < 2 || again->at < 0 || !samples->count) {
+        again->count = 0;
+        return;
+    }
+    bat_samples spare = again->samples;
+    again->samples = *samples;
+    *samples = spare;
+    bat_samples_clear(samples);
+    for (int i = 0; i < again->count; i++) again->edit[i].samples = again->samples;
+    memcpy(again->place, again->samples.points + 2 * (again->samples.count - 1), sizeof again->place);
+    again->revision = c->session->revision;
+    again->version++;
+}
+
+void bat_again_drop(bat_again *again) { again->count = 0; }
+
+bool bat_again_holds(const bat_context *c, const bat_again *again) {
+    return again->count > 0 && again->revision == c->session->revision;
+}
+
+static bat_status carry_out(bat_context *c, bat_edit *edit) {
+    bat_curve *curve = NULL;
+    bat_sketch_report report;
+    bat_status status = bat_edit_compute(c, edit, NULL, &curve, &report);
+    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
+    edit->accepted = status == BAT_TOLERANCE; /* it was asked for by name */
+    if (edit->kind == BAT_EDIT_NEW) {
+        edit->object = bat_document_new_id(c->session->document);
+        bat_arrange_place(c, &edit->parent);
+    }
+    return bat_edit_commit(c, edit, curve);
+}
+
+bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
+    if (!bat_again_holds(c, again) || at < 0 || at >= again->count) return BAT_STATE;
+    if (at == again->at) return BAT_OK;
+    bat_status status = bat_session_step(c, true);
+    if (status != BAT_OK) return status;
+    status = carry_out(c, &again->edit[at]);
+    if (status == BAT_OK)
+        again->at = at;
+    else
+        bat_session_step(c, false);
+    again->revision = c->session->revision;
+    again->version++;
+    return status;
+}
+
+bat_string bat_again_word(const bat_edit *edit) {
+    static const bat_string words[BAT_EDIT_COUNT] = {
+        [BAT_EDIT_NEW] = BAT_STRING_READ_NEW,       [BAT_EDIT_REDRAW] = BAT_STRING_READ_REDRAW,
+        [BAT_EDIT_SMOOTH] = BAT_STRING_READ_REDRAW, [BAT_EDIT_JOIN] = BAT_STRING_READ_JOIN,
+        [BAT_EDIT_LEVEL] = BAT_STRING_READ_REDRAW,  [BAT_EDIT_EXTEND] = BAT_STRING_READ_EXTEND,
+        [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,   [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
+    return words[edit->kind];
+}

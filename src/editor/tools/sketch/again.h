@@ -1,0 +1,35 @@
+/*
+ * A stroke read again: after it was committed, for as long as the next one has not begun, it can be taken as something
+ * else. The step is taken back and the other one made, so the history has one step for the stroke all the while.
+ */
+#ifndef BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
+#define BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
+
+#include "editor/edit/stroke.h"
+#include "editor/tools/sketch/meaning.h"
+
+enum { BAT_AGAIN_MOST = 4 };
+
+typedef struct bat_again {
+    int count, at;                 /* readings, the cheapest first; the one carried out. count 0: none */
+    bat_edit edit[BAT_AGAIN_MOST]; /* their samples are those below */
+    bat_samples samples;           /* owned */
+    uint64_t revision;             /* of the document after the stroke */
+    double place[2];               /* the stroke's end, document units */
+    uint32_t version;              /* another number whenever they are others, or another is carried out */
+} bat_again;
+
+/* Gathers what the stroke could mean besides: readings not much dearer than the best, and a new line in any case. The
+ * edits lack samples until bat_again_keep. */
+void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit *edit, bat_again *again);
+/* The stroke is committed as `edit`, whose samples are taken over (*samples gets others' memory). */
+void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples);
+void bat_again_drop(bat_again *again);
+/* Whether the stroke is still the last thing done. */
+bool bat_again_holds(const bat_context *c, const bat_again *again);
+/* Takes it as the reading `at`. BAT_STATE: it is none any more; else what computing or committing says, all as it was. */
+bat_status bat_again_read(bat_context *c, bat_again *again, int at);
+/* The kind of edit as the user calls it. */
+bat_string bat_again_word(const bat_edit *edit);
+
+#endif

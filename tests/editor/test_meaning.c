@@ -1,0 +1,248 @@
+/*
+ * What strokes mean in the editor: each reading is carried out as one step that replays and is undone; what is selected,
+ * the switch and the held key say what may change; a stroke is read again as something else without another step.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/pen.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
+
+static void check(const bat_editor *editor) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("%s", wrong);
+}
+
+/* Two steps make the first document again, and the journal the last one. */
+static void round_trip(bat_editor *editor, uint64_t first) {
+    bat_editor *again = NULL;
+    bat_problem problem = {"", ""};
+    size_t size = 0;
+    uint64_t last = digest(editor);
+    check(editor);
+    const char *text = bat_editor_journal(editor, &size);
+    assert_int_equal(bat_editor_create(&again), BAT_OK);
+    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+        fail_msg("%s: %s", problem.place, problem.message);
+    assert_true(digest(again) == last);
+    bat_editor_free(again);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_STATE);
+    bat_editor_free(editor);
+}
+
+/* An editor whose curves are lines between these ends. */
+static bat_editor *lines_editor(int lines, const double (*ends)[4]) {
+    bat_document *document = NULL;
+    bat_editor *editor = NULL;
+    bat_document_create(&document);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    for (int i = 0; i < lines; i++) {
+        double points[8];
+        const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+        bat_curve *curve = NULL;
+        for (int k = 0; k < 4; k++)
+            for (int d = 0; d < 2; d++)
+                points[2 * k + d] = ends[i][d] + (ends[i][2 + d] - ends[i][d]) * k / 3;
+        assert_int_equal(bat_curve_create(3, 2, false, 4, knots, points, &curve), BAT_OK);
+        pen_add(document, curve);
+    }
+    bat_editor_create(&editor);
+    bat_editor_resize(editor, 1000, 800, 1);
+    bat_editor_open(editor, document, "test");
+    bat_editor_command(editor, "zoom-100");
+    return editor;
+}
+
+static const bat_curve *curve(const bat_editor *editor, int object) {
+    return bat_object_curve(bat_document_at(bat_editor_document(editor), object), 0);
+}
+
+static void end_of(const bat_curve *of, int end, double out[2]) {
+    double domain[2];
+    bat_curve_domain(of, domain);
+    bat_curve_eval(of, domain[end], 0, out);
+}
+
+static void ends_are_extended(void **state) {
+    (void)state;
+    bat_editor *editor = lines_editor(1, (const double[][4]){{100, 300, 500, 300}});
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_line(&p, 501, 301, 640, 320, 0);
+    double at[2];
+    assert_int_equal(count(editor), 1);
+    end_of(curve(editor, 0), 1, at);
+    assert_true(fabs(at[0] - 640) < 4 && fabs(at[1] - 320) < 3);
+    end_of(curve(editor, 0), 0, at);
+    assert_true(at[0] == 100 && at[1] == 300);
+    round_trip(editor, first);
+}
+
+static void own_ends_close(void **state) {
+    (void)state;
+    const double knots[] = {0, 0, 0, 0, 1, 2, 2, 2, 2},
+                 points[] = {400, 300, 300, 250, 250, 450, 500, 500, 500, 300};
+    bat_curve *cup = NULL;
+    bat_editor *editor = lines_editor(0, NULL);
+    assert_int_equal(bat_curve_create(3, 2, false, 5, knots, points, &cup), BAT_OK);
+    bat_document *document = NULL;
+    bat_document_create(&document);
+    pen_add(document, cup);
+    assert_int_equal(bat_editor_open(editor, document, "test"), BAT_OK);
+    bat_editor_command(editor, "zoom-100");
+    const double *view = bat_editor_frame(editor)->view;
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_line(&p, 500 - view[0], 300 - view[1], 400 - view[0], 300 - view[1], -12);
+    assert_int_equal(count(editor), 1);
+    assert_true(bat_curve_closed(curve(editor, 0)));
+    round_trip(editor, first);
+}
+
+/* Bit for bit together, whichever way the curves run and the stroke goes. */
+static void joints_stay_joints(void **state) {
+    (void)state;
+    for (int way = 0; way < 4; way++) {
+        const double two[][4] = {{100, 300, 400, 300}, {400, 300, 700, 300}};
+        const double turned[][4] = {{100, 300, 400, 300}, {700, 300, 400, 300}};
+        bat_editor *editor = lines_editor(2, way & 1 ? turned : two);
+        uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        if (way & 2)
+            pen_line(&p, 600, 301, 200, 301, 14);
+        else
+            pen_line(&p, 200, 301, 600, 301, 14);
+        double a[2], b[2];
+        assert_int_equal(count(editor), 2);
+        end_of(curve(editor, 0), 1, a);
+        end_of(curve(editor, 1), way & 1 ? 1 : 0, b);
+        assert_true(a[0] == b[0] && a[1] == b[1]);
+        assert_true(fabs(a[1] - 300) > 5); /* it went with the stroke */
+        end_of(curve(editor, 0), 0, a);
+        assert_true(a[0] == 100 && a[1] == 300);
+        round_trip(editor, first);
+    }
+}
+
+static void held_at_the_joint(void **state) {
+    (void)state;
+    const double two[][4] = {{100, 300, 400, 300}, {400, 300, 500, 500}};
+    bat_editor *editor = lines_editor(2, two);
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_line(&p, 180, 300, 394, 303, 10);
+    double at[2];
+    end_of(curve(editor, 0), 1, at);
+    assert_true(at[0] == 400 && at[1] == 300);
+    round_trip(editor, first);
+}
+
+static void new_lines_start_on_lines(void **state) {
+    (void)state;
+    bat_editor *editor = lines_editor(1, (const double[][4]){{100, 300, 600, 300}});
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_line(&p, 350, 303, 350, 480, 6);
+    double at[2];
+    assert_int_equal(count(editor), 2);
+    end_of(curve(editor, 1), 0, at);
+    assert_true(fabs(at[1] - 300) < 1e-9 && fabs(at[0] - 350) < 3);
+    round_trip(editor, first);
+}
+
+static void only_what_is_selected(void **state) {
+    (void)state;
+    const double two[][4] = {{100, 300, 600, 300}, {100, 322, 600, 322}};
+    bat_editor *editor = lines_editor(2, two);
+    assert_int_equal(
+        bat_editor_select(editor, bat_object_id(bat_document_at(bat_editor_document(editor), 0)), false),
+        BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "tool-sketch"), BAT_OK);
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_line(&p, 160, 316, 540, 316, -2); /* nearer to the other */
+    double at[2];
+    assert_int_equal(count(editor), 2);
+    end_of(curve(editor, 1), 0, at);
+    assert_true(at[1] == 322);
+    bat_near near;
+    assert_int_equal(bat_curve_nearest(curve(editor, 0), (double[]){350, 318}, &near), BAT_OK);
+    assert_true(near.distance < 2);
+    round_trip(editor, first);
+}
+
+static void switch_and_key(void **state) {
+    (void)state;
+    const double one[][4] = {{100, 300, 600, 300}};
+    for (int way = 0; way < 2; way++) {
+        bat_editor *editor = lines_editor(1, one);
+        uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        if (way == 0)
+            assert_int_equal(bat_editor_set(editor, "stroke-meaning", 2), BAT_OK);
+        else
+            assert_true(bat_editor_key(editor, "x", true, 0, 1));
+        pen_line(&p, 150, 303, 550, 303, 4);
+        assert_int_equal(count(editor), 2);
+        if (way) bat_editor_key(editor, "x", false, 0, 2000);
+        round_trip(editor, first);
+    }
+    bat_editor *editor = lines_editor(1, one);
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    assert_int_equal(bat_editor_set(editor, "stroke-meaning", 1), BAT_OK);
+    pen_line(&p, 150, 600, 550, 600, 4); /* nothing is near */
+    assert_true(digest(editor) == first);
+    assert_string_equal(bat_editor_frame(editor)->notice, "No curve here to redraw");
+    pen_line(&p, 200, 290, 320, 350, 0); /* a new line else */
+    assert_int_equal(count(editor), 1);
+    assert_true(digest(editor) != first);
+    round_trip(editor, first);
+}
+
+static void read_again(void **state) {
+    (void)state;
+    bat_editor *editor = lines_editor(1, (const double[][4]){{100, 300, 600, 300}});
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    assert_false(bat_editor_key(editor, "Tab", true, 0, 1)); /* nothing to read: the host's */
+    pen_line(&p, 150, 303, 550, 303, 4);
+    uint64_t redrawn = digest(editor);
+    assert_int_equal(count(editor), 1);
+    assert_true(bat_editor_frame(editor)->readings != 0);
+    const char *text = bat_editor_readings(editor);
+    assert_non_null(strstr(text, "\"chosen\":0"));
+    assert_non_null(strstr(text, "\"Redraw line\""));
+    assert_non_null(strstr(text, "\"New line\""));
+    uint32_t version = bat_editor_frame(editor)->readings;
+    assert_true(bat_editor_key(editor, "Tab", true, 0, 2));
+    assert_true(bat_editor_frame(editor)->readings != version);
+    assert_int_equal(count(editor), 2);
+    check(editor);
+    assert_true(bat_editor_key(editor, "Tab", true, BAT_SHIFT, 3));
+    assert_true(digest(editor) == redrawn);
+    assert_int_equal(bat_editor_read_as(editor, 7), BAT_STATE);
+    assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+    assert_int_equal(count(editor), 2);
+    pen_event(&p, BAT_POINTER_DOWN, 150, 600); /* the next stroke settles it */
+    assert_int_equal(bat_editor_frame(editor)->readings, 0);
+    assert_int_equal(bat_editor_read_as(editor, 0), BAT_STATE);
+    pen_event(&p, BAT_POINTER_UP, 150, 600);
+    round_trip(editor, first);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ends_are_extended),        cmocka_unit_test(own_ends_close),
+        cmocka_unit_test(joints_stay_joints),       cmocka_unit_test(held_at_the_joint),
+        cmocka_unit_test(new_lines_start_on_lines), cmocka_unit_test(only_what_is_selected),
+        cmocka_unit_test(switch_and_key),           cmocka_unit_test(read_again),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,51 @@
+// The chips at the end of a stroke: what else it could mean; a tap, or Tab, reads it that way; the next stroke settles it.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { bezier, launch, open, place, settle, SCREENSHOTS, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const ROOF = bezier([440, 135], [490, 88], [580, 80], [690, 115]);
+
+test('a stroke is read again', async (t) => {
+  const server = await serve();
+  t.after(() => server.close());
+  const { page, hand, faults, context } = await open(browser, server.address);
+  const opened = await state(page);
+  await hand.stroke(await Promise.all(ROOF.map(([x, y]) => place(page, x, y))));
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, opened.digest);
+  const chips = page.locator('.chips button');
+  await chips.first().waitFor();
+  const words = await chips.allTextContents();
+  assert.ok(words.length >= 2 && words.includes('New line'), `${words}`);
+  assert.equal(await page.locator('.chips [aria-pressed=true]').count(), 1);
+  assert.match(await page.locator('.chips [aria-pressed=true]').textContent(), /^Redraw/);
+  const box = await page.locator('.chips').boundingBox();
+  const end = await place(page, 690, 115);
+  assert.ok(Math.hypot(box.x - end[0], box.y - end[1]) < 60, 'they stand at the end of the stroke');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'chips.png') });
+  await page.locator('.chips button', { hasText: 'New line' }).click();
+  await settle(page);
+  const fresh = await state(page);
+  assert.notEqual(fresh.digest, redrawn.digest);
+  assert.equal(fresh.check, '');
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Shift+Tab');
+  await settle(page);
+  assert.equal((await state(page)).digest, redrawn.digest, 'and back');
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, opened.digest, 'all of it is one step');
+  assert.equal(await page.locator('.chips').isVisible(), false);
+  await page.keyboard.press('Control+Shift+z');
+  await hand.stroke(await Promise.all(ROOF.map(([x, y]) => place(page, x, y + 220))));
+  assert.deepEqual(faults, []);
+  await context.close();
+});
