@@ -74,7 +74,8 @@ static void evaluate(bytes *in, const bat_curve *curve) {
     if (many) bat_curve_eval_many(curve, (size_t)count, u, order, many);
     free(many);
     for (int i = 0; i < 8; i++) arguments[i] = number(in);
-    bat_curve_blossom(curve, number(in), small(in, 1), arguments, out);
+    u[0] = number(in);
+    bat_curve_blossom(curve, u[0], small(in, 1), arguments, out);
     bat_curve_basis(curve, number(in), &first, values);
     if (first < 0 || first >= bat_curve_count(curve)) abort();
     double *greville = malloc((size_t)bat_curve_count(curve) * sizeof(double));
@@ -88,17 +89,18 @@ static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *oth
     int removed, count;
     bat_status status;
     switch (small(in, 17)) {
-    case 0: return bat_curve_insert_knot(curve, number(in), small(in, 9), out);
+    case 0: u[0] = number(in); return bat_curve_insert_knot(curve, u[0], small(in, 9), out);
     case 1:
         count = small(in, 12);
         for (int i = 0; i < count; i++) u[i] = number(in);
         return bat_curve_insert_knots(curve, count, u, out);
     case 2:
         u[0] = number(in);
-        status = bat_curve_remove_knot(curve, u[0], small(in, 8), number(in), out, &removed, &error);
+        count = small(in, 8);
+        status = bat_curve_remove_knot(curve, u[0], count, number(in), out, &removed, &error);
         if (status == BAT_OK && !(error >= 0 && removed >= 0)) abort();
         return status;
-    case 3: return bat_curve_simplify(curve, number(in), number(in), out, &error);
+    case 3: u[0] = number(in); return bat_curve_simplify(curve, u[0], number(in), out, &error);
     case 4: return bat_curve_elevate(curve, small(in, 8), out);
     case 5: return bat_curve_clamp(curve, out);
     case 6: return bat_curve_reverse(curve, out);
@@ -109,7 +111,9 @@ static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *oth
     case 11: return bat_curve_close(curve, number(in), out);
     case 12: return bat_curve_move_seam(curve, number(in), out);
     case 13:
-        return other ? bat_curve_join(curve, other, small(in, 3), number(in), out, &error) : BAT_ARGUMENT;
+        if (!other) return BAT_ARGUMENT;
+        count = small(in, 3);
+        return bat_curve_join(curve, other, count, number(in), out, &error);
     case 14:
         for (int i = 0; i < 12; i++) matrix[i] = number(in);
         return bat_curve_transform(curve, matrix, out);

@@ -179,8 +179,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (int k = 0; k < 8 && s.size > 0; k++) {
         switch (byte(&s) % 8) {
         case 0:
-            if (bat_shape_levels(shape) > 0)
-                bat_shape_set_gain(shape, 1 + byte(&s) % bat_shape_levels(shape), byte(&s) / 100.0);
+            if (bat_shape_levels(shape) > 0) {
+                int level = 1 + byte(&s) % bat_shape_levels(shape);
+                bat_shape_set_gain(shape, level, byte(&s) / 100.0);
+            }
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;
         case 1: {

@@ -122,7 +122,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                          .points = points + i * (size_t)dimension};
                 if (bat_sketch_add(live, &part) != BAT_OK) abort();
                 bat_curve *shown = NULL;
-                check(bat_sketch_preview(live, &shown, NULL), shown);
+                const bat_status previewed = bat_sketch_preview(live, &shown, NULL);
+                check(previewed, shown);
                 bat_curve_free(shown);
             }
             const bat_status committed = bat_sketch_commit(live, &other, NULL);

@@ -321,8 +321,8 @@ static void affine_invariance(void **state) {
     (void)state;
     random_source r = {36};
     for (int round = 0; round < 100; round++) {
-        bat_curve *curve = random_curve(&r, random_int(&r, 1, 7), 3, round % 3, random_int(&r, 0, 9)),
-                  *image = NULL;
+        int degree = random_int(&r, 1, 7), extra = random_int(&r, 0, 9);
+        bat_curve *curve = random_curve(&r, degree, 3, round % 3, extra), *image = NULL;
         double m[12], d[2], a[3], b[3];
         for (int i = 0; i < 12; i++) m[i] = random_between(&r, -2, 2);
         assert_int_equal(bat_curve_transform(curve, m, &image), BAT_OK);

@@ -139,8 +139,8 @@ static void reversal_and_other_intervals(void **state) {
     (void)state;
     random_source r = {15};
     for (int round = 0; round < 300; round++) {
-        bat_curve *curve = random_curve(&r, random_int(&r, 1, 7), 2 + round % 2, round % 3,
-                                        random_int(&r, 0, 9));
+        int degree = random_int(&r, 1, 7), extra = random_int(&r, 0, 9);
+        bat_curve *curve = random_curve(&r, degree, 2 + round % 2, round % 3, extra);
         bat_curve *back = NULL, *other = NULL;
         double d[2], a = random_between(&r, -1e3, 1e3), b = a + random_between(&r, 1e-3, 1e3), p[3], q[3];
         bat_curve_domain(curve, d);

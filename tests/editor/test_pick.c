@@ -30,9 +30,10 @@ static void against_brute_force(void **state) {
     bat_document *document = NULL;
     bat_scene scene;
     bat_document_create(&document);
-    for (int i = 0; i < CURVES; i++)
-        pen_add(document, pen_curve(1000 * uniform(&seed), 800 * uniform(&seed), 5 + 15 * uniform(&seed),
-                                    60 * uniform(&seed), 6 + i % 5));
+    for (int i = 0; i < CURVES; i++) {
+        double x = 1000 * uniform(&seed), y = 800 * uniform(&seed), step = 5 + 15 * uniform(&seed);
+        pen_add(document, pen_curve(x, y, step, 60 * uniform(&seed), 6 + i % 5));
+    }
     bat_scene_init(&scene);
     assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
     int found = 0;

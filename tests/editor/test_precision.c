@@ -668,7 +668,8 @@ static void wild_precision(void **state) {
         while (bytes.at < bytes.size) {
             if (session_byte(&bytes) < 100) {
                 bat_editor_command(editor, commands[session_byte(&bytes) % 16]);
-                bat_editor_enter(editor, names[session_byte(&bytes) % 10], texts[session_byte(&bytes) % 8]);
+                const char *name = names[session_byte(&bytes) % 10];
+                bat_editor_enter(editor, name, texts[session_byte(&bytes) % 8]);
                 bat_editor_frame(editor);
             }
             session_event(editor, &bytes, &time);

@@ -85,7 +85,8 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
     } else if (what < 240) {
         bat_editor_command(editor, commands[session_byte(bytes) % 24]);
     } else if (what < 245) {
-        bat_editor_resize(editor, session_place(bytes), session_place(bytes), session_place(bytes) / 300);
+        double width = session_place(bytes), height = session_place(bytes);
+        bat_editor_resize(editor, width, height, session_place(bytes) / 300);
     } else if (what < 250) {
         uint8_t more = session_byte(bytes);
         bat_editor_set(editor, properties[more % 4], session_place(bytes) / 40);

@@ -92,14 +92,16 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
     } else if (what < 134) {
         bat_editor_select(editor, wild_id(editor, bytes), what & 1);
     } else if (what < 138) {
-        bat_editor_choose(editor, wild_id(editor, bytes), session_byte(bytes) % 20);
+        bat_id id = wild_id(editor, bytes);
+        bat_editor_choose(editor, id, session_byte(bytes) % 20);
         bat_editor_outline(editor, what == 134 ? 0 : session_byte(bytes), 40);
         bat_editor_outline_points(editor, wild_id(editor, bytes));
         bat_editor_said(editor);
     } else if (what < 141) {
         bat_editor_set_state(editor, wild_id(editor, bytes), what == 138, what == 139);
     } else if (what < 144) {
-        bat_editor_place_layer(editor, wild_id(editor, bytes), wild_id(editor, bytes));
+        bat_id id = wild_id(editor, bytes);
+        bat_editor_place_layer(editor, id, wild_id(editor, bytes));
         bat_editor_activate_layer(editor, wild_id(editor, bytes));
         bat_editor_layers(editor);
         bat_editor_actions(editor);
@@ -109,7 +111,8 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
         wild_copy(editor, what & 1, session_byte(bytes) & 1);
     } else if (what < 152) {
         unsigned char head[HEAD_ROOM];
-        size_t size = head_png(head, session_byte(bytes), session_byte(bytes));
+        uint8_t width = session_byte(bytes), height = session_byte(bytes);
+        size_t size = head_png(head, width, height);
         bat_editor_add_picture(editor, head, size, NULL);
     } else if (what < 153) {
         bat_editor_compact(editor);
