@@ -1,21 +1,21 @@
 # BATTEN_WEB_FILES: a C file with the browser shell and the WASM module as data, made anew when they change.
 # The module is built in its own tree, build/wasm, with its own preset; without a WASM compiler it is left out.
-find_program(BATTEN_CLANG clang)
-if(BATTEN_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
+include(${CMAKE_CURRENT_LIST_DIR}/wasm_clang.cmake)
+if(BATTEN_WASM_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
   set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm ${PROJECT_SOURCE_DIR}/build/wasm/batten-later.wasm)
   file(GLOB_RECURSE MODULE_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.[ch] ${PROJECT_SOURCE_DIR}/src/*.def
     ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch] ${PROJECT_SOURCE_DIR}/web/module/later.txt)
   set(BATTEN_WORDS ${PROJECT_SOURCE_DIR}/build/wasm/words.en.json ${PROJECT_SOURCE_DIR}/build/wasm/words.ko.json)
   add_custom_command(OUTPUT ${BATTEN_MODULE} ${BATTEN_WORDS} VERBATIM COMMENT "The WASM module, in build/wasm"
     DEPENDS ${MODULE_INPUTS} ${PROJECT_SOURCE_DIR}/cmake/wasm.cmake ${PROJECT_SOURCE_DIR}/cmake/module.cmake
-      ${PROJECT_SOURCE_DIR}/cmake/split_module.cmake
+      ${PROJECT_SOURCE_DIR}/cmake/split_module.cmake ${PROJECT_SOURCE_DIR}/cmake/wasm_clang.cmake
       ${PROJECT_SOURCE_DIR}/cmake/words.cmake ${PROJECT_SOURCE_DIR}/src/editor/tables/words.in
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${CMAKE_COMMAND} --preset wasm --log-level=WARNING
     COMMAND ${CMAKE_COMMAND} --build --preset wasm
     COMMAND ${CMAKE_COMMAND} -E touch ${BATTEN_MODULE} ${BATTEN_WORDS})
 else()
-  message(STATUS "No clang with wasi-libc: the program is built without the editor's module")
+  message(STATUS "No clang 16 with wasi-libc: the program is built without the editor's module")
   set(BATTEN_MODULE)
 endif()
 

@@ -36,10 +36,10 @@ need_to_build() {
     need libexpat1-dev /usr/include/expat.h
     need libcairo2-dev /usr/include/cairo/cairo.h
     need libmicrohttpd-dev /usr/include/microhttpd.h
-    need clang clang
-    need lld wasm-ld
+    need clang-16 clang-16
+    need lld-16 wasm-ld-16
     need wasi-libc /usr/include/wasm32-wasi/wasi/api.h
-    need libclang-rt-14-dev-wasm32 '/usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a'
+    need libclang-rt-16-dev-wasm32 '/usr/lib/llvm-16/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a'
     need binaryen wasm-opt
     need esbuild esbuild
 }
@@ -47,6 +47,7 @@ need_to_build() {
 need_to_test() {
     need_to_build
     need g++ g++
+    need clang clang
     need libcmocka-dev /usr/include/cmocka.h
     need libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan*.a'
     need clang-format clang-format

@@ -10,11 +10,13 @@ void bat_svg_identity(double m[6]) {
     for (int i = 0; i < 6; i++) m[i] = i == 0 || i == 3;
 }
 
-void bat_svg_compose(const double f[6], const double s[6], double out[6]) {
-    double m[6] = {f[0] * s[0] + f[2] * s[1],        f[1] * s[0] + f[3] * s[1],
-                   f[0] * s[2] + f[2] * s[3],        f[1] * s[2] + f[3] * s[3],
-                   f[0] * s[4] + f[2] * s[5] + f[4], f[1] * s[4] + f[3] * s[5] + f[5]};
-    memcpy(out, m, sizeof m);
+void bat_svg_compose(const double f[6], const double s[6], double out[restrict 6]) {
+    out[0] = f[0] * s[0] + f[2] * s[1];
+    out[1] = f[1] * s[0] + f[3] * s[1];
+    out[2] = f[0] * s[2] + f[2] * s[3];
+    out[3] = f[1] * s[2] + f[3] * s[3];
+    out[4] = f[0] * s[4] + f[2] * s[5] + f[4];
+    out[5] = f[1] * s[4] + f[3] * s[5] + f[5];
 }
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -84,7 +86,9 @@ bool bat_svg_transform(const char *text, double m[6]) {
         }
         if (at == end || !primitive(name, length, n, v, one)) return false;
         at++;
-        bat_svg_compose(whole, one, whole);
+        double next[6];
+        bat_svg_compose(whole, one, next);
+        memcpy(whole, next, sizeof whole);
         bat_svg_skip(&at, end);
     }
     for (int i = 0; i < 6; i++)
