@@ -1,5 +1,6 @@
 /* Any bytes as a picture, and as base 64 of one: read within their bounds; what is taken has sane sides, and comes
  * back from base 64 bit for bit. */
+#include "document/picture.h"
 #include "text/base64.h"
 
 #include <stdlib.h>
