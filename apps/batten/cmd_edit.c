@@ -139,8 +139,9 @@ static int run(const cli_arguments *arguments) {
     if (!serve_has_shell())
         return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");
     if (!serve_has_module()) {
-        return fail_data(path, NULL,
-                         "cannot be edited: this build has no batten.wasm (it needs clang 16, lld, wasi-libc)");
+        return fail_data(
+            path, NULL,
+            "cannot be edited: this build has no batten.wasm (it needs clang 16, lld, wasi-libc)");
     }
     failed = look_at(path, format);
     if (failed) return failed;

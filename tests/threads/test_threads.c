@@ -396,6 +396,7 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     d = add_object(d, bat_object_with_id(object, 1000 + (bat_id)seed, &m), &m);
     d = add_object(d, bat_object_with_state(object, true, seed & 1, &m), &m);
     d = add_object(d, bat_object_with_parent(object, 500, &m), &m);
+    d = add_object(d, bat_object_with_guide(object, seed, &m), &m);
     d = add_object(d, bat_object_to_path(object, &m), &m);
     if (bat_object_curve_count(object) && bat_curve_copy(bat_object_curve(object, 0), &curve) == BAT_OK) {
         if (bat_curve_copy(curve, &other) == BAT_OK)
