@@ -1,9 +1,10 @@
 // The chips at the end of a stroke: what else it could mean; a tap, or Tab, reads it that way; the next stroke settles it.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { bezier, launch, open, place, settle, SCREENSHOTS, state } from './page.mjs';
-import { serve } from './server.mjs';
+import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
 before(async () => {
@@ -14,7 +15,7 @@ after(() => browser.close());
 const ROOF = bezier([440, 135], [490, 88], [580, 80], [690, 115]);
 
 test('a stroke is read again', async (t) => {
-  const server = await serve();
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(() => server.close());
   const { page, hand, faults, context } = await open(browser, server.address);
   const opened = await state(page);
