@@ -204,13 +204,14 @@ class Info(ProgramTest):
         info = self.json("info", CAR, "--json")
         self.assertEqual(info["format"], "svg")
         self.assertEqual(info["page"], [0, 0, 1000, 420])
-        self.assertIs(info["keeps_all"], False)
+        self.assertIs(info["keeps_all"], True)
         roof = next(item for item in info["objects"] if item["name"] == "roof")
         self.assertEqual([c["degree"] for c in roof["curves"]], [3])
         self.assertEqual(info["curves"], sum(len(item["curves"]) for item in info["objects"]))
-        text = self.done("info", CAR).decode()
+        self.assertIn("roof", self.done("info", CAR).decode())
+        titled = open(CAR, encoding="utf-8").read().replace(">", "><title>A car</title>", 1)
+        text = self.done("info", "-", stdin=titled.encode()).decode()
         self.assertRegex(text, r"saving +loses 1 thing\n +1 title or description\n")
-        self.assertIn("roof", text)
 
     def test_svg_saved_by_batten_keeps_everything(self):
         self.done("convert", CAR, self.folder / "car.svg")
