@@ -240,14 +240,14 @@ static void keys_come_from_the_table(void **state) {
     assert_true(bat_editor_key(editor, "s", true, BAT_CTRL, 0));
     assert_int_equal(bat_editor_frame(editor)->requests, BAT_ASK_SAVE);
 
-    assert_int_equal(bat_editor_bind(editor, "undo", "U Alt+Backspace"), BAT_OK);
+    assert_int_equal(bat_editor_bind(editor, "undo", "J Alt+Backspace"), BAT_OK);
     assert_false(bat_editor_key(editor, "z", true, BAT_CTRL, 0));
     assert_true(bat_editor_key(editor, "j", true, 0, 0));
     assert_true(bat_editor_frame(editor)->can_redo);
-    assert_non_null(strstr(bat_editor_tables(editor), "\"keys\":[\"U\",\"Alt+Backspace\"]"));
+    assert_non_null(strstr(bat_editor_tables(editor), "\"keys\":[\"J\",\"Alt+Backspace\"]"));
     assert_int_equal(bat_editor_bind(editor, "undo", NULL), BAT_OK);
     assert_non_null(strstr(bat_editor_tables(editor), "\"keys\":[\"Ctrl+Z\"]"));
-    assert_int_equal(bat_editor_bind(editor, "undone", "U"), BAT_UNSUPPORTED);
+    assert_int_equal(bat_editor_bind(editor, "undone", "J"), BAT_UNSUPPORTED);
     assert_int_equal(bat_editor_bind(editor, "undo", "\"quoted\""), BAT_ARGUMENT);
     assert_true(bat_editor_key(editor, "+", true, BAT_SHIFT | BAT_CTRL, 0)); /* "Ctrl++" */
     assert_true(bat_editor_frame(editor)->view[2] > 1);

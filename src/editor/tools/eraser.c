@@ -136,7 +136,7 @@ static bat_status rest_of(const bat_context *c, const bat_rubbed *rubbed, int ru
             status = bat_curve_copy(curve, &whole);
             count = status == BAT_OK;
         }
-        if (count) status = rest_add(out, count, whole ? &whole : pieces);
+        if (status == BAT_OK && count) status = rest_add(out, count, pieces ? pieces : &whole);
         free(pieces);
     }
     return status;
