@@ -277,6 +277,35 @@ static void calming_keeps_the_tolerance(void **state) {
     }
 }
 
+/* With nothing under the pointer what is selected is calmed, a group with all that is in it, in one step; ten presses
+ * add no knot, and when nothing is left that is said. Nothing selected either: nothing to do. */
+static void calming_the_selection(void **state) {
+    (void)state;
+    bat_editor *editor = trembling_editor("tool-select");
+    pen p = pen_for(editor);
+    uint64_t first = digest(editor);
+    bat_curve *old = NULL;
+    bat_curve_copy(curve_at(editor, 0), &old);
+    pen_event(&p, BAT_POINTER_HOVER, 500, 700);
+    bat_editor_key(editor, "g", true, 0, p.time);
+    assert_true(bat_editor_key(editor, "g", false, 0, p.time) || digest(editor) == first);
+    assert_true(digest(editor) == first);
+    bat_editor_select(editor, bat_object_id(bat_document_at(bat_editor_document(editor), 0)), false);
+    for (int press = 0; press < 10; press++) {
+        bat_editor_key(editor, "g", true, 0, p.time);
+        bat_editor_key(editor, "g", false, 0, p.time);
+        check(editor);
+        assert_int_equal(bat_curve_knot_count(curve_at(editor, 0)), bat_curve_knot_count(old));
+        const char *notice = bat_editor_frame(editor)->notice;
+        assert_true(strstr(notice, "Calmed") || strstr(notice, "Nothing is left to calm"));
+        assert_true(press || strstr(notice, "Calmed"));
+    }
+    assert_true(roughness(curve_at(editor, 0), 220, 780) < roughness(old, 220, 780) / 2);
+    bat_curve_free(old);
+    round_trip(editor, first);
+    bat_editor_free(editor);
+}
+
 /* The comb stands on the curve, its teeth can be read at every zoom; a ring's are all as long. */
 static void comb_is_readable(void **state) {
     (void)state;
@@ -349,6 +378,7 @@ int main(void) {
         cmocka_unit_test(eraser_end_of_the_pen),
         cmocka_unit_test(brush_fairs_within_its_limit),
         cmocka_unit_test(calming_keeps_the_tolerance),
+        cmocka_unit_test(calming_the_selection),
         cmocka_unit_test(comb_is_readable),
         cmocka_unit_test(knots_and_lengths_by_key),
     };

@@ -8,6 +8,8 @@
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/choice/selection.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
@@ -85,6 +87,62 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
     return target;
 }
 
+/* A closed curve as a whole: what holds the first half still is calmed after it. */
+static bat_status calm(const bat_context *c, const bat_curve *curve, const double range[2], bat_curve **out) {
+    double pixel = bat_view_pixel(c->view), limit = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    double period = domain[1] - domain[0];
+    *out = NULL;
+    bat_status status = bat_sketch_calm(curve, range, limit, pixel, out);
+    if (!bat_curve_closed(curve) || range[1] - range[0] < 0.9 * period) return status;
+    if (status != BAT_OK && status != BAT_STATE) return status;
+    bat_curve *all = NULL;
+    const double rest[2] = {range[0] + period / 2, range[1] + period / 2};
+    bat_status second = bat_sketch_calm(*out ? *out : curve, rest, limit, pixel, &all);
+    if (second == BAT_OK) {
+        bat_curve_free(*out);
+        *out = all;
+    }
+    return second == BAT_STATE ? status : second;
+}
+
+/* Within the transaction; *far grows to how far curves have moved. */
+static bat_status calm_one(bat_context *c, bat_id object, int index, const double range[2], double *far) {
+    const bat_curve *curve = bat_edit_target(c->session->document, object, index);
+    bat_curve *calmed = NULL;
+    double there = 0, back = 0;
+    bat_status status = curve ? calm(c, curve, range, &calmed) : BAT_STATE;
+    if (status != BAT_OK) {
+        bat_curve_free(calmed);
+        return status;
+    }
+    bat_curve_distance(curve, calmed, 8, &there, &back);
+    *far = fmax(*far, fmax(there, back));
+    return bat_put_curve(c, object, index, calmed);
+}
+
+/* All curves of what is selected; BAT_STATE: none of them has anything left to calm. */
+static bat_status calm_selection(bat_context *c, double *far) {
+    const bat_document *document = c->session->document;
+    bat_status any = BAT_STATE;
+    int end = 0; /* of the selected group that the walk is in */
+    bat_stage_sync(c);
+    for (int i = 0; i < bat_document_count(document); i++) {
+        bat_id id = bat_object_id(bat_document_at(document, i));
+        if (bat_selection_has(&c->choice->selection, id)) end = bat_document_end(document, i);
+        if (i >= end || bat_stage_out_of_reach(c, i)) continue;
+        for (int k = 0; k < bat_object_curve_count(bat_document_at(document, i)); k++) {
+            double domain[2];
+            bat_curve_domain(bat_object_curve(bat_document_at(document, i), k), domain);
+            bat_status status = calm_one(c, id, k, domain, far);
+            if (status == BAT_OK) any = BAT_OK;
+            if (status != BAT_OK && status != BAT_STATE) return status;
+        }
+    }
+    return any;
+}
+
 bat_status bat_command_calm(bat_context *c, bool down) {
     bool was = c->input->calming;
     c->input->calming = false;
@@ -96,26 +154,30 @@ bat_status bat_command_calm(bat_context *c, bool down) {
     if (!was) return BAT_STATE;
     bat_id object;
     int index;
-    double range[2], pixel = bat_view_pixel(c->view);
+    double range[2], far = 0;
     const bat_curve *curve = find(c, &object, &index, range);
-    if (!curve) {
+    if (!curve && !c->choice->selection.count) {
         bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
         return BAT_STATE;
     }
-    bat_curve *faired = NULL;
-    bat_status status = bat_calm_curve(curve, range, c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel,
-                                       pixel, &faired);
-    double there = 0, back = 0;
-    if (status == BAT_OK) bat_curve_distance(curve, faired, 8, &there, &back);
-    if (status == BAT_OK) status = bat_commit_curve(c, object, index, faired, BAT_STRING_STEP_CALM);
-    if (status != BAT_OK) {
-        bat_notice_failure(c, status);
-        return status;
+    bat_status status = bat_transaction_begin(c);
+    if (status == BAT_OK) {
+        status = curve ? calm_one(c, object, index, range, &far) : calm_selection(c, &far);
+        if (status == BAT_OK)
+            status = bat_transaction_commit(c, BAT_STRING_STEP_CALM, NULL);
+        else
+            bat_transaction_cancel(c);
     }
-    char number[32];
-    snprintf(number, sizeof number, "%.3g", fmax(there, back));
-    bat_notice_value(c, BAT_STRING_NOTICE_CALMED, number);
-    return BAT_OK;
+    if (status == BAT_STATE) {
+        bat_notice(c, BAT_STRING_NOTICE_CALM_ALREADY);
+    } else if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+    } else {
+        char number[32];
+        snprintf(number, sizeof number, "%.3g", far);
+        bat_notice_value(c, BAT_STRING_NOTICE_CALMED, number);
+    }
+    return status;
 }
 
 void bat_calm_show(bat_context *c, bat_overlay *overlay) {
