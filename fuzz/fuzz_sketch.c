@@ -136,6 +136,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         check(status, out);
         bat_curve_free(out);
         out = NULL;
+        const double stretch[2] = {points[0], points[1]};
+        status = bat_sketch_calm(a, stretch, options.tolerance, options.pixel, &out);
+        if (status == BAT_OK ? !out || bat_curve_knot_count(out) != bat_curve_knot_count(a) : out != NULL)
+            abort();
+        bat_curve_free(out);
+        out = NULL;
         if (b) {
             status = bat_sketch_join(a, b, &stroke, &options, &out, &report);
             check(status, out);
