@@ -11,12 +11,13 @@ import { word } from './words.js';
 /** @typedef {import('./types.js').Tables} Tables */
 
 /** @typedef {Record<string, (...args: any[]) => any> & { memory: WebAssembly.Memory }} Exports */
+/** @typedef {Record<string, number>} Losses how many of each kind */
 
 export const Phase = Object.freeze({ HOVER: 0, DOWN: 1, MOVE: 2, UP: 3, CANCEL: 4, LEAVE: 5 });
 export const Device = Object.freeze({ MOUSE: 0, PEN: 1, TOUCH: 2 });
 export const Modifier = Object.freeze({ SHIFT: 1, CTRL: 2, ALT: 4, META: 8 });
 export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16,
-  CUT: 32, COPY: 64, PASTE: 128, SPAN: 256, SHORTCUTS: 512, REGION: 1024, REGION_BACK: 2048, KEPT: 4096 });
+  CUT: 32, COPY: 64, PASTE: 128, SPAN: 256, SHORTCUTS: 512, REGION: 1024, REGION_BACK: 2048, KEPT: 4096, LOSSES: 8192 });
 
 const SCRATCH = 1024; // bytes for what a call hands back
 const EVENTS = 64; // pointer events sent in one call
@@ -447,16 +448,39 @@ export class Engine {
    * An SVG document as the browser's own parser understood it.
    * @param {Element} root
    * @param {string} name
-   * @returns {string} what was left out, '' when nothing was
    */
   openSvg(root, name) {
     const broken = -1;
-    const room = 256;
-    const line = this.scratch + SCRATCH - room;
     const status = this.#guard(() => this.#read(root, (reader) => this.#lend(name, (title) =>
-      this.wasm.svg_finish(reader, this.editor, title, line, room, this.scratch))), broken);
+      this.wasm.svg_finish(reader, this.editor, title, this.scratch))), broken);
     this.#opened(status);
-    return this.#string(line);
+  }
+
+  /** What the file holds and the drawing does not, so that writing over the file would lose it. @returns {Losses} */
+  get losses() {
+    return this.#guard(() => {
+      const counts = this.wasm.editor_losses(this.editor);
+      /** @type {Losses} */
+      const losses = {};
+      for (let kind = 0, key = 0; (key = this.wasm.loss_key(kind)); kind++) {
+        const count = this.#view().getInt32(counts + 4 * kind, true);
+        if (count > 0) {
+          losses[this.#string(key)] = count;
+        }
+      }
+      return losses;
+    }, {});
+  }
+
+  set losses(losses) {
+    this.#guard(() => {
+      /** @type {number[]} */
+      const counts = [];
+      for (let key = 0; (key = this.wasm.loss_key(counts.length));) {
+        counts.push(losses[this.#string(key)] ?? 0);
+      }
+      this.#lend(new Uint8Array(new Int32Array(counts).buffer), (at) => this.wasm.editor_set_losses(this.editor, at));
+    }, undefined);
   }
 
   /**

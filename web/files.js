@@ -2,7 +2,7 @@
 
 import { Refusal } from './engine.js';
 import { Changed } from './server.js';
-import { word } from './words.js';
+import { counted, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./keep.js').Kept} Kept */
@@ -11,6 +11,9 @@ import { word } from './words.js';
 
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
+
+/** @param {import('./engine.js').Losses} losses */
+export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
 
 /** @param {string} name */
 const isNative = (name) => name.toLowerCase().endsWith('.batten');
@@ -65,6 +68,8 @@ export class Files {
     this.find = async () => null;
     /** Told as soon as it is open. @type {(kept: Kept | null) => void} */
     this.onopen = () => {};
+    /** What of the file as it was opened the drawing does not hold. @type {import('./engine.js').Losses} */
+    this.losses = {};
     /** The document is the server's file, so that it is saved there. */
     this.bound = false;
     this.unsaved = false;
@@ -178,10 +183,12 @@ export class Files {
       if (native) {
         this.engine.openNative(bytes, name);
       } else {
-        const left = this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
-        if (left) {
-          this.notice.say(`${left} ${word('shell.kept-out')}`);
-        }
+        this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
+      }
+      this.losses = this.engine.losses;
+      const lost = totalOf(this.losses);
+      if (lost) {
+        this.notice.say(counted('shell.loses', lost));
       }
       this.name = name;
       this.opened = bytes;
@@ -209,9 +216,13 @@ export class Files {
     }
     this.saving = true;
     try {
+      if (!native && !(await this.#mayLose())) {
+        return;
+      }
       // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
       await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG);
       this.engine.saved();
+      this.losses = this.engine.losses = {};
       this.notice.say(word('shell.saved', this.name));
     } catch (error) {
       this.#complain(error, native);
@@ -219,6 +230,20 @@ export class Files {
       this.saving = false;
       this.wake();
     }
+  }
+
+  /** Asks before something of the file is lost. @returns {Promise<boolean>} it may be written over */
+  async #mayLose() {
+    const { losses } = this.engine;
+    if (!totalOf(losses)) {
+      return true;
+    }
+    const { ask } = await import('./losses.js');
+    const answer = await ask(this.name, losses);
+    if (answer === 'copy') {
+      this.download(false);
+    }
+    return answer === 'lose';
   }
 
   /**

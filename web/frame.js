@@ -69,6 +69,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     layer: word('frame.layer'),
     readings: word('frame.readings'),
     levels: word('frame.levels'),
+    lost: word('frame.lost'),
     first: word('frame.first'),
   };
 }

@@ -73,6 +73,7 @@ class Shell {
       this.panel.retold(tables);
       this.commands?.fill();
     };
+    part('unkept').addEventListener('click', () => void this.#showLosses());
     part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
     this.theme.onchange = () => {
       this.painter.retheme();
@@ -142,6 +143,7 @@ class Shell {
     part('welcome').hidden = !empty || frame.live.some((item) => item.role < ROLE_GRID);
     const ours = this.tabs.held && this.tabs.name === this.files.name;
     this.files.unsaved = frame.unsaved && ours;
+    this.#tellLost(frame.lost);
     if (ours) {
       this.keeper.note(this.files.name, this.engine.session, this.engine.journal, frame.unsaved,
         !this.files.bound && !empty);
@@ -157,6 +159,16 @@ class Shell {
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;
     this.#grant(frame.requests);
+  }
+
+  /** What of the file cannot be kept, to be looked at. @param {number} lost */
+  #tellLost(lost) {
+    const button = part('unkept');
+    const text = lost ? word('shell.unkept', lost) : '';
+    if (button.textContent !== text) {
+      button.textContent = text;
+      button.hidden = !lost;
+    }
   }
 
   /** What the shell says of itself. @param {string} key @returns {string} */
@@ -279,6 +291,7 @@ class Shell {
   /** @param {Kept} kept */
   #bringBack(kept) {
     if (this.engine.replay(kept.journal)) {
+      this.engine.losses = this.files.losses; // the file as it is, not as it was
       this.notice.say(this.text('brought-back'), { label: this.text('without'), run: () => void this.files.reopen() });
     } else {
       this.#lost(kept);
@@ -291,6 +304,11 @@ class Shell {
     void this.files.reopen();
     this.notice.say(this.text('lost'), {
       label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) });
+  }
+
+  async #showLosses() {
+    const { show } = await import('./losses.js');
+    show(this.engine.losses);
   }
 
   async #showKept() {
@@ -354,6 +372,9 @@ class Shell {
     }
     if (requests & (Ask.REGION | Ask.REGION_BACK)) {
       void import('./regions.js').then(({ walk }) => walk(requests & Ask.REGION ? 1 : -1));
+    }
+    if (requests & Ask.LOSSES) {
+      void this.#showLosses();
     }
     if (requests & Ask.KEPT) {
       void this.#showKept();

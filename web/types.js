@@ -72,6 +72,7 @@
  * @property {number} layer the active one; 0: none
  * @property {number} readings another number when the last stroke's readings change; 0: none
  * @property {number} levels another number when the level strip shows something else; 0: no strip
+ * @property {number} lost things of the file that writing over it would lose
  * @property {number} first bits: hints to be shown
  * @property {number} requests
  * @property {boolean} unsaved

@@ -19,6 +19,9 @@ export function word(key, value) {
   return value === undefined ? text : text.replace('%', () => String(value));
 }
 
+/** The text of a key that has another for one thing. @param {string} key @param {number} count */
+export const counted = (key, count) => word(count === 1 ? `${key}-one` : key, count);
+
 /** A shortcut as this machine writes it. @param {string} key */
 export function keyName(key) {
   /** @type {Record<string, string>} */

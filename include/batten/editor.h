@@ -92,6 +92,11 @@ BAT_API bat_status bat_editor_words(bat_editor *editor, const char *text, size_t
 /* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it
  * is now): that state is clean from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);
+/* What the file that was opened holds and the document does not (bat_svg_report), so that writing over the file would
+ * lose it: the host says so after opening, and NULL (nothing) once it has written over the file. Before it does so it
+ * asks the user. Kept with the session, and in the journal. */
+BAT_API bat_status bat_editor_set_losses(bat_editor *editor, const bat_losses *losses);
+BAT_API const bat_losses *bat_editor_losses(const bat_editor *editor); /* never NULL */
 /* The document can be looked at and exported, not changed and not saved: a pointer moves the view, and what would
  * change something says why not. Drops what is under way. A host that does not own the document asks for it;
  * opening and replay are the host's own and go on. */
@@ -280,7 +285,8 @@ enum {
     BAT_ASK_SHORTCUTS = 512, /* a list of all commands with their shortcuts */
     BAT_ASK_REGION = 1024,   /* the keyboard goes on to the next part of the window, or back */
     BAT_ASK_REGION_BACK = 2048,
-    BAT_ASK_KEPT = 4096 /* the drawings that the host keeps, to choose from */
+    BAT_ASK_KEPT = 4096,  /* the drawings that the host keeps, to choose from */
+    BAT_ASK_LOSSES = 8192 /* a list of what writing over the file would lose (bat_editor_losses) */
 };
 
 typedef struct bat_frame {
@@ -314,6 +320,7 @@ typedef struct bat_frame {
     uint32_t layer;          /* the active one; 0: none */
     uint32_t readings;       /* another number whenever the last stroke's readings change; 0: none */
     uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
+    uint32_t lost;           /* things of the file that writing over it would lose */
     uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;
 

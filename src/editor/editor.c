@@ -94,6 +94,12 @@ void bat_editor_set_read_only(bat_editor *editor, bool read_only) {
     bat_toolbox_settle(&editor->context);
 }
 
+bat_status bat_editor_set_losses(bat_editor *editor, const bat_losses *losses) {
+    return editor ? bat_session_set_losses(&editor->session, losses) : BAT_ARGUMENT;
+}
+
+const bat_losses *bat_editor_losses(const bat_editor *editor) { return &editor->session.losses; }
+
 const bat_document *bat_editor_document(const bat_editor *editor) { return editor->session.document; }
 
 const char *bat_editor_journal(const bat_editor *editor, size_t *size) {

@@ -106,6 +106,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
                          .layer = (uint32_t)c->choice->layer,
                          .readings = bat_sketching_readings(c) ? bat_sketching_of(c)->again.version : 0,
                          .levels = bat_leveling_version(c),
+                         .lost = (uint32_t)bat_losses_total(&c->session->losses),
                          .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);

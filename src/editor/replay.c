@@ -186,6 +186,13 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
         bat_pictures_free(&one);
         return status;
     }
+    uint32_t lost = bat_json_member(json, 1, "lost");
+    if (lost) {
+        bat_losses losses;
+        bat_losses_from_json(json, lost, &losses);
+        status = bat_editor_set_losses(editor, &losses);
+        return status == BAT_OK ? status : say(problem, status, bat_status_message(status));
+    }
     if (bat_json_member(json, 1, "frame")) {
         bat_editor_frame(editor);
         return BAT_OK;

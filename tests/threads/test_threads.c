@@ -550,6 +550,7 @@ static uint64_t look_at_editor(const void *shared, int seed) {
     const char *journal = bat_editor_journal(editor, &size);
     digest = bat_digest_bytes(digest, journal, size);
     digest = add(digest, bat_editor_picture(editor, 1) != NULL);
+    digest = add(digest, (uint64_t)bat_losses_total(bat_editor_losses(editor)));
     return add(digest, bat_editor_check(editor) == NULL);
 }
 

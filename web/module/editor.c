@@ -56,6 +56,9 @@ int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const
 MODULE_EXPORT(editor_picture)
 const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size);
 MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, module_bytes *out);
+MODULE_EXPORT(editor_losses) const bat_losses *editor_losses(const bat_editor *editor);
+MODULE_EXPORT(editor_set_losses) int editor_set_losses(bat_editor *editor, const bat_losses *losses);
+MODULE_EXPORT(loss_key) const char *loss_key(int kind);
 MODULE_EXPORT(editor_digest) uint64_t editor_digest(const bat_editor *editor);
 MODULE_EXPORT(status_message) const char *status_message(int status);
 
@@ -282,6 +285,19 @@ int editor_save(const bat_editor *editor, int native, module_bytes *out) {
     return (int)(native ? bat_document_write(document, &out->data, &out->size)
                         : bat_svg_write(document, true, &out->data, &out->size));
 }
+
+/* Counts by kind; NULL: nothing is lost any more. */
+const bat_losses *editor_losses(const bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_losses(editor);
+}
+
+int editor_set_losses(bat_editor *editor, const bat_losses *losses) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_set_losses(editor, losses);
+}
+
+const char *loss_key(int kind) { return bat_loss_key((bat_loss)kind); }
 
 uint64_t editor_digest(const bat_editor *editor) {
     MODULE_CHECK(editor);

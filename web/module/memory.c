@@ -91,6 +91,7 @@ const module_field *module_layout(void) {
         {"frame.layer", offsetof(bat_frame, layer)},
         {"frame.readings", offsetof(bat_frame, readings)},
         {"frame.levels", offsetof(bat_frame, levels)},
+        {"frame.lost", offsetof(bat_frame, lost)},
         {"frame.first", offsetof(bat_frame, first)},
         {"problem.size", sizeof(bat_problem)},
         {"problem.place", offsetof(bat_problem, place)},

@@ -12,8 +12,7 @@ MODULE_EXPORT(svg_end) int svg_end(bat_svg_reader *reader);
 MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader);
 MODULE_EXPORT(svg_paste) int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem);
 MODULE_EXPORT(svg_finish)
-int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, char *line, size_t room,
-               bat_problem *problem);
+int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem);
 
 /* NULL when memory is short. */
 bat_svg_reader *svg_begin(void) {
@@ -51,24 +50,21 @@ int svg_end(bat_svg_reader *reader) {
 
 void svg_cancel(bat_svg_reader *reader) { bat_svg_reader_free(reader); }
 
-/* Frees the reader whatever it returns, and opens what was read. line: what was left out, "" when nothing
- * was. */
-int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, char *line, size_t room,
-               bat_problem *problem) {
-    MODULE_CHECK(reader && editor && line && room > 0);
+/* Frees the reader whatever it returns, opens what was read, and notes what of the file was not. */
+int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem) {
+    MODULE_CHECK(reader && editor);
     bat_document *document = NULL;
     bat_svg_report report;
-    line[0] = 0;
     bat_status status = bat_svg_reader_finish(reader, &document, &report, problem);
     if (status != BAT_OK) {
         return (int)status;
     }
-    bat_svg_report_line(&report, line, room);
     status = bat_editor_open(editor, document, name);
     if (status != BAT_OK) {
         bat_document_free(document);
+        return (int)status;
     }
-    return (int)status;
+    return (int)bat_editor_set_losses(editor, &report.lost);
 }
 
 /* Frees the reader whatever it returns, and puts what was read into the drawing. Without a document (nothing read)

@@ -25,6 +25,14 @@ static bat_status write_undo(bat_session *session, const bat_step *step, bat_doc
     return bat_session_log(session, &line, document);
 }
 
+static bat_status write_losses(bat_session *session) {
+    const bat_losses losses = session->losses;
+    session->losses = (bat_losses){{0}};
+    bat_status status = bat_session_set_losses(session, &losses);
+    session->losses = losses;
+    return status;
+}
+
 /* All of it, into the empty journal. document: a copy, which comes to be as it is now. */
 static bat_status write_all(bat_session *session, bat_document *document) {
     const bat_history *history = &session->history;
@@ -35,6 +43,7 @@ static bat_status write_all(bat_session *session, bat_document *document) {
     }
     if (status == BAT_OK)
         status = bat_session_begin_journal(document, session->name, &session->journal, &session->pictures);
+    if (status == BAT_OK) status = write_losses(session);
     for (int i = first; i < history->count && status == BAT_OK; i++) {
         status = write_step(session, &history->steps[i], document);
     }

@@ -62,6 +62,27 @@ bat_status bat_session_keep_picture(bat_session *session, const bat_picture *pic
     return status;
 }
 
+static bat_status log_losses(bat_session *session, const bat_losses *losses) {
+    bat_text line = {0};
+    bat_text_string(&line, "{\"lost\":");
+    bat_losses_to_json(losses, &line);
+    bat_text_string(&line, "}");
+    bat_status status = bat_journal_append(&session->journal, line.data, line.size, line.failed);
+    bat_text_free(&line);
+    return status;
+}
+
+bat_status bat_session_set_losses(bat_session *session, const bat_losses *losses) {
+    static const bat_losses none = {{0}};
+    if (!losses) losses = &none;
+    for (int i = 0; i < BAT_LOSS_COUNT; i++)
+        if (losses->count[i] < 0) return BAT_ARGUMENT;
+    if (memcmp(losses, &session->losses, sizeof *losses) == 0) return BAT_OK;
+    bat_status status = log_losses(session, losses);
+    if (status == BAT_OK) session->losses = *losses;
+    return status;
+}
+
 bat_status bat_session_open(bat_session *session, bat_document *document, const char *name) {
     char *own_name = malloc(strlen(name) + 1);
     bat_journal journal = {0};
@@ -80,6 +101,7 @@ bat_status bat_session_open(bat_session *session, bat_document *document, const 
     session->name = own_name;
     session->journal = journal;
     session->pictures = pictures;
+    session->losses = (bat_losses){{0}};
     session->revision++;
     session->saved_state = session->history.state;
     session->asked = false;

@@ -7,6 +7,7 @@
 #include "editor/session/history.h"
 #include "editor/session/journal.h"
 #include "editor/session/transaction.h"
+#include "format/svg/losses.h"
 #include "text/text.h"
 
 typedef struct bat_session {
@@ -20,6 +21,7 @@ typedef struct bat_session {
     bat_transaction transaction;
     bat_journal journal;
     bat_pictures pictures;           /* whose bytes the journal holds */
+    bat_losses losses;               /* of the file that was opened: what the document does not hold */
     bool busy;                       /* the tool is between down and up: set after each event */
     void (*stepped)(bat_context *c); /* called after each step that was made or taken back */
     bool read_only;
@@ -40,6 +42,8 @@ bat_status bat_session_begin_journal(const bat_document *document, const char *n
 bat_status bat_session_log(bat_session *session, bat_text *line, const bat_document *document);
 /* Sees to it that the journal holds the picture's bytes, as a line of their own. What bat_pictures_add says. */
 bat_status bat_session_keep_picture(bat_session *session, const bat_picture *picture);
+/* Notes them, in the journal too. NULL: none. */
+bat_status bat_session_set_losses(bat_session *session, const bat_losses *losses);
 /* The journal made short: what bat_editor_compact says. */
 bat_status bat_session_compact(bat_session *session);
 

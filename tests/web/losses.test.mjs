@@ -1,0 +1,171 @@
+// What saving over a file would lose: told when it is opened, listed at any time, asked about before the first save that
+// would lose it, and never when nothing would be.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { bezier, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { edit, EXAMPLE, serve } from './server.mjs';
+
+const ART = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300"><title>Art</title>
+  <linearGradient id="g"><stop stop-color="#f00"/><stop offset="1" stop-color="#00f"/></linearGradient>
+  <rect id="box" x="40" y="60" width="120" height="90" fill="url(#g)"/><text x="20" y="40">Hello</text><text>again</text>
+  <path d="M200 80C240 20 300 140 360 80" fill="none" stroke="#070" stroke-width="4" stroke-dasharray="9 5"/></svg>`;
+const LINE = bezier([60, 220], [140, 200], [220, 250], [340, 220]);
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const art = () => serve({ name: 'art.svg', bytes: Buffer.from(ART) });
+const draw = async (page, hand) => hand.stroke(await Promise.all(LINE.map(([x, y]) => place(page, x, y))));
+const saved = (server, count) => new Promise((done) => {
+  const look = () => (server.saves >= count ? done() : setTimeout(look, 20));
+  look();
+});
+
+/** Presses Ctrl+S and waits for the question. */
+async function ask(page) {
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('#lossy[open]');
+}
+
+test('asked once, before the first save that would lose something', async (t) => {
+  const server = await art();
+  t.after(() => server.close());
+  const { page, hand, faults, context } = await open(browser, server.address);
+  assert.equal((await state(page)).notice, '5 things of this file cannot be kept.');
+  assert.equal(await page.textContent('#unkept'), '5 not kept');
+  await draw(page, hand);
+
+  await ask(page);
+  assert.equal(server.saves, 0);
+  assert.deepEqual(await page.$$eval('#lossy button', (all) => all.map((one) => one.textContent)),
+    ['Save a copy', 'Save and lose 5 things', 'Cancel']);
+  assert.deepEqual(await page.$$eval('#lossy li', (all) => all.map((one) => one.textContent)),
+    ['Texts 2', 'Gradients 1', 'Dashed strokes 1', 'Titles or descriptions 1']);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Save a copy');
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#lossy', { state: 'detached' });
+  assert.equal(server.saves, 0);
+  assert.equal((await state(page)).unsaved, true);
+
+  await ask(page);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  assert.match(fs.readFileSync(await download.path(), 'utf8'), /<svg/);
+  assert.equal(server.saves, 0);
+  assert.equal(server.bytes.toString(), ART);
+  assert.equal((await state(page)).unsaved, true, 'the file is not saved');
+
+  await ask(page);
+  await page.click('#lossy button[value=lose]');
+  await saved(server, 1);
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(server.bytes.toString(), /batten:document/);
+  assert.equal(await page.isVisible('#unkept'), false);
+
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(server, 2);
+  assert.equal(await page.isVisible('#lossy'), false, 'there is nothing left to lose');
+  await page.reload();
+  await ready(page);
+  assert.equal(await page.isVisible('#unkept'), false);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('never asked when nothing is lost', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  assert.equal(await page.isVisible('#unkept'), false);
+  await hand.stroke(await Promise.all(LINE.map(([x, y]) => place(page, x, y))));
+  await page.keyboard.press('Control+S');
+  await saved(server, 1);
+  await page.evaluate(() => batten.engine.command('losses') && batten.wake());
+  await settle(page);
+  assert.equal((await state(page)).notice, 'Saving keeps all of the file');
+  await context.close();
+});
+
+test('with the program\'s own server', async (t) => {
+  const program = await edit(Buffer.from(ART), 'art.svg');
+  t.after(() => program.close());
+  const { page, hand, context } = await open(browser, program.address);
+  await draw(page, hand);
+  await ask(page);
+  assert.equal(program.bytes.toString(), ART);
+  await page.click('#lossy button[value=lose]');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(program.bytes.toString(), /batten:document/);
+  await context.close();
+});
+
+test('the list is there at any time, in the language in force', async (t) => {
+  const server = await art();
+  t.after(() => server.close());
+  const { page, faults, context } = await open(browser, server.address, { locale: 'ko-KR' });
+  await page.mouse.move(400, 400);
+  await page.waitForFunction(() => batten.mirror); // its words have come
+  assert.equal(await page.textContent('#unkept'), '간직 못 함 5개');
+  await page.click('#unkept');
+  await page.waitForSelector('#losses:popover-open');
+  assert.deepEqual(await page.$$eval('#losses li', (all) => all.map((one) => one.textContent)),
+    ['글자 2', '그라디언트 1', '점선 1', '제목이나 설명 1']);
+  await page.keyboard.press('Escape');
+  await page.evaluate(() => batten.engine.command('losses') && batten.wake());
+  await page.waitForSelector('#losses:popover-open');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a page that was killed, and a module that broke, ask all the same', async (t) => {
+  const server = await art();
+  t.after(() => server.close());
+  const { page, hand, client, context } = await open(browser, server.address);
+  await draw(page, hand);
+  await page.evaluate(() => { batten.engine.editor = 0xfffffff0; }); // a trap with the next call
+  await hand.hover(await place(page, 100, 100));
+  assert.match((await state(page)).notice, /brought back/);
+  assert.equal(await page.textContent('#unkept'), '5 not kept');
+  await draw(page, hand);
+  await page.evaluate(() => batten.keeper.settled());
+  const crashed = page.waitForEvent('crash');
+  client.send('Page.crash').catch(() => {});
+  await crashed;
+  await page.close();
+
+  const next = await context.newPage();
+  await next.goto(server.address);
+  await ready(next);
+  assert.equal((await state(next)).unsaved, true, 'it came back');
+  await ask(next);
+  assert.equal(server.saves, 0);
+  await context.close();
+});
+
+test('how it looks', async (t) => {
+  const server = await art();
+  t.after(() => server.close());
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
+    await draw(page, hand);
+    await ask(page);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `lossy-${colorScheme}.png`) });
+    await page.keyboard.press('Escape');
+    await page.click('#unkept');
+    await page.waitForSelector('#losses:popover-open');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `losses-${colorScheme}.png`) });
+    await context.close();
+  }
+  for (const width of [360, 640, 900]) {
+    const { page, context } = await open(browser, server.address, { viewport: { width, height: 640 } });
+    await page.screenshot({ path: path.join(SCREENSHOTS, `losses-${width}.png`) });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
+    assert.equal(wide, false, `${width}`);
+    await context.close();
+  }
+});
