@@ -124,10 +124,10 @@ static bool speed_kept(bat_local_machine *k) {
     return k->slow_count == 0;
 }
 
-bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *status) {
+/* The normal equations of the knots. What belongs to spans whose knots stayed is kept from the solve before. */
+static void assemble(bat_local_machine *k, const bat_knot_set *set) {
     const bat_local_problem *q = k->problem;
     const int p = q->degree, m = q->dimension;
-    k->slow_count = 0;
     build(k, set);
     const int n = k->space.count;
     memset(k->a, 0, (size_t)n * (size_t)(p + 1) * sizeof *k->a);
@@ -145,32 +145,36 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
             double *diagonal = k->a + (size_t)i * (size_t)(p + 1);
             *diagonal += k->ridge * (*diagonal + 1e-3);
         }
-    k->solves++;
-    k->work += (double)q->count + 8.0 * n;
-    *status = BAT_OK;
+}
+
+static bat_status solve(bat_local_machine *k, const bat_knot_set *set) {
+    const bat_local_problem *q = k->problem;
+    const int p = q->degree, m = q->dimension, n = k->space.count;
+    bat_status status;
     if (q->closed) {
-        *status = bat_cyclic_factor(k->a, n, p, k->border);
-        if (*status != BAT_OK) return false;
-        bat_cyclic_solve(k->a, n, p, k->border, k->b, m);
-    } else {
-        double pins[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
-        for (int side = 0; side < 2; side++) {
-            bat_local_pins(q, side, set->count, k->space.knots, pins);
-            const int count = q->side[side].pins, from = side == 0 ? 0 : n - count;
-            for (int i = 0; i < count; i++) pin(k->a, k->b, n, p, (size_t)m, from + i, pins + i * m);
-        }
-        *status = bat_banded_factor(k->a, n, p);
-        if (*status != BAT_OK) return false;
-        bat_banded_solve(k->a, n, p, k->b, m);
+        status = bat_cyclic_factor(k->a, n, p, k->border);
+        if (status == BAT_OK) bat_cyclic_solve(k->a, n, p, k->border, k->b, m);
+        return status;
     }
-    memcpy(k->points, k->b, (size_t)n * (size_t)m * sizeof *k->points);
-    bat_lsq_memo_local(&k->space, m, &k->memo[0], k->points, k->local);
-    k->holds_best = false;
+    double pins[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    for (int side = 0; side < 2; side++) {
+        bat_local_pins(q, side, set->count, k->space.knots, pins);
+        const int count = q->side[side].pins, from = side == 0 ? 0 : n - count;
+        for (int i = 0; i < count; i++) pin(k->a, k->b, n, p, (size_t)m, from + i, pins + i * m);
+    }
+    status = bat_banded_factor(k->a, n, p);
+    if (status == BAT_OK) bat_banded_solve(k->a, n, p, k->b, m);
+    return status;
+}
+
+/* Whether all samples are near enough. Most are at their own parameter; only the others are projected. */
+static bool near_enough(bat_local_machine *k, bat_status *status) {
+    const bat_local_problem *q = k->problem;
+    const int m = q->dimension;
     if (k->exact)
         bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, 2, NULL, k->distance);
     else
         bat_lsq_plain(&k->space, m, k->local, k->first, q->w, q->x, k->distance);
-    /* Most samples are near enough at their own parameter; only the others are projected. */
     bool fine = true;
     for (size_t i = 0; i < q->count;) {
         if (!bat_local_fails(k, i)) {
@@ -187,6 +191,22 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
             if (!(k->distance[j] < INFINITY)) *status = BAT_NUMBER;
         }
     }
+    return fine;
+}
+
+bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *status) {
+    const bat_local_problem *q = k->problem;
+    const int m = q->dimension;
+    k->slow_count = 0;
+    assemble(k, set);
+    k->solves++;
+    k->work += (double)q->count + 8.0 * k->space.count;
+    *status = solve(k, set);
+    if (*status != BAT_OK) return false;
+    memcpy(k->points, k->b, (size_t)k->space.count * (size_t)m * sizeof *k->points);
+    bat_lsq_memo_local(&k->space, m, &k->memo[0], k->points, k->local);
+    k->holds_best = false;
+    const bool fine = near_enough(k, status);
     return *status == BAT_OK && fine && speed_kept(k);
 }
 

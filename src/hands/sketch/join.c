@@ -58,7 +58,79 @@ static bat_status prepare(const bat_curve *curve, int degree, bool turned, doubl
     return status;
 }
 
-/* own: both keep the parameters they have; else the second gets the first one's speed. */
+/* Two curves on their way to one. */
+typedef struct joining {
+    const bat_curve *given[2];
+    int degree;
+    double origin[BAT_DIMENSION_MAX], pixel;
+    bat_clean clean;
+    bat_canvas canvas[2];
+    place found[2];
+} joining;
+
+static void joining_free(joining *j) {
+    for (int side = 0; side < 2; side++) bat_canvas_free(&j->canvas[side]);
+    bat_clean_free(&j->clean);
+}
+
+/* Whether the stroke runs from the second curve to the first. */
+static bool runs_back(const joining *j) {
+    double distance[2][2];
+    for (int end = 0; end < 2; end++) {
+        double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX];
+        bat_clean_frame(&j->clean, end == 0 ? 0 : j->clean.length, 12, point, direction, NULL);
+        for (int side = 0; side < 2; side++) {
+            bat_track_near near;
+            bat_track_candidates(&j->canvas[side].track, point, 0, 1, &near);
+            distance[side][end] = near.distance;
+        }
+    }
+    return distance[0][1] + distance[1][0] < distance[0][0] + distance[1][1];
+}
+
+static bat_status find_places(joining *j) {
+    for (int side = 0; side < 2; side++) {
+        double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX];
+        bat_clean_frame(&j->clean, side == 0 ? 0 : j->clean.length, 12, point, direction, NULL);
+        j->found[side] = find_place(&j->canvas[side].track, point, direction, side);
+    }
+    const double far = fmax(40, 0.25 * j->clean.length);
+    return j->found[0].distance > far || j->found[1].distance > far ? BAT_FAR : BAT_OK;
+}
+
+/* Turned and brought to one degree. own: both keep the parameters they have; else the second is brought to the first
+ * one's mean speed (document units). */
+static bat_status bring_together(joining *j, bool own) {
+    const double speed = j->canvas[0].track.mean * j->pixel;
+    for (int side = 0; side < 2; side++) {
+        bat_curve *ready;
+        bat_status status = prepare(j->given[side], j->degree, j->found[side].turned,
+                                    j->canvas[side].track.length * j->pixel, side == 0 || own ? 0 : speed,
+                                    &ready);
+        bat_canvas_free(&j->canvas[side]);
+        if (status != BAT_OK) return status;
+        status = bat_canvas_make(ready, j->origin, j->pixel, &j->canvas[side]);
+        bat_curve_free(ready);
+        if (status != BAT_OK) return status;
+    }
+    return BAT_OK;
+}
+
+static bat_status plan_join(const joining *j, bat_plan *plan, double changed[2]) {
+    bat_canvas_bind(plan, &j->canvas[0]);
+    plan->end[1].curve = j->canvas[1].pixels, plan->end[1].original = j->canvas[1].original;
+    plan->end[1].track = &j->canvas[1].track;
+    const bat_correspondence meant = {
+        .start = j->found[0].s, .end = j->found[1].s, .offset = {j->found[0].distance, j->found[1].distance}};
+    bat_status status = bat_plan_ends(plan, &meant);
+    if (status != BAT_OK) return status;
+    bat_plan_leads(plan);
+    bat_plan_cuts(plan);
+    for (int side = 0; side < 2; side++)
+        if (plan->end[side].kind != BAT_END_FREE) changed[side] = plan->end[side].cut;
+    return bat_plan_target(plan);
+}
+
 static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke *stroke,
                        const bat_sketch_options *given, bool own, bat_curve **out,
                        bat_sketch_report *report) {
@@ -68,80 +140,35 @@ static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke 
     if (status != BAT_OK) return status;
     if (a->closed || b->closed) return BAT_ARGUMENT;
     if (a->dimension != b->dimension || a->dimension != stroke->dimension) return BAT_DIMENSION;
-    double origin[BAT_DIMENSION_MAX];
-    bat_stroke_origin(stroke, origin);
-    const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, o.keep_corners, NULL};
-    bat_clean clean;
-    status = bat_clean_stroke(stroke, &cleaning, &clean);
-    if (status != BAT_OK) return status;
-    const bat_curve *given_curve[2] = {a, b};
-    bat_canvas canvas[2];
-    memset(canvas, 0, sizeof canvas);
-    int degree = 3;
+    joining j = {.given = {a, b}, .pixel = o.pixel, .degree = 3};
     for (int side = 0; side < 2; side++)
-        if (given_curve[side]->degree > degree) degree = given_curve[side]->degree;
+        if (j.given[side]->degree > j.degree) j.degree = j.given[side]->degree;
+    bat_stroke_origin(stroke, j.origin);
+    const double tolerance = o.tolerance / o.pixel;
+    const bat_clean_options cleaning = {1 / o.pixel, j.origin, tolerance, o.keep_corners, NULL};
+    status = bat_clean_stroke(stroke, &cleaning, &j.clean);
+    if (status != BAT_OK) return status;
     for (int side = 0; side < 2 && status == BAT_OK; side++)
-        status = bat_canvas_make(given_curve[side], origin, o.pixel, &canvas[side]);
-    bat_plan plan = {.degree = degree,
+        status = bat_canvas_make(j.given[side], j.origin, o.pixel, &j.canvas[side]);
+    bat_plan plan = {.degree = j.degree,
                      .dimension = stroke->dimension,
-                     .pins = o.pins == 2 ? degree - 1 : degree,
+                     .pins = o.pins == 2 ? j.degree - 1 : j.degree,
                      .tolerance = tolerance,
                      .width = o.width,
                      .keep_corners = o.keep_corners,
-                     .stroke = &clean};
+                     .stroke = &j.clean};
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(a) + bat_curve_knot_count(b)};
     if (status == BAT_OK) {
-        double point[2][BAT_DIMENSION_MAX], direction[2][BAT_DIMENSION_MAX], distance[2][2];
-        for (int end = 0; end < 2; end++) {
-            bat_clean_frame(&clean, end == 0 ? 0 : clean.length, 12, point[end], direction[end], NULL);
-            for (int side = 0; side < 2; side++) {
-                bat_track_near near;
-                bat_track_candidates(&canvas[side].track, point[end], 0, 1, &near);
-                distance[side][end] = near.distance;
-            }
-        }
-        facts.reversed = distance[0][1] + distance[1][0] < distance[0][0] + distance[1][1];
-        if (facts.reversed) bat_clean_reverse(&clean);
-        place found[2];
-        for (int side = 0; side < 2; side++) {
-            bat_clean_frame(&clean, side == 0 ? 0 : clean.length, 12, point[0], direction[0], NULL);
-            found[side] = find_place(&canvas[side].track, point[0], direction[0], side);
-        }
-        const double far = fmax(40, 0.25 * clean.length);
-        if (found[0].distance > far || found[1].distance > far) status = BAT_FAR;
-        /* Both in one parameter: the second at the first one's mean speed (document units). */
-        const double speed = canvas[0].track.mean * o.pixel;
-        for (int side = 0; side < 2 && status == BAT_OK; side++) {
-            bat_curve *ready;
-            status = prepare(given_curve[side], degree, found[side].turned,
-                             canvas[side].track.length * o.pixel, side == 0 || own ? 0 : speed, &ready);
-            bat_canvas_free(&canvas[side]);
-            if (status != BAT_OK) break;
-            status = bat_canvas_make(ready, origin, o.pixel, &canvas[side]);
-            bat_curve_free(ready);
-        }
-        if (status == BAT_OK) {
-            bat_canvas_bind(&plan, &canvas[0]);
-            plan.end[1].curve = canvas[1].pixels, plan.end[1].original = canvas[1].original;
-            plan.end[1].track = &canvas[1].track;
-            const bat_correspondence meant = {
-                .start = found[0].s, .end = found[1].s, .offset = {found[0].distance, found[1].distance}};
-            status = bat_plan_ends(&plan, &meant);
-        }
-        if (status == BAT_OK) {
-            bat_plan_leads(&plan);
-            bat_plan_cuts(&plan);
-            for (int side = 0; side < 2; side++)
-                if (plan.end[side].kind != BAT_END_FREE) facts.changed[side] = plan.end[side].cut;
-            status = bat_plan_target(&plan);
-        }
+        facts.reversed = runs_back(&j);
+        if (facts.reversed) bat_clean_reverse(&j.clean);
+        status = find_places(&j);
     }
-    if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, NULL, out, &facts);
+    if (status == BAT_OK) status = bring_together(&j, own);
+    if (status == BAT_OK) status = plan_join(&j, &plan, facts.changed);
+    if (status == BAT_OK) status = bat_plan_finish(&plan, j.origin, o.pixel, NULL, out, &facts);
     if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
     bat_plan_free(&plan);
-    for (int side = 0; side < 2; side++) bat_canvas_free(&canvas[side]);
-    bat_clean_free(&clean);
+    joining_free(&j);
     return status;
 }
 

@@ -154,32 +154,60 @@ static bool warm_knots(const bat_plan *plan, bat_sketch_hints *hints, bat_local_
     return true;
 }
 
+/* What a preview begins with and shows of the target. */
+static bat_status take_hints(const bat_plan *plan, bat_sketch_hints *hints, const double *origin,
+                             double pixel, bat_local_problem *problem) {
+    const size_t m = (size_t)plan->dimension;
+    const bat_target *t = &plan->target;
+    problem->remove = hints->remove;
+    if (hints->warm && !warm_knots(plan, hints, problem)) return BAT_MEMORY;
+    if (hints->want_target) {
+        hints->target = malloc(t->count * m * sizeof *hints->target);
+        if (!hints->target) return BAT_MEMORY;
+        for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
+        hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
+    }
+    hints->end = t->end;
+    hints->settled[0] = t->w[t->first], hints->settled[1] = t->w[t->last];
+    hints->cut[0] = plan->end[0].cut, hints->cut[1] = plan->end[1].cut;
+    return BAT_OK;
+}
+
+/* The knots, for the next preview to begin with; corners are found afresh. */
+static void leave_knots(const bat_local_problem *problem, bat_local_result *fit, bat_sketch_hints *hints) {
+    int count = 0;
+    for (int i = 0; i < fit->interior; i++) {
+        bool corner = false;
+        for (int j = 0; j < problem->fixed_count; j++) corner = corner || fit->knots[i] == problem->fixed[j];
+        if (!corner) fit->knots[count++] = fit->knots[i];
+    }
+    hints->found = fit->knots, hints->found_count = count;
+    fit->knots = NULL;
+}
+
+static void fill_report(const bat_plan *plan, const bat_local_result *fit, double pixel,
+                        const bat_curve *result, const double changed_new[2], bat_sketch_report *report) {
+    report->max_error = fit->max_error * pixel;
+    report->noise = plan->stroke ? plan->stroke->sigma * pixel : 0;
+    report->knots_after = bat_curve_knot_count(result);
+    report->solves = fit->solves;
+    for (int side = 0; side < 2; side++) {
+        report->changed_new[side] = changed_new[side];
+        report->transition[side] = plan->end[side].lead * pixel;
+        report->extended[side] = plan->end[side].kind == BAT_END_FREE && !plan->periodic;
+    }
+    report->replaced = plan->periodic || (report->extended[0] && report->extended[1]);
+    if (report->replaced) report->extended[0] = report->extended[1] = false;
+}
+
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
                            bat_curve **out, bat_sketch_report *report) {
     bat_local_problem problem;
     bat_local_result fit;
-    const size_t m = (size_t)plan->dimension;
-    const bat_target *t = &plan->target;
-    if (t->count < 3 || !(t->end > 0)) return BAT_DOT;
+    if (plan->target.count < 3 || !(plan->target.end > 0)) return BAT_DOT;
     bat_plan_problem(plan, &problem);
-    if (hints) {
-        problem.remove = hints->remove;
-        if (hints->warm && !warm_knots(plan, hints, &problem)) return BAT_MEMORY;
-        if (hints->want_target) {
-            hints->target = malloc(t->count * m * sizeof *hints->target);
-            if (!hints->target) {
-                free(hints->mixed);
-                hints->mixed = NULL;
-                return BAT_MEMORY;
-            }
-            for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
-            hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
-        }
-        hints->end = t->end;
-        hints->settled[0] = t->w[t->first], hints->settled[1] = t->w[t->last];
-        hints->cut[0] = plan->end[0].cut, hints->cut[1] = plan->end[1].cut;
-    }
-    bat_status status = bat_local_fit(&problem, &fit);
+    bat_status status = hints ? take_hints(plan, hints, origin, pixel, &problem) : BAT_OK;
+    if (status == BAT_OK) status = bat_local_fit(&problem, &fit);
     if (hints) {
         free(hints->mixed);
         hints->mixed = NULL;
@@ -188,31 +216,10 @@ bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, b
     bat_curve *result;
     double changed_new[2] = {0, 0};
     status = bat_splice(plan, &problem, &fit, origin, pixel, &result, changed_new);
-    if (status == BAT_OK && hints && hints->want_target) {
-        int count = 0; /* corners are found afresh */
-        for (int i = 0; i < fit.interior; i++) {
-            bool corner = false;
-            for (int j = 0; j < problem.fixed_count; j++) corner = corner || fit.knots[i] == problem.fixed[j];
-            if (!corner) fit.knots[count++] = fit.knots[i];
-        }
-        hints->found = fit.knots, hints->found_count = count;
-        fit.knots = NULL;
-    }
+    if (status == BAT_OK && hints && hints->want_target) leave_knots(&problem, &fit, hints);
     if (status == BAT_OK) {
         *out = result;
-        if (report) {
-            report->max_error = fit.max_error * pixel;
-            report->noise = plan->stroke ? plan->stroke->sigma * pixel : 0;
-            report->knots_after = bat_curve_knot_count(result);
-            report->solves = fit.solves;
-            for (int side = 0; side < 2; side++) {
-                report->changed_new[side] = changed_new[side];
-                report->transition[side] = plan->end[side].lead * pixel;
-                report->extended[side] = plan->end[side].kind == BAT_END_FREE && !plan->periodic;
-            }
-            report->replaced = plan->periodic || (report->extended[0] && report->extended[1]);
-            if (report->replaced) report->extended[0] = report->extended[1] = false;
-        }
+        if (report) fill_report(plan, &fit, pixel, result, changed_new, report);
         if (!fit.met) status = BAT_TOLERANCE;
     }
     bat_local_result_free(&fit);

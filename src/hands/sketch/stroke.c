@@ -246,85 +246,135 @@ static bat_status remember(bat_clean_memory *memory, double *z, size_t first, si
     return BAT_OK;
 }
 
-bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o, bat_clean *out) {
+/* A stroke on its way: y as it was drawn, z smoothed; samples first .. first + count - 1 are left of it. */
+typedef struct cleaning {
+    const bat_clean_options *options;
+    bat_clean_memory *memory;
+    int dimension;
+    size_t m, count, first, corner_count;
+    size_t *corners;
+    double sigma, lambda; /* noise; the weight of the smoothing, 0: none */
+    double *y, *z, *work, *arc;
+} cleaning;
+
+static void cleaning_free(cleaning *k) {
+    free(k->y);
+    free(k->z);
+    free(k->corners);
+}
+
+static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_options *o, cleaning *k) {
     const size_t m = (size_t)stroke->dimension;
+    *k = (cleaning){.options = o, .dimension = stroke->dimension, .m = m};
+    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
+    k->memory = stroke->count <= SMOOTH_MAX ? o->memory : NULL;
+    if (stroke->count < 2) return BAT_DOT;
+    k->y = malloc(stroke->count * m * sizeof *k->y);
+    if (!k->y) return BAT_MEMORY;
+    k->count = gather(stroke, o, k->y);
+    if (k->count < 2) return BAT_DOT;
+    k->z = malloc(k->count * (m + 6) * sizeof *k->z);
+    k->corners = malloc(k->count * sizeof *k->corners);
+    if (!k->z || !k->corners) return BAT_MEMORY;
+    k->work = k->z + k->count * m, k->arc = k->work + k->count * 5;
+    return BAT_OK;
+}
+
+static void judge_noise(cleaning *k) {
+    const size_t judged = k->memory && k->count > LIVE_NOISE ? LIVE_NOISE : k->count;
+    k->sigma = fmin(bat_noise(judged, k->dimension, k->y + (k->count - judged) * k->m, k->work), noise_cap);
+}
+
+/* False: there is none, or nothing that could have one. */
+static bool cut_hooks(cleaning *k) {
+    const double total = k->arc[k->count - 1];
+    if (total < dot_length) return false;
+    const double head = hook(k->z, k->arc, k->count, k->m, false),
+                 tail = hook(k->z, k->arc, k->count, k->m, true);
+    if (head <= 0 && tail <= 0) return false;
+    while (k->count > 4 && k->arc[k->count - 1] > total - tail) k->count--;
+    size_t drop = 0;
+    while (drop + 4 < k->count && k->arc[drop] < head) drop++;
+    k->first += drop, k->count -= drop;
+    return true;
+}
+
+static bat_status smooth_once(cleaning *k) {
+    bat_status status = BAT_OK;
+    k->lambda = 0;
+    memcpy(k->z, k->y + k->first * k->m, k->count * k->m * sizeof *k->z);
+    if (k->sigma >= noise_floor && k->count >= 16)
+        status = smooth_rest(k->memory, k->y, k->first, k->count, k->m, k->sigma, k->work, k->z, &k->lambda);
+    measure(k->z, k->count, k->m, k->arc);
+    return status;
+}
+
+/* Hooks are found in the smoothed stroke and must not bend what follows them: then it is smoothed afresh. */
+static bat_status smooth_without_hooks(cleaning *k) {
+    bat_status status = smooth_once(k);
+    if (status == BAT_OK && cut_hooks(k)) status = smooth_once(k);
+    if (status == BAT_OK && k->memory && k->count > 1) {
+        status = remember(k->memory, k->z, k->first, k->count, k->m);
+        measure(k->z, k->count, k->m, k->arc);
+    }
+    return status;
+}
+
+/* Too short; or a resting pen, which trembles along a path of any length but stays in one place. */
+static bool is_dot(const cleaning *k) {
+    const size_t m = k->m;
+    double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
+    memcpy(low, k->z, m * sizeof *low);
+    memcpy(high, k->z, m * sizeof *high);
+    for (size_t i = 0; i < k->count; i++)
+        for (size_t c = 0; c < m; c++) {
+            low[c] = fmin(low[c], k->z[i * m + c]);
+            high[c] = fmax(high[c], k->z[i * m + c]);
+        }
+    return k->arc[k->count - 1] < dot_length || distance(low, high, m) < fmax(4, 5 * k->sigma);
+}
+
+/* The full smoothing rounds corners off before they could be seen: they are looked for after a light one, and what lies
+ * between them is smoothed by itself. */
+static bat_status keep_corners(cleaning *k) {
+    const size_t m = k->m, count = k->count;
+    const double *y = k->y + k->first * m;
+    const double chord = fmax(corner_chord, 10 * k->sigma);
+    bat_status status = BAT_OK;
+    if (k->lambda > 0) {
+        double *light = malloc(count * (m + 1) * sizeof *light);
+        if (!light) return BAT_MEMORY;
+        status = bat_whittaker(count, k->dimension, y, NULL, 2, k->work, light);
+        measure(light, count, m, light + count * m);
+        if (status == BAT_OK)
+            k->corner_count = find_corners(light, light + count * m, count, m, chord, k->corners);
+        free(light);
+    } else {
+        k->corner_count = find_corners(k->z, k->arc, count, m, chord, k->corners);
+    }
+    if (status == BAT_OK && k->corner_count > 0 && k->lambda > 0) {
+        status = smooth_pieces(y, count, m, k->lambda, k->corners, k->corner_count, k->work, k->z);
+        measure(k->z, count, m, k->arc);
+    }
+    return status;
+}
+
+bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o, bat_clean *out) {
+    cleaning k;
     memset(out, 0, sizeof *out);
     out->dimension = stroke->dimension;
-    if (stroke->count < 2) return BAT_DOT;
-    double *y = malloc(stroke->count * m * sizeof *y);
-    if (!y) return BAT_MEMORY;
-    size_t count = gather(stroke, o, y);
-    if (count < 2) {
-        free(y);
-        return BAT_DOT;
-    }
-    double *z = malloc(count * (m + 6) * sizeof *z), *work = z ? z + count * m : NULL;
-    double *arc = z ? work + count * 5 : NULL;
-    size_t *corners = malloc(count * sizeof *corners);
-    bat_status status = z && corners ? BAT_OK : BAT_MEMORY;
-    size_t corner_count = 0, first = 0;
-    double lambda = 0;
-    /* Far too dense strokes are averaged in groups that change with the count: nothing to remember then. */
-    bat_clean_memory *memory = stroke->count <= SMOOTH_MAX ? o->memory : NULL;
+    bat_status status = cleaning_make(stroke, o, &k);
     if (status == BAT_OK) {
-        const size_t judged = memory && count > LIVE_NOISE ? LIVE_NOISE : count;
-        out->sigma = fmin(bat_noise(judged, stroke->dimension, y + (count - judged) * m, work), noise_cap);
-        /* Twice: hooks are found in the smoothed stroke and must not bend what follows them. */
-        for (int round = 0; round < 2 && status == BAT_OK; round++) {
-            lambda = 0;
-            memcpy(z, y + first * m, count * m * sizeof *z);
-            if (out->sigma >= noise_floor && count >= 16)
-                status = smooth_rest(memory, y, first, count, m, out->sigma, work, z, &lambda);
-            measure(z, count, m, arc);
-            if (round > 0 || arc[count - 1] < dot_length) break;
-            const double head = hook(z, arc, count, m, false), tail = hook(z, arc, count, m, true);
-            const double total = arc[count - 1];
-            if (head <= 0 && tail <= 0) break;
-            while (count > 4 && arc[count - 1] > total - tail) count--;
-            size_t drop = 0;
-            while (drop + 4 < count && arc[drop] < head) drop++;
-            first += drop, count -= drop;
-        }
+        judge_noise(&k);
+        out->sigma = k.sigma;
+        status = smooth_without_hooks(&k);
     }
-    if (status == BAT_OK && memory && count > 1) {
-        status = remember(memory, z, first, count, m);
-        measure(z, count, m, arc);
-    }
-    if (status == BAT_OK) {
-        double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
-        memcpy(low, z, m * sizeof *low);
-        memcpy(high, z, m * sizeof *high);
-        for (size_t i = 0; i < count; i++)
-            for (size_t c = 0; c < m; c++) {
-                low[c] = fmin(low[c], z[i * m + c]);
-                high[c] = fmax(high[c], z[i * m + c]);
-            }
-        /* A resting pen trembles along a path of any length, but stays in one place. */
-        if (arc[count - 1] < dot_length || distance(low, high, m) < fmax(4, 5 * out->sigma)) status = BAT_DOT;
-    }
-    if (status == BAT_OK && o->corners) {
-        /* The full smoothing rounds corners off before they could be seen: look at a light one. */
-        double *light = lambda > 0 ? malloc(count * (m + 1) * sizeof *light) : z;
-        if (!light) status = BAT_MEMORY;
-        if (status == BAT_OK && light != z) {
-            status = bat_whittaker(count, stroke->dimension, y + first * m, NULL, 2, work, light);
-            measure(light, count, m, light + count * m);
-        }
-        if (status == BAT_OK)
-            corner_count = find_corners(light, light != z ? light + count * m : arc, count, m,
-                                        fmax(corner_chord, 10 * out->sigma), corners);
-        if (light != z) free(light);
-        if (status == BAT_OK && corner_count > 0 && lambda > 0) {
-            status = smooth_pieces(y + first * m, count, m, lambda, corners, corner_count, work, z);
-            measure(z, count, m, arc);
-        }
-    }
+    if (status == BAT_OK && is_dot(&k)) status = BAT_DOT;
+    if (status == BAT_OK && o->corners) status = keep_corners(&k);
     if (status == BAT_OK)
-        status = resample(z, arc, count, m, count, corners, corner_count, o->tolerance,
+        status = resample(k.z, k.arc, k.count, k.m, k.count, k.corners, k.corner_count, o->tolerance,
                           o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
-    free(y);
-    free(z);
-    free(corners);
+    cleaning_free(&k);
     if (status != BAT_OK) {
         const double sigma = out->sigma;
         bat_clean_free(out);
