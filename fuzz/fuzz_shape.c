@@ -79,7 +79,10 @@ static bat_shape *make(source *s) {
         int b = byte(s);
         if (closed || (i >= degree && i < count)) t += b % 5 == 0 ? 0 : b / 64.0 + 1e-6 * (b % 3);
     }
-    for (int i = 0; i < count * dimension; i++) points[i] = (i % dimension ? 0 : 20 * i) + coordinate(s);
+    const double extents[] = {1, 1e-310, 1e-200, 1e60, 0};
+    double extent = extents[kind / 20 % 5];
+    for (int i = 0; i < count * dimension; i++)
+        points[i] = extent * ((i % dimension ? 0 : 20 * i) + coordinate(s));
     bat_curve *curve;
     if (bat_curve_create(degree, dimension, closed, count, knots, points, &curve) != BAT_OK) return NULL;
     bat_shape_options options = bat_shape_defaults();
@@ -171,6 +174,74 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     return out;
 }
 
+/* A sketch at a level: any targets at any parameters, or a stroke. What the parameters do not meet keeps its bits. */
+static void sketch(source *s, bat_shape *shape) {
+    enum { MOST = 16 };
+    int level = byte(s) % (bat_shape_levels(shape) + 1), count = 1 + byte(s) % MOST, way = byte(s);
+    const bat_curve *curve = bat_shape_curve(shape, level);
+    int dimension = bat_curve_dimension(curve), n = bat_curve_count(curve);
+    double domain[2], u[MOST], q[3 * MOST], size = bat_curve_size(curve);
+    bool *met = calloc((size_t)n, sizeof *met);
+    bat_curve *old;
+    bat_shape *before;
+    bat_curve_domain(curve, domain);
+    if (!met || bat_curve_copy(curve, &old) != BAT_OK || bat_shape_copy(shape, &before) != BAT_OK) abort();
+    for (int i = 0; i < count; i++) {
+        int first;
+        double basis[BAT_DEGREE_MAX + 1];
+        u[i] = domain[0] + (domain[1] - domain[0]) * byte(s) / 255;
+        bat_curve_eval(curve, u[i], 0, q + i * dimension);
+        bat_curve_basis(curve, u[i], &first, basis);
+        for (int k = 0; k <= bat_curve_degree(curve); k++)
+            if (basis[k] != 0) met[(first + k) % n] = true;
+        for (int d = 0; d < dimension; d++) q[i * dimension + d] += (byte(s) - 128) / 64.0 * size;
+    }
+    bat_stroke stroke = {dimension, (size_t)count, q, NULL, NULL};
+    bat_sketch_options options = bat_sketch_defaults();
+    options.pixel = fmin(fmax(size / 200, 1e-90), 1e90);
+    bat_sketch_report report;
+    bat_status status = way % 2 ? bat_shape_redraw_level(shape, level, &stroke, &options, &report)
+                                : bat_shape_sketch(shape, level, (size_t)count, u, q);
+    if (status != BAT_OK && !same(before, shape)) abort();
+    if (status == BAT_OK && way % 2 && !(isfinite(report.max_error) && report.spans >= 0)) abort();
+    for (int i = 0; i < n && status == BAT_OK && way % 2 == 0; i++)
+        if (!met[i] && memcmp(bat_curve_points(bat_shape_curve(shape, level)) + i * dimension,
+                              bat_curve_points(old) + i * dimension, (size_t)dimension * sizeof(double)) != 0)
+            abort();
+    if (bat_shape_commit(shape) != BAT_OK) abort();
+    free(met);
+    bat_curve_free(old);
+    bat_shape_free(before);
+}
+
+/* Frames of every level: finite, of unit length, the same bits one at a time and many at once. */
+static void frames(source *s, const bat_shape *shape) {
+    enum { MOST = 12 };
+    const bat_curve *curve = bat_shape_curve(shape, byte(s) % (bat_shape_levels(shape) + 1));
+    bat_frame_options options = bat_frame_defaults();
+    options.rule = (bat_frame_rule)(byte(s) % 3);
+    double domain[2], u[MOST], x[3 * MOST], t[3 * MOST], n[3 * MOST];
+    bat_frame_chain *chain;
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < MOST; i++) u[i] = domain[0] + (domain[1] - domain[0]) * byte(s) / 255;
+    if (bat_frame_chain_create(curve, &options, &chain) != BAT_OK) abort();
+    const bat_frame_arrays out = {x, t, n, NULL};
+    if (bat_frame_chain_many(chain, MOST, u, &out) != BAT_OK) abort();
+    if (!isfinite(bat_frame_chain_holonomy(chain))) abort();
+    for (int i = 0; i < MOST; i++) {
+        bat_frame3 one;
+        double t2 = 0, s2 = 0, across = 0;
+        bat_frame_chain_at(chain, u[i], &one);
+        if (memcmp(one.point, x + 3 * i, sizeof one.point) != 0 ||
+            memcmp(one.t, t + 3 * i, sizeof one.t) != 0 || memcmp(one.s, n + 3 * i, sizeof one.s) != 0)
+            abort();
+        for (int d = 0; d < 3; d++)
+            t2 += one.t[d] * one.t[d], s2 += one.s[d] * one.s[d], across += one.t[d] * one.s[d];
+        if (!(fabs(t2 - 1) < 1e-12) || !(fabs(s2 - 1) < 1e-12) || !(fabs(across) < 1e-12)) abort();
+    }
+    bat_frame_chain_free(chain);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s = {data, size};
     bat_shape *shape = make(&s);
@@ -201,6 +272,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (!drawn) shape = redraw(&s, shape);
             drawn = true;
             break;
+        case 3: sketch(&s, shape); break;
+        case 4: frames(&s, shape); break;
         default: shape = session(&s, shape);
         }
         check_finite(shape);
