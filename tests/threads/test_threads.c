@@ -220,6 +220,7 @@ static uint64_t draw_over_curve(const void *shared, int seed) {
     bat_sketch_live *live = NULL;
     uint64_t d = add_curve(bat_digest_begin(), bat_sketch(shared, &stroke, NULL, &made, &report), &made);
     d = add_curve(d, bat_sketch_smooth(shared, &stroke, NULL, &made, &report), &made);
+    d = add_curve(d, bat_sketch_calm(shared, (double[2]){0.2, 0.6}, 2, 1, &made), &made);
     d = add_curve(d, bat_sketch_join(shared, shared, &stroke, NULL, &made, &report), &made);
     bat_status status = bat_sketch_begin(shared, BAT_SKETCH_REDRAW, NULL, 2, &live);
     if (status != BAT_OK) return add(d, (uint64_t)status);

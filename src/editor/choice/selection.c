@@ -74,8 +74,7 @@ void bat_selection_sort(bat_selection *selection) {
     selection->loose = 0;
     for (int i = 1; i < selection->count && sorted; i++) sorted = selection->ids[i - 1] < selection->ids[i];
     if (sorted) return;
-    qsort(selection->ids, (size_t)selection->count, sizeof *selection->ids,
-          compare); /* equal ids are one: no ties */
+    qsort(selection->ids, (size_t)selection->count, sizeof *selection->ids, compare); /* no ties */
     for (int i = 0; i < selection->count; i++)
         if (i == 0 || selection->ids[i] != selection->ids[kept - 1])
             selection->ids[kept++] = selection->ids[i];
