@@ -209,8 +209,8 @@ static void anything_goes(void **state) {
         bat_curve_domain(curve, domain);
         range[0] = random_between(&r, domain[0] - 1, domain[1]);
         range[1] = range[0] + exp(random_between(&r, -9, 3));
-        bat_status status = bat_sketch_calm(curve, range, exp(random_between(&r, -6, 3)),
-                                            exp(random_between(&r, -6, 0)), &out);
+        const double limit = exp(random_between(&r, -6, 3)), pixel = exp(random_between(&r, -6, 0));
+        bat_status status = bat_sketch_calm(curve, range, limit, pixel, &out);
         assert_true(status == BAT_OK || status == BAT_STATE || status == BAT_PARAMETER);
         assert_true((status == BAT_OK) == (out != NULL));
         bat_curve_free(out);
