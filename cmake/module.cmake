@@ -1,7 +1,8 @@
 # build/wasm/batten.wasm, batten-later.wasm: the library and the glue of the browser shell (web/module), in two parts.
-# build/wasm/parity.wasm: the library and the vectors that must come out as they do natively (tests/wasm).
+# tests/wasm adds modules of the same objects that must compute what is computed natively.
 find_program(WASM_OPT wasm-opt REQUIRED)
 find_program(WASM_SPLIT wasm-split REQUIRED)
+set(WASM_FEATURES "--enable-simd --enable-bulk-memory") # of what clang was told, for binaryen
 include(cmake/words.cmake)
 
 # Where the time of a stroke goes: compiled for speed, the rest for size.
@@ -9,8 +10,8 @@ set_source_files_properties(src/curve/lsq.c src/hands/sketch/whittaker.c src/han
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
 
 function(add_module target name)
-  add_executable(${target} $<TARGET_OBJECTS:batten_objects> web/module/print.c ${ARGN})
-  target_include_directories(${target} PRIVATE include src tests)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/web/module/print.c ${ARGN})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE batten_options)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   # Stack first: an overflow traps instead of writing over data; the default of 64 KB is too small.
@@ -19,12 +20,12 @@ function(add_module target name)
 endfunction()
 
 file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
-add_module(batten_module batten ${MODULE_SOURCES})
+add_module(batten_module batten $<TARGET_OBJECTS:batten_objects> ${MODULE_SOURCES})
 target_link_options(batten_module PRIVATE -Wl,-Map,batten.map)
 set(later ${CMAKE_CURRENT_SOURCE_DIR}/web/module/later.txt)
 set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${later};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake")
 add_custom_command(TARGET batten_module POST_BUILD VERBATIM
   COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DLATER=${later}
-    -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=--enable-simd --enable-bulk-memory"
+    -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=${WASM_FEATURES}"
     -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake)
-add_module(parity_module parity tests/wasm/parity.c tests/wasm/parity_module.c)
+add_subdirectory(tests/wasm)

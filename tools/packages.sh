@@ -64,6 +64,8 @@ need_to_test() {
     need nodejs node
     need npm npm
     need chromium chromium
+    need adwaita-icon-theme /usr/share/icons/Adwaita/scalable
+    need tango-icon-theme /usr/share/icons/Tango/scalable
     need fonts-nanum /usr/share/fonts/truetype/nanum
 }
 

@@ -28,9 +28,14 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *memory, size_t size);
 void __wrap_free(void *memory);
 
-static long alloc_countdown; /* 0: none fails */
-static bool alloc_hit;
-static long alloc_blocks;
+#ifdef BATTEN_ONE_MODULE /* many programs in one: tests/wasm/units.c alone holds the state and the functions */
+#define ALLOC_STATE extern
+#else
+#define ALLOC_STATE
+#endif
+ALLOC_STATE long alloc_countdown; /* 0: none fails */
+ALLOC_STATE bool alloc_hit;
+ALLOC_STATE long alloc_blocks;
 
 /* The nth allocation from now on fails, once; 0 switches it off. */
 static inline void alloc_fail_at(long n) { alloc_countdown = n, alloc_hit = false; }
@@ -43,6 +48,7 @@ static inline bool alloc_fail_reached(void) {
 
 static inline long alloc_live(void) { return alloc_blocks; }
 
+#ifndef BATTEN_ONE_MODULE
 static inline bool alloc_fails_now(void) {
     if (alloc_countdown == 0 || --alloc_countdown > 0) return false;
     return alloc_hit = true;
@@ -71,5 +77,6 @@ void __wrap_free(void *memory) {
     alloc_blocks -= memory != NULL;
     __real_free(memory);
 }
+#endif
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <batten/batten.h>
 #include "base/real.h"
+#include "hands/sketch/intent.h"
 #include "support/random_curve.h"
 
 static void put(parity_sink *sink, double value) {
@@ -189,6 +190,57 @@ static void sketch(parity_sink *sink) {
     }
 }
 
+/* Strokes calmed: wavy curves of every kind, over a part. */
+static void calm(parity_sink *sink) {
+    random_source r = {15};
+    for (int i = 0; i < 24; i++) {
+        bat_curve *curve = random_curve(&r, 3, 2, i % 3, 12), *calmed = NULL;
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        const double all = domain[1] - domain[0], size = bat_curve_size(curve);
+        const double range[2] = {domain[0] + 0.2 * all, domain[0] + random_between(&r, 0.4, 0.9) * all};
+        bat_status status = bat_sketch_calm(curve, range, random_between(&r, 0.001, 0.1) * size, size / 400,
+                                            &calmed);
+        put_curve(sink, status, calmed);
+        bat_curve_free(curve);
+    }
+}
+
+static void put_reading(parity_sink *sink, const bat_reading *reading) {
+    put(sink, reading->kind), put(sink, reading->cost), put(sink, reading->count);
+    for (int i = 0; i < reading->count; i++) {
+        put(sink, reading->part[i].line);
+        put_many(sink, 2, reading->part[i].along);
+    }
+}
+
+/* Strokes over planar curves: what they mean, the best first. */
+static void meaning(parity_sink *sink) {
+    enum { COUNT = 120, LINES = 4 };
+    random_source r = {14};
+    for (int i = 0; i < 40; i++) {
+        double points[2 * COUNT];
+        bat_intent *intent = NULL;
+        bat_reading readings[BAT_INTENT_READINGS];
+        int count = 0;
+        put(sink, bat_intent_create(i % 5 == 0, false, &intent));
+        for (int k = 0; k < LINES; k++) {
+            bat_curve *curve = random_curve(&r, 3, 2, k % 3, 9);
+            const double scale = 400 / bat_curve_size(curve);
+            put(sink, bat_intent_line(intent, curve, (double[]){scale, 0, 200, 0, scale, 200}, true));
+            bat_curve_free(curve);
+        }
+        const double radius = random_between(&r, 40, 200), turn = random_between(&r, 0.5, 6);
+        arc_stroke(&r, COUNT, radius, turn, points);
+        for (int k = 0; k < 2 * COUNT; k++) points[k] += 200;
+        put(sink, bat_intent_add(intent, COUNT, points));
+        put(sink, bat_intent_rank(intent, true, readings, &count));
+        put(sink, count);
+        for (int k = 0; k < count; k++) put_reading(sink, &readings[k]);
+        bat_intent_free(intent);
+    }
+}
+
 /* A whole session: an object, the view, strokes over it and beside it, undo. The journal holds every number
  * and digest of it as text. */
 static void session(parity_sink *sink) {
@@ -330,6 +382,8 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"surgery", surgery},
                                           {"fit", fit},
                                           {"sketch", sketch},
+                                          {"calm", calm},
+                                          {"meaning", meaning},
                                           {"tangents", tangents},
                                           {"levels", levels},
                                           {"a session", session}};

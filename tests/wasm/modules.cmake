@@ -1,0 +1,16 @@
+# In the WASM tree, and not built by themselves:
+# parity.wasm, the vectors of parity.c; units.wasm, everything in programs.cmake. Both are linked with the objects that
+# the shell's module has; units.wasm is made small by the same tool, too.
+add_module(parity_module parity $<TARGET_OBJECTS:batten_objects> parity.c parity_module.c)
+target_include_directories(parity_module PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+
+# The tables with their help, which the shell's module fetches apart.
+set(tables src/editor/tables/tables.c)
+add_module(units_module units "$<FILTER:$<TARGET_OBJECTS:batten_objects>,EXCLUDE,${tables}>"
+  ${PROJECT_SOURCE_DIR}/${tables} host.c)
+use_programs(units_module)
+target_link_libraries(units_module PRIVATE -lc-printscan-long-double)
+separate_arguments(features UNIX_COMMAND "${WASM_FEATURES}")
+add_custom_command(TARGET units_module POST_BUILD VERBATIM
+  COMMAND ${WASM_OPT} -Oz --low-memory-unused -g ${features} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
+set_target_properties(parity_module units_module PROPERTIES EXCLUDE_FROM_ALL ON)
