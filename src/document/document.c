@@ -1,6 +1,8 @@
 /* The document: an ordered list of counted objects, and the page. */
 #include "document/document.h"
 
+#include "document/kind.h"
+
 #include "curve/curve.h"
 #include "document/digest.h"
 #include "document/list.h"
@@ -155,8 +157,7 @@ const char *bat_document_check_nesting(const bat_document *document) {
     for (int i = 0; i < document->list.count; i++) {
         const bat_object *object = bat_list_at(&document->list, i);
         if (!bat_nesting_next(&nesting, object, NULL)) return "an object is not with its group";
-        if (bat_object_kind(object) == BAT_KIND_LAYER && nesting.depth > 1 &&
-            nesting.open[nesting.depth - 2].kind != BAT_KIND_LAYER)
+        if (bat_object_is(object, BAT_LAYER) && nesting.depth > 1 && !nesting.open[nesting.depth - 2].layer)
             return "a layer is in a group";
     }
     return NULL;
@@ -170,7 +171,7 @@ static const bat_object *outside(const bat_document *document, const bat_object 
 
 bat_nesting_level bat_document_level(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
-    bat_nesting_level level = {bat_object_id(object), bat_object_kind(object), false, false};
+    bat_nesting_level level = {bat_object_id(object), bat_object_is(object, BAT_LAYER), false, false};
     for (int depth = 0; object && depth <= BAT_NESTING_MAX; depth++) {
         level.hidden = level.hidden || bat_object_hidden(object);
         level.locked = level.locked || bat_object_locked(object);
@@ -184,35 +185,13 @@ bool bat_document_fits(const bat_document *document, int index) {
     if (!object || !bat_object_parent(object)) return true;
     const bat_object *group = outside(document, object), *open = bat_document_at(document, index - 1);
     if (!group || !open) return false;
-    if (bat_object_kind(object) == BAT_KIND_LAYER && bat_object_kind(group) != BAT_KIND_LAYER) return false;
+    if (bat_object_is(object, BAT_LAYER) && !bat_object_is(group, BAT_LAYER)) return false;
     if (!bat_object_is_group(open)) open = outside(document, open);
     for (int depth = 0; open && open != group && depth < BAT_NESTING_MAX; depth++)
         open = outside(document, open);
     int depth = bat_object_is_group(object);
     for (; group && depth <= BAT_NESTING_MAX; depth++) group = outside(document, group);
     return open && depth <= BAT_NESTING_MAX;
-}
-
-const char *bat_object_check(const bat_object *object) {
-    bat_kind kind = bat_object_kind(object);
-    if (bat_object_is_group(object) || kind == BAT_KIND_GUIDE)
-        return bat_object_curve_count(object) ? "a group or a guide has curves" : NULL;
-    if (kind == BAT_KIND_IMAGE) {
-        if (bat_object_curve_count(object) || !bat_object_picture(object)) return "an image has no picture";
-        return bat_style_valid(bat_object_style(object)) ? NULL : "a style is out of range";
-    }
-    if (kind != BAT_KIND_PATH && kind != BAT_KIND_SPLINE && kind != BAT_KIND_SHAPE)
-        return "an object is of no known kind";
-    if (!bat_style_valid(bat_object_style(object))) return "a style is out of range";
-    int count = bat_object_curve_count(object);
-    if (count < 1) return "a path has no curve";
-    for (int i = 0; i < count; i++) {
-        const bat_curve *curve = bat_object_curve(object, i);
-        if (bat_curve_validate(curve) != BAT_OK) return "a curve is not valid";
-        if (bat_curve_dimension(curve) != bat_curve_dimension(bat_object_curve(object, 0)))
-            return "the curves of a path differ in dimension";
-    }
-    return bat_object_check_makings(object);
 }
 
 const char *bat_document_check(const bat_document *document) {

@@ -8,7 +8,7 @@ enum { BAT_NESTING_MAX = 64 }; /* groups in groups */
 
 typedef struct bat_nesting_level {
     bat_id id;
-    bat_kind kind;
+    bool layer;
     bool hidden, locked; /* itself, or what it is in */
 } bat_nesting_level;
 

@@ -1,9 +1,28 @@
-#include "kinds/spline.h"
-
+/* A spline of the tangents hand: its points and directions stay editable and give its one curve. */
+#include "base/matrix.h"
+#include "base/users.h"
 #include "document/digest.h"
+#include "format/json/spline.h"
+#include "format/json/style.h"
+#include "kinds/kinds.h"
+#include <batten/bezier.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* A counted value with arrays of its own, shared by copies of the object; it is the object's own part. */
+typedef struct kept_spline {
+    bat_users users;
+    bat_spline spline; /* its arrays lie behind it in the same block; none is NULL */
+    bat_tangents_options options;
+} kept_spline;
+
+typedef struct own_part {
+    kept_spline *kept;
+} own_part;
+
+static kept_spline *kept_of(const void *own) { return ((const own_part *)own)->kept; }
 
 static bool zero(const double *v, int size) {
     for (int d = 0; d < size; d++)
@@ -11,9 +30,9 @@ static bool zero(const double *v, int size) {
     return true;
 }
 
-static bat_kept_spline *copy(const bat_spline *spline, const bat_tangents_options *options) {
+static kept_spline *copy(const bat_spline *spline, const bat_tangents_options *options) {
     size_t count = (size_t)spline->count, size = count * (size_t)spline->dimension;
-    bat_kept_spline *kept = malloc(sizeof *kept + (2 * size + 2 * count) * sizeof(double));
+    kept_spline *kept = malloc(sizeof *kept + (2 * size + 2 * count) * sizeof(double));
     if (!kept) return NULL;
     double *points = (double *)(void *)(kept + 1), *tangents = points + size, *tension = tangents + size;
     memcpy(points, spline->points, size * sizeof(double));
@@ -23,19 +42,21 @@ static bat_kept_spline *copy(const bat_spline *spline, const bat_tangents_option
         for (int d = 0; d < spline->dimension; d++) tangents[at + d] = given ? spline->tangents[at + d] : 0;
     }
     for (size_t i = 0; i < 2 * count; i++) tension[i] = spline->tension ? spline->tension[i] : 1;
-    *kept = (bat_kept_spline){BAT_USERS_ONE, *spline, options ? *options : bat_tangents_defaults()};
+    *kept = (kept_spline){BAT_USERS_ONE, *spline, options ? *options : bat_tangents_defaults()};
     kept->spline.points = points;
     kept->spline.tangents = tangents;
     kept->spline.tension = tension;
     return kept;
 }
 
-bat_status bat_kept_spline_create(const bat_spline *spline, const bat_tangents_options *options,
-                                  bat_kept_spline **out, bat_curve **curve) {
+/* Copies the spline and makes its curve. Directions of no length become plain zeros, so that equal splines have equal
+ * bits. */
+static bat_status keep(const bat_spline *spline, const bat_tangents_options *options, kept_spline **out,
+                       bat_curve **curve) {
     /* First the check of everything, so that the copy can trust counts and pointers. */
     bat_status status = bat_tangents(spline, options, NULL, NULL, NULL, NULL);
     if (status != BAT_OK) return status;
-    bat_kept_spline *kept = copy(spline, options);
+    kept_spline *kept = copy(spline, options);
     if (!kept) return BAT_MEMORY;
     status = bat_tangents(&kept->spline, &kept->options, NULL, NULL, NULL, curve);
     if (status == BAT_OK)
@@ -45,11 +66,51 @@ bat_status bat_kept_spline_create(const bat_spline *spline, const bat_tangents_o
     return status;
 }
 
-void bat_kept_spline_release(bat_kept_spline *kept) {
+static void release(kept_spline *kept) {
     if (kept && bat_users_drop(&kept->users)) free(kept);
 }
 
-uint64_t bat_kept_spline_digest(uint64_t digest, const bat_kept_spline *kept) {
+static void share(const void *own) { bat_users_add(&kept_of(own)->users); }
+static void end(void *own) { release(kept_of(own)); }
+
+/* A new object, or `object` with another spline. */
+static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
+                       const bat_spline *spline, const bat_tangents_options *options, bat_object **out) {
+    own_part own = {NULL};
+    bat_curve *curve = NULL;
+    bat_status status = keep(spline, options, &own.kept, &curve);
+    if (status != BAT_OK) return status;
+    status = object ? bat_object_remake(object, &bat_kind_of_spline, &own, 1, &curve, out)
+                    : bat_object_make(&bat_kind_of_spline, id, name, style, &own, 1, &curve, out);
+    if (status == BAT_OK) return status;
+    bat_curve_free(curve);
+    release(own.kept);
+    return status;
+}
+
+bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
+                                    const bat_spline *spline, const bat_tangents_options *options,
+                                    bat_object **out) {
+    return style ? make(NULL, id, name, style, spline, options, out) : BAT_ARGUMENT;
+}
+
+bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline, bat_object **out) {
+    const void *own = object ? bat_object_own(object, &bat_kind_of_spline) : NULL;
+    return own ? make(object, 0, NULL, NULL, spline, &kept_of(own)->options, out) : BAT_ARGUMENT;
+}
+
+const bat_spline *bat_object_spline(const bat_object *object) {
+    const void *own = bat_object_own(object, &bat_kind_of_spline);
+    return own ? &kept_of(own)->spline : NULL;
+}
+
+const bat_tangents_options *bat_object_spline_options(const bat_object *object) {
+    const void *own = bat_object_own(object, &bat_kind_of_spline);
+    return own ? &kept_of(own)->options : NULL;
+}
+
+static uint64_t digest_spline(uint64_t digest, const void *own) {
+    const kept_spline *kept = kept_of(own);
     const bat_spline *s = &kept->spline;
     size_t count = (size_t)s->count, size = count * (size_t)s->dimension;
     digest = bat_digest_number(digest, (uint64_t)kept->options.mode);
@@ -63,12 +124,109 @@ uint64_t bat_kept_spline_digest(uint64_t digest, const bat_kept_spline *kept) {
     return digest;
 }
 
-const char *bat_kept_spline_check(const bat_kept_spline *kept, const bat_curve *curve) {
+static const char *check(const bat_object *object) {
+    const kept_spline *kept = kept_of(bat_object_own(object, &bat_kind_of_spline));
     bat_curve *again = NULL;
     bat_status status = bat_tangents(&kept->spline, &kept->options, NULL, NULL, NULL, &again);
     if (status == BAT_MEMORY) return NULL;
     if (status != BAT_OK) return "a spline is not valid";
-    bool same = bat_curve_equal(curve, again);
+    bool same = bat_object_curve_count(object) == 1 && bat_curve_equal(bat_object_curve(object, 0), again);
     bat_curve_free(again);
     return same ? NULL : "the curve of a spline is not the one its points give";
 }
+
+/* ---- affine images ---- */
+
+/* Same knots and points, but for rounding. */
+static bool alike(const bat_curve *a, const bat_curve *b) {
+    if (bat_curve_count(a) != bat_curve_count(b) || bat_curve_knot_count(a) != bat_curve_knot_count(b) ||
+        bat_curve_closed(a) != bat_curve_closed(b))
+        return false;
+    double near = 1e-9 * bat_curve_size(b);
+    for (int i = 0; i < 2 * bat_curve_count(a); i++)
+        if (!(fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]) <= near)) return false;
+    return true;
+}
+
+/* Whether the object's curve is the image of the other's. */
+static bat_status gives_image(const bat_object *object, const bat_object *of, const double *m, bool *gives) {
+    bat_curve *image = NULL;
+    double rows[12];
+    bat_matrix_rows(m, 2, rows);
+    bat_status status = bat_curve_transform(bat_object_curve(of, 0), rows, &image);
+    *gives = status == BAT_OK && alike(bat_object_curve(object, 0), image);
+    bat_curve_free(image);
+    return status;
+}
+
+static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+    bat_spline spline = *bat_object_spline(object);
+    bool gives = false;
+    *out = NULL;
+    if (spline.dimension != 2) return BAT_OK;
+    size_t n = (size_t)spline.count;
+    double *numbers = malloc(4 * n * sizeof *numbers);
+    if (!numbers) return BAT_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        const double *p = spline.points + 2 * i, *t = spline.tangents ? spline.tangents + 2 * i : NULL;
+        numbers[2 * i] = m[0] * p[0] + m[2] * p[1] + m[4];
+        numbers[2 * i + 1] = m[1] * p[0] + m[3] * p[1] + m[5];
+        numbers[2 * (n + i)] = t ? m[0] * t[0] + m[2] * t[1] : 0;
+        numbers[2 * (n + i) + 1] = t ? m[1] * t[0] + m[3] * t[1] : 0;
+    }
+    spline.points = numbers;
+    if (spline.tangents) spline.tangents = numbers + 2 * n;
+    bat_status status = bat_object_with_spline(object, &spline, out);
+    free(numbers);
+    if (status != BAT_OK) { /* flattened to less than two points */
+        *out = NULL;
+        return status == BAT_MEMORY ? status : BAT_OK;
+    }
+    status = gives_image(*out, object, m, &gives);
+    if (status == BAT_OK && gives) return BAT_OK;
+    bat_object_release(*out);
+    *out = NULL;
+    return status;
+}
+
+/* ---- files ---- */
+
+static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
+    bat_style style = bat_style_defaults();
+    bat_status status = bat_style_from_json(f, node, &style);
+    if (status != BAT_OK) return status;
+    uint32_t member = bat_json_member(f->json, node, "spline");
+    if (!member) return bat_fields_complain(f, node, "spline", "an object");
+    bat_tangents_options options = bat_tangents_defaults();
+    bat_spline spline;
+    void *block = NULL;
+    status = bat_spline_from_json(f->json, member, &spline, &block, &options, f->problem);
+    if (status != BAT_OK) return status;
+    status = bat_object_create_spline(id, name, &style, &spline, &options, out);
+    bat_free(block);
+    if (status == BAT_OK) return BAT_OK;
+    return bat_json_say(f->json, member, status,
+                        status == BAT_COUNT ? "spline: expected two different points at least, found fewer"
+                                            : bat_status_message(status),
+                        f->problem);
+}
+
+/* Its curve is made of it, so it is not written twice. */
+static void write(const bat_object *object, bat_text *text) {
+    bat_text_string(text, ",\n  \"style\":");
+    bat_style_to_json(bat_object_style(object), text);
+    bat_text_string(text, ",\n  \"spline\":");
+    bat_spline_to_json(bat_object_spline(object), bat_object_spline_options(object), text);
+}
+
+const bat_kind_type bat_kind_of_spline = {.number = BAT_KIND_SPLINE,
+                                          .name = "spline",
+                                          .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE,
+                                          .size = sizeof(own_part),
+                                          .share = share,
+                                          .end = end,
+                                          .check = check,
+                                          .digest = digest_spline,
+                                          .transform = transform,
+                                          .write = write,
+                                          .read = read};

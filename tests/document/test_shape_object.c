@@ -14,6 +14,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/refine.h>
+#include "base/matrix.h"
 #include "editor/edit/affine.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
@@ -163,10 +164,10 @@ static void images_keep_levels(void **state) {
         bat_object *object = make(&r, round), *image = NULL;
         double matrix[6], about[2] = {10, 20};
         switch (round % 5) {
-        case 0: bat_affine_translation(31, -7, matrix); break;
-        case 1: bat_affine_rotation(0.7, about, matrix); break;
-        case 2: bat_affine_scaling(-2, 2, about, matrix); break;
-        case 3: bat_affine_scaling(3, 0.5, about, matrix); break;
+        case 0: bat_matrix_translation(31, -7, matrix); break;
+        case 1: bat_matrix_rotation(0.7, about, matrix); break;
+        case 2: bat_matrix_scaling(-2, 2, about, matrix); break;
+        case 3: bat_matrix_scaling(3, 0.5, about, matrix); break;
         default: memcpy(matrix, (double[]){1, 0.3, 0.9, -1, 4, 5}, sizeof matrix);
         }
         assert_int_equal(bat_affine_object(object, matrix, false, &image), BAT_OK);

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <cmocka.h>
 #include "document/nesting.h"
+#include "base/matrix.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/editor.h"
@@ -291,7 +292,7 @@ static void splines_stay_splines(void **state) {
     bat_style style = bat_style_defaults();
     bat_object *made = NULL, *turned = NULL, *skewed = NULL;
     assert_int_equal(bat_object_create_spline(1, NULL, &style, &spline, NULL, &made), BAT_OK);
-    bat_affine_rotation(1, (double[]){50, 60}, turn);
+    bat_matrix_rotation(1, (double[]){50, 60}, turn);
     assert_int_equal(bat_affine_object(made, turn, false, &turned), BAT_OK);
     assert_non_null(bat_object_spline(turned));
     assert_int_equal(bat_affine_object(made, skew, false, &skewed), BAT_OK);

@@ -16,7 +16,7 @@ foreign=$(echo "$shown" | grep -v '^bat_' || true)
 
 # Mutable globals: none. Data that is only written by the loader (.data.rel.ro) is constant.
 mutable=$(nm --defined-only "$static" | awk 'NF == 3 && $2 ~ /^[bBcCdD]$/ { print $3 }' | while read -r name; do
-    objdump -t "$static" | awk -v name="$name" '$NF == name && $0 !~ /\.(data\.rel\.)?ro/ { print name }'
+    objdump -t "$static" | awk -v name="$name" '$NF == name && !/\*UND\*/ && $0 !~ /\.(data\.rel\.)?ro/ { print name }'
 done | sort -u)
 [ -z "$mutable" ] || { echo "libbatten.a: mutable globals:"; echo "$mutable"; fail=1; }
 

@@ -101,8 +101,9 @@ void bat_selection_swap(bat_selection *a, bat_selection *b) {
 static bool can_be_chosen(const bat_document *document, bat_id id) {
     int at = bat_document_find(document, id);
     if (at < 0) return false;
+    const bat_object *object = bat_document_at(document, at);
     bat_nesting_level level = bat_document_level(document, at);
-    return !level.hidden && !level.locked && level.kind != BAT_KIND_GUIDE;
+    return !level.hidden && !level.locked && (bat_object_is_drawn(object) || bat_object_is_group(object));
 }
 
 void bat_selection_prune(bat_selection *selection, const bat_document *document) {

@@ -15,6 +15,7 @@
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
 #include "editor/session/reorder.h"
+#include "document/kind.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -50,7 +51,7 @@ bat_status bat_command_layer_add(bat_context *c, bat_command_id id) {
     char name[80];
     int layers = 0;
     for (int i = 0; i < bat_document_count(document); i++)
-        layers += bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER;
+        layers += bat_object_is(bat_document_at(document, i), BAT_LAYER);
     snprintf(name, sizeof name, "%s %d", bat_word(c, BAT_STRING_LAYER_NAME), layers + 1);
     bat_object *layer = NULL;
     bat_id own = bat_document_new_id(c->session->document);
@@ -132,7 +133,7 @@ bat_status bat_command_layer_take(bat_context *c, bat_command_id id) {
         return status;
     }
     for (int i = 0; i < count; i++) /* a layer does not go into itself, nor what is in it out of it */
-        if (bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER) status = BAT_STATE;
+        if (bat_object_is(bat_document_at(document, roots[i]), BAT_LAYER)) status = BAT_STATE;
     bat_listing listing = {0};
     int end = bat_document_end(document, at);
     for (int i = 0; i <= bat_document_count(document) && status == BAT_OK;) {
@@ -169,7 +170,7 @@ bat_status bat_command_layer_take(bat_context *c, bat_command_id id) {
 
 bat_status bat_layer_activate(bat_context *c, bat_id id) {
     int at = id ? bat_document_find(c->session->document, id) : -1;
-    if (id && (at < 0 || bat_object_kind(bat_document_at(c->session->document, at)) != BAT_KIND_LAYER))
+    if (id && (at < 0 || !bat_object_is(bat_document_at(c->session->document, at), BAT_LAYER)))
         return BAT_ARGUMENT;
     c->choice->layer = id;
     return BAT_OK;
@@ -203,8 +204,8 @@ bat_status bat_layer_place(bat_context *c, bat_id id, bat_id target) {
     const bat_document *document = c->session->document;
     int at = bat_document_find(document, id), to = bat_document_find(document, target), steps = 0;
     const bat_object *layer = bat_document_at(document, at), *other = bat_document_at(document, to);
-    if (!layer || !other || bat_object_kind(layer) != BAT_KIND_LAYER ||
-        bat_object_kind(other) != BAT_KIND_LAYER || bat_object_parent(layer) != bat_object_parent(other))
+    if (!layer || !other || !bat_object_is(layer, BAT_LAYER) || !bat_object_is(other, BAT_LAYER) ||
+        bat_object_parent(layer) != bat_object_parent(other))
         return BAT_ARGUMENT;
     if (bat_toolbox_busy(c) || at == to) return BAT_STATE;
     for (int i = at < to ? at : to; i < (at < to ? to : at); i = bat_document_end(document, i)) steps++;

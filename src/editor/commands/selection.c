@@ -15,6 +15,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "editor/tools/levels/state.h"
+#include "document/kind.h"
 
 /* Tells the user why nothing happened. */
 static bat_status told(bat_context *c, bat_status status) {
@@ -96,10 +97,11 @@ bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
         int outside = nesting.depth - 1 - bat_object_is_group(object);
-        bool whole = outside < 0 || nesting.open[outside].kind == BAT_KIND_LAYER;
+        bool whole = outside < 0 || nesting.open[outside].layer;
         if (c->choice->entered) whole = bat_object_parent(object) == c->choice->entered;
-        if (!whole || level.hidden || level.locked || bat_object_kind(object) == BAT_KIND_LAYER ||
-            bat_object_kind(object) == BAT_KIND_GUIDE || (i < c->scene->count && c->scene->entries[i].pale))
+        if (!whole || level.hidden || level.locked ||
+            !(bat_object_is_drawn(object) || bat_object_is_mere_group(object)) ||
+            (i < c->scene->count && c->scene->entries[i].pale))
             continue;
         status = bat_selection_append(&c->choice->selection, bat_object_id(object));
     }

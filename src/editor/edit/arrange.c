@@ -9,6 +9,8 @@
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/session/reorder.h"
+#include "base/matrix.h"
+#include "document/kind.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,8 +93,7 @@ int bat_arrange_whole(const bat_context *c, int index) {
     for (;;) {
         bat_id parent = bat_object_parent(bat_document_at(document, index));
         int at = parent ? bat_document_find(document, parent) : -1;
-        if (at < 0 || parent == c->choice->entered ||
-            bat_object_kind(bat_document_at(document, at)) == BAT_KIND_LAYER)
+        if (at < 0 || parent == c->choice->entered || bat_object_is(bat_document_at(document, at), BAT_LAYER))
             return index;
         index = at;
     }
@@ -184,7 +185,7 @@ bat_status bat_arrange_delete(bat_context *c) {
     /* A group that the deletion leaves empty goes too; a layer stays. */
     for (int i = 0; i < all && gone; i++) {
         const bat_object *object = bat_document_at(document, i);
-        int end = bat_object_kind(object) == BAT_KIND_GROUP ? bat_document_end(document, i) : i;
+        int end = bat_object_is_mere_group(object) ? bat_document_end(document, i) : i;
         bool emptied = false;
         for (int k = i + 1; k < end && !emptied; k++) emptied = gone[k];
         if (!gone[i] && emptied && !has_paths(document, i, end, gone))
@@ -236,8 +237,7 @@ bool bat_arrange_leave(bat_context *c) {
     if (at < 0) return false;
     bat_id parent = bat_object_parent(bat_document_at(c->session->document, at));
     int outer = parent ? bat_document_find(c->session->document, parent) : -1;
-    bool group = outer >= 0 &&
-                 bat_object_kind(bat_document_at(c->session->document, outer)) == BAT_KIND_GROUP;
+    bool group = outer >= 0 && bat_object_is_mere_group(bat_document_at(c->session->document, outer));
     bat_selection_clear(&c->choice->selection);
     bat_selection_add(&c->choice->selection, c->choice->entered); /* without memory: not selected */
     c->choice->entered = group ? parent : 0;
@@ -252,7 +252,7 @@ static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
     if (status != BAT_OK) return status;
     bat_listing listing = {0};
     double matrix[6];
-    bat_affine_translation(dx, dy, matrix);
+    bat_matrix_translation(dx, dy, matrix);
     bat_id *copies = malloc((size_t)count * sizeof *copies);
     if (!copies) listing.failed = true;
     for (int i = 0; i < count && !listing.failed; i++) {
@@ -300,7 +300,7 @@ bat_status bat_arrange_group(bat_context *c) {
     if (status != BAT_OK) return status;
     bool layers = false;
     for (int i = 0; i < count; i++)
-        layers = layers || bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
+        layers = layers || bat_object_is(bat_document_at(document, roots[i]), BAT_LAYER);
     if (count < 2 || layers) {
         free(roots);
         return BAT_STATE;
@@ -352,7 +352,7 @@ bat_status bat_arrange_ungroup(bat_context *c) {
         const bat_object *object = bat_document_at(document, i);
         bool root = next < count && roots[next] == i;
         next += root;
-        if (!root || bat_object_kind(object) != BAT_KIND_GROUP) {
+        if (!root || !bat_object_is_mere_group(object)) {
             if (root) freed[freed_count++] = bat_object_id(object);
             bat_listing_add(&listing, object);
             i++;
@@ -468,7 +468,7 @@ bat_status bat_arrange_align(bat_context *c, bat_align align) {
             if (!bat_arrange_box(document, roots[i], end, box)) continue;
             by = whole[axis] + share * (whole[axis + 2] - whole[axis]) -
                  (box[axis] + share * (box[axis + 2] - box[axis]));
-            bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
+            bat_matrix_translation(axis ? 0 : by, axis ? by : 0, matrix);
             if (by != 0) status = transform_range(c, roots[i], end, matrix);
         }
         status = finish(c, status, BAT_STRING_STEP_ALIGN);
@@ -507,7 +507,7 @@ bat_status bat_arrange_distribute(bat_context *c, int axis) {
         double first = middles[0].at, step = (middles[n - 1].at - first) / (n - 1);
         for (int i = 1; i < n - 1 && status == BAT_OK; i++) {
             double matrix[6], by = first + i * step - middles[i].at;
-            bat_affine_translation(axis ? 0 : by, axis ? by : 0, matrix);
+            bat_matrix_translation(axis ? 0 : by, axis ? by : 0, matrix);
             if (by != 0)
                 status = transform_range(c, middles[i].root, bat_document_end(document, middles[i].root),
                                          matrix);

@@ -13,6 +13,8 @@
 #include "editor/tables/tables.h"
 #include "editor/view/view.h"
 #include "editor/session/reorder.h"
+#include "base/matrix.h"
+#include "document/kind.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -102,7 +104,7 @@ static bat_status paste_one(bat_context *c, const bat_document *document, int i,
     const bat_object *object = bat_document_at(document, i);
     bat_id outer = bat_object_parent(object);
     bat_id parent = outer ? p->ids[bat_document_find(document, outer)] : p->parent;
-    if (bat_object_kind(object) == BAT_KIND_LAYER) { /* its contents go into the layer that is active here */
+    if (bat_object_is(object, BAT_LAYER)) { /* its contents go into the layer that is active here */
         p->ids[i] = parent;
         return BAT_OK;
     }
@@ -127,7 +129,7 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     pasting p = {calloc((size_t)count + 1, sizeof *p.ids), 0, 0};
     if (!p.ids) return BAT_MEMORY;
     find_shift(c, document, own, shift);
-    bat_affine_translation(shift[0], shift[1], matrix);
+    bat_matrix_translation(shift[0], shift[1], matrix);
     first = p.index = bat_arrange_place(c, &p.parent);
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {

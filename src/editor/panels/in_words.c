@@ -105,10 +105,10 @@ static void add(const bat_context *c, bat_text *text, bat_string words) {
 
 void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
     static const bat_string kinds[] = {
-        [BAT_KIND_PATH] = BAT_STRING_KIND_PATH,       [BAT_KIND_SPLINE] = BAT_STRING_KIND_SPLINE,
-        [BAT_KIND_GROUP] = BAT_STRING_KIND_GROUP,     [BAT_KIND_LAYER] = BAT_STRING_KIND_LAYER,
-        [BAT_KIND_SHAPE] = BAT_STRING_KIND_SHAPE,     [BAT_KIND_IMAGE] = BAT_STRING_KIND_IMAGE,
-        [BAT_KIND_GUIDE] = BAT_STRING_SNAP_WORD_GUIDE};
+#define KIND(name, NAME) [BAT_KIND_##NAME] = BAT_STRING_KIND_##NAME,
+#include "kinds/kinds.def"
+#undef KIND
+    };
     const char *name = bat_object_name(object);
     int curves = bat_object_curve_count(object), points = points_of(object);
     bat_text_string(text, name);

@@ -16,6 +16,7 @@
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
 #include "editor/session/reorder.h"
+#include "document/kind.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -28,7 +29,7 @@ const char *bat_panel_layers(bat_context *c) {
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_next(&nesting, object, NULL);
-        if (bat_object_kind(object) != BAT_KIND_LAYER) {
+        if (!bat_object_is(object, BAT_LAYER)) {
             loose += !bat_object_parent(object);
             continue;
         }

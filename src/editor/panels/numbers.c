@@ -16,6 +16,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"
 #include "editor/view/view.h"
+#include "base/matrix.h"
 #include <math.h>
 #include <string.h>
 
@@ -68,16 +69,16 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
     bat_string step = BAT_STRING_STEP_MOVE;
     bat_arrange_selection_box(c, box);
     if (id == BAT_NUMBER_X || id == BAT_NUMBER_Y) {
-        bat_affine_translation(id == BAT_NUMBER_X ? to - from : 0, id == BAT_NUMBER_Y ? to - from : 0,
+        bat_matrix_translation(id == BAT_NUMBER_X ? to - from : 0, id == BAT_NUMBER_Y ? to - from : 0,
                                matrix);
     } else if (id == BAT_NUMBER_TURN) {
         double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
-        bat_affine_rotation(-fmod(to, 360) * BAT_PI / 180, about, matrix);
+        bat_matrix_rotation(-fmod(to, 360) * BAT_PI / 180, about, matrix);
         step = BAT_STRING_STEP_ROTATE;
     } else {
         if (!(from > 0)) return BAT_STATE; /* nothing can be scaled from nothing */
         if (!(factor > 0 && isfinite(factor))) return BAT_ARGUMENT;
-        bat_affine_scaling(id == BAT_NUMBER_WIDTH ? factor : 1, id == BAT_NUMBER_HEIGHT ? factor : 1, box,
+        bat_matrix_scaling(id == BAT_NUMBER_WIDTH ? factor : 1, id == BAT_NUMBER_HEIGHT ? factor : 1, box,
                            matrix);
         step = BAT_STRING_STEP_SCALE;
     }

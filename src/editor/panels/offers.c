@@ -9,6 +9,7 @@
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
 #include "editor/tools/select.h"
+#include "document/kind.h"
 #include <stdlib.h>
 
 typedef struct facts {
@@ -28,8 +29,8 @@ static bat_status find(const bat_context *c, facts *f) {
     if (status != BAT_OK) return status == BAT_STATE ? BAT_OK : status;
     f->roots = count;
     for (int i = 0; i < count; i++) {
-        f->groups += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_GROUP;
-        f->layers += bat_object_kind(bat_document_at(document, roots[i])) == BAT_KIND_LAYER;
+        f->groups += bat_object_is_mere_group(bat_document_at(document, roots[i]));
+        f->layers += bat_object_is(bat_document_at(document, roots[i]), BAT_LAYER);
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             for (int j = 0; j < bat_object_curve_count(object); j++)

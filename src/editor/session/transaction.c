@@ -9,6 +9,7 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
+#include "document/kind.h"
 #include <stdlib.h>
 
 bat_status bat_transaction_begin(bat_context *c) {
@@ -78,8 +79,7 @@ bat_status bat_transaction_remove(bat_context *c, int index) {
 static bool frees(const bat_transaction *transaction) {
     for (int i = 0; i < transaction->count; i++) {
         const bat_object *before = transaction->deltas[i].before, *after = transaction->deltas[i].after;
-        if (before && after && bat_object_kind(after) == BAT_KIND_PATH &&
-            bat_object_kind(before) != BAT_KIND_PATH)
+        if (before && after && bat_object_is(before, BAT_MADE) && !bat_object_is(after, BAT_MADE))
             return true;
     }
     return false;

@@ -30,6 +30,8 @@
 #include "editor/view/view.h"
 #include "hands/levels/shape.h"
 #include "base/real.h"
+#include "base/matrix.h"
+#include "document/kind.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -221,7 +223,7 @@ static void scaling(const bat_selecting *s, uint32_t modifiers, const double fro
     /* Nothing can be scaled back from nothing. */
     for (int k = 0; k < 2; k++)
         if (fabs(factor[k]) < 1e-4) factor[k] = factor[k] < 0 ? -1e-4 : 1e-4;
-    bat_affine_scaling(factor[0], factor[1], about, matrix);
+    bat_matrix_scaling(factor[0], factor[1], about, matrix);
 }
 
 static void rotating(const bat_selecting *s, uint32_t modifiers, const double from[2], const double to[2],
@@ -229,13 +231,13 @@ static void rotating(const bat_selecting *s, uint32_t modifiers, const double fr
     double about[2] = {s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2};
     double turn = bat_atan2(to[1] - about[1], to[0] - about[0]) -
                   bat_atan2(from[1] - about[1], from[0] - about[0]);
-    bat_affine_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
+    bat_matrix_rotation(snapped_angle(turn, modifiers & BAT_SHIFT), about, matrix);
 }
 
 static void moving(bat_context *c, bat_selecting *s, const double from[2], double to[2], double matrix[6]) {
     if (c->modifiers & BAT_SHIFT) {
         bat_snap_angle(c, from, to);
-        bat_affine_translation(to[0] - from[0], to[1] - from[1], matrix);
+        bat_matrix_translation(to[0] - from[0], to[1] - from[1], matrix);
         return;
     }
     double by[2] = {to[0] - from[0], to[1] - from[1]};
@@ -243,7 +245,7 @@ static void moving(bat_context *c, bat_selecting *s, const double from[2], doubl
     (*c->snap) = bat_snap_find(c, s->count, s->indices, s->source_count, s->sources, by, &which);
     for (int k = 0; k < 2 && c->snap->kind; k++)
         if (c->snap->bound[k]) by[k] = c->snap->point[k] - s->sources[which].point[k];
-    bat_affine_translation(by[0], by[1], matrix);
+    bat_matrix_translation(by[0], by[1], matrix);
 }
 
 /* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
@@ -317,8 +319,7 @@ static void press(bat_context *c, bat_selecting *s, const bat_pointer *event) {
     s->pressed = object_at(c, s->start, event->device, event->modifiers & BAT_CTRL);
     int index = s->pressed ? bat_document_find(c->session->document, s->pressed) : -1;
     if (index < 0 || !bat_arrange_entered(c, index)) c->choice->entered = 0;
-    if (twice && index >= 0 &&
-        bat_object_kind(bat_document_at(c->session->document, index)) == BAT_KIND_GROUP) {
+    if (twice && index >= 0 && bat_object_is_mere_group(bat_document_at(c->session->document, index))) {
         c->choice->entered = s->pressed;
         s->pressed = object_at(c, s->start, event->device, false);
     }
@@ -479,10 +480,10 @@ static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix
     double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
     if (id == BAT_COMMAND_SCALE_DOWN) factor = 1 / factor;
     if (turns)
-        bat_affine_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * PI / 180, about,
+        bat_matrix_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * PI / 180, about,
                             matrix);
     else
-        bat_affine_scaling(factor, factor, about, matrix);
+        bat_matrix_scaling(factor, factor, about, matrix);
     return bat_arrange_transform(c, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
 }
 
@@ -500,7 +501,7 @@ static bat_status command(bat_context *c, void *state, bat_command_id id) {
     double dx = id == BAT_COMMAND_NUDGE_LEFT ? -step : id == BAT_COMMAND_NUDGE_RIGHT ? step : 0;
     double dy = id == BAT_COMMAND_NUDGE_UP ? -step : id == BAT_COMMAND_NUDGE_DOWN ? step : 0;
     if (dx == 0 && dy == 0) return BAT_STATE;
-    bat_affine_translation(dx, dy, matrix);
+    bat_matrix_translation(dx, dy, matrix);
     bat_status status = bat_arrange_transform(c, matrix, BAT_STRING_STEP_MOVE);
     if (status != BAT_OK && status != BAT_STATE) bat_notice_failure(c, status);
     return status;

@@ -18,6 +18,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "editor/view/unit.h"
+#include "base/matrix.h"
 #include <string.h>
 
 typedef struct bat_spanning {
@@ -136,7 +137,7 @@ bat_status bat_span_set(bat_context *c, double value) {
     bat_spanning *s = bat_toolbox_state(c, bat_tool_span());
     double now = distance(s), factor = value / now, matrix[6];
     if (!(now > 0) || !(value > 0)) return BAT_STATE;
-    bat_affine_scaling(factor, factor, s->at[0], matrix);
+    bat_matrix_scaling(factor, factor, s->at[0], matrix);
     bat_status status = bat_tracing_scale(c, matrix);
     for (int k = 0; k < 2 && status == BAT_OK; k++)
         s->at[1][k] = s->at[0][k] + factor * (s->at[1][k] - s->at[0][k]);

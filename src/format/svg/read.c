@@ -11,6 +11,8 @@
 #include "format/svg/notes.h"
 #include "format/svg/style.h"
 #include "format/svg/tree.h"
+#include "base/matrix.h"
+#include "document/kind.h"
 
 #include <batten/bezier.h>
 #include <batten/format.h>
@@ -452,7 +454,7 @@ static void draw_group(walk *w, uint32_t element, const scope *s) {
     const char *mode = attribute(w, element, "inkscape:groupmode");
     bat_object *group = NULL;
     const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
-    bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_kind(outer) == BAT_KIND_LAYER);
+    bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_is(outer, BAT_LAYER));
     if (w->groups == BAT_NESTING_MAX) {
         draw_children(w, element, s);
         return;
@@ -508,11 +510,11 @@ static void draw_viewport(walk *w, uint32_t element, uint32_t sizer, double x, d
         bat_svg_fit(box, x, y, width, height, attribute(w, element, "preserveAspectRatio"), m);
         inner.width = box[2], inner.height = box[3];
     } else {
-        bat_svg_identity(m);
+        bat_matrix_identity(m);
         m[4] = x, m[5] = y;
         inner.width = width, inner.height = height;
     }
-    bat_svg_compose(s->matrix, m, inner.matrix);
+    bat_matrix_compose(s->matrix, m, inner.matrix);
     draw_children(w, element, &inner);
 }
 
@@ -534,7 +536,7 @@ static void draw_use(walk *w, uint32_t element, const scope *s) {
     double x = length_of(w, element, "x", s->width, 0), y = length_of(w, element, "y", s->height, 0);
     double m[6] = {1, 0, 0, 1, x, y};
     scope inner = *s;
-    bat_svg_compose(s->matrix, m, inner.matrix);
+    bat_matrix_compose(s->matrix, m, inner.matrix);
     bat_svg_kind kind = (bat_svg_kind)w->tree->elements[target].kind;
     if (kind != BAT_SVG_SYMBOL && kind != BAT_SVG_ROOT) {
         draw(w, target, &inner);
@@ -595,7 +597,7 @@ static void draw_image(walk *w, uint32_t element, const scope *s) {
     if (ratio && strstr(ratio, "slice")) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
     bat_svg_fit(box, length_of(w, element, "x", s->width, 0), length_of(w, element, "y", s->height, 0), width,
                 height, ratio, m);
-    bat_svg_compose(s->matrix, m, matrix);
+    bat_matrix_compose(s->matrix, m, matrix);
     bat_status status = bat_object_create_image(bat_document_new_id(w->document), find_name(w, element),
                                                 picture, matrix, s->opacity, &object);
     if (status == BAT_OK) {
@@ -675,7 +677,7 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
     double m[6];
     if (transform) {
         if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
-        bat_svg_compose(outer->matrix, m, s.matrix);
+        bat_matrix_compose(outer->matrix, m, s.matrix);
     }
     if (kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER) note_own_style(w, element, &s.style);
     w->active[w->depth++] = element;
@@ -688,7 +690,7 @@ static void draw(walk *w, uint32_t element, const scope *outer) {
 /* User units are those of the outermost viewBox, and it is the page; without one, width and height are. */
 static void draw_root(walk *w) {
     scope none = {.style = bat_svg_style_initial(), .opacity = 1, .width = 100, .height = 100};
-    bat_svg_identity(none.matrix);
+    bat_matrix_identity(none.matrix);
     double page[4] = {0};
     const char *box = attribute(w, 1, "viewBox"), *transform = attribute(w, 1, "transform");
     if (!box || !bat_svg_view_box(box, page)) {

@@ -11,10 +11,7 @@ bool bat_svg_path(const char *data, size_t size, bat_outline *outline);
 /* White space, and one comma at most. */
 void bat_svg_skip(const char **at, const char *end);
 
-/* m = {a, b, c, d, e, f}: x' = a x + c y + e, y' = b x + d y + f. */
-void bat_svg_identity(double m[6]);
-/* out = first after second: out(p) = first(second(p)). out is neither of them. */
-void bat_svg_compose(const double first[6], const double second[6], double out[restrict 6]);
+/* Matrices are those of base/matrix.h. */
 /* A transform attribute; false, and m the identity, when it does not parse. */
 bool bat_svg_transform(const char *text, double m[6]);
 /* x y w h; false when it does not parse or a side is negative. */

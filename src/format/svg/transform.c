@@ -1,23 +1,11 @@
 /* transform, viewBox, preserveAspectRatio and lengths (SVG 2, 8; CSS Values 6). */
+#include "base/matrix.h"
 #include "base/real.h"
 #include "text/number.h"
 #include "format/svg/svg.h"
 
 #include <math.h>
 #include <string.h>
-
-void bat_svg_identity(double m[6]) {
-    for (int i = 0; i < 6; i++) m[i] = i == 0 || i == 3;
-}
-
-void bat_svg_compose(const double f[6], const double s[6], double out[restrict 6]) {
-    out[0] = f[0] * s[0] + f[2] * s[1];
-    out[1] = f[1] * s[0] + f[3] * s[1];
-    out[2] = f[0] * s[2] + f[2] * s[3];
-    out[3] = f[1] * s[2] + f[3] * s[3];
-    out[4] = f[0] * s[4] + f[2] * s[5] + f[4];
-    out[5] = f[1] * s[4] + f[3] * s[5] + f[5];
-}
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
@@ -39,7 +27,7 @@ static bool primitive(const char *name, size_t length, int n, const double *v, d
     static const char *const names[] = {"matrix", "translate", "scale", "rotate", "skewX", "skewY"};
     int kind = 0;
     while (kind < 6 && (strlen(names[kind]) != length || memcmp(names[kind], name, length) != 0)) kind++;
-    bat_svg_identity(m);
+    bat_matrix_identity(m);
     double c, s;
     switch (kind) {
     case 0:
@@ -64,8 +52,8 @@ static bool primitive(const char *name, size_t length, int n, const double *v, d
 bool bat_svg_transform(const char *text, double m[6]) {
     const char *at = text, *end = text + strlen(text);
     double whole[6];
-    bat_svg_identity(whole);
-    bat_svg_identity(m);
+    bat_matrix_identity(whole);
+    bat_matrix_identity(m);
     while (at < end && is_space(*at)) at++;
     if (strcmp(at, "none") == 0) return true;
     while (at < end) {
@@ -87,7 +75,7 @@ bool bat_svg_transform(const char *text, double m[6]) {
         if (at == end || !primitive(name, length, n, v, one)) return false;
         at++;
         double next[6];
-        bat_svg_compose(whole, one, next);
+        bat_matrix_compose(whole, one, next);
         memcpy(whole, next, sizeof whole);
         bat_svg_skip(&at, end);
     }

@@ -7,6 +7,7 @@
 #include "format/svg/digest.h"
 #include "format/svg/tree.h"
 #include "text/text.h"
+#include "document/kind.h"
 
 #include <batten/bezier.h>
 #include <batten/format.h>
@@ -138,7 +139,7 @@ static void write_state(bat_text *text, const bat_object *object) {
 }
 
 static void open_group(bat_text *text, const bat_object *object, bool as_id) {
-    bool layer = bat_object_kind(object) == BAT_KIND_LAYER;
+    bool layer = bat_object_is(object, BAT_LAYER);
     bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
     write_name(text,
                layer   ? " inkscape:label=\""
@@ -245,7 +246,7 @@ static void write_native(const bat_document *document, uint64_t digest, bat_text
 
 static bool has_layers(const bat_document *document) {
     for (int i = 0; i < bat_document_count(document); i++)
-        if (bat_object_kind(bat_document_at(document, i)) == BAT_KIND_LAYER) return true;
+        if (bat_object_is(bat_document_at(document, i), BAT_LAYER)) return true;
     return false;
 }
 

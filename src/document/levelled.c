@@ -1,4 +1,4 @@
-#include "kinds/levelled.h"
+#include "document/levelled.h"
 
 #include "document/digest.h"
 
@@ -9,7 +9,7 @@ static uint64_t digest_doubles(uint64_t digest, const double *numbers, int count
     return digest;
 }
 
-uint64_t bat_kept_shape_digest(uint64_t digest, const bat_shape *shape) {
+uint64_t bat_digest_shape(uint64_t digest, const bat_shape *shape) {
     const bat_shape_options *o = bat_shape_options_of(shape);
     digest = bat_digest_number(digest, (uint64_t)o->frame | (uint64_t)o->nodes << 8 |
                                            (uint64_t)o->propagation << 16 | (uint64_t)o->has_first << 24 |
@@ -49,7 +49,7 @@ static bat_status again(const bat_shape *shape, bat_shape **out) {
     return status;
 }
 
-const char *bat_kept_shape_check(const bat_shape *shape) {
+const char *bat_shape_check_kept(const bat_shape *shape) {
     bat_shape *made = NULL;
     const char *wrong = NULL;
     bat_status status = again(shape, &made);

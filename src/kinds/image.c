@@ -1,0 +1,152 @@
+/* An image: a picture, placed by a matrix from its pixels to the document. */
+#include "base/matrix.h"
+#include "document/digest.h"
+#include "document/picture.h"
+#include "format/json/fields.h"
+#include "kinds/kinds.h"
+#include "text/text.h"
+
+#include <math.h>
+
+typedef struct image {
+    double matrix[6];
+    bat_picture *picture;
+} image;
+
+static const char expected_matrix[] = "six numbers that do not flatten";
+
+static void corners_of(const image *g, double corners[8]) {
+    const double *m = g->matrix;
+    double sides[2];
+    bat_picture_sides(g->picture, sides);
+    for (int i = 0; i < 4; i++) {
+        double x = i == 1 || i == 2 ? sides[0] : 0, y = i >= 2 ? sides[1] : 0;
+        corners[2 * i] = m[0] * x + m[2] * y + m[4];
+        corners[2 * i + 1] = m[1] * x + m[3] * y + m[5];
+    }
+}
+
+/* -0 becomes 0, so that equal images have equal bits. */
+static bat_status set(const bat_picture *picture, const double matrix[6], image *out) {
+    double corners[8];
+    out->picture = (bat_picture *)picture; /* not yet one of its users */
+    for (int i = 0; i < 6; i++) out->matrix[i] = matrix[i] + 0.0;
+    if (!(bat_matrix_area(matrix) > 0)) return BAT_NUMBER;
+    corners_of(out, corners);
+    for (int i = 0; i < 8; i++)
+        if (!(fabs(corners[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    return BAT_OK;
+}
+
+static void share(const void *own) { (void)bat_picture_retain(((const image *)own)->picture); }
+static void end(void *own) { bat_picture_release(((image *)own)->picture); }
+
+bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
+                                   const double matrix[6], double opacity, bat_object **out) {
+    image own;
+    if (!picture || !matrix || !(opacity >= 0 && opacity <= 1)) return BAT_ARGUMENT;
+    bat_style style = bat_style_defaults();
+    style.stroked = false;
+    style.filled = true; /* it covers what lies behind it */
+    style.opacity = opacity;
+    bat_status status = set(picture, matrix, &own);
+    if (status == BAT_OK) status = bat_object_make(&bat_kind_of_image, id, name, &style, &own, 0, NULL, out);
+    if (status == BAT_OK) share(&own);
+    return status;
+}
+
+bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out) {
+    const image *old = object ? bat_object_own(object, &bat_kind_of_image) : NULL;
+    image own;
+    if (!old || !matrix || !out) return BAT_ARGUMENT;
+    bat_status status = set(old->picture, matrix, &own);
+    if (status == BAT_OK) status = bat_object_remake(object, &bat_kind_of_image, &own, 0, NULL, out);
+    if (status == BAT_OK) share(&own);
+    return status;
+}
+
+const bat_picture *bat_object_picture(const bat_object *object) {
+    const image *g = bat_object_own(object, &bat_kind_of_image);
+    return g ? g->picture : NULL;
+}
+
+const double *bat_object_matrix(const bat_object *object) {
+    const image *g = bat_object_own(object, &bat_kind_of_image);
+    return g ? g->matrix : NULL;
+}
+
+void bat_object_corners(const bat_object *object, double corners[8]) {
+    const image *g = bat_object_own(object, &bat_kind_of_image);
+    if (g)
+        corners_of(g, corners);
+    else
+        for (int i = 0; i < 8; i++) corners[i] = 0;
+}
+
+static uint64_t digest_image(uint64_t digest, const void *own) {
+    const image *g = own;
+    digest = bat_digest_number(digest, bat_picture_digest(g->picture));
+    for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, g->matrix[i]);
+    return digest;
+}
+
+static void bounds(const void *own, double box[4]) {
+    double corners[8];
+    corners_of(own, corners);
+    for (int i = 0; i < 8; i++) {
+        box[i & 1] = fmin(box[i & 1], corners[i]);
+        box[2 + (i & 1)] = fmax(box[2 + (i & 1)], corners[i]);
+    }
+}
+
+static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+    double placed[6];
+    bat_matrix_compose(m, bat_object_matrix(object), placed);
+    return bat_object_with_matrix(object, placed, out);
+}
+
+static void write(const bat_object *object, bat_text *text) {
+    char digest[17];
+    bat_digest_print(bat_picture_digest(bat_object_picture(object)), digest);
+    bat_text_string(text, ",\"picture\":");
+    bat_text_json_string(text, digest);
+    bat_text_string(text, ",\"matrix\":[");
+    for (int i = 0; i < 6; i++) {
+        if (i > 0) bat_text_string(text, ",");
+        bat_text_number(text, bat_object_matrix(object)[i]);
+    }
+    bat_text_string(text, "],\"opacity\":");
+    bat_text_number(text, bat_object_style(object)->opacity);
+}
+
+static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
+    uint32_t named = bat_json_member(f->json, node, "picture");
+    const char *word = bat_json_text(f->json, named);
+    uint64_t digest;
+    const bat_picture *picture = word && bat_digest_scan(word, &digest)
+                                     ? bat_pictures_find(f->pictures, digest)
+                                     : NULL;
+    if (!picture)
+        return bat_fields_complain(f, named ? named : node, "picture", "the digest of one of the pictures");
+    double opacity = 1, matrix[6];
+    bat_status status = bat_fields_number(f, node, "opacity", 0, 1, "a number from 0 to 1", &opacity);
+    if (status == BAT_OK) status = bat_fields_numbers(f, node, "matrix", 6, expected_matrix, matrix);
+    if (status != BAT_OK) return status;
+    uint32_t list = bat_json_member(f->json, node, "matrix");
+    status = bat_object_create_image(id, name, picture, matrix, opacity, out);
+    return status == BAT_NUMBER
+               ? bat_json_complain(f->json, list, status, "matrix", expected_matrix, f->problem)
+               : bat_fields_say(f, list, status);
+}
+
+const bat_kind_type bat_kind_of_image = {.number = BAT_KIND_IMAGE,
+                                         .name = "image",
+                                         .traits = BAT_DRAWN,
+                                         .size = sizeof(image),
+                                         .share = share,
+                                         .end = end,
+                                         .digest = digest_image,
+                                         .bounds = bounds,
+                                         .transform = transform,
+                                         .write = write,
+                                         .read = read};

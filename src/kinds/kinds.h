@@ -1,0 +1,18 @@
+/* The table of kinds. */
+#ifndef BATTEN_KINDS_KINDS_H
+#define BATTEN_KINDS_KINDS_H
+
+#include "document/kind.h"
+
+#define KIND(name, NAME) extern const bat_kind_type bat_kind_of_##name;
+#include "kinds/kinds.def"
+#undef KIND
+
+enum { BAT_KINDS_WORDS = 256 };
+
+/* NULL when there is none of that name. */
+const bat_kind_type *bat_kind_named(const char *name);
+/* All names, for people: "path", "spline" or "shape". */
+void bat_kinds_words(char words[BAT_KINDS_WORDS]);
+
+#endif

@@ -1,0 +1,250 @@
+/* A path: one or more curves of one dimension that share a style. A shape: the same, some of whose curves are the finest
+ * of levels. */
+#include "base/matrix.h"
+#include "document/levelled.h"
+#include "format/json/curve.h"
+#include "format/json/shape.h"
+#include "format/json/style.h"
+#include "kinds/kinds.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
+                                  bat_curve *const *curves, bat_object **out) {
+    return style ? bat_object_make(&bat_kind_of_path, id, name, style, NULL, curve_count, curves, out)
+                 : BAT_ARGUMENT;
+}
+
+bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
+                                  bat_object **out) {
+    if (!object || !bat_object_is(object, BAT_CURVES)) return BAT_ARGUMENT;
+    return bat_object_remake(object, &bat_kind_of_path, NULL, count, curves, out);
+}
+
+/* What its curves are made of says what an object is. */
+bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
+    bool levels = false;
+    for (int i = 0; object && i < bat_object_curve_count(object); i++)
+        levels = levels || (i != index && bat_object_shape(object, i));
+    return bat_object_with_part(object, levels ? &bat_kind_of_shape : &bat_kind_of_path, index, curve, NULL,
+                                out);
+}
+
+bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape, bat_object **out) {
+    if (!shape) return BAT_ARGUMENT;
+    const bat_curve *finest = bat_shape_curve(shape, bat_shape_levels(shape));
+    return bat_object_with_part(object, &bat_kind_of_shape, index, finest, shape, out);
+}
+
+bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
+    if (!object || !out || !bat_object_is(object, BAT_MADE)) return BAT_ARGUMENT;
+    int count = bat_object_curve_count(object), made = 0;
+    bat_curve **curves = malloc((size_t)count * sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    while (status == BAT_OK && made < count) {
+        status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
+        made += status == BAT_OK;
+    }
+    if (status == BAT_OK) status = bat_object_with_curves(object, count, curves, out);
+    if (status != BAT_OK)
+        while (made > 0) bat_curve_free(curves[--made]);
+    free(curves);
+    return status;
+}
+
+static const char *check(const bat_object *object) {
+    int shapes = 0;
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        const bat_shape *shape = bat_object_shape(object, i);
+        const char *wrong = shape ? bat_shape_check_kept(shape) : NULL;
+        if (wrong) return wrong;
+        shapes += shape != NULL;
+    }
+    return bat_object_is(object, BAT_MADE) == (shapes > 0) ? NULL : "a shape has no levels";
+}
+
+/* ---- affine images ---- */
+
+static bat_status image_path(const bat_object *object, const double *m, bat_object **out) {
+    int count = bat_object_curve_count(object), made = 0;
+    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    double matrix[12];
+    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
+    while (made < count && status == BAT_OK) {
+        status = bat_curve_transform(bat_object_curve(object, made), matrix, &curves[made]);
+        if (status == BAT_OK) made++;
+    }
+    if (status == BAT_OK) status = bat_object_with_curves(object, count, curves, out);
+    if (status != BAT_OK)
+        while (made > 0) bat_curve_free(curves[--made]);
+    free(curves);
+    return status;
+}
+
+/* Levels go along with their curves; those that a matrix flattens stay plain curves. *path is replaced. */
+static bat_status image_shapes(const bat_object *object, const double *m, bat_object **path) {
+    double matrix[12], area = bat_matrix_area(m), square = 0;
+    for (int i = 0; i < 4; i++) square += m[i] * m[i];
+    bool similar = fabs(square - 2 * area) <= 1e-12 * square; /* details need not be measured anew */
+    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
+    if (bat_curve_dimension(bat_object_curve(object, 0)) != 2) similar = false;
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_shape *shape = NULL;
+        bat_object *next = NULL;
+        if (!bat_object_shape(object, i)) continue;
+        bat_status status = bat_shape_copy(bat_object_shape(object, i), &shape);
+        if (status == BAT_OK)
+            status = similar ? bat_shape_transform(shape, matrix)
+                             : bat_shape_reframe(shape, bat_shape_options_of(shape)->frame, matrix);
+        if (status == BAT_OK) status = bat_object_with_shape(*path, i, shape, &next);
+        if (status == BAT_OK) {
+            bat_object_release(*path);
+            *path = next;
+            continue;
+        }
+        bat_shape_free(shape);
+        if (status == BAT_MEMORY) return status;
+    }
+    return BAT_OK;
+}
+
+static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+    bat_object *made = NULL;
+    bat_status status = image_path(object, m, &made);
+    if (status == BAT_OK) status = image_shapes(object, m, &made);
+    if (status != BAT_OK)
+        bat_object_release(made);
+    else
+        *out = made;
+    return status;
+}
+
+/* ---- files ---- */
+
+/* One of an object's curves, with levels or without. */
+typedef struct making {
+    bat_curve *curve;
+    bat_shape *shape; /* owned beside its finest curve; NULL: none */
+} making;
+
+static bat_status read_making(const bat_fields *f, uint32_t node, making *out) {
+    if (!bat_json_member(f->json, node, "base"))
+        return bat_curve_from_json(f->json, node, &out->curve, f->problem);
+    bat_status status = bat_shape_from_json(f->json, node, &out->shape, f->problem);
+    if (status != BAT_OK) return status;
+    status = bat_curve_copy(bat_shape_curve(out->shape, bat_shape_levels(out->shape)), &out->curve);
+    return bat_fields_say(f, node, status);
+}
+
+static bat_status read_makings(const bat_fields *f, uint32_t list, making *makings, int *count) {
+    for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next) {
+        bat_status status = read_making(f, at, &makings[(*count)++]);
+        if (status != BAT_OK) return status;
+        if (bat_curve_dimension(makings[*count - 1].curve) != bat_curve_dimension(makings[0].curve))
+            return bat_json_say(f->json, at, BAT_DIMENSION, "curves: expected one dimension, found two",
+                                f->problem);
+    }
+    return BAT_OK;
+}
+
+/* The path of the curves, then each shape in its place; what is used up is taken out of `makings`. */
+static bat_status make_path(bat_id id, const char *name, const bat_style *style, int count, making *makings,
+                            bat_object **out) {
+    bat_curve **curves = malloc((size_t)count * sizeof *curves);
+    bat_object *object = NULL;
+    if (!curves) return BAT_MEMORY;
+    for (int i = 0; i < count; i++) curves[i] = makings[i].curve;
+    bat_status status = bat_object_create_path(id, name, style, count, curves, &object);
+    free(curves);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < count; i++) makings[i].curve = NULL;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        bat_object *next = NULL;
+        if (!makings[i].shape) continue;
+        status = bat_object_with_shape(object, i, makings[i].shape, &next);
+        if (status != BAT_OK) break;
+        makings[i].shape = NULL;
+        bat_object_release(object);
+        object = next;
+    }
+    if (status != BAT_OK)
+        bat_object_release(object);
+    else
+        *out = object;
+    return status;
+}
+
+static bat_status read_curves(const bat_fields *f, uint32_t node, bat_id id, const char *name, bool shape,
+                              bat_object **out) {
+    const bat_json *json = f->json;
+    bat_style style = bat_style_defaults();
+    bat_status status = bat_style_from_json(f, node, &style);
+    if (status != BAT_OK) return status;
+    uint32_t list = bat_json_member(json, node, "curves");
+    uint32_t room = bat_json_count(json, list);
+    if (room == 0)
+        return bat_fields_complain(f, list ? list : node, "curves", "a list of at least one curve");
+    making *makings = calloc(room, sizeof *makings);
+    if (!makings) return bat_fields_say(f, node, BAT_MEMORY);
+    int count = 0;
+    bool any = false;
+    status = read_makings(f, list, makings, &count);
+    for (int i = 0; i < count; i++) any = any || makings[i].shape;
+    if (status == BAT_OK && any != shape)
+        status = bat_fields_complain(f, list, "curves",
+                                     shape ? "one with a base and levels"
+                                           : "no base and levels, which are of a shape");
+    else if (status == BAT_OK) {
+        status = make_path(id, name, &style, count, makings, out);
+        bat_fields_say(f, node, status);
+    }
+    for (int i = 0; i < count; i++) {
+        bat_curve_free(makings[i].curve);
+        bat_shape_free(makings[i].shape);
+    }
+    free(makings);
+    return status;
+}
+
+static bat_status read_path(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                            bat_object **out) {
+    return read_curves(f, node, id, name, false, out);
+}
+
+static bat_status read_shape(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                             bat_object **out) {
+    return read_curves(f, node, id, name, true, out);
+}
+
+static void write(const bat_object *object, bat_text *text) {
+    bat_text_string(text, ",\n  \"style\":");
+    bat_style_to_json(bat_object_style(object), text);
+    bat_text_string(text, ",\n  \"curves\":[");
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        bat_text_string(text, i > 0 ? ",\n   " : "\n   ");
+        const bat_shape *shape = bat_object_shape(object, i);
+        if (shape) /* its curve follows from it */
+            bat_shape_to_json(shape, text);
+        else
+            bat_curve_to_json(bat_object_curve(object, i), 4, text);
+    }
+    bat_text_string(text, "]");
+}
+
+const bat_kind_type bat_kind_of_path = {.number = BAT_KIND_PATH,
+                                        .name = "path",
+                                        .traits = BAT_DRAWN | BAT_CURVES,
+                                        .check = check,
+                                        .transform = transform,
+                                        .write = write,
+                                        .read = read_path};
+
+const bat_kind_type bat_kind_of_shape = {.number = BAT_KIND_SHAPE,
+                                         .name = "shape",
+                                         .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE,
+                                         .check = check,
+                                         .transform = transform,
+                                         .write = write,
+                                         .read = read_shape};
