@@ -124,7 +124,7 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
   { colorScheme: 'dark', locale: 'ko-KR' }]) {
   const name = [options.colorScheme, options.forcedColors ? 'forced' : '', options.locale ?? ''].filter(Boolean).join('-');
   test(`axe-core finds nothing, state by state: ${name}`, async () => {
-    const { page, faults, context } = await open(browser, server.address, options);
+    const { page, context } = await open(browser, server.address, options);
     await page.waitForSelector('#mirror', { state: 'attached' });
     for (const [state, keys] of STATES) {
       for (const key of keys) {
@@ -150,7 +150,6 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
     }
     await page.evaluate(() => document.getElementById('question').showModal());
     assert.deepEqual(await violations(page), [], 'question');
-    assert.deepEqual(faults, []);
     await context.close();
   });
 }

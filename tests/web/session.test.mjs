@@ -44,7 +44,7 @@ function distances(page, text, points) {
 
 /** @param {{ address: string, bytes: Buffer, close: () => void }} server */
 async function wholeSession(server) {
-  const { page, hand, faults, context } = await open(browser, server.address);
+  const { page, hand, context } = await open(browser, server.address);
   const opened = await state(page);
   assert.equal(opened.check, '');
   assert.equal(opened.unsaved, false);
@@ -103,7 +103,6 @@ async function wholeSession(server) {
   const rest = [[806, 160], [842, 170], [70, 243], [744, 224], [232, 360]];
   const moved = await distances(page, saved, rest);
   assert.ok(Math.max(...moved) < 0.2, `the rest stays: ${moved}`);
-  assert.deepEqual(faults, []);
   await context.close();
 }
 
@@ -123,7 +122,7 @@ test('the same with the program itself, on a file', async (t) => {
 test('the program and a native file', async (t) => {
   const native = await edit(Buffer.from(''), 'new.batten');
   t.after(native.close);
-  const { page, hand, faults, context } = await open(browser, native.address);
+  const { page, hand, context } = await open(browser, native.address);
   assert.equal(await page.textContent('#name'), 'new.batten');
   await hand.stroke(bezier([300, 300], [500, 100], [700, 500], [900, 300]));
   const { digest } = await state(page);
@@ -135,7 +134,6 @@ test('the program and a native file', async (t) => {
   await page.reload();
   await ready(page);
   assert.equal((await state(page)).digest, digest);
-  assert.deepEqual(faults, []);
   await context.close();
 });
 
