@@ -1,9 +1,9 @@
 // The clipboard, by the browser's own events, which need no permission: what is selected goes out as SVG that keeps its
 // knots, and SVG or a picture of any program comes in. Fetched once the page is there.
 
-import { parseSvg } from './files.js';
-import { Ask, Refusal } from './engine.js';
-import { word } from './words.js';
+import { Ask } from './engine.js';
+import { parseSvg } from './svg.js';
+import { Refusal, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./files.js').Files} Files */

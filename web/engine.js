@@ -3,7 +3,8 @@
 // replayed into a new one.
 
 import { readFrame, readString } from './frame.js';
-import { word } from './words.js';
+import { plain } from './svg.js';
+import { Refusal, word } from './words.js';
 
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
@@ -28,9 +29,6 @@ const DEAD = 6;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
-
-/** Something the engine refused: its words are for the user. */
-export class Refusal extends Error {}
 
 /** A check inside the module failed. */
 class Panic extends Error {}
@@ -517,12 +515,12 @@ export class Engine {
         const element = /** @type {Element} */ (node);
         const strings = [element.nodeName];
         for (const attribute of element.attributes) {
-          strings.push(attribute.name, attribute.value);
+          strings.push(attribute.name, plain(attribute.value));
         }
         const pairs = element.attributes.length;
         status = this.#lend(strings.join('\0'), (text) => this.wasm.svg_start(reader, text, pairs));
       } else if (node.nodeType === Node.TEXT_NODE || node.nodeType === Node.CDATA_SECTION_NODE) {
-        status = this.#lend(node.nodeValue ?? '', (text, size) => this.wasm.svg_text(reader, text, size));
+        status = this.#lend(plain(node.nodeValue ?? ''), (text, size) => this.wasm.svg_text(reader, text, size));
       }
       if (status !== OK) {
         return status;

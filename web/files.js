@@ -1,7 +1,7 @@
 // Files: in by drop, picker or server, out to the server or as a download.
 
-import { Refusal } from './engine.js';
 import { Changed } from './server.js';
+import { parseSvg } from './svg.js';
 import { counted, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
@@ -33,20 +33,6 @@ function decodeXml(bytes) {
   } catch {
     return new TextDecoder().decode(bytes);
   }
-}
-
-/**
- * @param {string} text
- * @returns {Element} the root
- */
-export function parseSvg(text) {
-  const tree = new DOMParser().parseFromString(text, SVG);
-  const problem = tree.getElementsByTagName('parsererror')[0];
-  if (problem) {
-    const line = /line \d+[^:]*/.exec(problem.textContent ?? '')?.[0] ?? '';
-    throw new Refusal(`${word('shell.not-xml')} ${line}`.trim());
-  }
-  return tree.documentElement;
 }
 
 export class Files {

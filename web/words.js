@@ -13,6 +13,9 @@ let fetched = {};
 /** First shortcut of each command. @type {Record<string, string>} */
 let shortcuts = {};
 
+/** Something that cannot be done; its words are for the user. */
+export class Refusal extends Error {}
+
 /** The text of a key. @param {string} key @param {string | number} [value] of what stands for "%" */
 export function word(key, value) {
   const text = strings[key] ?? '';

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { launch, open, place, settle, state } from './page.mjs';
+import { expectFaults, launch, MALFORMED, open, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -84,6 +84,7 @@ test('the picker opens a file; Save without a server downloads', async () => {
 });
 
 test('bad files are refused with a reason, and change nothing', async () => {
+  expectFaults(...MALFORMED);
   const { page, context } = await open(browser, server.address);
   await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
   const { digest } = await state(page);
@@ -142,9 +143,14 @@ test('what an SVG file holds beyond outlines is told when it is opened', async (
 test('markup, entities and scripts in a file stay inert', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'x.svg', `<svg xmlns="http://www.w3.org/2000/svg" onload="globalThis.bad = 1"><script>bad = 1</script>
-    <path id="&lt;b&gt;" d="M10 10C20 0 30 20 40 10"/></svg>`);
+    <style>path { fill: red }</style><metadata><p xmlns="http://www.w3.org/1999/xhtml" style="color: red">x</p></metadata>
+    <path id="&lt;b&gt;http://www.w3.org/2000/svg" d="M10 10C20 0 30 20 40 10" style="stroke: #123456" onclick="bad = 2"/></svg>`);
   assert.equal(await page.evaluate(() => globalThis.bad), undefined);
   assert.equal(await count(page), 1);
+  // The style is read all the same, and what looks like a namespace stays what it is.
+  const saved = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false)));
+  assert.match(saved, /stroke="#123456"/);
+  assert.match(saved, /&lt;b>?(&gt;)?http:\/\/www\.w3\.org\/2000\/svg/);
   await context.close();
 });
 
