@@ -1,6 +1,7 @@
 # Splits a linked module in two: what stands in the source files that LATER lists goes to <name>-later.wasm, which the
 # shell fetches when somebody is there. Functions are told by the linker's MAP; of those whose name several files use
-# none is moved, nor are those with a ! before their name. Both parts are then made small. FLAGS: of the tools of binaryen.
+# none is moved, nor are those with a ! before their name. Both parts are then made small. What they import from each
+# other is named by the digest of the whole: parts of two builds do not fit together. FLAGS: of the tools of binaryen.
 # cmake -DMODULE=x.wasm -DMAP=x.map -DLATER=later.txt -DOPT=wasm-opt -DSPLIT=wasm-split -DFLAGS=... -P split_module.cmake
 cmake_minimum_required(VERSION 3.23)
 string(REPLACE " " ";" flags "${FLAGS}")
@@ -33,7 +34,10 @@ function(tool)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_VARIABLE said)
 endfunction()
 tool(${OPT} -Oz --converge --low-memory-unused -g ${flags} ${MODULE} -o ${MODULE}.whole)
-tool(${SPLIT} --split ${MODULE}.whole --placeholdermap --split-funcs=@${MODULE}.later -o1 ${MODULE} -o2 ${later_module} ${flags})
+file(SHA256 ${MODULE}.whole build)
+string(SUBSTRING ${build} 0 12 build)
+tool(${SPLIT} --split ${MODULE}.whole --placeholdermap --import-namespace=${build} --placeholder-namespace=${build}
+  --split-funcs=@${MODULE}.later -o1 ${MODULE} -o2 ${later_module} ${flags})
 foreach(part ${MODULE} ${later_module})
   tool(${OPT} -Oz --strip-producers --strip-debug ${flags} ${part} -o ${part})
 endforeach()

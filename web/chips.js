@@ -1,5 +1,6 @@
 // The chips at the end of a stroke: what else it could mean. A tap reads the stroke that way; they go when the next begins.
 
+import { addressOf } from './build.js';
 import { word } from './words.js';
 
 /**
@@ -20,7 +21,7 @@ export class Chips {
     this.wake = wake;
     const sheet = document.createElement('link');
     sheet.rel = 'stylesheet';
-    sheet.href = 'chips.css';
+    sheet.href = addressOf('chips.css');
     sheet.addEventListener('load', () => this.#place());
     document.head.append(sheet);
     this.box = document.createElement('div');

@@ -7,7 +7,7 @@ import { Refusal, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./files.js').Files} Files */
-/** @typedef {import('./notice.js').Notice} Notice */
+/** @typedef {import('./notice.js').Notices} Notices */
 
 const TEXT = 'text/plain';
 const SVG = 'image/svg+xml';
@@ -37,13 +37,13 @@ export class Clipboard {
   /**
    * @param {Engine} engine
    * @param {Files} files
-   * @param {Notice} notice
+   * @param {Notices} notices
    * @param {() => void} wake
    */
-  constructor(engine, files, notice, wake) {
+  constructor(engine, files, notices, wake) {
     this.engine = engine;
     this.files = files;
-    this.notice = notice;
+    this.notices = notices;
     this.wake = wake;
     addEventListener('copy', (event) => this.#copy(event, false));
     addEventListener('cut', (event) => this.#copy(event, true));
@@ -59,7 +59,7 @@ export class Clipboard {
       try {
         this.#put(await navigator.clipboard.readText());
       } catch {
-        this.notice.say(word('shell.press-paste'));
+        this.notices.say(word('shell.press-paste'));
       }
     }
   }
@@ -111,7 +111,7 @@ export class Clipboard {
       if (!(error instanceof Refusal)) {
         throw error;
       }
-      this.notice.say(error.message);
+      this.notices.say(error.message);
     }
     this.wake();
   }

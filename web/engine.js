@@ -2,6 +2,7 @@
 // call may grow the memory and detach them. When the module traps, its instance is dropped and the journal is
 // replayed into a new one.
 
+import { miss, Missing } from './build.js';
 import { readFrame, readString } from './frame.js';
 import { plain } from './svg.js';
 import { Refusal, word } from './words.js';
@@ -51,7 +52,7 @@ export class Engine {
     this.broken = new Uint8Array(0);
     /** Traps since the last frame that was made. */
     this.traps = 0;
-    /** Gave up: even an empty editor traps. */
+    /** Gave up: even an empty editor traps, or part of the module is missing. It answers no call any more. */
     this.dead = false;
     this.size = [1, 1, 1];
     /** The words of another language, as fetched. @type {Uint8Array | null} */
@@ -155,15 +156,28 @@ export class Engine {
    * @returns {T}
    */
   #guard(work, fallback) {
+    if (this.dead) {
+      return fallback;
+    }
     try {
       return work();
     } catch (error) {
+      if (error instanceof Missing) {
+        this.halt(error);
+        return fallback;
+      }
       if (!(error instanceof WebAssembly.RuntimeError || error instanceof Panic || error instanceof RangeError)) {
         throw error;
       }
       this.#recover(error);
       return fallback;
     }
+  }
+
+  /** Nothing more can be done without what is missing: a call has broken off in the midst. @param {unknown} error */
+  halt(error) {
+    this.dead = true;
+    miss(error);
   }
 
   /** @param {unknown} error */
@@ -186,7 +200,11 @@ export class Engine {
           this.onrecovery(lost === 0, error);
           return;
         }
-      } catch {
+      } catch (again) {
+        if (again instanceof Missing) {
+          this.halt(again);
+          return;
+        }
         // The instance is broken; the next turn makes another.
       }
       part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);

@@ -1,12 +1,13 @@
 // Files: in by drop, picker or server, out to the server or as a download.
 
+import { want } from './build.js';
 import { Changed } from './server.js';
 import { parseSvg } from './svg.js';
 import { counted, word } from './words.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./keep.js').Kept} Kept */
-/** @typedef {import('./notice.js').Notice} Notice */
+/** @typedef {import('./notice.js').Notices} Notices */
 /** @typedef {import('./server.js').Server} Server */
 
 const SVG = 'image/svg+xml';
@@ -39,13 +40,13 @@ export class Files {
   /**
    * @param {Engine} engine
    * @param {Server} server
-   * @param {Notice} notice
+   * @param {Notices} notices
    * @param {() => void} wake
    */
-  constructor(engine, server, notice, wake) {
+  constructor(engine, server, notices, wake) {
     this.engine = engine;
     this.server = server;
-    this.notice = notice;
+    this.notices = notices;
     this.wake = wake;
     this.name = 'drawing.svg';
     /** What was opened, as it came. @type {Uint8Array} */
@@ -141,7 +142,7 @@ export class Files {
 
   /** A picture to trace, behind the drawing. @param {File} file */
   async addPicture(file) {
-    const { bytesOf } = await import('./pictures.js');
+    const { bytesOf } = await want(import('./pictures.js'));
     this.engine.addPicture(await bytesOf(file), file.name);
     this.wake();
   }
@@ -174,7 +175,7 @@ export class Files {
       this.losses = this.engine.losses;
       const lost = totalOf(this.losses);
       if (lost) {
-        this.notice.say(counted('shell.loses', lost));
+        this.notices.say(counted('shell.loses', lost));
       }
       this.name = name;
       this.opened = bytes;
@@ -209,9 +210,10 @@ export class Files {
       await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG);
       this.engine.saved();
       this.losses = this.engine.losses = {};
-      this.notice.say(word('shell.saved', this.name));
+      this.notices.over('kept', 'unkept', 'changed');
+      this.notices.say(word('shell.saved', this.name));
     } catch (error) {
-      this.#complain(error, native);
+      this.#complain(error);
     } finally {
       this.saving = false;
       this.wake();
@@ -224,7 +226,7 @@ export class Files {
     if (!totalOf(losses)) {
       return true;
     }
-    const { ask } = await import('./losses.js');
+    const { ask } = await want(import('./losses.js'));
     const answer = await ask(this.name, losses);
     if (answer === 'copy') {
       this.download(false);
@@ -234,10 +236,10 @@ export class Files {
 
   /**
    * A copy, in the browser's folder for downloads.
-   * @param {boolean} native
+   * @param {boolean} [native]
    * @returns {boolean}
    */
-  download(native) {
+  download(native = isNative(this.name)) {
     try {
       const stem = this.name.replace(/\.(svg|batten)$/i, '');
       this.#deliver(this.engine.save(native), `${stem}.${native ? 'batten' : 'svg'}`, native ? JSON_TYPE : SVG);
@@ -268,13 +270,13 @@ export class Files {
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   }
 
-  /**
-   * @param {unknown} error
-   * @param {boolean} [native] what a copy would be
-   */
-  #complain(error, native = false) {
+  /** @param {unknown} error */
+  #complain(error) {
     const text = error instanceof Error ? error.message : String(error);
-    const copy = { label: word('shell.copy'), run: () => void this.download(native) };
-    this.notice.say(text, error instanceof Changed ? copy : undefined);
+    if (error instanceof Changed) {
+      this.notices.ask('changed', text, [{ label: word('shell.copy'), run: () => void this.download() }]);
+    } else {
+      this.notices.say(text);
+    }
   }
 }

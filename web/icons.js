@@ -1,12 +1,14 @@
 // Icons: symbols of a sprite that stands in the page, so that they take the colour of the words around them.
 
+import { get } from './build.js';
+
 const NAMESPACE = 'http://www.w3.org/2000/svg';
 /** @type {Map<string, Promise<void>>} */
 const sprites = new Map();
 
 /** Puts the icons of a sprite into the page, once. */
 export function loadIcons(sprite = 'sprite') {
-  const fetched = sprites.get(sprite) ?? fetch(`icons/${sprite}.svg`).then(async (response) => {
+  const fetched = sprites.get(sprite) ?? get(`icons/${sprite}.svg`).then(async (response) => {
     const root = new DOMParser().parseFromString(await response.text(), 'image/svg+xml').documentElement;
     root.setAttribute('hidden', '');
     document.body.append(root);

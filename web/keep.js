@@ -3,20 +3,13 @@
 // one counts. A page begins a new one beside the old, which then goes, and adds to it; a journal without its first
 // byte is not whole yet. keeping.js, a worker, does the writing.
 
+import { addressOf } from './build.js';
+import { folderOf, journals } from './journals.js';
+
 /** @typedef {{ name: string, journal: Uint8Array, time: number }} Kept */
+/** @typedef {'no-room' | 'cleared' | 'not-kept'} Fault why nothing is kept; the page has words for each */
 
 const HEAD = 4096; // bytes of a journal in which its name stands
-
-/** Where all folders are. */
-export async function journals() {
-  return (await navigator.storage.getDirectory()).getDirectoryHandle('journals', { create: true });
-}
-
-/** The name of a drawing's folder: any name becomes a file system's. @param {string} name */
-export async function folderOf(name) {
-  const digest = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(name));
-  return Array.from(new Uint8Array(digest, 0, 16), (byte) => byte.toString(16).padStart(2, '0')).join('');
-}
 
 /**
  * The newest whole journal of a folder, up to its last whole line.
@@ -44,7 +37,7 @@ async function newest(folder, size) {
 
 export class Keeper {
   constructor() {
-    /** Told once when nothing can be kept, until it can again. @type {() => void} */
+    /** Told when steps cannot be kept, once for each reason, and when they can again. @type {(fault: Fault | '') => void} */
     this.onfault = () => {};
     /** @type {Worker | null} */
     this.worker = null;
@@ -53,11 +46,19 @@ export class Keeper {
     this.session = -1;
     this.length = 0;
     this.unsaved = false;
-    this.faulty = false;
+    /** Why the last write failed. @type {Fault | ''} */
+    this.fault = '';
     /** Writes that are not done yet, and who waits for that. */
     this.writes = 0;
     /** @type {(() => void)[]} */
     this.waiting = [];
+  }
+
+  /** Has the worker ready: the first step is on the disk although the server has gone meanwhile. */
+  async start() {
+    this.#work();
+    await this.settled();
+    this.fault = ''; // when it does not start, the first step tries again
   }
 
   /**
@@ -76,7 +77,8 @@ export class Keeper {
     }
     const same = session === this.session && name === this.name;
     if (due && !(same && journal.length === this.length)) {
-      this.#write({ name, bytes: journal.slice(same ? this.length : 0), more: same });
+      const more = same && !this.fault; // after a fault the next step tries with all of it
+      this.#write({ name, bytes: journal.slice(more ? this.length : 0), more });
       [this.name, this.session, this.length] = [name, session, journal.length];
     }
     this.unsaved = unsaved;
@@ -133,25 +135,49 @@ export class Keeper {
 
   /** @param {{ name: string, bytes?: Uint8Array, more?: boolean }} job */
   #write(job) {
-    if (!this.worker) {
-      this.worker = new Worker('keeping.js', { type: 'module' });
-      this.worker.onmessage = ({ data }) => this.#answered(data);
-      this.worker.onerror = () => this.#answered('it does not start');
-    }
     this.writes++;
-    this.worker.postMessage(job, job.bytes ? [job.bytes.buffer] : []);
+    this.#work().postMessage(job, job.bytes ? [job.bytes.buffer] : []);
   }
 
-  /** @param {string} fault '' for none */
-  #answered(fault) {
-    if (fault) {
-      this.session = -1; // the next step tries again, with all of it
-      if (!this.faulty) {
-        this.onfault();
-      }
+  /** The worker; another one when there is none. */
+  #work() {
+    if (!this.worker) {
+      this.worker = new Worker(addressOf('keeping.js'), { type: 'module' });
+      this.writes++; // it says when it runs
+      this.worker.onmessage = ({ data }) => (data === 'ready' ? this.#done(1) : this.#answered(data));
+      this.worker.onerror = (event) => {
+        event.preventDefault(); // it is said by the page
+        this.#end();
+        this.#answered('not-kept');
+      };
     }
-    this.faulty = fault !== '';
+    return this.worker;
+  }
+
+  /** Nothing more comes from this worker. */
+  #end() {
+    this.worker?.terminate();
+    this.worker = null;
+    this.writes = 1;
+  }
+
+  /** @param {Fault | ''} fault */
+  #answered(fault) {
+    const before = this.fault;
+    this.fault = fault;
+    if (fault === 'cleared') { // as long as it holds a file that was cleared, Chromium loses what is written anew, too
+      this.#end();
+    }
     this.#done(1);
+    if (fault === before || this.session < 0) {
+      return; // the user knows, or has nothing to lose
+    }
+    if (fault === 'cleared') {
+      this.length = -1; // there is room: at once, with all of it
+    }
+    if (fault || before !== 'cleared') {
+      this.onfault(fault);
+    }
   }
 
   /** @param {number} count */

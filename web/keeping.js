@@ -1,6 +1,6 @@
 // The worker behind keep.js: writes journals. Only workers can write in place and know when it is done.
 
-import { folderOf, journals } from './keep.js';
+import { folderOf, journals } from './journals.js';
 
 const DRAWINGS = 30; // kept at most; the one untouched for longest goes
 
@@ -8,26 +8,47 @@ const DRAWINGS = 30; // kept at most; the one untouched for longest goes
 /** @typedef {{ name: string, bytes?: Uint8Array, more?: boolean }} Job what to do: add `bytes` or, without `more`,
  * begin with them; without bytes drop the drawing; without a name let go of the file */
 
-/** The journal being written. @type {Access | null} */
-let access = null;
+/** The journal being written. @type {{ access: Access, folder: FileSystemDirectoryHandle, number: string } | null} */
+let file = null;
 let size = 0;
 
-/** @param {Uint8Array} bytes @param {number} at */
-function put(bytes, at) {
-  if (!access || access.write(bytes, { at }) < bytes.length) {
-    throw new Error('there is no room');
+/** It is where it was made: what is written to a file that was cleared away seems to go well. */
+async function stands() {
+  try {
+    await file?.folder.getFileHandle(file.number);
+    return true;
+  } catch {
+    return false;
   }
-  access.flush();
 }
 
-function close() {
-  access?.close();
-  access = null;
+/** @param {Uint8Array} bytes @param {number} at */
+async function put(bytes, at) {
+  const written = file?.access.write(bytes, { at });
+  file?.access.flush();
+  if (!(await stands())) {
+    throw new DOMException('it was cleared away', 'NotFoundError');
+  }
+  if (written !== bytes.length) {
+    throw new DOMException('there is no room', 'QuotaExceededError');
+  }
+}
+
+/** Lets go of the file. One that was cleared away Chromium never closes. */
+async function close() {
+  const there = await stands();
+  if (there) {
+    file?.access.close();
+  }
+  file = null;
+  if (!there) {
+    throw new DOMException('it was cleared away', 'NotFoundError');
+  }
 }
 
 /** @param {string} name @param {Uint8Array} bytes */
 async function begin(name, bytes) {
-  close();
+  await close();
   const all = await journals();
   const key = await folderOf(name);
   const folder = await all.getDirectoryHandle(key, { create: true });
@@ -37,16 +58,16 @@ async function begin(name, bytes) {
   }
   const number = String(Math.max(0, ...others.map(Number)) + 1);
   const handle = /** @type {any} */ (await folder.getFileHandle(number, { create: true }));
-  access = /** @type {Access} */ (await handle.createSyncAccessHandle());
+  file = { access: /** @type {Access} */ (await handle.createSyncAccessHandle()), folder, number };
   try {
     const first = bytes.slice(0, 1);
     bytes[0] = 0;
-    put(bytes, 0);
-    put(first, 0);
+    await put(bytes, 0);
+    await put(first, 0);
     size = bytes.length;
   } catch (error) {
-    close();
-    await folder.removeEntry(number);
+    await close().catch(() => {});
+    await folder.removeEntry(number).catch(() => {});
     throw error;
   }
   // What another page still holds cannot be removed, and is left.
@@ -71,15 +92,13 @@ async function prune(all, own) {
 
 /** @param {Job} job */
 async function work({ name, bytes, more }) {
-  if (bytes && more && access) {
-    put(bytes, size);
+  if (bytes && more) {
+    await put(bytes, size);
     size += bytes.length;
-  } else if (bytes && !more) {
-    await begin(name, bytes);
   } else if (bytes) {
-    throw new Error('there is no journal to add to');
+    await begin(name, bytes);
   } else {
-    close();
+    await close();
     if (name) {
       const all = await journals();
       await all.removeEntry(await folderOf(name), { recursive: true }).catch(() => {});
@@ -87,11 +106,29 @@ async function work({ name, bytes, more }) {
   }
 }
 
-/** One job after the other. */
-let last = Promise.resolve();
+/** What the page is told of an error. @type {Record<string, import('./keep.js').Fault>} */
+const FAULTS = { NotFoundError: 'cleared', QuotaExceededError: 'no-room' };
+
+/** Why there is no file to add to. @type {import('./keep.js').Fault} */
+let fault = 'not-kept';
+
+/** @param {Job} job */
+async function answer(job) {
+  if (job.more && !file) {
+    return fault;
+  }
+  try {
+    await work(job);
+    return '';
+  } catch (error) {
+    fault = FAULTS[error instanceof DOMException ? error.name : ''] ?? 'not-kept';
+    await close().catch(() => {});
+    return fault;
+  }
+}
+
+/** One job after the other; the first says that it runs. */
+let last = Promise.resolve(postMessage('ready'));
 onmessage = ({ data }) => {
-  last = last.then(() => work(data)).then(() => postMessage(''), (error) => {
-    close();
-    postMessage(String(error));
-  });
+  last = last.then(() => answer(data)).then((told) => postMessage(told));
 };

@@ -1,11 +1,12 @@
 // The page: ties engine, input, painting, files and panel together, one frame at a time.
 
+import { want, whenMissing } from './build.js';
 import { Ask, Engine } from './engine.js';
 import { Files } from './files.js';
 import { Input } from './input.js';
 import { Keeper } from './keep.js';
 import { Module } from './module.js';
-import { Notice } from './notice.js';
+import { Notices } from './notice.js';
 import { loadIcons } from './icons.js';
 import { Painter, ROLE_GRID } from './paint.js';
 import { Panel } from './panel.js';
@@ -20,6 +21,9 @@ import { Words, word } from './words.js';
 const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
   'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize', 'zoom-in', 'zoom-out'];
 
+/** What notices about a drawing are about: they go with it. */
+const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
+
 const UNTOUCHED = 3000; // milliseconds after which the page readies itself for those who do not see it
 
 /** @param {string} id */
@@ -28,13 +32,12 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (document.getElementById(id));
 
 class Shell {
-  /** @param {Engine} engine @param {Settings} settings @param {Words} words */
-  constructor(engine, settings, words) {
+  /** @param {Engine} engine @param {Settings} settings @param {Words} words @param {Keeper} keeper */
+  constructor(engine, settings, words, keeper) {
     this.stage = part('stage');
-    this.notice = new Notice();
-    this.standing = new Notice('standing');
+    this.notices = new Notices();
     this.server = new Server();
-    this.keeper = new Keeper();
+    this.keeper = keeper;
     this.engine = engine;
     this.settings = settings;
     this.words = words;
@@ -43,7 +46,7 @@ class Shell {
     this.painter = new Painter(canvas('still'), canvas('overlay'), this.theme);
     this.wake = this.wake.bind(this);
     this.panel = new Panel(this.engine, this.wake);
-    this.files = new Files(this.engine, this.server, this.notice, this.wake);
+    this.files = new Files(this.engine, this.server, this.notices, this.wake);
     this.input = new Input(this.stage, this.engine, this.wake);
     /** @type {import('./clipboard.js').Clipboard | null} */
     this.clipboard = null;
@@ -64,7 +67,7 @@ class Shell {
   #connect() {
     this.painter.onidle = this.wake;
     this.painter.onpicture = async (picture) => {
-      const { decode } = await import('./pictures.js');
+      const { decode } = await want(import('./pictures.js'));
       this.painter.pictures.set(picture, await decode(this.engine.picture(picture)));
       this.painter.retheme();
       this.wake();
@@ -87,11 +90,15 @@ class Shell {
         this.keeper.session = -1; // what is kept stays kept, though the drawing shown is not unsaved
       }
       const run = () => this.files.downloadJournal(this.engine.broken);
-      this.notice.say(word(whole ? 'shell.trapped' : 'shell.trapped-part'), { label: word('shell.journal'), run });
+      this.notices.ask('trap', word(whole ? 'shell.trapped' : 'shell.trapped-part'), [{ label: word('shell.journal'), run }]);
       this.wake();
     };
-    this.keeper.onfault = () => this.notice.say(this.text('not-kept'), {
-      label: this.text('save-now'), run: () => void this.files.save() });
+    this.keeper.onfault = (fault) => this.#notKept(fault);
+    whenMissing(() => this.#sayMissing());
+    this.stage.addEventListener('pointerdown', () => {
+      this.notices.pass();
+      this.notices.over('left');
+    });
     this.files.find = (name) => this.admit(name);
     this.files.onopen = (kept) => this.resume(kept);
     this.tabs.onleave = async () => {
@@ -149,7 +156,7 @@ class Shell {
         !this.files.bound && !empty);
     }
     if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
-      this.notice.say(frame.notice);
+      this.notices.say(frame.notice);
     }
     this.noticeVersion = frame.noticeVersion;
     this.mirror?.show(frame);
@@ -193,7 +200,7 @@ class Shell {
   async #kept(/** @type {string} */ name) {
     const kept = await this.keeper.find(name);
     if (kept) {
-      await this.engine.module.complete().catch(() => {});
+      await this.engine.module.complete().catch((error) => this.engine.halt(error)); // else it would be drawn over
     }
     return kept;
   }
@@ -201,9 +208,10 @@ class Shell {
   /** Says when another page has the drawing; it can be had from there. */
   #showOwner() {
     this.engine.setReadOnly(!this.tabs.held);
-    this.standing.hide();
+    this.notices.over('owner');
     if (!this.tabs.held) {
-      this.standing.say(this.text('elsewhere'), { label: this.text('take-over'), run: () => void this.#takeOver() });
+      this.notices.ask('owner', this.text('elsewhere'), [{
+        label: this.text('take-over'), run: () => void this.#takeOver() }], true);
     }
     this.wake();
   }
@@ -223,7 +231,7 @@ class Shell {
         this.files.name = name;
         if (this.engine.replay(kept.journal)) {
           this.wake();
-          this.notice.say(this.text('as-left'), { label: this.text('new'), run: () => void this.openNew() });
+          this.notices.ask('left', this.text('as-left'), [{ label: this.text('new'), run: () => void this.openNew() }]);
           return;
         }
       }
@@ -251,7 +259,7 @@ class Shell {
     const kept = await this.admit(name);
     if (!kept) {
       await this.tabs.claim(this.files.name);
-      this.notice.say(word('shell.kept-not.help', name));
+      this.notices.say(word('shell.kept-not.help', name));
     } else {
       this.#become(name);
       if (!this.engine.replay(kept.journal)) {
@@ -263,6 +271,7 @@ class Shell {
 
   /** What there is goes from the page, not from what is kept. */
   #leave() {
+    this.notices.over(...OF_DRAWING);
     this.keeper.session = -1;
     this.keeper.unsaved = this.files.unsaved = false;
   }
@@ -276,6 +285,7 @@ class Shell {
 
   /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
   resume(kept) {
+    this.notices.over(...OF_DRAWING);
     this.#showOwner();
     if (!kept) {
       return;
@@ -284,7 +294,8 @@ class Shell {
     if (new TextDecoder().decode(kept.journal).includes(`"digest":"${this.engine.digest()}"`)) {
       this.#bringBack(kept);
     } else {
-      this.notice.say(this.text('kept-other'), { label: this.text('bring-back'), run: () => this.#bringBack(kept) });
+      this.notices.ask('other', this.text('kept-other'), [{
+        label: this.text('bring-back'), run: () => this.#bringBack(kept) }]);
     }
   }
 
@@ -292,8 +303,9 @@ class Shell {
   #bringBack(kept) {
     if (this.engine.replay(kept.journal)) {
       this.engine.losses = this.files.losses; // the file as it is, not as it was
-      this.notice.say(this.text('brought-back'), { label: this.text('without'), run: () => void this.files.reopen() });
-    } else {
+      this.notices.ask('kept', this.text('brought-back'), [{
+        label: this.text('without'), run: () => void this.files.reopen() }]);
+    } else if (!this.engine.dead) {
       this.#lost(kept);
     }
     this.wake();
@@ -302,24 +314,24 @@ class Shell {
   /** What was kept leads nowhere. @param {Kept} kept */
   #lost(kept) {
     void this.files.reopen();
-    this.notice.say(this.text('lost'), {
-      label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) });
+    this.notices.ask('other', this.text('lost'), [{
+      label: this.text('journal'), run: () => this.files.downloadJournal(kept.journal) }]);
   }
 
   async #showLosses() {
-    const { show } = await import('./losses.js');
+    const { show } = await want(import('./losses.js'));
     show(this.engine.losses);
   }
 
   async #showKept() {
-    const { KeptSheet } = await import('./kept.js');
+    const { KeptSheet } = await want(import('./kept.js'));
     this.keptSheet ??= new KeptSheet(this);
     await this.keptSheet.show();
   }
 
   /** The sheet of commands, made when it is first wanted. */
   async #commandSheet() {
-    const { CommandSheet } = await import('./commands.js');
+    const { CommandSheet } = await want(import('./commands.js'));
     this.commands ??= new CommandSheet(part('menu'), this.words, this.settings, (command) => {
       this.engine.command(command);
       this.wake();
@@ -333,18 +345,45 @@ class Shell {
     sheet.search.focus();
   }
 
-  /** The list of objects, and the keyboard's ways. @param {{ complete: () => Promise<unknown> }} module */
-  async mirrorDrawing(module) {
-    if (this.mirroring) {
+  /** The list of objects, and the keyboard's ways. */
+  async mirrorDrawing() {
+    if (!this.mirroring) {
+      this.mirroring = true;
+      const [{ Mirror }] = await want(Promise.all([import('./mirror.js'), import('./regions.js'), this.engine.module.complete()]));
+      this.mirror = new Mirror(this.engine, this.stage, this.wake);
+    }
+  }
+
+  /** The browser keeps nothing of what was drawn last, or does so again. @param {import('./keep.js').Fault | ''} fault */
+  #notKept(fault) {
+    this.notices.over('unkept');
+    if (!fault) {
       return;
     }
-    this.mirroring = true;
-    try {
-      const [{ Mirror }] = await Promise.all([import('./mirror.js'), import('./regions.js'), module.complete()]);
-      this.mirror = new Mirror(this.engine, this.stage, this.wake);
-    } catch {
-      this.mirroring = false; // no network now
-    }
+    const copy = { label: this.text('copy'), run: () => void this.files.download() };
+    const save = { label: this.text('save-now'), run: () => void this.files.save() };
+    this.notices.ask('unkept', this.text(fault), this.files.bound ? [save, copy] : [copy]);
+    this.wake();
+  }
+
+  /** The page may go; what is not saved is kept, or the browser asks. */
+  async pack() {
+    await this.keeper.settled();
+    this.files.leaving = !this.keeper.fault;
+  }
+
+  /** The page is not whole. */
+  #sayMissing() {
+    this.notices.ask('missing', word('shell.missing'), [{ label: word('shell.reload'), run: async () => {
+      const answer = await fetch(location.href, { cache: 'no-store' }).catch(() => null);
+      if (answer?.ok) {
+        await this.pack();
+        location.reload();
+      } else { // this page is better than none
+        this.#sayMissing();
+        this.notices.say(word('shell.no-answer'));
+      }
+    } }], true);
   }
 
   /** What the engine asks of its host. @param {number} requests */
@@ -371,7 +410,7 @@ class Shell {
       void this.#showShortcuts();
     }
     if (requests & (Ask.REGION | Ask.REGION_BACK)) {
-      void import('./regions.js').then(({ walk }) => walk(requests & Ask.REGION ? 1 : -1));
+      void want(import('./regions.js')).then(({ walk }) => walk(requests & Ask.REGION ? 1 : -1));
     }
     if (requests & Ask.LOSSES) {
       void this.#showLosses();
@@ -385,14 +424,38 @@ class Shell {
   }
 }
 
+/** What the page does once it is there; nobody waits for it. @param {Shell} shell */
+async function settleIn(shell) {
+  // Safari has no time of idleness.
+  (globalThis.requestIdleCallback ?? setTimeout)(() => void want(shell.engine.module.complete()));
+  const { Clipboard } = await want(import('./clipboard.js'));
+  shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
+  // What explains, and what is seldom called, is fetched when somebody is there.
+  const seen = new AbortController();
+  for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
+    addEventListener(event, () => {
+      seen.abort();
+      void (shell.engine.words ?? shell.words.load());
+      void shell.mirrorDrawing();
+    }, { signal: seen.signal });
+  }
+  // A screen reader may read without touching anything.
+  setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
+  if (!shell.server.passing) {
+    const { settle } = await want(import('./offline.js'));
+    await settle(shell.notices, () => shell.pack());
+  }
+}
+
 async function start() {
   try {
-    const [module] = await Promise.all([Module.load('batten.wasm', 'batten-later.wasm'), loadIcons()]);
+    const keeper = new Keeper();
+    const [module] = await Promise.all([Module.load(), loadIcons(), keeper.start()]);
     const engine = new Engine(module);
     const settings = new Settings(engine);
     const words = new Words(engine);
     await words.follow();
-    const shell = new Shell(engine, settings, words);
+    const shell = new Shell(engine, settings, words, keeper);
     if (shell.server.there) {
       await shell.files.openServed();
       shell.resume(await shell.admit(shell.files.name));
@@ -402,27 +465,7 @@ async function start() {
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';
-    if (!shell.server.passing) {
-      const { settle } = await import('./offline.js');
-      await settle(async () => {
-        await shell.keeper.settled();
-        shell.files.leaving = true;
-      });
-    }
-    const { Clipboard } = await import('./clipboard.js');
-    shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notice, shell.wake);
-    // What explains, and what is seldom called, is fetched when somebody is there.
-    const seen = new AbortController();
-    for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
-      addEventListener(event, () => {
-        seen.abort();
-        module.complete().catch(() => {}); // it is asked for again when it is called
-        void (engine.words ?? words.load());
-        void shell.mirrorDrawing(module);
-      }, { signal: seen.signal });
-    }
-    // A screen reader may read without touching anything.
-    setTimeout(() => void shell.mirrorDrawing(module), UNTOUCHED);
+    void settleIn(shell);
   } catch (error) {
     console.error(error);
     part('failed').hidden = false;

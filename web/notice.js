@@ -1,39 +1,74 @@
-// Notices: one line about something that just happened, told to screen readers too.
+// Notices: what has just happened, told to screen readers, too. One that passes goes by itself, and at the latest when the
+// next stroke begins. One that asks for something stays until it is answered, closed or over; they stand one above the
+// other, so that none hides another.
+
+import { word } from './words.js';
+
+/** @typedef {{ label: string, run: () => void }} Answer */
 
 const SHORT = 5000; // milliseconds that a notice stays when it asks for nothing
 
-export class Notice {
-  /** @param {string} id of its box */
-  constructor(id = 'notice') {
-    this.box = /** @type {HTMLElement} */ (document.getElementById(id));
-    this.text = /** @type {HTMLElement} */ (document.getElementById(`${id}-text`));
-    this.button = /** @type {HTMLButtonElement} */ (document.getElementById(`${id}-action`));
+export class Notices {
+  constructor() {
+    this.box = /** @type {HTMLElement} */ (document.getElementById('notice'));
+    this.text = /** @type {HTMLElement} */ (document.getElementById('notice-text'));
+    this.asked = /** @type {HTMLElement} */ (document.getElementById('asked'));
     this.timer = 0;
-    this.button.addEventListener('click', () => {
-      this.hide();
-      this.action();
-    });
-    this.action = () => {};
+  }
+
+  /** Something passing. @param {string} text */
+  say(text) {
+    clearTimeout(this.timer);
+    this.text.textContent = text;
+    this.box.hidden = false;
+    this.timer = setTimeout(() => this.pass(), SHORT);
+  }
+
+  /** What passes is over. */
+  pass() {
+    this.box.hidden = true;
+    this.text.textContent = '';
   }
 
   /**
+   * @param {string} about another one about the same takes its place
    * @param {string} text
-   * @param {{ label: string, run: () => void }} [action] what can be done about it; the notice then stays
+   * @param {Answer[]} answers each ends it
+   * @param {boolean} [fixed] it cannot be closed: it says what is so
    */
-  say(text, action) {
-    clearTimeout(this.timer);
-    this.text.textContent = text;
-    this.button.hidden = !action;
-    this.button.textContent = action?.label ?? '';
-    this.action = action?.run ?? (() => {});
-    this.box.hidden = false;
-    if (!action) {
-      this.timer = setTimeout(() => this.hide(), SHORT);
+  ask(about, text, answers, fixed = false) {
+    this.over(about);
+    const box = document.createElement('div');
+    box.className = 'notice';
+    box.dataset.about = about;
+    const said = document.createElement('span');
+    said.textContent = text;
+    const close = { label: '×', run: () => {} };
+    const buttons = [...answers, ...(fixed ? [] : [close])].map(({ label, run }) => {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = label;
+      button.addEventListener('click', () => {
+        this.over(about);
+        run();
+      });
+      return button;
+    });
+    if (!fixed) {
+      buttons[answers.length].ariaLabel = word('step.close');
     }
+    box.append(said, ...buttons);
+    this.asked.append(box);
   }
 
-  hide() {
-    this.box.hidden = true;
-    this.text.textContent = '';
+  /** There is nothing to ask any more. @param {...string} abouts */
+  over(...abouts) {
+    for (const about of abouts) {
+      const box = this.asked.querySelector(`[data-about="${about}"]`);
+      if (box?.contains(document.activeElement)) {
+        document.getElementById('stage')?.focus();
+      }
+      box?.remove();
+    }
   }
 }

@@ -1,10 +1,12 @@
 // Offline: the page can be installed and opens without a server; a newer build is offered, never slipped in.
 
-import { Notice } from './notice.js';
 import { word } from './words.js';
 
-/** @param {() => Promise<void>} leave all that is not saved is on the disk, and the page may go */
-export async function settle(leave) {
+/**
+ * @param {import('./notice.js').Notices} notices
+ * @param {() => Promise<void>} pack the page may go then
+ */
+export async function settle(notices, pack) {
   const link = document.createElement('link');
   link.rel = 'manifest';
   link.href = 'manifest.webmanifest';
@@ -13,19 +15,18 @@ export async function settle(leave) {
   if (!workers) {
     return;
   }
-  const notice = new Notice('update');
   let controlled = workers.controller !== null;
 
   /** @param {ServiceWorker | null} waiting */
-  const offer = (waiting) => notice.say(word('shell.update'), { label: word('shell.update-now'), run: async () => {
-    await leave();
+  const offer = (waiting) => notices.ask('update', word('shell.update'), [{ label: word('shell.update-now'), run: async () => {
+    await pack();
     if (waiting?.state === 'installed') {
       workers.addEventListener('controllerchange', () => location.reload());
       waiting.postMessage('use');
     } else {
       location.reload();
     }
-  } });
+  } }]);
 
   workers.addEventListener('controllerchange', () => {
     if (controlled) {
@@ -33,7 +34,10 @@ export async function settle(leave) {
     }
     controlled = true;
   });
-  const registration = await workers.register('sw.js', { updateViaCache: 'none' });
+  const registration = await workers.register('sw.js', { updateViaCache: 'none' }).catch(() => null);
+  if (!registration) {
+    return; // the browser does not let it stay
+  }
   const watch = () => {
     const next = registration.installing;
     next?.addEventListener('statechange', () => {

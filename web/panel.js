@@ -1,6 +1,7 @@
 // The toolbar, the sheets and the readouts, made from the engine's tables. There is no list of commands here: a tool
 // always has its button, a command has one when the sprite holds a symbol of its name, and the menu shows them all.
 
+import { want } from './build.js';
 import { icon } from './icons.js';
 import { LayersSheet } from './layers.js';
 import { ROLE_RULER } from './paint.js';
@@ -164,14 +165,14 @@ export class Panel {
   }
 
   async #fillNumbers() {
-    const { NumbersSheet } = await import('./numbers.js');
+    const { NumbersSheet } = await want(import('./numbers.js'));
     const sheet = part('numbers');
     sheet.append(this.#heading('numbers'));
     this.numbers = new NumbersSheet(this.engine, this.wake, sheet, this.tables.numbers);
   }
 
   async #drawPressure() {
-    const { PressureCurve } = await import('./pressure.js');
+    const { PressureCurve } = await want(import('./pressure.js'));
     const curve = new PressureCurve(this.engine, /** @type {Element} */ (part('setting-pressure-curve').parentElement));
     this.controls.push(() => curve.show());
     curve.show();
@@ -187,13 +188,13 @@ export class Panel {
 
   /** The strip comes with the first curve whose levels are looked at. */
   async #showLevels() {
-    this.strip ??= import('./levels.js').then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
+    this.strip ??= want(import('./levels.js')).then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
     (await this.strip).show(this.levels > 0);
   }
 
   /** The chips come with the first stroke that could have meant something else. @param {boolean} some */
   async #showReadings(some) {
-    this.chips ??= import('./chips.js').then(({ Chips }) => new Chips(this.engine, part('stage'), this.wake));
+    this.chips ??= want(import('./chips.js')).then(({ Chips }) => new Chips(this.engine, part('stage'), this.wake));
     (await this.chips).show(some);
   }
 
@@ -439,8 +440,8 @@ export class Panel {
     }
     if (frame.selected > 0 && !this.actions) {
       this.actions = { show: () => {} };
-      void import('./arrange.js').then(async ({ Actions }) => {
-        this.actions = await Actions.make(this);
+      void want(import('./arrange.js').then(({ Actions }) => Actions.make(this))).then((actions) => {
+        this.actions = actions;
         this.wake();
       });
     }

@@ -1,7 +1,7 @@
 // The service worker: keeps precisely the files of one build, so that Batten opens without a network or a server. A
-// newer build waits until the user says so. Filled in when the program is built: its version, its files.
+// newer build waits until the user says so. Filled in when the program is built: the folder of the build, its files.
 
-const CACHE = 'batten %VERSION%';
+const CACHE = 'batten %BUILD%';
 const FILES = '%FILES%'.split(' ');
 
 const worker = /** @type {any} */ (self);

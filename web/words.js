@@ -1,6 +1,8 @@
 // The words of the page. An element names its words by the keys of the engine's table, so that another language, or
 // another shortcut, is one walk over the page.
 
+import { get, miss } from './build.js';
+
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./types.js').Tables} Tables */
 
@@ -121,14 +123,13 @@ export class Words {
   async load() {
     const { language } = this;
     try {
-      const response = await fetch(`words.${language}.json`);
-      const bytes = new Uint8Array(await response.arrayBuffer());
-      if (response.ok && language === this.language) {
+      const bytes = new Uint8Array(await (await get(`words.${language}.json`)).arrayBuffer());
+      if (language === this.language) {
         fetched = JSON.parse(new TextDecoder().decode(bytes));
         this.engine.speak(bytes);
       }
     } catch (error) {
-      console.warn(error); // English then
+      miss(error); // English then
     }
     this.retell();
   }

@@ -521,4 +521,4 @@ void serve_stop(http_server *server) {
 }
 
 bool serve_has_shell(void) { return find_file("/") != NULL; }
-bool serve_has_module(void) { return find_file("/batten.wasm") != NULL; }
+bool serve_has_module(void) { return web_module != NULL; }

@@ -6,14 +6,14 @@
 #include <stddef.h>
 
 typedef struct web_file {
-    const char *path; /* as in the address: "/", "/main.js", "/batten.wasm" */
+    const char *path; /* as in the address: "/", "/sw.js", "/0123456789abcdef/main.js", the digest that of all files */
     const char *type; /* media type */
     const unsigned char *data;
     size_t size;
 } web_file;
 
-/* Without a WASM compiler at build time "/batten.wasm" is not among them. */
 extern const web_file web_files[];
 extern const size_t web_file_count;
+extern const char *const web_module; /* the path of batten.wasm; NULL without a WASM compiler at build time */
 
 #endif

@@ -35,7 +35,9 @@ class Editor:
             raise AssertionError(self.process.communicate()[1].decode())
         self.port = urllib.parse.urlsplit(self.address).port
         self.host = f"127.0.0.1:{self.port}"
-        self.token = re.search(rb'name="batten-token" content="([^"]*)"', self.get("/")[2])[1].decode()
+        page = self.get("/")[2]
+        self.token = re.search(rb'name="batten-token" content="([^"]*)"', page)[1].decode()
+        self.build = re.search(rb'<script type="module" src="([^"/]*)/main.js">', page)[1].decode()
 
     def request(self, method, path, headers=None, body=None, token=True):
         """Status, headers, body."""

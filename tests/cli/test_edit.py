@@ -40,8 +40,9 @@ class Serving(EditTest):
         editor = self.start(content=drawing())
         self.assertRegex(editor.address, r"^http://127\.0\.0\.1:\d+/$")
         self.assertRegex(editor.token, r"^[0-9a-f]{32}$")
-        for path, kind in (("/", "text/html; charset=utf-8"), ("/main.js", "text/javascript; charset=utf-8"),
-                           ("/style.css", "text/css; charset=utf-8"), ("/batten.wasm", "application/wasm"),
+        build = f"/{editor.build}"
+        for path, kind in (("/", "text/html; charset=utf-8"), (f"{build}/main.js", "text/javascript; charset=utf-8"),
+                           (f"{build}/style.css", "text/css; charset=utf-8"), (f"{build}/batten.wasm", "application/wasm"),
                            ("/document", "application/json")):
             status, headers, body = editor.get(path)
             self.assertEqual((status, headers["Content-Type"]), (200, kind), path)
@@ -54,8 +55,22 @@ class Serving(EditTest):
             self.assertEqual(headers["Cross-Origin-Opener-Policy"], "same-origin")
             self.assertEqual(headers["Cross-Origin-Resource-Policy"], "same-origin")
             self.assertIsNone(headers["Access-Control-Allow-Origin"])
-        self.assertEqual(editor.get("/batten.wasm")[2][:4], b"\0asm")
+        self.assertEqual(editor.get(f"{build}/batten.wasm")[2][:4], b"\0asm")
         self.assertEqual(editor.request("HEAD", "/")[::2], (200, b""))
+
+    def test_files_of_one_build(self):
+        editor = self.start(content=drawing())
+        self.assertRegex(editor.build, r"^[0-9a-f]{16}$")
+        for name in ("main.js", "keeping.js", "icons/sprite.svg", "batten.wasm", "batten-later.wasm", "words.ko.json"):
+            self.assertEqual(editor.get(f"/{editor.build}/{name}")[0], 200, name)
+            for folder in ("", "/0123456789abcdef", f"/{editor.build}0"):
+                self.assertEqual(editor.get(f"{folder}/{name}")[0], 404, "a page of another build gets none of these")
+        # All that the page and its manifest name is there.
+        for path in ("/", "/manifest.webmanifest"):
+            named = re.findall(rb'(?:href|src)"?[=:] ?"([^".][^"]*)"', editor.get(path)[2])
+            self.assertGreater(len(named), 3)
+            for name in named:
+                self.assertEqual(editor.get("/" + name.decode())[0], 200, name)
 
     def test_document_with_name_and_tag(self):
         editor = self.start("Ä b%.batten", drawing())
@@ -196,8 +211,9 @@ class Refusals(EditTest):
         self.assertNotIn("sw.js", names)
         for name in names:
             self.assertEqual(self.editor.get(f"/{name}")[0], 200, name)
-        for path, kind in (("/manifest.webmanifest", "application/manifest+json"), ("/icons/app-192.png", "image/png"),
-                           ("/icons/app.svg", "image/svg+xml"), ("/sw.js", "text/javascript; charset=utf-8")):
+        icons = f"/{self.editor.build}/icons"
+        for path, kind in (("/manifest.webmanifest", "application/manifest+json"), (f"{icons}/app-192.png", "image/png"),
+                           (f"{icons}/app.svg", "image/svg+xml"), ("/sw.js", "text/javascript; charset=utf-8")):
             self.assertEqual(self.editor.get(path)[1]["Content-Type"], kind)
         for part in ("manifest-src 'self'", "worker-src 'self'"):
             self.assertIn(part, self.editor.get("/")[1]["Content-Security-Policy"])
@@ -215,8 +231,8 @@ class Refusals(EditTest):
 
     def test_paths(self):
         for path in ("/nothing", "/document/", "/document.batten", "//", "/index.html/", "/../etc/passwd",
-                     "/..%2f..%2fetc%2fpasswd", "/%2e%2e/%2e%2e/etc/passwd", "/icons/../main.js", "/d.batten",
-                     "/main.js%00.png", "/module/print.c", "http://evil.example/", "*"):
+                     "/..%2f..%2fetc%2fpasswd", "/%2e%2e/%2e%2e/etc/passwd", f"/{self.editor.build}/icons/../main.js", "/d.batten",
+                     f"/{self.editor.build}/main.js%00.png", "/module/print.c", "http://evil.example/", "*"):
             with self.subTest(path=path):
                 self.assertIn(self.editor.raw(f"GET {path} HTTP/1.1\nHost: {self.editor.host}\n\n"), (400, 404))
 

@@ -5,15 +5,22 @@ import fs from 'node:fs';
 const bytes = fs.readFileSync(process.argv[2]);
 const module = await WebAssembly.compile(bytes);
 const panic = () => { throw new Error('panic'); };
-const placeholder = {}; // for functions of the other part: web/module.js
+const placeholders = {}; // for functions of the other part: web/module.js
+const builds = new Set(); // what they are imported from: the name of the build
 for (const need of WebAssembly.Module.imports(module))
-  if (need.module === 'placeholder') placeholder[need.name] = panic;
-  else assert.deepEqual(need, { module: 'host', name: 'panic', kind: 'function' });
-const { exports } = await WebAssembly.instantiate(module, { host: { panic }, placeholder });
+  if (need.module === 'host') assert.deepEqual(need, { module: 'host', name: 'panic', kind: 'function' });
+  else {
+    placeholders[need.name] = panic;
+    builds.add(need.module);
+  }
+const [build] = builds;
+assert.equal(builds.size, 1);
+assert.match(build, /^[0-9a-f]{12}$/);
+const { exports } = await WebAssembly.instantiate(module, { host: { panic }, [build]: placeholders });
 
 const second = await WebAssembly.compile(fs.readFileSync(process.argv[2].replace('.wasm', '-later.wasm')));
-assert.ok(WebAssembly.Module.imports(second).every((need) => need.module === 'primary' && need.name in exports));
-await WebAssembly.instantiate(second, { primary: exports });
+assert.ok(WebAssembly.Module.imports(second).every((need) => need.module === build && need.name in exports));
+await WebAssembly.instantiate(second, { [build]: exports });
 exports._initialize();
 
 const memory = new Uint8Array(exports.memory.buffer, exports.module_version());

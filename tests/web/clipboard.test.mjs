@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { expectFaults, MALFORMED, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, launch, MALFORMED, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;

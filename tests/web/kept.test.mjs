@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, Hand, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, expectFaults, Hand, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 const ROOF = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
@@ -149,24 +149,126 @@ test('two hundred steps and more can be undone after the page was killed', async
   await context.close();
 });
 
-test('a browser without room says so once, and keeps again when there is room', async (t) => {
+test('a browser without room says so and offers a copy, and keeps again when there is room', async (t) => {
   const server = await car();
   t.after(() => server.close());
   const { page, client, hand, context } = await open(browser, server.address);
   const { origin } = new URL(server.address);
   await client.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 10 });
   await hand.stroke(await on(page, SKY));
-  await page.waitForFunction(() => /no room to keep/.test(document.getElementById('notice-text').textContent));
-  assert.equal(await page.textContent('#notice-action'), 'Save now');
+  await page.waitForSelector('[data-about=unkept] >> text=no room to keep');
+  assert.deepEqual(await page.locator('[data-about=unkept] button').allTextContents(), ['Save now', 'Download a copy', '×']);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'no-room.png') });
   assert.equal(await kept(page), 0);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=unkept] >> text=Download a copy')]);
+  assert.equal(download.suggestedFilename(), 'car.svg');
+  await hand.stroke(await on(page, SKY.map(([x, y]) => [x, y + 300])));
+  await page.evaluate(() => batten.keeper.settled());
+  assert.equal(await page.isVisible('[data-about=unkept]'), false, 'once is enough');
   await client.send('Storage.overrideQuotaForOrigin', { origin });
   await hand.stroke(await on(page, ROOF));
   assert.equal(await kept(page), await page.evaluate(() => batten.engine.journal.length), 'all of it');
-  await page.click('#notice-action');
+  await client.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 10 });
+  await hand.stroke(await on(page, SKY.map(([x, y]) => [x + 400, y])));
+  await page.click('[data-about=unkept] >> text=Save now');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
   assert.equal(server.saves, 1);
   await context.close();
+});
+
+for (const [lasting, name] of [[false, 'a private window'], [true, 'a profile']]) {
+  test(`storage cleared in mid-session, in ${name}: said at the next step, offered as a download, kept anew`, async (t) => {
+    const server = await car();
+    const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-profile-'));
+    const context = lasting ? await launchAt(profile) : await browser.newContext({ viewport: { width: 1280, height: 800 } });
+    t.after(() => {
+      server.close();
+      fs.rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    });
+    const { page, client, hand } = await again(context, server.address);
+    await hand.stroke(await on(page, SKY));
+    assert.ok(await kept(page) > 0);
+    const { origin } = new URL(server.address);
+    for (const shift of [300, 250]) { // a second time, too
+      await client.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
+      assert.equal(await kept(page), 0);
+      await hand.stroke(await on(page, SKY.map(([x, y]) => [x, y + shift])));
+      await page.waitForSelector('[data-about=unkept] >> text=cleared the unsaved work');
+      await page.waitForFunction(async () => {
+        await batten.keeper.settled();
+        return (await batten.keeper.find('car.svg'))?.journal.length === batten.engine.journal.length;
+      });
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=unkept] >> text=Download')]);
+      assert.equal(download.suggestedFilename(), 'car.svg');
+    }
+    // It goes on: what is drawn now is kept, and comes back.
+    await hand.stroke(await on(page, ROOF));
+    const before = await state(page);
+    await page.evaluate(() => batten.keeper.settled());
+    await crash(page, client);
+    await page.close();
+    const next = await again(context, server.address);
+    assert.equal((await state(next.page)).digest, before.digest);
+    // Cleared while nothing is written, then saved: nothing hangs.
+    await next.client.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
+    await next.page.keyboard.press('Control+S');
+    await next.page.waitForFunction(() => document.getElementById('unsaved').hidden);
+    await next.page.evaluate(() => batten.keeper.settled());
+    await context.close();
+  });
+}
+
+test('the first stroke is kept although the server went as soon as the page was there', async (t) => {
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close());
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/); // what comes after the first load
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  await page.addInitScript(() => new MutationObserver(() => { globalThis.there = true; })
+    .observe(document, { subtree: true, attributeFilter: ['data-ready'] }));
+  await page.goto(program.address);
+  await page.waitForFunction(() => globalThis.there);
+  await program.kill();
+  const client = await context.newCDPSession(page);
+  await new Hand(page, client).stroke(await on(page, SKY));
+  const before = await state(page);
+  assert.equal(await kept(page), await page.evaluate(() => batten.engine.journal.length));
+  await crash(page, client);
+  await page.close();
+  await program.start();
+  const next = await again(context, program.address);
+  const now = await state(next.page);
+  assert.equal(now.digest, before.digest);
+  assert.match(now.notice, /brought back/);
+});
+
+test('no other notice hides that work was brought back', async (t) => {
+  const server = await car();
+  t.after(() => server.close());
+  const { page, client, hand, context } = await open(browser, server.address);
+  await hand.stroke(await on(page, SKY));
+  const { digest } = await state(page);
+  await kept(page);
+  await crash(page, client);
+  await page.close();
+  const next = await again(context, server.address);
+  await next.page.keyboard.press('Control+Z');
+  await next.page.keyboard.press('Control+Z'); // says that there is nothing to undo
+  await next.page.waitForSelector('#notice:visible');
+  await next.page.keyboard.press('Control+Shift+Z');
+  server.bytes = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>');
+  expectFaults(/status of 412/);
+  await next.page.keyboard.press('Control+S');
+  await next.page.waitForSelector('[data-about=changed]');
+  await next.hand.stroke(await on(next.page, ROOF));
+  assert.equal(await next.page.isVisible('#notice'), false, 'what passed has gone with the stroke');
+  assert.equal(await next.page.isVisible('[data-about=changed]'), true);
+  assert.match(await next.page.textContent('[data-about=kept] span'), /Unsaved work on car\.svg was brought back/);
+  await next.page.click('[data-about=kept] [aria-label=Close]');
+  assert.equal(await next.page.locator('[data-about=kept]').count(), 0);
+  await next.page.keyboard.press('Control+Z');
+  await settle(next.page);
+  assert.equal((await state(next.page)).digest, digest);
 });
 
 test('unsaved work is announced on leaving, saved work is not', async (t) => {
@@ -201,8 +303,9 @@ test('a journal that broke off in the middle of a line, or was never finished, i
   await kept(page);
   await crash(page, client);
   await page.close();
+  expectFaults(/favicon/);
   const other = await context.newPage();
-  await other.goto(new URL('icons/batten.svg', server.address).href);
+  await other.goto(new URL('1/icons/batten.svg', server.address).href);
   await other.evaluate(async () => {
     const all = await (await navigator.storage.getDirectory()).getDirectoryHandle('journals');
     for await (const folder of all.values()) {
@@ -256,7 +359,8 @@ test('a long journal is made short aside; what it leads to and its undo stay', a
     }
     return engine.digest();
   });
-  const { digest } = await state((await open(browser, server.address)).page);
+  const fresh = await open(browser, server.address);
+  const { digest } = await state(fresh.page);
   assert.equal(first, digest);
   await context.close();
 });

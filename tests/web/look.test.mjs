@@ -69,8 +69,11 @@ test('the empty page, and a notice with something to do', async () => {
   const empty = await serve();
   const { page, context } = await open(browser, empty.address);
   assert.deepEqual(await violations(page), []);
-  await page.evaluate(() => batten.notice.say('The file changed on disk since it was opened. It was not touched.',
-    { label: 'Download a copy', run: () => {} }));
+  await page.evaluate(() => {
+    batten.notices.ask('changed', 'The file changed on disk since it was opened. It was not touched.',
+      [{ label: 'Download a copy', run: () => {} }]);
+    batten.notices.say('Nothing to undo');
+  });
   await page.evaluate(() => {
     document.getElementById('pending').hidden = false;
     document.getElementById('pending-text').textContent = 'The tolerance could not be met.';
@@ -152,10 +155,19 @@ for (const width of [390, 620, 820]) {
       assert.ok(y >= bar.y + bar.height && y + height <= 844 && x >= 0 && x + wide <= width, sheet);
       await page.keyboard.press('Escape');
     }
-    await page.evaluate(() => batten.notice.say('The file changed on disk since it was opened. It was not touched.',
-      { label: 'Download a copy', run: () => {} }));
-    const [first, notice, foot] = [await box('#first'), await box('#notice'), await box('.foot')];
-    assert.ok(first.y + first.height <= notice.y && notice.y + notice.height <= foot.y);
+    await page.evaluate(() => {
+      const run = () => {};
+      batten.notices.ask('kept', 'Unsaved work on car.svg was brought back.', [{ label: 'Open it as saved', run }]);
+      batten.notices.ask('changed', 'The file changed on disk since it was opened. It was not touched.',
+        [{ label: 'Look at both', run }, { label: 'Overwrite it', run }, { label: 'Save beside it', run }]);
+      batten.notices.say('Undo: Sketch a curve');
+    });
+    const boxes = [await box('#first'), await box('[data-about=kept]'), await box('[data-about=changed]'), await box('#notice'),
+      await box('.foot')];
+    for (let i = 1; i < boxes.length; i++) {
+      assert.ok(boxes[i - 1].y + boxes[i - 1].height <= boxes[i].y, 'nothing hides another');
+      assert.ok(boxes[i].x >= 0 && boxes[i].x + boxes[i].width <= width);
+    }
     const [hint, readouts] = [await box('#hint'), await box('#readouts')];
     assert.ok(hint.y + hint.height <= readouts.y);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);

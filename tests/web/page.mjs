@@ -20,6 +20,8 @@ const BROWSER = {
 let faults = [];
 /** Those that the test declared. @type {RegExp[]} */
 let expected = [];
+/** What a test has opened, closed after it: a page that lives on could err in the next test. @type {import('playwright-core').BrowserContext[]} */
+let contexts = [];
 
 /** This test is about an error: it may be seen. @param {...RegExp} patterns */
 export function expectFaults(...patterns) {
@@ -32,13 +34,16 @@ export const MALFORMED = [/^Applying inline style .*svg\.js$/, /^refused by styl
 beforeEach(() => {
   faults = [];
   expected = [];
+  contexts = [];
 });
-afterEach(() => {
+afterEach(async () => {
+  await Promise.all(contexts.map((context) => context.close()));
   assert.deepEqual(faults.filter((fault) => !expected.some((pattern) => pattern.test(fault))), [], 'errors on the console');
 });
 
 /** @param {import('playwright-core').BrowserContext} context */
 async function watch(context) {
+  contexts.push(context);
   context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
   context.on('console', (message) => {
     if (message.type() === 'error') {
@@ -65,12 +70,12 @@ export async function launchAt(profile) {
 
 /**
  * A page with the editor, ready.
- * @param {import('playwright-core').Browser} browser
+ * @param {import('playwright-core').Browser | import('playwright-core').BrowserContext} browser
  * @param {string} address
  * @param {import('playwright-core').BrowserContextOptions} [options]
  */
 export async function open(browser, address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext?.({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options }) ?? browser;
   const page = await context.newPage();
   await page.goto(address);
   await ready(page);
@@ -94,7 +99,7 @@ export function state(page) {
     digest: batten.engine.digest(),
     check: batten.engine.check(),
     hint: document.getElementById('hint').textContent,
-    notice: document.getElementById('notice-text').textContent,
+    notice: [...document.querySelectorAll('#notice-text, #asked span')].map((said) => said.textContent).filter(Boolean).join('\n'),
     unsaved: !document.getElementById('unsaved').hidden,
     zoom: batten.painter.painted.zoom,
     angle: batten.painter.painted.angle,

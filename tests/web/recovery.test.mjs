@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, settle, state } from './page.mjs';
+import { bezier, expectFaults, launch, open, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -28,6 +28,7 @@ const breaks = {
 
 for (const [name, spoil] of Object.entries(breaks)) {
   test(name, async () => {
+    expectFaults(/asked to break|RuntimeError/);
     const { page, hand, context } = await open(browser, server.address);
     const on = (points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
     await hand.stroke(await on(bezier([440, 137], [490, 103], [560, 92], [690, 114])));
@@ -54,6 +55,7 @@ for (const [name, spoil] of Object.entries(breaks)) {
 
 for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up'], [1e9, 'a module that never works']]) {
   test(`${name}, its journal is not`, async () => {
+    expectFaults(/asked to break|RuntimeError/);
     const { page, hand, context } = await open(browser, server.address);
     await hand.stroke([await place(page, 60, 60), await place(page, 180, 40), await place(page, 300, 60)]);
     const steps = await page.evaluate(() => batten.engine.journal.length);
@@ -70,7 +72,7 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
       batten.engine.editor = 0xfffffff0;
     }, bad);
     await hand.hover(await place(page, 100, 100));
-    await page.waitForFunction(() => /Not all steps/.test(document.getElementById('notice-text').textContent));
+    await page.waitForSelector('[data-about=trap] >> text=Not all steps');
     // It does not try for ever: twenty frames without a start, before its hundredth.
     for (let still = 0, last = 0; still < 10;) {
       await settle(page);
@@ -79,8 +81,8 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
       last = starts;
       assert.ok(starts < 100, `it tried ${starts} times`);
     }
-    assert.match(await page.textContent('#notice-text'), /Not all steps/);
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#notice-action')]);
+    assert.match(await page.textContent('[data-about=trap]'), /Not all steps/);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=trap] button')]);
     assert.equal(fs.readFileSync(await download.path()).length, steps);
     await context.close();
   });

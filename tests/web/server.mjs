@@ -27,22 +27,27 @@ const TYPES = {
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/** What the program would have embedded. */
-function shellFiles() {
+/** Those whose address stays; all others stand in the folder of their build. */
+const STAYING = ['index.html', 'manifest.webmanifest', 'sw.js'];
+const BUILT = ['words.en.json', 'words.ko.json', 'batten.wasm', 'batten-later.wasm'];
+
+/** What the program would have embedded. @param {string} build */
+function shellFiles(build) {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
-  return [...files.filter((file) => !['sw.js', 'types.js'].includes(file)), 'words.en.json', 'words.ko.json', 'batten.wasm',
-    'batten-later.wasm'];
+  return [...files.filter((file) => file !== 'types.js' && !STAYING.includes(file)), ...BUILT].map((file) => `${build}/${file}`)
+    .concat(STAYING.slice(0, 2));
 }
 
 const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
 
 /**
+ * Its `version` names the build, `without` files that it does not have.
  * @param {{ name?: string, bytes?: Buffer }} [document] none: the page is served without a token
  * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
  */
 export async function serve(document, lasting = false) {
   const token = crypto.randomBytes(16).toString('hex');
-  const state = { bytes: document?.bytes, version: '1', stranger: '', saves: 0, address: '', close: () => {} };
+  const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, saves: 0, address: '', close: () => {} };
   const server = http.createServer((request, response) => {
     const where = new URL(request.url, 'http://localhost').pathname;
     if (state.stranger) {
@@ -53,21 +58,23 @@ export async function serve(document, lasting = false) {
       answerDocument(request, response);
       return;
     }
-    const built = /^\/(words\.\w+\.json|batten-later\.wasm)$/.test(where) ? path.join(path.dirname(MODULE), where) :
-      where === '/batten.wasm' ? MODULE : '';
-    const file = built || path.join(WEB, where === '/' ? 'index.html' : where);
-    if (!built && !file.startsWith(WEB) || !fs.existsSync(file)) {
+    const [build, ...rest] = where.slice(1).split('/');
+    const staying = STAYING.includes(build || 'index.html');
+    const name = staying ? build || 'index.html' : rest.join('/');
+    const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(WEB, name);
+    if ((!staying && build !== state.version) || state.without.test(name) || !/^(web|build)/.test(path.relative(ROOT, file)) ||
+      !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;
     }
     let body = fs.readFileSync(file);
+    if (staying) {
+      body = Buffer.from(body.toString().replaceAll('%BUILD%', state.version)
+        .replace('%FILES%', shellFiles(state.version).join(' ')));
+    }
     if (where === '/') {
       body = Buffer.from(body.toString().replace('%TOKEN%', document ? token : '%TOKEN%')
         .replace('%ADDRESS%', lasting ? 'lasting' : 'passing'));
-    } else if (where === '/sw.js') {
-      body = Buffer.from(body.toString().replace('%VERSION%', state.version).replace('%FILES%', shellFiles().join(' ')));
-    } else if (where === '/index.html') {
-      body = Buffer.from(body.toString().replace('</head>', `<meta name="version" content="${state.version}"></head>`));
     }
     response.writeHead(200, { 'Content-Type': TYPES[path.extname(file)], 'Content-Security-Policy': POLICY,
       'Cache-Control': 'no-store' });
@@ -116,20 +123,33 @@ export async function edit(bytes, name, ...words) {
   if (bytes.length > 0) {
     fs.writeFileSync(file, bytes);
   }
-  const program = spawn(PROGRAM, ['edit', file, '--no-open', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });
-  const address = await new Promise((resolve, reject) => {
-    program.on('error', reject);
-    program.on('exit', (status) => reject(new Error(`batten edit ended with ${status}`)));
-    program.stdout.on('data', (text) => resolve(String(text).trim()));
-  });
-  return {
-    address,
+  const editor = {
+    address: '',
+    program: /** @type {import('node:child_process').ChildProcess | null} */ (null),
     get bytes() {
       return fs.readFileSync(file);
     },
+    /** At the same port, when it is free. */
+    async start() {
+      const program = spawn(PROGRAM, ['edit', file, '--no-open', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });
+      editor.program = program;
+      editor.address = await new Promise((resolve, reject) => {
+        program.on('error', reject);
+        program.on('exit', (status) => reject(new Error(`batten edit ended with ${status}`)));
+        program.stdout.on('data', (text) => resolve(String(text).trim()));
+      });
+    },
+    /** Without a word. */
+    async kill() {
+      const gone = new Promise((resolve) => editor.program?.on('exit', resolve));
+      editor.program?.kill('SIGKILL');
+      await gone;
+    },
     close() {
-      program.kill();
+      editor.program?.kill();
       fs.rmSync(folder, { recursive: true, force: true });
     },
   };
+  await editor.start();
+  return editor;
 }

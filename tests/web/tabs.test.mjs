@@ -16,8 +16,7 @@ before(async () => {
 after(() => browser.close());
 
 const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
-const standing = (page) => page.evaluate(() =>
-  (document.getElementById('standing').hidden ? '' : document.getElementById('standing-text').textContent));
+const standing = (page) => page.evaluate(() => document.querySelector('[data-about=owner] span')?.textContent ?? '');
 
 async function another(context, address) {
   const page = await context.newPage();
@@ -28,13 +27,13 @@ async function another(context, address) {
 
 /** Takes the drawing over, and waits until it is here. */
 async function take(page) {
-  await page.click('#standing-action');
-  await page.waitForFunction(() => /brought back/.test(document.getElementById('notice-text').textContent));
+  await page.click('[data-about=owner] button');
+  await page.waitForSelector('[data-about=kept] >> text=brought back');
   await settle(page);
 }
 
 async function until(page, text) {
-  await page.waitForFunction((wanted) => document.getElementById('standing').textContent.includes(wanted), text);
+  await page.waitForSelector(`[data-about=owner] >> text=${text}`);
 }
 
 test('the second page looks on, takes over, and gives back', async (t) => {
@@ -132,7 +131,7 @@ test('without a server the last drawing opens as it was left, and another tab be
   const fourth = await another(first.context, server.address);
   assert.equal(await fourth.page.textContent('#name'), 'drawing.svg');
   assert.equal((await state(fourth.page)).digest, drawn.digest);
-  await fourth.page.click('#notice-action');
+  await fourth.page.click('[data-about=left] button');
   await fourth.page.waitForFunction(() => document.getElementById('name').textContent === 'drawing 3.svg');
   await settle(fourth.page);
   assert.equal(await fourth.page.isVisible('#welcome'), true);

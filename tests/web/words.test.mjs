@@ -87,7 +87,7 @@ test('the language is chosen in the settings, at once, and stays chosen', async 
     batten.engine.command('undo');
   });
   await settle(page);
-  assert.match(await page.textContent('#notice-text'), /되살렸습니다/);
+  assert.match(await page.textContent('[data-about=trap]'), /되살렸습니다/);
   assert.match(await page.textContent('#hint'), /[가-힣]/);
   await page.click('[data-name=settings]');
   await page.selectOption('#settings [data-property=language]', { label: 'English' });
@@ -104,20 +104,22 @@ test('English: what explains comes with the first touch of the page; without it 
   await page.goto(server.address);
   await ready(page);
   await page.waitForLoadState('networkidle');
-  assert.ok(!fetched.some((where) => /^\/words\./.test(where) && where !== '/words.js'));
+  assert.ok(!fetched.some((where) => /\/words\.\w+\.json$/.test(where)));
   assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo (Ctrl+Z)');
   await page.mouse.move(400, 300);
   await page.waitForFunction(() => /Takes the last change back/.test(document.querySelector('[data-name=undo]').title));
-  assert.equal(fetched.filter((where) => where === '/words.en.json').length, 1);
+  assert.equal(fetched.filter((where) => where === '/1/words.en.json').length, 1);
   assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo: Takes the last change back. (Ctrl+Z)');
   await context.close();
 
   const alone = await browser.newContext({ locale: 'ko' });
+  expectFaults(/words\.ko\.json/);
   await alone.route('**/words.*.json', (route) => route.abort());
   const other = await alone.newPage();
   await other.goto(server.address);
   await ready(other);
   assert.equal(await other.textContent('#settings h2'), 'Settings');
+  assert.match(await other.textContent('[data-about=missing]'), /Part of Batten could not be fetched/);
   await alone.close();
 });
 
