@@ -52,6 +52,8 @@ export class Engine {
     this.broken = new Uint8Array(0);
     /** Traps since the last frame that was made. */
     this.traps = 0;
+    /** The module's second part is missing: keys and commands, which may need it, do nothing. */
+    this.partial = false;
     /** Gave up: even an empty editor traps, or part of the module is missing. It answers no call any more. */
     this.dead = false;
     this.size = [1, 1, 1];
@@ -290,14 +292,14 @@ export class Engine {
    * @returns {boolean} the engine used it
    */
   key(key, down, modifiers, time) {
-    const call = (/** @type {number} */ name) =>
+    const call = (/** @type {number} */ name) => !this.partial &&
       this.wasm.editor_key(this.editor, name, down ? 1 : 0, modifiers, time) !== 0;
     return this.#guard(() => this.#lend(key, call), false);
   }
 
   /** @param {string} name @returns {boolean} it could be done now */
   command(name) {
-    return this.#guard(() => this.#lend(name, (text) => this.wasm.editor_command(this.editor, text)) === OK, false);
+    return !this.partial && this.#guard(() => this.#lend(name, (text) => this.wasm.editor_command(this.editor, text)) === OK, false);
   }
 
   /** @param {string} property @param {number} value @returns {boolean} it was taken */

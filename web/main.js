@@ -1,6 +1,6 @@
 // The page: ties engine, input, painting, files and panel together, one frame at a time.
 
-import { want, whenMissing } from './build.js';
+import { miss, want, whenMissing } from './build.js';
 import { Ask, Engine } from './engine.js';
 import { Files } from './files.js';
 import { Input } from './input.js';
@@ -148,7 +148,7 @@ class Shell {
     this.stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
     part('welcome').hidden = !empty || frame.live.some((item) => item.role < ROLE_GRID);
-    const ours = this.tabs.held && this.tabs.name === this.files.name;
+    const ours = this.tabs.held && this.tabs.name === this.files.name && !this.engine.partial;
     this.files.unsaved = frame.unsaved && ours;
     this.#tellLost(frame.lost);
     if (ours) {
@@ -199,15 +199,12 @@ class Shell {
   /** What was kept of a drawing, and what it takes to replay it: a call in the midst of it cannot wait for a worker. */
   async #kept(/** @type {string} */ name) {
     const kept = await this.keeper.find(name);
-    if (kept) {
-      await this.engine.module.complete().catch((error) => this.engine.halt(error)); // else it would be drawn over
-    }
-    return kept;
+    return kept && await this.complete() ? kept : null;
   }
 
   /** Says when another page has the drawing; it can be had from there. */
   #showOwner() {
-    this.engine.setReadOnly(!this.tabs.held);
+    this.engine.setReadOnly(!this.tabs.held || this.engine.partial);
     this.notices.over('owner');
     if (!this.tabs.held) {
       this.notices.ask('owner', this.text('elsewhere'), [{
@@ -305,7 +302,7 @@ class Shell {
       this.engine.losses = this.files.losses; // the file as it is, not as it was
       this.notices.ask('kept', this.text('brought-back'), [{
         label: this.text('without'), run: () => void this.files.reopen() }]);
-    } else if (!this.engine.dead) {
+    } else {
       this.#lost(kept);
     }
     this.wake();
@@ -349,8 +346,10 @@ class Shell {
   async mirrorDrawing() {
     if (!this.mirroring) {
       this.mirroring = true;
-      const [{ Mirror }] = await want(Promise.all([import('./mirror.js'), import('./regions.js'), this.engine.module.complete()]));
-      this.mirror = new Mirror(this.engine, this.stage, this.wake);
+      const [{ Mirror }] = await want(Promise.all([import('./mirror.js'), import('./regions.js')]));
+      if (await this.complete()) {
+        this.mirror = new Mirror(this.engine, this.stage, this.wake);
+      }
     }
   }
 
@@ -372,9 +371,22 @@ class Shell {
     this.files.leaving = !this.keeper.fault;
   }
 
+  /**
+   * Fetches the second part of the module. Without it the drawing can only be looked at, and nothing is kept of it.
+   * @returns {Promise<boolean>} it is here
+   */
+  async complete() {
+    await (this.engine.partial || this.engine.module.complete().catch((error) => {
+      this.engine.partial = true;
+      miss(error);
+      this.#showOwner();
+    }));
+    return !this.engine.partial;
+  }
+
   /** The page is not whole. */
   #sayMissing() {
-    this.notices.ask('missing', word('shell.missing'), [{ label: word('shell.reload'), run: async () => {
+    this.notices.ask('missing', word(this.engine.partial || this.engine.dead ? 'shell.partial' : 'shell.missing'), [{ label: word('shell.reload'), run: async () => {
       const answer = await fetch(location.href, { cache: 'no-store' }).catch(() => null);
       if (answer?.ok) {
         await this.pack();
@@ -427,7 +439,7 @@ class Shell {
 /** What the page does once it is there; nobody waits for it. @param {Shell} shell */
 async function settleIn(shell) {
   // Safari has no time of idleness.
-  (globalThis.requestIdleCallback ?? setTimeout)(() => void want(shell.engine.module.complete()));
+  (globalThis.requestIdleCallback ?? setTimeout)(() => void shell.complete());
   const { Clipboard } = await want(import('./clipboard.js'));
   shell.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
   // What explains, and what is seldom called, is fetched when somebody is there.

@@ -1,4 +1,4 @@
-// batten.wasm in its two parts. The first has what shows a drawing and draws on it; the second is fetched when the page is
+// batten.wasm in its two parts. The first has what shows a drawing and looks at it; the second is fetched when the page is
 // there, and at the latest when something in it is called. What one imports from the other stands under the name of
 // their build, so that parts of two builds are never joined.
 
