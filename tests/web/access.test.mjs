@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, SCREENSHOTS, settle } from './page.mjs';
+import { launch, open, quiet, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -125,14 +125,14 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
   const name = [options.colorScheme, options.forcedColors ? 'forced' : '', options.locale ?? ''].filter(Boolean).join('-');
   test(`axe-core finds nothing, state by state: ${name}`, async () => {
     const { page, context } = await open(browser, server.address, options);
+    await page.keyboard.press('Shift'); // somebody is there
     await page.waitForSelector('#mirror', { state: 'attached' });
     for (const [state, keys] of STATES) {
       for (const key of keys) {
         await page.keyboard.press(key);
         await settle(page);
       }
-      await settle(page);
-      await page.waitForTimeout(200);
+      await quiet(page);
       assert.deepEqual(await violations(page), [], state);
       await page.screenshot({ path: path.join(SCREENSHOTS, `access-${name}-${state.replace(/\W/g, '')}.png`) });
       for (let i = 0; i < 4; i++) {
@@ -190,7 +190,7 @@ test('reduced motion: nothing moves by itself', async () => {
   await page.keyboard.press('+');
   await settle(page);
   const zoom = await page.evaluate(() => batten.painter.painted.zoom);
-  await page.waitForTimeout(300);
+  await quiet(page);
   assert.equal(await page.evaluate(() => batten.painter.painted.zoom), zoom);
   await context.close();
 });

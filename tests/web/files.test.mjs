@@ -111,6 +111,7 @@ test('a heavy drawing: the layer moves with the view at once and is painted when
   assert.equal(await count(page), 601);
   const before = (await state(page)).counts;
   await page.mouse.move(600, 400);
+  await page.evaluate(() => holdTimers(true)); // the hand does not rest
   for (let i = 0; i < 5; i++) {
     await page.mouse.wheel(20, 10);
     await settle(page);
@@ -118,6 +119,7 @@ test('a heavy drawing: the layer moves with the view at once and is painted when
   const moved = await page.evaluate(() => ({
     ...batten.painter.counts, transform: document.getElementById('still').style.transform }));
   assert.ok(moved.moved > before.moved, 'the layer moved');
+  await page.evaluate(() => holdTimers(false));
   await page.waitForFunction(() => document.getElementById('still').style.transform === '');
   await settle(page);
   const rested = await page.evaluate(() => ({

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -32,7 +32,7 @@ const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `key
 /** The last curve of the drawing as the file has it. */
 const objects = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects);
 /** Waits until the tree has been brought up to date. */
-const calm = (page) => page.waitForTimeout(200);
+const calm = (page) => quiet(page);
 /** What has the focus. */
 const focus = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.dataset.name ||
   document.activeElement.textContent);

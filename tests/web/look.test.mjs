@@ -112,6 +112,7 @@ test('a drawing in black shows on the dark ground, and its file keeps its colour
 
 test('all of it can be reached by the keyboard, with a visible focus', async () => {
   const { page, context } = await open(browser, server.address);
+  await page.keyboard.press('Shift'); // somebody is there
   await page.waitForSelector('#mirror', { state: 'attached' });
   const reached = new Set();
   const note = async () => reached.add(await page.evaluate(() => {

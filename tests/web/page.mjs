@@ -9,7 +9,11 @@ import { chromium } from 'playwright-core';
 
 export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
 
+/** Milliseconds: one step of a test that takes longer hangs, however busy the machine. */
+export const HANG = 90000;
+
 const BROWSER = {
+  timeout: HANG,
   executablePath: process.env.BATTEN_CHROMIUM ?? '/usr/bin/chromium',
   headless: true,
   args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
@@ -20,7 +24,7 @@ const BROWSER = {
 let faults = [];
 /** Those that the test declared. @type {RegExp[]} */
 let expected = [];
-/** What a test has opened, closed after it: a page that lives on could err in the next test. @type {import('playwright-core').BrowserContext[]} */
+/** What a test has opened, closed before the next: a page that lives on could err in it. @type {import('playwright-core').BrowserContext[]} */
 let contexts = [];
 
 /** This test is about an error: it may be seen. @param {...RegExp} patterns */
@@ -31,19 +35,67 @@ export function expectFaults(...patterns) {
 /** Chromium dresses what its XML parser has to say of a malformed file in styles, which the policy refuses. */
 export const MALFORMED = [/^Applying inline style .*svg\.js$/, /^refused by style-src-attr/];
 
-beforeEach(() => {
+beforeEach(async () => {
+  await Promise.all(contexts.map((context) => context.close()));
   faults = [];
   expected = [];
   contexts = [];
 });
-afterEach(async () => {
-  await Promise.all(contexts.map((context) => context.close()));
+afterEach(() => {
   assert.deepEqual(faults.filter((fault) => !expected.some((pattern) => pattern.test(fault))), [], 'errors on the console');
 });
+
+/**
+ * In every page: its short timers and its frames are counted, so that quiet() can wait until none is left and no test waits
+ * for some time. Its long timers (a notice that goes by itself, another tab that does not answer) are longer yet: a busy
+ * machine needs the time. `hasty` is for the test of such a timer; `holdTimers` is for one of what happens before them.
+ */
+function countTimers() {
+  const { setTimeout: later, clearTimeout: never, requestAnimationFrame: soon } = globalThis;
+  const [waiting, held] = [new Set(), new Map()];
+  globalThis.setTimeout = (what, delay = 0, ...values) => {
+    const long = delay >= 2000;
+    const run = () => {
+      waiting.delete(id);
+      held.delete(id);
+      what(...values);
+    };
+    const id = later(() => (globalThis.timersHeld ? held.set(id, run) : run()), long && !globalThis.hasty ? 60 * delay : delay);
+    if (!long) {
+      waiting.add(id);
+    }
+    return id;
+  };
+  globalThis.clearTimeout = (id) => {
+    waiting.delete(id);
+    held.delete(id);
+    never(id);
+  };
+  globalThis.requestAnimationFrame = (what) => {
+    const id = soon((time) => {
+      waiting.delete(`frame ${id}`);
+      what(time);
+    });
+    waiting.add(`frame ${id}`);
+    return id;
+  };
+  globalThis.holdTimers = (on) => {
+    globalThis.timersHeld = on;
+    [...(on ? [] : held.values())].forEach((run) => run());
+  };
+  const moving = (animation) => animation.playState === 'running' && animation.effect.getComputedTiming().endTime < Infinity;
+  const isQuiet = () => waiting.size === 0 && !document.getAnimations().some(moving);
+  globalThis.quiet = () => new Promise((done) => {
+    const look = () => (isQuiet() ? done() : later(look, 5));
+    look();
+  });
+}
 
 /** @param {import('playwright-core').BrowserContext} context */
 async function watch(context) {
   contexts.push(context);
+  context.setDefaultTimeout(HANG);
+  await context.addInitScript(countTimers);
   context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
   context.on('console', (message) => {
     if (message.type() === 'error') {
@@ -84,13 +136,18 @@ export async function open(browser, address, options = {}) {
 }
 
 export async function ready(page) {
-  await page.waitForSelector('html[data-ready=yes]', { timeout: 15000 });
+  await page.waitForSelector('html[data-ready=yes]');
   await settle(page);
 }
 
 /** Two frames: what was told is painted. */
 export function settle(page) {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+}
+
+/** The page has nothing left to do: no frame, no short timer, no transition. */
+export function quiet(page) {
+  return page.evaluate(() => globalThis.quiet());
 }
 
 /** What the engine says now: without asking it for a frame of our own. */
@@ -170,6 +227,11 @@ export class Hand {
       await settle(this.page);
     }
     return dense;
+  }
+
+  /** Time goes by for the engine, as events tell it. */
+  rest(seconds) {
+    this.time += seconds;
   }
 
   /** Fingers: an array of frames 8 ms apart, each an array of positions; the last lifts, unless `lift` is false.

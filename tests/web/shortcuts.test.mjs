@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, ready, SCREENSHOTS, settle } from './page.mjs';
+import { launch, open, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -108,7 +108,7 @@ test('a key is given, told to be another command\'s too, taken there, kept, and 
   }
   assert.match(await page.getAttribute('[data-name=tool-pan]', 'title'), /\(Q\)$/);
 
-  await page.waitForTimeout(500);
+  await quiet(page); // what was set is kept
   await page.reload();
   await ready(page);
   await type(page, 'q');
@@ -152,14 +152,14 @@ for (const colorScheme of ['light', 'dark']) {
     const before = await zoom();
     const cursor = () => page.evaluate(() => getComputedStyle(document.getElementById('stage')).cursor);
     await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse' });
-    await page.waitForTimeout(300);
+    await quiet(page);
     assert.ok(Math.abs((await zoom()) / before - 2) < 1e-6);
     assert.equal(await cursor(), 'zoom-in');
     await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse', modifiers: 1 });
-    await page.waitForTimeout(300);
+    await quiet(page);
     assert.ok(Math.abs((await zoom()) / before - 1) < 1e-6);
     await hand.stroke([[560, 240], [800, 420]], { during: () => shot(page, `zoom-${colorScheme}`) });
-    await page.waitForTimeout(300);
+    await quiet(page);
     assert.ok((await zoom()) / before > 3);
     await shot(page, `zoomed-${colorScheme}`);
     await context.close();

@@ -93,6 +93,7 @@ test('a page that was killed holds nothing; one that hangs is overruled', async 
     batten.tabs.channel.onmessage = null;
   });
   const second = await another(first.context, server.address);
+  await second.page.evaluate(() => { globalThis.hasty = true; });
   await take(second.page);
   assert.equal((await state(second.page)).digest, drawn.digest);
   await until(first.page, 'open in another tab');

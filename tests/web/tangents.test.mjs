@@ -24,7 +24,7 @@ const newest = (page) => page.evaluate(() =>
   JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.at(-1));
 
 async function tap(page, hand, point) {
-  await page.waitForTimeout(450); // two taps, not a double one
+  hand.rest(0.45); // two taps, not a double one
   await hand.stroke([point]);
 }
 
@@ -85,7 +85,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.ok(Math.abs(pulled.spline.tension[2][0] - 2) < 0.05);
 
     // A double tap gives all of it back.
-    await page.waitForTimeout(450);
+    hand.rest(0.45);
     await hand.stroke([SPOTS[2]]);
     await hand.stroke([SPOTS[2]]);
     assert.equal((await newest(page)).spline.tangents, undefined);

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, expectFaults, launch, open, place, ready, SCREENSHOTS, settle } from './page.mjs';
+import { bezier, expectFaults, launch, open, place, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -76,7 +76,7 @@ test('the language is chosen in the settings, at once, and stays chosen', async 
   await page.waitForFunction(() => document.documentElement.lang === 'ko');
   assert.deepEqual(await said(), ['ko', '설정']);
   assert.deepEqual(await foreign(page), []);
-  await page.waitForTimeout(500);
+  await quiet(page); // what was set is kept
   await page.reload();
   await ready(page);
   assert.deepEqual(await said(), ['ko', '설정']);
@@ -119,7 +119,7 @@ test('English: what explains comes with the first touch of the page; without it 
   await other.goto(server.address);
   await ready(other);
   assert.equal(await other.textContent('#settings h2'), 'Settings');
-  assert.match(await other.textContent('[data-about=missing]'), /Part of Batten could not be fetched/);
+  assert.match(await other.textContent('[data-about=missing]'), /Part of Batten did not load/);
   await alone.close();
 });
 
