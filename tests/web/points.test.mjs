@@ -83,12 +83,19 @@ for (const colorScheme of ['light', 'dark']) {
     });
     assert.notEqual((await state(page)).digest, before);
     await page.keyboard.press('Control+z');
+    // A line that shook is calmed; the roof is calm already.
+    await page.keyboard.press('n');
+    const sky = await place(page, 160, 60);
+    await hand.stroke(Array.from({ length: 60 }, (_, i) => [sky[0] + 4 * i, sky[1] + 7 * Math.sin(i / 2)]));
+    await page.keyboard.press('s');
+    await hand.hover([sky[0] + 120, sky[1] + 2]);
     await page.keyboard.down('g');
     await settle(page);
     await shot('calm');
     await page.keyboard.up('g');
     await settle(page);
     assert.match((await state(page)).notice, /Calmed/);
+    await page.keyboard.press('Control+z');
     await page.keyboard.press('Control+z');
 
     await page.keyboard.press('e');
