@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { inked, launch, open, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, inked, launch, open, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -178,6 +178,7 @@ for (const colorScheme of ['light', 'dark']) {
 }
 
 test('a crash of the module brings the picture back from the journal', async () => {
+  expectFaults(/RuntimeError: test/);
   const { page, context } = await open(browser, server.address);
   await give(page, 'drop', 'image/png', twoHalves(100, 100));
   await shownPictures(page, 1);
