@@ -361,9 +361,16 @@ static void walk_span(walk *w, const bat_curve *curve, int span, double u0, doub
     }
 }
 
+static bool no_worse(const comb *now, const comb *old) {
+    bool good = now->inflections <= old->inflections && now->changes <= old->changes &&
+                now->peak <= old->peak * (1 + 1e-9) && now->variation <= old->variation * (1 - 1e-4);
+    for (int j = 0; j < THRESHOLDS; j++) good = good && now->extrema[j] <= old->extrema[j];
+    return good;
+}
+
 /* Curvature along the spans that the stretch reaches and one beside each, both sides of every knot. depths: of the
- * thresholds; NULL: only the range is wanted. */
-static void look(const work *w, const bat_curve *curve, const double *depths, comb *out) {
+ * thresholds; NULL: only the range is wanted. old (may be NULL): what is worse than it need not be looked at further. */
+static void look(const work *w, const bat_curve *curve, const double *depths, const comb *old, comb *out) {
     walk along = {.comb = out, .depths = depths};
     *out = (comb){.low = INFINITY, .high = -INFINITY};
     int p = curve->degree, from = w->first - 1, to = w->first + w->count + p + 1;
@@ -373,15 +380,9 @@ static void look(const work *w, const bat_curve *curve, const double *depths, co
         if (!(u1 > u0) || u1 < w->u[0] - (u1 - u0) || u0 > w->u[1] + (u1 - u0)) continue;
         int turns, span = span_at(curve, &u, &turns);
         walk_span(&along, curve, span, u - (u1 - u0) / 2, u + (u1 - u0) / 2);
+        for (int j = 0; j < THRESHOLDS; j++) out->extrema[j] = along.turns[j].turns;
+        if (old && !no_worse(out, old)) return;
     }
-    for (int j = 0; j < THRESHOLDS; j++) out->extrema[j] = along.turns[j].turns;
-}
-
-static bool no_worse(const comb *now, const comb *old) {
-    bool good = now->inflections <= old->inflections && now->changes <= old->changes &&
-                now->peak <= old->peak * (1 + 1e-9) && now->variation <= old->variation * (1 - 1e-4);
-    for (int j = 0; j < THRESHOLDS; j++) good = good && now->extrema[j] <= old->extrema[j];
-    return good;
 }
 
 /* ---- the search ---- */
@@ -407,7 +408,7 @@ static bat_status judge(const work *w, const double *depths, const comb *old, do
     *better = false;
     bat_status status = moved(w, &made);
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_OK; /* out of range: it is none */
-    look(w, made, depths, &now);
+    look(w, made, depths, old, &now);
     *better = no_worse(&now, old) && now.variation < *least;
     bat_curve_free(*better ? *best : made);
     if (!*better) return BAT_OK;
@@ -524,10 +525,10 @@ static bat_status calm(work *w, const bat_track *track, double *u, bat_curve **b
     if (status != BAT_OK) return status;
     comb old;
     double depths[THRESHOLDS];
-    look(w, w->curve, NULL, &old);
+    look(w, w->curve, NULL, NULL, &old);
     for (int j = 0; j < THRESHOLDS; j++)
         depths[j] = fmax(THRESHOLD[j] * (old.high - old.low), 1e-7 * old.peak);
-    look(w, w->curve, depths, &old);
+    look(w, w->curve, depths, NULL, &old);
     double least = old.variation;
     memset(w->bent, 0, (size_t)w->places * sizeof *w->bent);
     assemble(w);

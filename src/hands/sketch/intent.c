@@ -53,8 +53,6 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
             near.box[2 + k] = fmax(near.box[2 + k], near.line.x[2 * i + k]);
         }
     intent->line[intent->line_count++] = near;
-    /* What touches may have changed. */
-    for (int i = 0; i < intent->line_count; i++) intent->line[i].open[0] = intent->line[i].open[1] = -1;
     return BAT_OK;
 }
 

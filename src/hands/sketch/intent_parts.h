@@ -66,7 +66,8 @@ typedef struct bat_intent_near {
     double least; /* distance */
     double reach, sum, cost;
     bool usable;
-    signed char open[2]; /* of its ends: -1 not known */
+    bool open[2]; /* of its ends, when there were so many lines; 0: not known yet */
+    int among[2];
 } bat_intent_near;
 
 struct bat_intent {
@@ -112,6 +113,8 @@ typedef struct bat_intent_list {
     int count;
     bat_reading *reading;
 } bat_intent_list;
+/* Whether a reading of this cost would stay on the list. */
+bool bat_intent_wants(const bat_intent_list *list, double cost);
 void bat_intent_offer(bat_intent_list *list, const bat_reading *reading);
 void bat_intent_redraws(bat_intent *intent, bat_intent_list *list);       /* intent_redraw.c */
 void bat_intent_ends(bat_intent *intent, bat_intent_list *list);          /* intent_ends.c */

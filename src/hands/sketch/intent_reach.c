@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { PROBES = 5 };
+enum { PROBES = 5, NEIGHBOURS = 64 };             /* so many lines beside one tell how far apart they lie */
 static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
 static const double neighbour_most = 60, twin = 1.5;
 
@@ -65,9 +65,11 @@ static double spacing(const bat_intent *intent, int index) {
         bat_polyline_chord(&near->line, foot->s, 5, way);
         const double size = bat_hypot(way[0], way[1]);
         way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
-        for (int j = 0; j < intent->line_count; j++)
-            if (j != index && box_distance(intent->line[j].box, foot->x) < least)
-                least = parallel_distance(&intent->line[j].line, foot->x, way, least);
+        for (int j = 0, looked = 0; j < intent->line_count && looked < NEIGHBOURS; j++) {
+            if (j == index || box_distance(intent->line[j].box, foot->x) >= least) continue;
+            least = parallel_distance(&intent->line[j].line, foot->x, way, least);
+            looked++;
+        }
         int at = k;
         for (; at > 0 && found[at - 1] > least; at--) found[at] = found[at - 1];
         found[at] = least;
@@ -114,7 +116,7 @@ void bat_intent_evidence(bat_intent *intent, int index) {
 bool bat_intent_open(bat_intent *intent, int index, int end) {
     bat_intent_near *near = &intent->line[index];
     if (near->line.closed) return false;
-    if (near->open[end] >= 0) return near->open[end] != 0;
+    if (near->among[end] == intent->line_count) return near->open[end];
     const double *x = near->line.x + (end ? 2 * (size_t)(near->line.count - 1) : 0);
     const double *other = near->line.x + (end ? 0 : 2 * (size_t)(near->line.count - 1));
     bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > INTENT_JOINT;
@@ -129,5 +131,6 @@ bool bat_intent_open(bat_intent *intent, int index, int end) {
         }
     }
     near->open[end] = open;
+    near->among[end] = intent->line_count;
     return open;
 }

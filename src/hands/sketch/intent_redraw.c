@@ -22,17 +22,17 @@ bool bat_intent_held(bat_intent *intent, int index, bool against, int side) {
 
 void bat_intent_redraws(bat_intent *intent, bat_intent_list *list) {
     const double L = intent->length;
+    double least = INFINITY, next = INFINITY; /* of all costs */
     for (int i = 0; i < intent->line_count; i++) {
         bat_intent_near *near = &intent->line[i];
         near->cost = near->usable && near->meant ? cost_of(intent, near) : INFINITY;
+        next = fmin(next, fmax(least, near->cost));
+        least = fmin(least, near->cost);
     }
     for (int i = 0; i < intent->line_count; i++) {
         if (!(intent->line[i].cost < INFINITY)) continue;
-        double rival = INFINITY;
-        for (int j = 0; j < intent->line_count; j++)
-            if (j != i) rival = fmin(rival, intent->line[j].cost);
         /* Two curves that explain it equally well explain it badly. */
-        double cost = intent->line[i].cost;
+        double cost = intent->line[i].cost, rival = cost > least ? least : next;
         if (rival < INFINITY) cost += 0.5 * L * bat_exp(-fmax(0, rival - cost) / (0.2 * L));
         bat_reading reading = {.kind = BAT_INTENT_REDRAW,
                                .count = 1,
@@ -41,6 +41,7 @@ void bat_intent_redraws(bat_intent *intent, bat_intent_list *list) {
                                          .along = {intent->hook, intent->hook + L}}},
                                .onto = -1,
                                .cost = intent->chosen ? cost * INTENT_MARGIN : cost / INTENT_MARGIN};
+        if (!bat_intent_wants(list, reading.cost)) continue;
         for (int side = 0; side < 2; side++)
             reading.part[0].held[side] = bat_intent_held(intent, i, intent->line[i].ran < 0, side);
         bat_intent_offer(list, &reading);

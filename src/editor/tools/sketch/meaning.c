@@ -45,13 +45,39 @@ bat_status bat_meaning_begin(bat_context *c, bat_meaning *m, bat_device device) 
 void bat_meaning_end(bat_meaning *m) {
     bat_intent_free(m->intent);
     free(m->curves);
+    free(m->found);
     *m = (bat_meaning){0};
 }
 
+/* Where a curve is among those found, or would be. */
+static int *place_of(const bat_meaning *m, bat_id object, int curve) {
+    size_t mask = 2 * (size_t)m->curve_room - 1;
+    uint64_t mixed = (object * 31 + (uint64_t)curve) * 0x9e3779b97f4a7c15u;
+    for (size_t at = (size_t)(mixed >> 40);; at++) {
+        int *place = &m->found[at & mask];
+        if (*place < 0 || (m->curves[*place].object == object && m->curves[*place].curve == curve))
+            return place;
+    }
+}
+
 static bool has(const bat_meaning *m, bat_id object, int curve) {
-    for (int i = 0; i < m->curve_count; i++)
-        if (m->curves[i].object == object && m->curves[i].curve == curve) return true;
-    return false;
+    return m->curve_count > 0 && *place_of(m, object, curve) >= 0;
+}
+
+/* Room for one more; a power of two, so that the hash needs no division. */
+static bool room_for(bat_meaning *m) {
+    if (m->curve_count < m->curve_room) return true;
+    int room = m->curve_room ? 2 * m->curve_room : 16;
+    bat_meaning_curve *curves = realloc(m->curves, (size_t)room * sizeof *curves);
+    if (curves) m->curves = curves;
+    int *found = curves ? malloc(2 * (size_t)room * sizeof *found) : NULL;
+    if (!found) return false;
+    free(m->found);
+    m->found = found;
+    m->curve_room = room;
+    for (int i = 0; i < 2 * room; i++) found[i] = -1;
+    for (int i = 0; i < m->curve_count; i++) *place_of(m, m->curves[i].object, m->curves[i].curve) = i;
+    return true;
 }
 
 static bool boxes_meet(const double a[4], const double b[4]) {
@@ -72,15 +98,12 @@ static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, con
                        bool meant) {
     const bat_object *object = c->scene->entries[entry].object;
     bat_id id = bat_object_id(object);
-    if (m->curve_count == m->curve_room) {
-        int room = m->curve_room ? 2 * m->curve_room : 16;
-        bat_meaning_curve *curves = realloc(m->curves, (size_t)room * sizeof *curves);
-        if (!curves) return BAT_MEMORY;
-        m->curves = curves;
-        m->curve_room = room;
-    }
+    if (!room_for(m)) return BAT_MEMORY;
     bat_status status = bat_intent_line(m->intent, bat_object_curve(object, index), map, meant);
-    if (status == BAT_OK) m->curves[m->curve_count++] = (bat_meaning_curve){id, entry, index};
+    if (status == BAT_OK) {
+        *place_of(m, id, index) = m->curve_count;
+        m->curves[m->curve_count++] = (bat_meaning_curve){id, entry, index};
+    }
     return status == BAT_NUMBER ? BAT_OK : status; /* too far out to be near anything */
 }
 

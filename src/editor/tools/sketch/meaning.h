@@ -22,6 +22,7 @@ typedef struct bat_meaning {
     double last[2];     /* pixel where they were looked for last */
     int curve_count, curve_room;
     bat_meaning_curve *curves; /* as the intent numbers them */
+    int *found;                /* 2 * curve_room: where each of them is, hashed; -1: nothing */
     int count;
     bat_reading readings[BAT_INTENT_READINGS]; /* the best first */
 } bat_meaning;

@@ -1,0 +1,99 @@
+/* Every command of the table, and all else that hosts do, on n things: how their work grows.
+ * Usage: growth_commands [n [scene [command or act]]] */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "acts.h"
+#include "editor/tables/tables.h"
+#include "growth.h"
+#include "scenes.h"
+
+enum { ACTS_MOST = 64, CHOICES = BAT_COMMAND_COUNT + ACTS_MOST };
+
+static const double MOST = 1.15;
+static int middle = 200; /* the middle one of three n */
+
+typedef struct reading {
+    uint64_t work;
+    bool done; /* the command found something to do */
+} reading;
+
+/* Commands first, then acts; NULL: there are no more. */
+static const char *name_of(int choice) {
+    return choice < BAT_COMMAND_COUNT ? bat_command_at((bat_command_id)choice)->name
+                                      : growth_acts[choice - BAT_COMMAND_COUNT].name;
+}
+
+static reading perform(bat_editor *editor, int choice) {
+    reading result = {0, true};
+    uint64_t before = growth_work;
+    if (choice < BAT_COMMAND_COUNT) {
+        result.done = bat_editor_command(editor, name_of(choice)) == BAT_OK;
+        bat_editor_frame(editor);
+    } else {
+        growth_acts[choice - BAT_COMMAND_COUNT].perform(editor);
+    }
+    result.work = growth_work - before;
+    return result;
+}
+
+/* In a process of its own, so that the editor stays as it was made. */
+static bool perform_apart(bat_editor *editor, int choice, reading *result) {
+    int ends[2], status = 0;
+    if (pipe(ends) != 0) return false;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        reading own = perform(editor, choice);
+        _exit(write(ends[1], &own, sizeof own) == (ssize_t)sizeof own ? 0 : 1);
+    }
+    close(ends[1]);
+    bool good = child > 0 && read(ends[0], result, sizeof *result) == (ssize_t)sizeof *result;
+    close(ends[0]);
+    if (child > 0) waitpid(child, &status, 0);
+    return good && status == 0;
+}
+
+/* How many grow too fast; done[command] becomes true for those that found something to do. */
+static int judge_scene(const growth_scene *scene, const char *only, bool *done) {
+    static reading readings[CHOICES][GROWTH_SIZES];
+    int faults = 0, size = middle / 4;
+    for (int k = 0; k < GROWTH_SIZES; k++, size *= 4) {
+        bat_editor *editor = scene->make(size);
+        for (int i = 0; name_of(i); i++) {
+            if (only && strcmp(only, name_of(i)) != 0) continue;
+            if (perform_apart(editor, i, &readings[i][k])) continue;
+            printf("%s: %s fails\n", scene->name, name_of(i));
+            faults++;
+        }
+        bat_editor_free(editor);
+    }
+    for (int i = 0; name_of(i); i++) {
+        uint64_t work[GROWTH_SIZES];
+        for (int k = 0; k < GROWTH_SIZES; k++) work[k] = readings[i][k].work;
+        faults += growth_judge(scene->name, name_of(i), work, middle, MOST);
+        if (i < BAT_COMMAND_COUNT && readings[i][GROWTH_SIZES - 1].done) done[i] = true;
+    }
+    return faults;
+}
+
+int main(int count, char **words) {
+    static bool done[BAT_COMMAND_COUNT];
+    int faults = 0, judged = 0;
+    if (count > 1) middle = (int)strtol(words[1], NULL, 10);
+    for (const growth_scene *scene = growth_scenes; scene->name; scene++) {
+        if (count > 2 && strcmp(words[2], scene->name) != 0) continue;
+        faults += judge_scene(scene, count > 3 ? words[3] : NULL, done);
+        judged++;
+    }
+    for (int i = 0; i < BAT_COMMAND_COUNT && count < 3; i++) {
+        if (done[i]) continue;
+        printf("%s finds nothing to do in any scene\n", name_of(i));
+        faults++;
+    }
+    printf("%d scenes, %d faults\n", judged, faults);
+    return faults > 0 || judged == 0;
+}

@@ -1,0 +1,362 @@
+#include "scenes.h"
+
+#include <batten/batten.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "support/pictures.h"
+
+/* A row of an editor's life: a document, then the commands that lead to the state. */
+static bat_editor *open(bat_document *document, const char *const *commands) {
+    bat_editor *editor = NULL;
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    if (bat_editor_create(&editor) != BAT_OK) abort();
+    bat_editor_resize(editor, 1000, 800, 1);
+    if (bat_editor_open(editor, document, "growth") != BAT_OK) abort();
+    bat_editor_command(editor, "zoom-100");
+    for (; commands && *commands; commands++)
+        if (bat_editor_command(editor, *commands) == BAT_UNSUPPORTED) abort();
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_document *document(void) {
+    bat_document *made = NULL;
+    if (bat_document_create(&made) != BAT_OK) abort();
+    return made;
+}
+
+/* Of count points along a wave from (x, y), `step` apart; no two alike. */
+static bat_curve *wave(double x, double y, double step, int count, bool closed) {
+    double *points = malloc(sizeof(double) * 2 * (size_t)count),
+           *knots = malloc(sizeof(double) * ((size_t)count + 4));
+    bat_curve *curve = NULL;
+    if (!points || !knots) abort();
+    for (int i = 0; i < count; i++) {
+        double angle = 6.283185307179586 * i / count, radius = closed ? step * count / 6 : 0;
+        points[2 * i] = closed ? x + radius * cos(angle) : x + step * i;
+        points[2 * i + 1] = closed ? y + radius * sin(angle) : y + 20 * sin(points[2 * i] / 25 + y);
+    }
+    for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : i < 4 ? 0 : i >= count ? count - 3 : i - 3;
+    if (bat_curve_create(3, 2, closed, count, knots, points, &curve) != BAT_OK) abort();
+    free(points);
+    free(knots);
+    return curve;
+}
+
+/* Appends it as it would be in the group. Takes the object over. */
+static bat_id append(bat_document *to, bat_object *object, bat_id parent) {
+    bat_object *placed = NULL;
+    bat_id id = bat_object_id(object);
+    if (bat_object_with_parent(object, parent, &placed) != BAT_OK) abort();
+    if (bat_document_put(to, bat_document_count(to), placed) != BAT_OK) abort();
+    bat_object_release(placed);
+    bat_object_release(object);
+    return id;
+}
+
+static bat_id add_curves(bat_document *to, int count, bat_curve **curves, bat_id parent) {
+    bat_object *object = NULL;
+    bat_style style = bat_style_defaults();
+    if (bat_object_create_path(bat_document_new_id(to), "line", &style, count, curves, &object) != BAT_OK)
+        abort();
+    return append(to, object, parent);
+}
+
+static bat_id add_curve(bat_document *to, bat_curve *curve, bat_id parent) {
+    return add_curves(to, 1, &curve, parent);
+}
+
+typedef enum shape { LINES, RINGS, MIXED } shape;
+
+/* The i-th of many, in a square about the middle of the view: what lies there is the same at every n. */
+static bat_id add_small(bat_document *to, int i, int n, shape closed, bat_id parent) {
+    int side = (int)ceil(sqrt(n)), column = i % side - side / 2, row = i / side - side / 2;
+    return add_curve(to,
+                     wave(400 + 40 * column + 0.3 * row, 400 + 30 * row, 7, 5,
+                          closed == MIXED ? (column + row) % 3 == 0 : closed == RINGS),
+                     parent);
+}
+
+static bat_id add_group(bat_document *to, bool layer, bat_id parent) {
+    bat_object *group = NULL;
+    if (bat_object_create_group(bat_document_new_id(to), "group", layer, &group) != BAT_OK) abort();
+    return append(to, group, parent);
+}
+
+static const char *const choose_all[] = {"tool-select", "select-all", NULL};
+
+static bat_editor *lines(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    return open(made, choose_all);
+}
+
+/* The front ones have the lowest ids, every second one is chosen. */
+static bat_editor *reversed(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) {
+        add_small(made, i, n, RINGS, 0);
+        bat_object *last = bat_object_retain(bat_document_at(made, i));
+        bat_document_remove(made, i);
+        bat_document_put(made, 0, last);
+        bat_object_release(last);
+    }
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    for (int i = 2; i <= n; i += 2) bat_editor_select(editor, (bat_id)i, i > 2);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *group(int n) {
+    bat_document *made = document();
+    bat_id parent = add_group(made, false, 0);
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, parent);
+    return open(made, choose_all);
+}
+
+static bat_editor *groups(int n) {
+    bat_document *made = document();
+    bat_id parent = 0;
+    for (int i = 0; i < n; i++) {
+        if (i % 4 == 0) parent = add_group(made, false, 0);
+        add_small(made, i, n, MIXED, parent);
+    }
+    return open(made, choose_all);
+}
+
+/* Layers of eight; of the last, which is active, nothing is chosen. */
+static bat_editor *layers(int n) {
+    bat_document *made = document();
+    bat_id layer = 0, last = 0;
+    for (int i = 0; i < n; i++) {
+        if (i % 8 == 0) layer = add_group(made, true, 0);
+        add_small(made, i, n, LINES, layer);
+    }
+    last = add_group(made, true, 0);
+    bat_editor *editor = open(made, choose_all);
+    bat_editor_activate_layer(editor, last);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* One layer with all in it, active; a second one before and behind. */
+static bat_editor *layer(int n) {
+    bat_document *made = document();
+    add_small(made, 0, 1, LINES, add_group(made, true, 0));
+    bat_id parent = add_group(made, true, 0);
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, parent);
+    add_small(made, 0, 1, LINES, add_group(made, true, 0));
+    bat_editor *editor = open(made, choose_all);
+    bat_editor_activate_layer(editor, parent);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *subpaths(int n) {
+    bat_document *made = document();
+    bat_curve **curves = malloc(sizeof *curves * (size_t)n);
+    if (!curves) abort();
+    for (int i = 0; i < n; i++) curves[i] = wave(400 + 10 * (i % 90), 400 + 10 * (i / 90), 7, 5, i % 2);
+    add_curves(made, n, curves, 0);
+    free(curves);
+    return open(made, choose_all);
+}
+
+static bat_editor *one_curve(int n, bool closed, const char *const *commands) {
+    bat_document *made = document();
+    bat_id id = add_curve(made, wave(100, 400, 800.0 / n, n, closed), 0);
+    add_curve(made, wave(100, 700, 20, 20, false), 0);
+    bat_editor *editor = open(made, commands);
+    bat_editor_select(editor, id, false);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *points(int n) {
+    bat_editor *editor = one_curve(n, false, NULL);
+    bat_editor_choose(editor, 1, n / 2);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *ring(int n) { return one_curve(n, true, choose_all); }
+
+static bat_editor *knot(int n) {
+    bat_editor *editor = points(n);
+    bat_editor_command(editor, "knot-next");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *spline(int n) {
+    bat_document *made = document();
+    bat_object *object = NULL;
+    double *p = malloc(sizeof(double) * 2 * (size_t)n);
+    if (!p) abort();
+    for (int i = 0; i < n; i++) p[2 * i] = 100 + 800.0 * i / n, p[2 * i + 1] = 400 + 40 * sin(p[2 * i] / 30);
+    bat_style style = bat_style_defaults();
+    bat_spline data = {.dimension = 2, .count = n, .points = p};
+    if (bat_object_create_spline(bat_document_new_id(made), "", &style, &data, NULL, &object) != BAT_OK)
+        abort();
+    append(made, object, 0);
+    free(p);
+    bat_editor *editor = open(made, NULL);
+    bat_editor_choose(editor, 1, n / 2);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *apart(int n) { /* before it is taken apart */
+    return one_curve(n, false, (const char *const[]){"tool-levels", NULL});
+}
+
+static bat_editor *levels(int n) {
+    bat_editor *editor = apart(n);
+    bat_editor_command(editor, "take-apart");
+    bat_editor_frame(editor);
+    bat_editor_level(editor, BAT_LEVEL_CHOOSE, 1, 0, true);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *range(int n) {
+    return one_curve(n, false, (const char *const[]){"tool-sketch", "range", NULL});
+}
+
+static bat_editor *range_smooth(int n) {
+    return one_curve(n, false, (const char *const[]){"tool-smooth", "range", NULL});
+}
+
+static bat_editor *range_eraser(int n) {
+    return one_curve(n, true, (const char *const[]){"tool-eraser", "range", NULL});
+}
+
+/* The keyboard's pen over n lines. */
+static bat_editor *waypoints(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    return open(made, (const char *const[]){"tool-sketch", "place", "accept", "nudge-right", "accept",
+                                            "nudge-up", "accept", NULL});
+}
+
+static bat_editor *guides(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) {
+        bat_object *guide = NULL;
+        if (bat_object_create_guide(bat_document_new_id(made), i % 2, 10 + 0.7 * i, &guide) != BAT_OK)
+            abort();
+        append(made, guide, 0);
+    }
+    add_small(made, 0, 1, LINES, 0);
+    return open(made, (const char *const[]){"tool-select", "show-rulers", "select-all", "guide-level", NULL});
+}
+
+static bat_editor *pictures(int n) {
+    bat_document *made = document();
+    unsigned char head[HEAD_ROOM];
+    bat_picture *picture = NULL;
+    if (bat_picture_create(head, head_png(head, 30, 20), &picture) != BAT_OK) abort();
+    for (int i = 0; i < n; i++) {
+        bat_object *object = NULL;
+        double matrix[6] = {1, 0, 0, 1, 400 + 40.0 * (i % 25), 400 + 30.0 * (i / 25)};
+        if (bat_object_create_image(bat_document_new_id(made), "", picture, matrix, 1, &object) != BAT_OK)
+            abort();
+        append(made, object, 0);
+    }
+    bat_picture_release(picture);
+    return open(made, choose_all);
+}
+
+/* After one step that moved, made and took away many. */
+static bat_editor *stepped(int n) {
+    bat_editor *editor = lines(n);
+    bat_editor_command(editor, "nudge-right");
+    bat_editor_frame(editor);
+    return editor;
+}
+static bat_editor *deleted(int n) {
+    bat_editor *editor = reversed(n);
+    bat_editor_command(editor, "delete");
+    bat_editor_frame(editor);
+    return editor;
+}
+static bat_editor *undone(int n) {
+    bat_editor *editor = reversed(n);
+    bat_editor_command(editor, "duplicate");
+    bat_editor_command(editor, "undo");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* n steps of one object. */
+static bat_editor *long_session(int n) {
+    bat_editor *editor = lines(4);
+    for (int i = 0; i < n; i++) bat_editor_command(editor, i % 2 ? "nudge-left" : "nudge-right");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* Nothing chosen, all seen: where the pen works. */
+static bat_editor *drawing(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, MIXED, 0);
+    return open(made, (const char *const[]){"tool-sketch", NULL});
+}
+
+/* All on one spot. */
+static bat_editor *heap(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_curve(made, wave(400 + 0.001 * i, 400, 20, 12, false), 0);
+    return open(made, (const char *const[]){"tool-select", NULL});
+}
+
+/* Two, to be joined; with n beside them. */
+static bat_editor *pair(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, 1, false);
+    bat_editor_select(editor, 2, true);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *isolated(int n) {
+    bat_editor *editor = groups(n);
+    bat_editor_command(editor, "isolate");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+const growth_scene growth_scenes[] = {
+    {"n lines", lines},
+    {"n rings, ids from the front, half chosen", reversed},
+    {"a group of n", group},
+    {"n/4 groups", groups},
+    {"n/8 layers", layers},
+    {"a layer of n", layer},
+    {"an object of n curves", subpaths},
+    {"a curve of n points, one chosen", points},
+    {"a curve of n points, a knot chosen", knot},
+    {"a ring of n points", ring},
+    {"a spline of n points", spline},
+    {"n points, to be taken apart", apart},
+    {"n points in levels", levels},
+    {"a range of n points", range},
+    {"a range of n points, to be smoothed", range_smooth},
+    {"a range of a ring of n points, to be rubbed out", range_eraser},
+    {"waypoints over n lines", waypoints},
+    {"n guides", guides},
+    {"n pictures", pictures},
+    {"n lines, moved", stepped},
+    {"n rings, half deleted", deleted},
+    {"n rings, half duplicated and back", undone},
+    {"n steps", long_session},
+    {"n curves, nothing chosen", drawing},
+    {"n curves on one spot", heap},
+    {"two of n lines", pair},
+    {"n/4 groups, isolated", isolated},
+    {NULL, NULL},
+};
