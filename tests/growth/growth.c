@@ -11,7 +11,8 @@ double growth_exponent(const uint64_t work[GROWTH_SIZES]) {
 bool growth_judge(const char *where, const char *what, const uint64_t work[GROWTH_SIZES], int n,
                   double most) {
     double first = (double)work[1] - (double)work[0], second = (double)work[2] - (double)work[1];
-    double slack = 48.0 * n + 0.05 * (double)work[1];
+    double slack = 48.0 * n + 0.25 * (double)work[1];
+    if ((double)work[2] <= 4.0 * (double)work[1]) return false;
     if (second <= pow(4, most) * fmax(first, 0) + slack) return false;
     printf("%s: %s grows with n^%.2f: %llu, %llu, %llu\n", where, what, growth_exponent(work),
            (unsigned long long)work[0], (unsigned long long)work[1], (unsigned long long)work[2]);

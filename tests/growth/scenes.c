@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "support/pen.h"
 #include "support/pictures.h"
 
 /* A row of an editor's life: a document, then the commands that lead to the state. */
@@ -70,12 +71,14 @@ static bat_id add_curve(bat_document *to, bat_curve *curve, bat_id parent) {
 
 typedef enum shape { LINES, RINGS, MIXED } shape;
 
-/* The i-th of many, in a square about the middle of the view: what lies there is the same at every n. */
+/* The i-th of many, in a square about the middle of the view: what lies there is the same at every n. The first two lie
+ * far out, so that the box around all is, too. */
 static bat_id add_small(bat_document *to, int i, int n, shape closed, bat_id parent) {
     int side = (int)ceil(sqrt(n)), column = i % side - side / 2, row = i / side - side / 2;
+    if (i < 2 && n > 2) column = row = i ? 70 : -70;
     return add_curve(to,
-                     wave(400 + 40 * column + 0.3 * row, 400 + 30 * row, 7, 5,
-                          closed == MIXED ? (column + row) % 3 == 0 : closed == RINGS),
+                     wave(400.0123456789 + 40.0123456789 * column + 0.3 * row, 400.3 + 30 * row, 7.0123456789,
+                          5, closed == MIXED ? (column + row) % 3 == 0 : closed == RINGS),
                      parent);
 }
 
@@ -158,7 +161,10 @@ static bat_editor *subpaths(int n) {
     bat_document *made = document();
     bat_curve **curves = malloc(sizeof *curves * (size_t)n);
     if (!curves) abort();
-    for (int i = 0; i < n; i++) curves[i] = wave(400 + 10 * (i % 90), 400 + 10 * (i / 90), 7, 5, i % 2);
+    int side = (int)ceil(sqrt(n));
+    for (int i = 0; i < n; i++)
+        curves[i] = wave(400.0123456789 + 40.0123456789 * (i % side - side / 2),
+                         400.3 + 30 * (i / side - side / 2), 7.0123456789, 5, i % 2);
     add_curves(made, n, curves, 0);
     free(curves);
     return open(made, choose_all);
@@ -186,6 +192,13 @@ static bat_editor *ring(int n) { return one_curve(n, true, choose_all); }
 static bat_editor *knot(int n) {
     bat_editor *editor = points(n);
     bat_editor_command(editor, "knot-next");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static bat_editor *corner(int n) {
+    bat_editor *editor = points(n);
+    bat_editor_command(editor, "corner-make");
     bat_editor_frame(editor);
     return editor;
 }
@@ -221,6 +234,27 @@ static bat_editor *levels(int n) {
     return editor;
 }
 
+static bat_editor *taken_apart(int n) {
+    bat_editor *editor = levels(n);
+    bat_editor_command(editor, "accept");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* One long curve that trembles. */
+static bat_editor *trembling(int n) {
+    bat_document *made = document();
+    bat_curve *smooth = wave(100, 400, 7, n, false), *rough = NULL;
+    double *points = malloc(sizeof(double) * 2 * (size_t)n);
+    if (!points) abort();
+    for (int i = 0; i < 2 * n; i++) points[i] = bat_curve_points(smooth)[i] + sin(1e4 * sin(i));
+    if (bat_curve_create(3, 2, false, n, bat_curve_knots(smooth), points, &rough) != BAT_OK) abort();
+    free(points);
+    bat_curve_free(smooth);
+    add_curve(made, rough, 0);
+    return open(made, choose_all);
+}
+
 static bat_editor *range(int n) {
     return one_curve(n, false, (const char *const[]){"tool-sketch", "range", NULL});
 }
@@ -245,8 +279,8 @@ static bat_editor *guides(int n) {
     bat_document *made = document();
     for (int i = 0; i < n; i++) {
         bat_object *guide = NULL;
-        if (bat_object_create_guide(bat_document_new_id(made), i % 2, 10 + 0.7 * i, &guide) != BAT_OK)
-            abort();
+        double at = i < 2 ? 401 + 2 * i : 600.0123456789 + 0.7 * i;
+        if (bat_object_create_guide(bat_document_new_id(made), i % 2, at, &guide) != BAT_OK) abort();
         append(made, guide, 0);
     }
     add_small(made, 0, 1, LINES, 0);
@@ -323,6 +357,25 @@ static bat_editor *pair(int n) {
     return editor;
 }
 
+static bat_editor *turned(int n) {
+    bat_editor *editor = lines(n);
+    bat_editor_command(editor, "view-right");
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* After a stroke that can be read in several ways. */
+static bat_editor *redrawn(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, MIXED, 0);
+    add_curve(made, pen_curve(270, 415, 25, 0, 11), 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-sketch", NULL});
+    pen p = pen_for(editor);
+    pen_line(&p, 300, 410, 480, 410, 0);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_editor *isolated(int n) {
     bat_editor *editor = groups(n);
     bat_editor_command(editor, "isolate");
@@ -340,10 +393,13 @@ const growth_scene growth_scenes[] = {
     {"an object of n curves", subpaths},
     {"a curve of n points, one chosen", points},
     {"a curve of n points, a knot chosen", knot},
+    {"a curve of n points, a corner chosen", corner},
+    {"a curve of n points that trembles", trembling},
     {"a ring of n points", ring},
     {"a spline of n points", spline},
     {"n points, to be taken apart", apart},
     {"n points in levels", levels},
+    {"a curve of n points with levels", taken_apart},
     {"a range of n points", range},
     {"a range of n points, to be smoothed", range_smooth},
     {"a range of a ring of n points, to be rubbed out", range_eraser},
@@ -355,6 +411,8 @@ const growth_scene growth_scenes[] = {
     {"n rings, half duplicated and back", undone},
     {"n steps", long_session},
     {"n curves, nothing chosen", drawing},
+    {"n curves, after a stroke", redrawn},
+    {"n lines, the view turned", turned},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
     {"n/4 groups, isolated", isolated},
