@@ -150,7 +150,8 @@ static io_result give_back(const io_place *place, const char *aside, io_stamp in
     for (int i = 0; i < EXCHANGE_TRIES; i++) {
         io_stamp given = stamp_at(place->folder, aside);
         if (!exchange(place, aside)) { /* it removed the place: what it had put there is kept all the same */
-            linkat(place->folder, aside, place->folder, place->name, 0);
+            if (linkat(place->folder, aside, place->folder, place->name, 0) != 0 && errno != EEXIST)
+                renameat(place->folder, aside, place->folder, place->name); /* no links here */
             return IO_CHANGED;
         }
         io_stamp out = stamp_at(place->folder, aside);
