@@ -11,6 +11,15 @@
 #ifndef BATTEN_BASE_REAL_H
 #define BATTEN_BASE_REAL_H
 
+#include <float.h>
+
+#if FLT_EVAL_METHOD != 0
+#error "Batten needs doubles without excess precision; on 32-bit x86: -msse2 -mfpmath=sse"
+#endif
+#ifdef __FAST_MATH__
+#error "Batten needs IEEE 754 arithmetic: no -ffast-math, no -Ofast"
+#endif
+
 #define BAT_PI 3.14159265358979323846
 
 double bat_hypot(double x, double y); /* 1.25 ulp; no overflow or underflow on the way */
