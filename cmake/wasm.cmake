@@ -7,6 +7,9 @@ if(NOT BATTEN_WASM_CLANG)
   message(FATAL_ERROR "The module needs clang 16 or newer")
 endif()
 set(CMAKE_C_COMPILER ${BATTEN_WASM_CLANG})
+# CFLAGS and LDFLAGS in the environment are meant for the machine's own code (a stack protector, control-flow protection).
+unset(ENV{CFLAGS})
+unset(ENV{LDFLAGS})
 # A tree that another compiler has built remembers that one: let it look again.
 set(known ${CMAKE_BINARY_DIR}/CMakeFiles/${CMAKE_VERSION}/CMakeCCompiler.cmake)
 if(EXISTS ${known})

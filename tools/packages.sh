@@ -64,6 +64,7 @@ need_to_test() {
     need nodejs node
     need npm npm
     need chromium chromium
+    need dpkg-dev dpkg-buildflags
     need adwaita-icon-theme /usr/share/icons/Adwaita/scalable
     need tango-icon-theme /usr/share/icons/Tango/scalable
     need fonts-nanum /usr/share/fonts/truetype/nanum

@@ -104,4 +104,4 @@ const module_field *module_layout(void) {
 }
 
 /* For the test of the host's recovery: fails as a broken invariant would. */
-void module_break(void) { module_panic(__FILE__, __LINE__, "asked to break"); }
+void module_break(void) { module_panic(__FILE_NAME__, __LINE__, "asked to break"); }

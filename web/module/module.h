@@ -13,7 +13,7 @@ module_panic(const char *file, int line, const char *text);
 #define MODULE_CHECK(truth)                                                                                  \
     do {                                                                                                     \
         if (!(truth)) {                                                                                      \
-            module_panic(__FILE__, __LINE__, #truth);                                                        \
+            module_panic(__FILE_NAME__, __LINE__, #truth);                                                   \
         }                                                                                                    \
     } while (0)
 
