@@ -6,6 +6,8 @@
 
 #include "text/json.h"
 
+#include <batten/format.h>
+
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>

@@ -62,6 +62,12 @@ BAT_API const char *bat_status_message(bat_status status);
 /* The library's version, "major.minor.patch"; static storage. */
 BAT_API const char *bat_version(void);
 
+/* What was wrong with what was read: "line 3, column 14" or "curves[2].knots[7]", what was expected, what was found. */
+typedef struct bat_problem {
+    char place[96];
+    char message[160];
+} bat_problem;
+
 #ifdef __cplusplus
 }
 #endif

@@ -11,12 +11,6 @@
 extern "C" {
 #endif
 
-/* What was wrong: "line 3, column 14" or "curves[2].knots[7]", what was expected, what was found. */
-typedef struct bat_problem {
-    char place[96];
-    char message[160];
-} bat_problem;
-
 /* Native document: versioned JSON (docs/format.md, docs/batten.schema.json). Numbers survive bit for bit. */
 BAT_API bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem);
 BAT_API bat_status bat_document_write(const bat_document *document, char **text, size_t *size); /* bat_free */

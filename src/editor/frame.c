@@ -2,7 +2,7 @@
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/editor.h"
-#include "editor/tools/calm.h"
+#include "editor/commands/calm.h"
 #include "editor/show/ruler.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/sketch/sketching.h"

@@ -3,7 +3,7 @@
 #ifndef BATTEN_TEXT_JSON_H
 #define BATTEN_TEXT_JSON_H
 
-#include <batten/format.h>
+#include <batten/base.h>
 
 enum { BAT_JSON_DEPTH = 64 };
 #define BAT_JSON_SIZE ((size_t)1 << 28) /* bytes of text */

@@ -16,13 +16,13 @@ ROOMS = [
     "base", "text", "curve", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
     "kinds", "format/native", "format/svg", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
-    "editor/tools/modes", "editor/tools/keyed", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
+    "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
     "editor/commands", "editor/panels", "editor",
 ]
 # Rooms side by side, that do not see each other.
 APART = [{"hands/sketch", "hands/tangents"},
-         {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/sketch", "editor/tools/tangents",
-          "editor/tools/levels"}]
+         {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch",
+          "editor/tools/tangents", "editor/tools/levels"}]
 # Rooms in which files do not see each other either; but for the headers named here, which are for all of them.
 TOOLBOX = {"editor/tools/tool.h", "editor/tools/toolbox.h", "editor/tools/toolbox.c"}  # for every tool
 SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/modes": set()}
@@ -33,7 +33,7 @@ ROOM_OF_HEADER = {
     "nearest": "curve", "fit": "curve", "frames": "curve",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "document": "document",
-    "format": "text",
+    "format": "format/json",
     "editor": "editor/tables",
     "batten": None,  # the umbrella: for users, not for us
 }

@@ -1,6 +1,8 @@
 /* CURVE as JSON: {"degree":3, "closed":false, "knots":[...], "points":[[x,y],...]}. */
 #include "format/json/curve.h"
 #include "text/number.h"
+#include <batten/curve.h>
+#include <batten/format.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -4,6 +4,7 @@
 
 #include "text/json.h"
 #include "text/text.h"
+#include <batten/curve.h>
 
 bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem);
 /* indent: spaces before the members, for people; 0: all on one line. */

@@ -7,6 +7,8 @@
 
 #include "format/json/curve.h"
 
+#include <batten/format.h>
+
 #include <stdlib.h>
 #include <string.h>
 

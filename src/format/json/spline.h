@@ -5,6 +5,8 @@
 #include "text/json.h"
 #include "text/text.h"
 
+#include <batten/tangents.h>
+
 /* *spline's arrays lie in one block: bat_free(*block). Its tangents are never NULL. options: what "mode" and
  * "default" say; left alone where they are not there; NULL: not looked at. */
 bat_status bat_spline_from_json(const bat_json *json, uint32_t node, bat_spline *spline, void **block,

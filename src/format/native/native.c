@@ -9,6 +9,8 @@
 #include "kinds/kinds.h"
 #include "text/json.h"
 
+#include <batten/format.h>
+
 #include <stdlib.h>
 #include <string.h>
 

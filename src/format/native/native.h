@@ -6,6 +6,8 @@
 #include "text/json.h"
 #include "text/text.h"
 
+#include <batten/format.h>
+
 #include <batten/document.h>
 
 /* One object of the document's list, and back (BAT_SYNTAX and so on, told in problem). Bit for bit. The text

@@ -5,6 +5,8 @@
 #include "text/json.h"
 #include "text/text.h"
 
+#include <batten/format.h>
+
 /* {"gradients":3,"texts":1}, and back: what is none of ours, or no count, is skipped. */
 void bat_losses_to_json(const bat_losses *losses, bat_text *text);
 void bat_losses_from_json(const bat_json *json, uint32_t node, bat_losses *losses);

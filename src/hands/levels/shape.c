@@ -137,7 +137,7 @@ bat_status bat_shape_flatten(const bat_shape *shape, bat_curve **out) {
 
 int bat_shape_levels(const bat_shape *shape) { return shape->count; }
 const bat_curve *bat_shape_curve(const bat_shape *shape, int level) {
-    return level == 0 ? shape->base : shape->levels[level - 1].curve;
+    return bat_shape_curve_at(shape, level);
 }
 const double *bat_shape_details(const bat_shape *shape, int level) {
     return shape->levels[level - 1].details;

@@ -31,6 +31,10 @@ struct bat_shape {
     bool turned; /* frames are no longer those that the curves alone would give: bat_shape_fold */
 };
 
+/* C^level, 0: the base. */
+static inline bat_curve *bat_shape_curve_at(const bat_shape *shape, int level) {
+    return level > 0 ? shape->levels[level - 1].curve : shape->base;
+}
 /* C^level of the curve below and the frames that it has, refine(C^{j-1}) + sum g F d N: all of them, and those that lie `count` from `first` on
  * (closed: modulo n). */
 bat_status bat_level_build(bat_level *level, const bat_curve *below);

@@ -205,7 +205,7 @@ static bool accept(bat_context *c, void *state) {
     bat_notice(c, BAT_STRING_COUNT);
     const bat_slot *tool = bat_toolbox_chosen(c);
     if (!tool->is->work) {
-        bat_waypoints_over(c, r->object, r->curve, r->u);
+        bat_waypoints_over(c, r->object, r->curve, r->u, &r->on);
         return true;
     }
     r->on = false;

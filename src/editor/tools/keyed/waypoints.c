@@ -9,7 +9,6 @@
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/keyed/range.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
@@ -43,7 +42,7 @@ bat_status bat_command_place(bat_context *c, bat_command_id id) {
     (void)id;
     if ((!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) &&
          !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES)) ||
-        w->on || bat_range_of(c)->on)
+        bat_toolbox_tool(c) != bat_toolbox_chosen(c))
         return BAT_STATE;
     /* A chosen spline is being shaped: Escape first lets go of it. */
     const bat_slot *chosen = bat_toolbox_chosen(c);
@@ -61,14 +60,14 @@ bat_status bat_command_place(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
-void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]) {
+void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2], bool *on) {
     bat_waypoints *w = bat_waypoints_of(c);
     const bat_curve *target = bat_edit_target(c->session->document, object, curve);
     if (!target) return;
     double from = u[0], length = bat_curve_length(target, u[0], u[1], 1e-9), domain[2], d[4];
     bat_curve_domain(target, domain);
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_DRAWS)) c->choice->tool = bat_tool_that(BAT_DRAWS);
-    *w = (bat_waypoints){.on = true, .due = true, .object = object, .curve = curve};
+    *w = (bat_waypoints){.on = true, .due = true, .object = object, .curve = curve, .beneath = on};
     for (; w->count < OVER_RANGE; w->count++) {
         bool last = w->count == OVER_RANGE - 1;
         double at = last ? u[1]
@@ -163,7 +162,8 @@ static void finish(bat_context *c, bat_waypoints *w) {
         return;
     }
     if (status != BAT_OK) bat_notice_failure(c, status);
-    w->on = bat_range_of(c)->on = false;
+    w->on = false;
+    if (w->beneath) *w->beneath = false;
 }
 
 /* ---- keys ---- */
@@ -256,7 +256,7 @@ static bool cancel(bat_context *c, void *state) {
     bat_waypoints *w = state;
     if (!w->on) return false;
     bat_waypoints_end(c);
-    if (!bat_range_of(c)->on) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
+    if (!w->beneath) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
@@ -265,7 +265,8 @@ static bool cancel(bat_context *c, void *state) {
 static void update(bat_context *c, void *state) {
     bat_waypoints *w = state;
     if (w->object && !bat_edit_target(c->session->document, w->object, w->curve)) {
-        bat_range_end(c);
+        bat_waypoints_end(c);
+        if (w->beneath) *w->beneath = false;
         return;
     }
     if (memcmp(c->view, &w->view, sizeof w->view)) w->due = true;

@@ -20,12 +20,14 @@ typedef struct bat_waypoints {
     double leads[4]; /* redrawn: the curve's directions where the stroke begins and ends */
     int count, chosen;
     bat_view view; /* that the preview was made in */
+    bool *beneath; /* whether the range is on that they redraw: when they are done, it is, too; NULL: none */
 } bat_waypoints;
 
 /* The first point, where the pen is or in the middle of the view. BAT_STATE: this tool draws nothing. */
 bat_status bat_command_place(bat_context *c, bat_command_id id);
-/* Points along the stretch u[0]..u[1] of a curve, which is to be redrawn; the tool is the sketch tool then. */
-void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2]);
+/* Points along the stretch u[0]..u[1] of a curve, which is to be redrawn; the tool is the sketch tool then. *on becomes
+ * false when it has been. */
+void bat_waypoints_over(bat_context *c, bat_id object, int curve, const double u[2], bool *on);
 void bat_waypoints_end(bat_context *c);
 /* Lies over the chosen tool while there are waypoints. */
 const bat_tool *bat_tool_waypoints(void);

@@ -15,7 +15,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/brushing.h"
+#include "editor/tools/brushes/brush.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
@@ -29,42 +29,54 @@
 static const double LEAST = 0.75; /* px: shorter remains go too */
 static const float ERASED_WIDTH = 5;
 
-void bat_brushing_end(bat_brushing *b) {
+/* One curve that the eraser has met. */
+typedef struct rubbed_curve {
+    bat_id object;
+    int curve;
+    bat_spans spans;
+} rubbed_curve;
+
+typedef struct erasing {
+    bat_brush brush;
+    rubbed_curve *rubbed; /* while painting */
+    int count, room;
+} erasing;
+
+/* Nothing under way; the memory is given back. */
+static void end(void *state) {
+    erasing *b = state;
     for (int i = 0; i < b->count; i++) bat_spans_free(&b->rubbed[i].spans);
     free(b->rubbed);
     b->rubbed = NULL;
     b->count = b->room = 0;
-    bat_curve_free(b->preview);
-    b->preview = NULL;
-    b->painting = b->due = false;
-    b->object = 0;
+    b->brush.painting = false;
 }
 
-static double radius(const bat_context *c, const bat_brushing *b) {
-    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * b->pressure * bat_view_pixel(c->view);
+static double radius(const bat_context *c, const erasing *b) {
+    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * b->brush.pressure * bat_view_pixel(c->view);
 }
 
-static bat_rubbed *rubbed_of(bat_brushing *b, bat_id object, int curve) {
+static rubbed_curve *rubbed_of(erasing *b, bat_id object, int curve) {
     for (int i = b->count - 1; i >= 0; i--) /* mostly one of the last */
         if (b->rubbed[i].object == object && b->rubbed[i].curve == curve) return &b->rubbed[i];
     if (b->count == b->room) {
         int room = b->room ? 2 * b->room : 8;
-        bat_rubbed *more = realloc(b->rubbed, (size_t)room * sizeof *more);
+        rubbed_curve *more = realloc(b->rubbed, (size_t)room * sizeof *more);
         if (!more) return NULL;
         b->rubbed = more;
         b->room = room;
     }
-    b->rubbed[b->count] = (bat_rubbed){object, curve, {0}};
+    b->rubbed[b->count] = (rubbed_curve){object, curve, {0}};
     return &b->rubbed[b->count++];
 }
 
-static void give_up(bat_context *c, bat_brushing *b, bat_status status) {
-    bat_brushing_end(b);
+static void give_up(bat_context *c, erasing *b, bat_status status) {
+    end(b);
     bat_notice_failure(c, status);
 }
 
 /* From one place of the eraser to the next, both view pixels. */
-static void rub(bat_context *c, bat_brushing *b, const double from[2], const double to[2]) {
+static void rub(bat_context *c, erasing *b, const double from[2], const double to[2]) {
     const bat_scene *scene = c->scene;
     double a[2], end[2], r = radius(c, b);
     bat_stage_sync(c);
@@ -80,7 +92,7 @@ static void rub(bat_context *c, bat_brushing *b, const double from[2], const dou
         for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
             const bat_curve *curve = bat_object_curve(entry->object, j);
             if (bat_curve_dimension(curve) != 2 || !bat_spans_near(curve, a, end, r)) continue;
-            bat_rubbed *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
+            rubbed_curve *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
             bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, end, r) : BAT_MEMORY;
             if (status != BAT_OK) {
                 give_up(c, b, status);
@@ -121,7 +133,7 @@ static bat_status rest_add(rest *r, int count, bat_curve **pieces) {
 }
 
 /* rubbed: those of the object that have spans, ascending. */
-static bat_status rest_of(const bat_context *c, const bat_rubbed *rubbed, int rubbed_count,
+static bat_status rest_of(const bat_context *c, const rubbed_curve *rubbed, int rubbed_count,
                           const bat_object *object, rest *out) {
     const double least = LEAST * bat_view_pixel(c->view);
     bat_status status = BAT_OK;
@@ -159,7 +171,7 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
 }
 
 /* An object of one curve falls into objects of one curve; one of several stays one. */
-static bat_status cut(bat_context *c, const bat_rubbed *rubbed, int count) {
+static bat_status cut(bat_context *c, const rubbed_curve *rubbed, int count) {
     int at = bat_document_find(c->session->document, rubbed->object);
     if (at < 0) return BAT_OK;
     bat_object *object = bat_object_retain(bat_document_at(c->session->document, at));
@@ -182,12 +194,12 @@ static bat_status cut(bat_context *c, const bat_rubbed *rubbed, int count) {
 }
 
 static int by_curve(const void *a, const void *b) {
-    const bat_rubbed *x = a, *y = b;
+    const rubbed_curve *x = a, *y = b;
     return x->object != y->object ? (x->object > y->object) - (x->object < y->object)
                                   : (x->curve > y->curve) - (x->curve < y->curve);
 }
 
-static bat_status cut_all(bat_context *c, bat_brushing *b) {
+static bat_status cut_all(bat_context *c, erasing *b) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     int count = 0;
@@ -209,86 +221,61 @@ static bat_status cut_all(bat_context *c, bat_brushing *b) {
 }
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
-    bat_brushing *b = state;
+    erasing *b = state;
     const bat_curve *target = bat_edit_target(c->session->document, on->object, on->curve);
     double domain[2];
     if (!target) return BAT_ARGUMENT;
     bat_curve_domain(target, domain);
-    bat_brushing_end(b);
-    bat_rubbed *rubbed = rubbed_of(b, on->object, on->curve);
+    end(b);
+    rubbed_curve *rubbed = rubbed_of(b, on->object, on->curve);
     bat_status status = rubbed ? bat_spans_add(&rubbed->spans, on->u[0], fmin(on->u[1], domain[1]))
                                : BAT_MEMORY;
     if (status == BAT_OK && on->u[1] > domain[1]) /* over the seam */
         status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (on->u[1] - domain[1]));
     if (status == BAT_OK) status = cut_all(c, b);
-    bat_brushing_end(b);
+    end(b);
     return status;
 }
 
 /* ---- the tool ---- */
 
-static void note(bat_context *c, bat_brushing *b, const bat_pointer *event) {
-    b->hovering = true;
-    b->device = event->device;
-    b->at[0] = event->x;
-    b->at[1] = event->y;
-    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(c, event);
-}
-
-static void hover(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    note(c, b, event);
-}
-static void leave(bat_context *c, void *state) {
-    (void)c;
-    bat_brushing *b = state;
-    b->hovering = false;
-}
-
 static void down(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    bat_brushing_end(b);
-    note(c, b, event);
-    b->painting = true;
+    erasing *b = state;
+    end(b);
+    bat_brush_note(c, &b->brush, event);
+    b->brush.painting = true;
     bat_notice(c, BAT_STRING_COUNT);
-    rub(c, b, b->at, b->at);
+    rub(c, b, b->brush.at, b->brush.at);
 }
 
 static void move(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    if (!b->painting || event->predicted) return;
-    double from[2] = {b->at[0], b->at[1]};
-    note(c, b, event);
-    if (from[0] != b->at[0] || from[1] != b->at[1]) rub(c, b, from, b->at);
+    erasing *b = state;
+    if (!b->brush.painting || event->predicted) return;
+    double from[2] = {b->brush.at[0], b->brush.at[1]};
+    bat_brush_note(c, &b->brush, event);
+    if (from[0] != b->brush.at[0] || from[1] != b->brush.at[1]) rub(c, b, from, b->brush.at);
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
+    erasing *b = state;
     (void)event;
-    if (!b->painting) return;
+    if (!b->brush.painting) return;
     bat_status status = cut_all(c, b);
-    bat_brushing_end(b);
+    end(b);
     if (status != BAT_OK) bat_notice_failure(c, status);
 }
 
 static bool cancel(bat_context *c, void *state) {
-    bat_brushing *b = state;
-    if (!b->painting) return false;
-    bat_brushing_end(b);
+    erasing *b = state;
+    if (!b->brush.painting) return false;
+    end(b);
     bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static bool busy(const bat_context *c, const void *state) {
-    (void)c;
-    const bat_brushing *b = state;
-    return b->painting;
-}
-
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
-    bat_brushing *b = state;
-    double point[2];
-    if (!b->hovering || c->input->holding_pan) return;
+    erasing *b = state;
+    if (!b->brush.hovering || c->input->holding_pan) return;
     bat_overlay_item(list, BAT_ROLE_ERASED, BAT_ITEM_STROKED, ERASED_WIDTH);
     for (int i = 0; i < b->count; i++) {
         const bat_curve *curve = bat_edit_target(c->session->document, b->rubbed[i].object,
@@ -296,47 +283,35 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
         for (int k = 0; k < b->rubbed[i].spans.count && curve; k++)
             bat_overlay_stretch(list, curve, b->rubbed[i].spans.list[k][0], b->rubbed[i].spans.list[k][1]);
     }
-    bat_view_to_document(c->view, b->at, point);
-    bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
-    bat_overlay_circle(list, point, radius(c, b));
+    bat_brush_show(c, &b->brush, radius(c, b), list);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {
     (void)c;
-    const bat_brushing *b = state;
-    return b->painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
-}
-
-static bat_cursor cursor(const bat_context *c, const void *state) {
-    (void)state;
-    (void)c;
-    return BAT_CURSOR_CROSS;
+    const erasing *b = state;
+    return b->brush.painting ? BAT_STRING_HINT_ERASING : BAT_STRING_HINT_ERASER;
 }
 
 static const char *check(const bat_context *c, const void *state) {
-    const bat_brushing *b = state;
-    if (!b->painting && b->rubbed) return "an eraser is lifted and has not let go";
-    if (b->painting && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
-        return "an eraser without a pen";
-    return NULL;
+    const erasing *b = state;
+    if (!b->brush.painting && b->rubbed) return "an eraser is lifted and has not let go";
+    return bat_brush_check(c, state);
 }
-
-static void end(void *state) { bat_brushing_end(state); }
 
 const bat_tool *bat_tool_eraser(void) {
     static const bat_tool tool = {.work = work,
-                                  .size = sizeof(bat_brushing),
+                                  .size = sizeof(erasing),
                                   .end = end,
-                                  .hover = hover,
-                                  .leave = leave,
+                                  .hover = bat_brush_hover,
+                                  .leave = bat_brush_leave,
                                   .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
-                                  .busy = busy,
+                                  .busy = bat_brush_busy,
                                   .overlay = overlay,
                                   .hint = hint,
-                                  .cursor = cursor,
+                                  .cursor = bat_brush_cursor,
                                   .check = check};
     return &tool;
 }

@@ -16,26 +16,46 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/tools/brushing.h"
+#include "editor/tools/brushes/brush.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/view.h"
 #include "base/real.h"
-#include "editor/tools/calm.h"
+#include "editor/edit/fair.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/curves_of.h"
 #include <math.h>
 
 static const float STRETCH_WIDTH = 4, FIT_WIDTH = 2;
 
+typedef struct smoothing {
+    bat_brush brush;
+    bool due;
+    /* The curve under it, and the stretch within its reach; while painting: all that was painted. Closed curves: the
+     * stretch may begin or end in another period. */
+    bat_id object; /* 0: none */
+    int curve;
+    double u, range[2];
+    bat_curve *preview; /* owned; NULL: none */
+} smoothing;
+
+/* Nothing under way; the memory is given back. */
+static void end(void *state) {
+    smoothing *b = state;
+    bat_curve_free(b->preview);
+    b->preview = NULL;
+    b->brush.painting = b->due = false;
+    b->object = 0;
+}
+
 static double radius(const bat_context *c) {
     return c->settings->values[BAT_PROPERTY_BRUSH_SIZE] * bat_view_pixel(c->view);
 }
 
 /* What the pen's pressure makes of it. A curve is found within all of it, however light the tap. */
-static double pressed(const bat_context *c, const bat_brushing *b) { return b->pressure * radius(c); }
+static double pressed(const bat_context *c, const smoothing *b) { return b->brush.pressure * radius(c); }
 
-static const bat_curve *target(const bat_context *c, const bat_brushing *b) {
+static const bat_curve *target(const bat_context *c, const smoothing *b) {
     return b->object ? bat_edit_target(c->session->document, b->object, b->curve) : NULL;
 }
 
@@ -44,11 +64,11 @@ static double half(double radius_, double distance) {
     return sqrt(fmax(radius_ * radius_ - distance * distance, radius_ * radius_ / 16));
 }
 
-static void look(bat_context *c, bat_brushing *b) {
+static void look(bat_context *c, smoothing *b) {
     double point[2], r = radius(c);
     b->object = 0;
     bat_stage_sync(c);
-    bat_view_to_document(c->view, b->at, point);
+    bat_view_to_document(c->view, b->brush.at, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, r);
     if (!pick.object) return;
     b->object = pick.object;
@@ -56,23 +76,23 @@ static void look(bat_context *c, bat_brushing *b) {
     b->u = pick.near.u;
     const bat_curve *curve = target(c, b);
     if (curve)
-        bat_calm_range(curve, b->u, half(pressed(c, b), pick.near.distance), b->range);
+        bat_fair_range(curve, b->u, half(pressed(c, b), pick.near.distance), b->range);
     else
         b->object = 0;
 }
 
 /* The curve goes on under the brush: its stretch grows, in whichever period lies next. */
-static void paint(bat_context *c, bat_brushing *b) {
+static void paint(bat_context *c, smoothing *b) {
     const bat_curve *curve = target(c, b);
     double point[2], domain[2], range[2], r = radius(c);
     bat_near near;
     if (!curve) return;
-    bat_view_to_document(c->view, b->at, point);
+    bat_view_to_document(c->view, b->brush.at, point);
     if (bat_curve_nearest(curve, point, &near) != BAT_OK || near.distance > r) return;
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0], turns = 0;
     if (bat_curve_closed(curve)) turns = floor((b->u - near.u) / period + 0.5) * period;
-    bat_calm_range(curve, near.u, half(pressed(c, b), near.distance), range);
+    bat_fair_range(curve, near.u, half(pressed(c, b), near.distance), range);
     b->u = near.u + turns;
     b->range[0] = fmin(b->range[0], range[0] + turns);
     b->range[1] = fmax(b->range[1], range[1] + turns);
@@ -80,43 +100,25 @@ static void paint(bat_context *c, bat_brushing *b) {
     b->due = true;
 }
 
-static bat_status fair(bat_context *c, bat_brushing *b, bat_curve **out) {
+static bat_status fair(bat_context *c, smoothing *b, bat_curve **out) {
     double pixel = bat_view_pixel(c->view);
-    return bat_calm_curve(target(c, b), b->range, c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel,
+    return bat_fair_curve(target(c, b), b->range, c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel,
                           pixel, out);
 }
 
-static void note(bat_context *c, bat_brushing *b, const bat_pointer *event) {
-    b->hovering = true;
-    b->device = event->device;
-    b->at[0] = event->x;
-    b->at[1] = event->y;
-    if (event->phase != BAT_POINTER_UP) b->pressure = bat_pressure_of(c, event);
-}
-
-static void hover(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    note(c, b, event);
-}
-static void leave(bat_context *c, void *state) {
-    (void)c;
-    bat_brushing *b = state;
-    b->hovering = false;
-}
-
 static void down(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    bat_brushing_end(b);
-    note(c, b, event);
+    smoothing *b = state;
+    end(b);
+    bat_brush_note(c, &b->brush, event);
     look(c, b);
-    b->painting = b->due = true;
+    b->brush.painting = b->due = true;
     bat_notice(c, BAT_STRING_COUNT);
 }
 
 static void move(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
-    if (!b->painting || event->predicted) return;
-    note(c, b, event);
+    smoothing *b = state;
+    if (!b->brush.painting || event->predicted) return;
+    bat_brush_note(c, &b->brush, event);
     if (b->object)
         paint(c, b);
     else
@@ -124,9 +126,9 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
-    bat_brushing *b = state;
+    smoothing *b = state;
     (void)event;
-    if (!b->painting) return;
+    if (!b->brush.painting) return;
     bat_curve *curve = NULL;
     if (!target(c, b)) {
         bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
@@ -136,28 +138,22 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             status = bat_commit_curve(c, b->object, b->curve, curve, BAT_STRING_STEP_SMOOTH);
         if (status != BAT_OK) bat_notice_failure(c, status);
     }
-    bat_brushing_end(b);
+    end(b);
 }
 
 static bool cancel(bat_context *c, void *state) {
-    bat_brushing *b = state;
-    if (!b->painting) return false;
-    bat_brushing_end(b);
+    smoothing *b = state;
+    if (!b->brush.painting) return false;
+    end(b);
     bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
     return true;
 }
 
-static bool busy(const bat_context *c, const void *state) {
-    (void)c;
-    const bat_brushing *b = state;
-    return b->painting;
-}
-
 static void update(bat_context *c, void *state) {
-    bat_brushing *b = state;
-    if (!b->painting) {
+    smoothing *b = state;
+    if (!b->brush.painting) {
         b->object = 0;
-        if (b->hovering) look(c, b);
+        if (b->brush.hovering) look(c, b);
         return;
     }
     if (!b->due || !target(c, b)) return;
@@ -168,10 +164,9 @@ static void update(bat_context *c, void *state) {
 }
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
-    bat_brushing *b = state;
+    smoothing *b = state;
     const bat_curve *curve = target(c, b);
-    double point[2];
-    if (!b->hovering || c->input->holding_pan) return;
+    if (!b->brush.hovering || c->input->holding_pan) return;
     if (curve) {
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, STRETCH_WIDTH);
         bat_overlay_stretch(list, curve, b->range[0], b->range[1]);
@@ -180,39 +175,27 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
         bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, FIT_WIDTH);
         bat_path_curve(&list->path, b->preview);
     }
-    bat_view_to_document(c->view, b->at, point);
-    bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
-    bat_overlay_circle(list, point, pressed(c, b));
+    bat_brush_show(c, &b->brush, pressed(c, b), list);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {
     (void)c;
-    const bat_brushing *b = state;
-    if (b->painting) return BAT_STRING_HINT_BRUSHING;
+    const smoothing *b = state;
+    if (b->brush.painting) return BAT_STRING_HINT_BRUSHING;
     return b->object ? BAT_STRING_HINT_BRUSH : BAT_STRING_HINT_SMOOTH_NOTHING;
 }
 
-static bat_cursor cursor(const bat_context *c, const void *state) {
-    (void)state;
-    (void)c;
-    return BAT_CURSOR_CROSS;
-}
-
 static const char *check(const bat_context *c, const void *state) {
-    const bat_brushing *b = state;
-    if (b->preview && !b->painting) return "a preview outlived its brush";
-    if (b->painting && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
-        return "a brush without a pen";
-    return NULL;
+    const smoothing *b = state;
+    if (b->preview && !b->brush.painting) return "a preview outlived its brush";
+    return bat_brush_check(c, state);
 }
 
 static void readout(const bat_context *c, const void *state, bat_readout *out) {
     (void)c;
-    const bat_brushing *b = state;
+    const smoothing *b = state;
     out->curve = b->preview;
 }
-
-static void end(void *state) { bat_brushing_end(state); }
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
     double pixel = bat_view_pixel(c->view), limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
@@ -220,26 +203,26 @@ static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
     bat_curve *faired = NULL;
     (void)state;
     if (!curve) return BAT_ARGUMENT;
-    bat_status status = bat_calm_curve(curve, on->u, limit, pixel, &faired);
+    bat_status status = bat_fair_curve(curve, on->u, limit, pixel, &faired);
     return status == BAT_OK ? bat_commit_curve(c, on->object, on->curve, faired, BAT_STRING_STEP_SMOOTH)
                             : status;
 }
 
 const bat_tool *bat_tool_smooth(void) {
     static const bat_tool tool = {.work = work,
-                                  .size = sizeof(bat_brushing),
+                                  .size = sizeof(smoothing),
                                   .end = end,
-                                  .hover = hover,
-                                  .leave = leave,
+                                  .hover = bat_brush_hover,
+                                  .leave = bat_brush_leave,
                                   .down = down,
                                   .move = move,
                                   .up = up,
                                   .cancel = cancel,
-                                  .busy = busy,
+                                  .busy = bat_brush_busy,
                                   .update = update,
                                   .overlay = overlay,
                                   .hint = hint,
-                                  .cursor = cursor,
+                                  .cursor = bat_brush_cursor,
                                   .readout = readout,
                                   .check = check};
     return &tool;
