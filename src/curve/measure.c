@@ -25,7 +25,7 @@ typedef struct hodograph {
 } hodograph;
 
 static void rescale(hodograph *h, double density) {
-    double greatest = 0, sum = 0;
+    double greatest = 0, sum = 0, slope = 0;
     int exponent = 0;
     const int count = h->terms * h->dimension;
     for (int i = 0; i < count; i++) greatest = fmax(greatest, fabs(h->c[i]));
@@ -34,8 +34,10 @@ static void rescale(hodograph *h, double density) {
     for (int i = 0; i < count; i++) {
         h->c[i] = ldexp(h->c[i], -exponent);
         sum += fabs(h->c[i]);
+        slope += (double)(i / h->dimension) * fabs(h->c[i]);
     }
-    h->noise = 4 * DBL_EPSILON * sum;
+    /* Of the sum, and of u: in a span that is narrow for where it lies, few digits are left of the place in it. */
+    h->noise = DBL_EPSILON * (4 * sum + (1 + fabs(h->middle) / h->half) * slope);
     h->density = density / h->scale;
 }
 

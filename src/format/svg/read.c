@@ -144,13 +144,15 @@ static double diagonal(const scope *s) { return sqrt((s->width * s->width + s->h
 static void match_rules(walk *w, uint32_t element, const scope *outer, bool important, bat_svg_style *style) {
     const char *id = attribute(w, element, "id"), *classes = attribute(w, element, "class");
     const char *type = bat_svg_tree_name(w->tree, element);
-    for (size_t i = 0; i < w->sheet->count; i++) {
-        const bat_svg_rule *rule = &w->sheet->rules[i];
+    size_t i = 0;
+    while ((i = bat_svg_sheet_next(w->sheet, type, id, classes, i)) < w->sheet->count) {
+        const bat_svg_rule *rule = &w->sheet->rules[i++];
+        w->tried++;
         if (bat_svg_rule_matches(w->sheet, rule, type, id, classes))
             bat_svg_style_declarations(style, &outer->style, diagonal(outer), w->sheet->text + rule->body,
                                        rule->body_size, important);
     }
-    w->tried += (long)w->sheet->count;
+    w->tried++;
 }
 
 /* The cascade: attributes, sheets, style="", then what is !important in the two. */

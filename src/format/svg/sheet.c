@@ -69,6 +69,35 @@ static int compare_rules(const void *a, const void *b) {
     return (x->selector > y->selector) - (x->selector < y->selector);
 }
 
+static int compare_keys(const void *a, const void *b) {
+    const bat_svg_key *x = a, *y = b;
+    int order = memcmp(x->text, y->text, x->size < y->size ? x->size : y->size);
+    if (order != 0) return order;
+    if (x->size != y->size) return x->size < y->size ? -1 : 1;
+    return (x->rule > y->rule) - (x->rule < y->rule);
+}
+
+/* The id of a selector, else its first class, else its type. */
+static bat_svg_key key_of(const bat_svg_sheet *sheet, size_t rule) {
+    const char *s = sheet->text + sheet->rules[rule].selector, *end = s + sheet->rules[rule].selector_size;
+    const char *at = memchr(s, '#', (size_t)(end - s));
+    if (!at) at = memchr(s, '.', (size_t)(end - s));
+    if (!at) at = s;
+    const char *to = at + 1;
+    while (to < end && is_name(*to)) to++;
+    return (bat_svg_key){at, (uint32_t)(to - at), (uint32_t)rule};
+}
+
+static bat_status put_in_order(bat_svg_sheet *sheet) {
+    if (sheet->count == 0) return BAT_OK;
+    qsort(sheet->rules, sheet->count, sizeof *sheet->rules, compare_rules); /* no ties */
+    sheet->keys = malloc(sheet->count * sizeof *sheet->keys);
+    if (!sheet->keys) return BAT_MEMORY;
+    for (size_t i = 0; i < sheet->count; i++) sheet->keys[i] = key_of(sheet, i);
+    qsort(sheet->keys, sheet->count, sizeof *sheet->keys, compare_keys); /* no ties */
+    return BAT_OK;
+}
+
 /* Behind the block that opens at `at`. */
 static size_t skip_block(const char *text, size_t size, size_t at) {
     int depth = 0;
@@ -115,9 +144,7 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         }
         at = close + 1;
     }
-    if (sheet->count > 1)
-        qsort(sheet->rules, sheet->count, sizeof *sheet->rules, compare_rules); /* no ties */
-    return BAT_OK;
+    return put_in_order(sheet);
 }
 
 bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *sheet) {
@@ -136,6 +163,7 @@ bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *she
 void bat_svg_sheet_free(bat_svg_sheet *sheet) {
     free(sheet->text);
     free(sheet->rules);
+    free(sheet->keys);
     *sheet = (bat_svg_sheet){0};
 }
 
@@ -152,6 +180,47 @@ static bool has_class(const char *classes, const char *part, size_t size) {
         classes += n;
     }
     return false;
+}
+
+/* The first rule from `from` on whose key is this mark (0: none) and name. */
+static size_t next_of(const bat_svg_sheet *sheet, char mark, const char *name, size_t size, size_t from) {
+    size_t low = 0, high = sheet->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const bat_svg_key *key = &sheet->keys[middle];
+        const char *text = key->text + (mark != 0);
+        size_t left = key->size - (mark != 0);
+        int order = mark ? (unsigned char)*key->text - (unsigned char)mark : 0;
+        if (order == 0) order = memcmp(text, name, left < size ? left : size);
+        if (order == 0) order = (left > size) - (left < size);
+        if (order < 0 || (order == 0 && key->rule < from))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == sheet->count) return sheet->count;
+    const bat_svg_key *key = &sheet->keys[low];
+    bool same_name = key->size == size + (mark != 0) && (!mark || *key->text == mark) &&
+                     memcmp(key->text + (mark != 0), name, size) == 0;
+    return same_name ? key->rule : sheet->count;
+}
+
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
+size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
+                          size_t from) {
+    if (from >= sheet->count) return sheet->count;
+    size_t next = next_of(sheet, 0, "*", 1, from);
+    if (type) next = least(next, next_of(sheet, 0, type, strlen(type), from));
+    if (id) next = least(next, next_of(sheet, '#', id, strlen(id), from));
+    while (classes && *classes) {
+        while (is_space(*classes)) classes++;
+        size_t n = 0;
+        while (classes[n] && !is_space(classes[n])) n++;
+        if (n > 0) next = least(next, next_of(sheet, '.', classes, n, from));
+        classes += n;
+    }
+    return next;
 }
 
 bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const char *type,

@@ -51,9 +51,16 @@ typedef struct bat_svg_rule {
     uint32_t weight;                                   /* specificity */
 } bat_svg_rule;
 
+/* What an element must have for a rule to match: "#id", ".class", "type" or "*". */
+typedef struct bat_svg_key {
+    const char *text;
+    uint32_t size, rule;
+} bat_svg_key;
+
 typedef struct bat_svg_sheet {
     char *text;          /* without comments, a zero behind it; owned */
     bat_svg_rule *rules; /* ascending weight, then order */
+    bat_svg_key *keys;   /* one a rule, sorted by their texts, then rules */
     size_t count;
     int blocks; /* "{ ... }" and what begins with "@" */
 } bat_svg_sheet;
@@ -62,7 +69,9 @@ enum { BAT_SVG_RULES_MAX = 20000 };
 
 bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *sheet);
 void bat_svg_sheet_free(bat_svg_sheet *sheet);
-/* type, id, class: NULL when there is none. */
+/* type, id, class: NULL when there is none. The first rule from `from` on that may match by its key; count: none. */
+size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
+                          size_t from);
 bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const char *type,
                           const char *id, const char *classes);
 
