@@ -6,25 +6,20 @@
 #include <string.h>
 
 /* The format that OUT is written in: by --to, else by its name. */
-static int output_format(const cli_arguments *arguments, drawing_format *out) {
+static int output_format(const cli_arguments *arguments, const bat_format **out) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
-    *out = drawing_format_of(name);
-    if (to) {
-        char ending[16];
-        if (strlen(to) > 10) return fail_usage(arguments->command, "--to: no such format: %s", to);
-        ending[0] = '.';
-        strcpy(ending + 1, to);
-        *out = drawing_format_of(ending);
-        if (*out == DRAWING_UNKNOWN) return fail_usage(arguments->command, "--to: no such format: %s", to);
-    }
-    if (*out != DRAWING_UNKNOWN) return EXIT_DONE;
+    char words[BAT_FORMATS_WORDS];
+    *out = to ? bat_format_named(to) : bat_format_called(name);
+    if (to && !*out) return fail_usage(arguments->command, "--to: no such format: %s", to);
+    if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
-    return fail_usage(arguments->command, "%s: expected a name that ends in .batten, .svg or .json", name);
+    bat_formats_words(".", false, words);
+    return fail_usage(arguments->command, "%s: expected a name that ends in %s", name, words);
 }
 
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
-    drawing_format format;
+    const bat_format *format;
     bat_svg_options options = bat_svg_merging();
     int failed = output_format(arguments, &format);
     double tolerance = -1;

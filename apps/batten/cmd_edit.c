@@ -43,7 +43,7 @@ static bool has_display(void) {
 
 /* The file can be read as what it is called, or can be made. Says what the user should know before drawing.
  */
-static int look_at(const char *path, drawing_format format) {
+static int look_at(const char *path, const bat_format *format) {
     char *text;
     size_t size;
     io_stamp stamp;
@@ -99,7 +99,7 @@ static int own_port(const char *path) {
 }
 
 /* port below 0: none was asked for. */
-static int serve(const cli_arguments *arguments, drawing_format format, int port) {
+static int serve(const cli_arguments *arguments, const bat_format *format, int port) {
     const char *path = arguments->operands[0];
     sigset_t signals;
     sigemptyset(&signals);
@@ -132,9 +132,11 @@ static int run(const cli_arguments *arguments) {
     long port = -1;
     int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
     if (failed) return failed;
-    drawing_format format = drawing_format_of(path);
-    if (format != DRAWING_SVG && format != DRAWING_NATIVE) {
-        return fail_usage(arguments->command, "%s: expected a name that ends in .svg or .batten", path);
+    const bat_format *format = bat_format_called(path);
+    if (!format || !format->keeps) {
+        char words[BAT_FORMATS_WORDS];
+        bat_formats_words(".", true, words);
+        return fail_usage(arguments->command, "%s: expected a name that ends in %s", path, words);
     }
     if (!serve_has_shell())
         return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");

@@ -73,7 +73,7 @@ static int print_json(const char *name, const drawing_file *drawing) {
     bat_text_string(&text, "{\"file\":");
     bat_text_json_string(&text, name);
     bat_text_string(&text, ",\"format\":");
-    bat_text_json_string(&text, drawing_format_name(drawing->format));
+    bat_text_json_string(&text, drawing->format->name);
     double page[4];
     bat_document_page(document, page);
     bat_text_string(&text, ",\"page\":");
@@ -159,8 +159,8 @@ static int print_text(const char *name, const drawing_file *drawing) {
     bat_text_string(&text, "file     ");
     put_name(&text, name);
     bat_text_string(&text, "\n");
-    bool saved = drawing->format == DRAWING_SVG && drawing->report.native;
-    put_line(&text, "format", saved ? "svg, with its native document" : drawing_format_name(drawing->format));
+    bool saved = drawing->report.native;
+    put_line(&text, "format", saved ? "svg, with its native document" : drawing->format->name);
     double page[4];
     bat_document_page(document, page);
     if (page[2] > 0) snprintf(line, sizeof line, "%g %g, %g x %g", page[0], page[1], page[2], page[3]);

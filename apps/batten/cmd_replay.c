@@ -27,7 +27,7 @@ static int print_digest(const bat_document *document) {
 static int save(const bat_document *document, const char *journal, const char *out) {
     char *text;
     size_t size;
-    int failed = drawing_print(document, drawing_format_of(out), journal, &text, &size);
+    int failed = drawing_print(document, bat_format_called(out), journal, &text, &size);
     if (failed) return failed;
     failed = io_write(out, text, size);
     bat_free(text);
@@ -53,8 +53,10 @@ static int replay(const cli_arguments *arguments, bat_editor *editor) {
 
 static int run(const cli_arguments *arguments) {
     const char *out = arguments_value(arguments, "--output");
-    if (out && drawing_format_of(out) == DRAWING_UNKNOWN) {
-        return fail_usage(arguments->command, "%s: expected a name that ends in .batten, .svg or .json", out);
+    if (out && !bat_format_called(out)) {
+        char words[BAT_FORMATS_WORDS];
+        bat_formats_words(".", false, words);
+        return fail_usage(arguments->command, "%s: expected a name that ends in %s", out, words);
     }
     bat_editor *editor;
     if (bat_editor_create(&editor) != BAT_OK) return fail_memory();

@@ -20,13 +20,13 @@ static void make_tag(const char *data, size_t size, bool exists, char tag[TAG_RO
     snprintf(tag, TAG_ROOM, "\"%zx-%016llx\"", size, (unsigned long long)hash);
 }
 
-static file_result empty_drawing(drawing_format format, char **data, size_t *size) {
+static file_result empty_drawing(const bat_format *format, char **data, size_t *size) {
     bat_document *document;
     errno = ENOMEM;
     if (bat_document_create(&document) != BAT_OK) return FILE_FAILED;
     char *text;
-    bat_status status = format == DRAWING_SVG ? bat_svg_write(document, true, &text, size)
-                                              : bat_document_write(document, &text, size);
+    bat_problem problem;
+    bat_status status = format->write(document, &text, size, &problem);
     bat_document_free(document);
     if (status != BAT_OK) return FILE_FAILED;
     *data = malloc(*size + 1);
@@ -45,7 +45,7 @@ static file_result result_of(io_result result) {
     }
 }
 
-file_result document_file_load(const char *path, drawing_format format, char **data, size_t *size,
+file_result document_file_load(const char *path, const bat_format *format, char **data, size_t *size,
                                char tag[TAG_ROOM]) {
     io_stamp stamp;
     io_result loaded = io_load(path, data, size, &stamp);
@@ -54,7 +54,7 @@ file_result document_file_load(const char *path, drawing_format format, char **d
     return stamp.exists ? FILE_DONE : empty_drawing(format, data, size);
 }
 
-static file_result check(drawing_format format, const char *data, size_t size, bat_problem *problem) {
+static file_result check(const bat_format *format, const char *data, size_t size, bat_problem *problem) {
     drawing_file drawing;
     bat_status status = drawing_parse(data, size, format, NULL, &drawing, problem);
     if (status == BAT_MEMORY) {
@@ -84,7 +84,7 @@ static file_result replace(const io_place *place, const char *data, size_t size,
     return result_of(io_replace(place, data, size, &stamp));
 }
 
-file_result document_file_save(const char *path, drawing_format format, const char *data, size_t size,
+file_result document_file_save(const char *path, const bat_format *format, const char *data, size_t size,
                                const char *tag, char new_tag[TAG_ROOM], bat_problem *problem) {
     file_result result = check(format, data, size, problem);
     if (result != FILE_DONE) return result;

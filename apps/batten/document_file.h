@@ -18,11 +18,11 @@ typedef enum file_result {
 
 /* The present bytes (malloc'ed) and their tag, an HTTP entity tag with its quotes. A file that is not there
  * yet is an empty drawing. */
-file_result document_file_load(const char *path, drawing_format format, char **data, size_t *size,
+file_result document_file_load(const char *path, const bat_format *format, char **data, size_t *size,
                                char tag[TAG_ROOM]);
 /* Replaces the version that `tag` names; new_tag is that of the new one. Nothing is written unless FILE_DONE. Of saves
  * at once over one version, in this process or in others, one is FILE_DONE. */
-file_result document_file_save(const char *path, drawing_format format, const char *data, size_t size,
+file_result document_file_save(const char *path, const bat_format *format, const char *data, size_t size,
                                const char *tag, char new_tag[TAG_ROOM], bat_problem *problem);
 
 #endif

@@ -4,31 +4,20 @@
 
 #include "program.h"
 
+#include "format/formats.h"
+
 #include <batten/bezier.h>
 #include <batten/format.h>
 
-typedef enum drawing_format {
-    DRAWING_UNKNOWN,
-    DRAWING_NATIVE, /* .batten */
-    DRAWING_SVG,    /* .svg */
-    DRAWING_CURVE   /* .json: one CURVE */
-} drawing_format;
-
 typedef struct drawing_file {
-    drawing_format format;
+    const bat_format *format;
     bat_document *document;
     bat_svg_report report; /* zero but for SVG */
 } drawing_file;
 
-/* By the name's ending, in any case of letters. */
-drawing_format drawing_format_of(const char *name);
-const char *drawing_format_name(drawing_format format);
-/* Media type. */
-const char *drawing_media_type(drawing_format format);
-
-/* format UNKNOWN: told from the text. A native document is read under any name that ends in .json, too. */
-bat_status drawing_parse(const char *text, size_t size, drawing_format format, const bat_svg_options *options,
-                         drawing_file *out, bat_problem *problem);
+/* format NULL: told from the text. A native document is read under any name. options NULL: bat_svg_defaults. */
+bat_status drawing_parse(const char *text, size_t size, const bat_format *format,
+                         const bat_svg_options *options, drawing_file *out, bat_problem *problem);
 /* The file called name ("-": standard input). Returns 0, or an exit status after telling. */
 int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out);
 void drawing_free(drawing_file *drawing);
@@ -44,9 +33,8 @@ int drawing_may_replace(const cli_arguments *arguments, const drawing_file *draw
 #define OPTION_LOSSY                                                                                         \
     { "--lossy", NULL, "write over the input even when something of it is lost" }
 
-/* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling:
- * a .json holds exactly one curve. */
-int drawing_print(const bat_document *document, drawing_format format, const char *name, char **text,
+/* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling. */
+int drawing_print(const bat_document *document, const bat_format *format, const char *name, char **text,
                   size_t *size);
 
 #endif

@@ -46,7 +46,7 @@ struct http_server {
     struct MHD_Daemon *daemon;
     guest_list guests;
     const char *path;
-    drawing_format format;
+    const bat_format *format;
     int port;
     char token[TOKEN_ROOM];
     char hosts[2][HOST_ROOM]; /* what Host may say */
@@ -193,7 +193,7 @@ static bool is_type(const char *value, const char *type) {
 /* What can be said of a PUT before its body is read. *size: bytes that will come. */
 static http_refusal refuse_put(const http_server *server, struct MHD_Connection *connection, size_t *size) {
     const char *type = header(connection, "Content-Type", NULL);
-    if (!type || !is_type(type, drawing_media_type(server->format))) {
+    if (!type || !is_type(type, server->format->media_type)) {
         return (http_refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
     }
     if (!header(connection, "If-Match", NULL)) {
@@ -248,7 +248,7 @@ static enum MHD_Result get_document(const http_server *server, struct MHD_Connec
     }
     MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
     MHD_add_response_header(response, "X-Batten-Name", server->name);
-    return answer(connection, MHD_HTTP_OK, response, drawing_media_type(server->format));
+    return answer(connection, MHD_HTTP_OK, response, server->format->media_type);
 }
 
 static enum MHD_Result put_document(const http_server *server, struct MHD_Connection *connection,
@@ -487,7 +487,8 @@ static const char *start(http_server *server, int port) {
     return server->daemon ? NULL : "the server cannot be started";
 }
 
-const char *serve_start(const char *path, drawing_format format, int port, bool lasting, http_server **out) {
+const char *serve_start(const char *path, const bat_format *format, int port, bool lasting,
+                        http_server **out) {
     http_server *server = calloc(1, sizeof *server);
     if (!server) return "out of memory";
     server->path = path;

@@ -34,7 +34,8 @@ typedef struct http_server http_server;
 /* Starts a thread that serves path. port 0: any free one. lasting: the browser may keep the shell of this
  * address. NULL on success, else what went wrong (static
  * storage or strerror's). path is borrowed. */
-const char *serve_start(const char *path, drawing_format format, int port, bool lasting, http_server **out);
+const char *serve_start(const char *path, const bat_format *format, int port, bool lasting,
+                        http_server **out);
 int serve_port(const http_server *server);
 /* Ends after the request under way. */
 void serve_stop(http_server *server);

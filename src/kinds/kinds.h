@@ -15,4 +15,9 @@ const bat_kind_type *bat_kind_named(const char *name);
 /* All names, for people: "path", "spline" or "shape". */
 void bat_kinds_words(char words[BAT_KINDS_WORDS]);
 
+/* A document with a path for each curve, in their order; names may be NULL, or hold NULLs. Takes the curves over (not the
+ * array), whatever it returns. */
+bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
+                                  bat_document **out);
+
 #endif

@@ -53,6 +53,27 @@ bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
     return status;
 }
 
+bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
+                                  bat_document **out) {
+    bat_document *document = NULL;
+    bat_status status = bat_document_create(&document);
+    bat_style style = bat_style_defaults();
+    for (int i = 0; i < count; i++) {
+        bat_object *object = NULL;
+        if (status == BAT_OK)
+            status = bat_object_create_path(bat_document_new_id(document), names ? names[i] : NULL, &style, 1,
+                                            &curves[i], &object);
+        if (!object) bat_curve_free(curves[i]);
+        if (status == BAT_OK) status = bat_document_put(document, i, object);
+        bat_object_release(object);
+    }
+    if (status != BAT_OK)
+        bat_document_free(document);
+    else
+        *out = document;
+    return status;
+}
+
 static const char *check(const bat_object *object) {
     int shapes = 0;
     for (int i = 0; i < bat_object_curve_count(object); i++) {

@@ -181,7 +181,7 @@ class Refusals(EditTest):
             with self.subTest(head=head):
                 self.assertEqual(self.editor.raw(head + b"\r\n"), 400)
         for fields in (b"", b"Accept: */*\r\n", b"Empty: \r\n", b"Empty:\r\n", b"A:b\r\nC:  d\r\n", "Name: ä ü\r\n".encode()):  # as browsers write
-            for path in (b"/", b"/?a=b&c", b"/main.js?"):
+            for path in (b"/", b"/?a=b&c", b"/sw.js?"):
                 self.assertEqual(self.editor.raw(b"GET " + path + b" HTTP/1.1\r\n" + host + b"\r\n" + fields + b"\r\n"), 200)
 
     def test_origin(self):
