@@ -48,3 +48,15 @@ export function want(part) {
     return new Promise(() => {});
   });
 }
+
+/** Gives the page a style sheet of this build. @param {string} name @returns {Promise<void>} it is there */
+export function dress(name) {
+  const sheet = document.createElement('link');
+  sheet.rel = 'stylesheet';
+  sheet.href = addressOf(name);
+  document.head.append(sheet);
+  return want(new Promise((resolve, reject) => {
+    sheet.addEventListener('load', () => resolve());
+    sheet.addEventListener('error', () => reject(new Missing(name)));
+  }));
+}

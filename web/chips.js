@@ -1,6 +1,6 @@
 // The chips at the end of a stroke: what else it could mean. A tap reads the stroke that way; they go when the next begins.
 
-import { addressOf } from './build.js';
+import { dress } from './build.js';
 import { word } from './words.js';
 
 /**
@@ -19,11 +19,7 @@ export class Chips {
     this.engine = engine;
     this.stage = stage;
     this.wake = wake;
-    const sheet = document.createElement('link');
-    sheet.rel = 'stylesheet';
-    sheet.href = addressOf('chips.css');
-    sheet.addEventListener('load', () => this.#place());
-    document.head.append(sheet);
+    void dress('chips.css').then(() => this.#place());
     this.box = document.createElement('div');
     this.box.className = 'chips';
     this.box.setAttribute('role', 'group');

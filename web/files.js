@@ -17,7 +17,7 @@ const JSON_TYPE = 'application/json';
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
 
 /** @param {string} name */
-const isNative = (name) => name.toLowerCase().endsWith('.batten');
+export const isNative = (name) => name.toLowerCase().endsWith('.batten');
 
 /**
  * The text of an XML file in whatever encoding it declares.
@@ -188,8 +188,11 @@ export class Files {
     }
   }
 
-  /** To the file that the server holds, else as a download. */
-  async save() {
+  /**
+   * To the file that the server holds, else as a download.
+   * @param {string} [over] what it takes the place of, when that is another version than the drawing was made of
+   */
+  async save(over) {
     const native = isNative(this.name);
     if (!this.bound) {
       if (this.download(native)) {
@@ -203,11 +206,11 @@ export class Files {
     }
     this.saving = true;
     try {
-      if (!native && !(await this.#mayLose())) {
+      if (!native && !over && !(await this.#mayLose())) {
         return;
       }
       // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
-      await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG);
+      await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
       this.losses = this.engine.losses = {};
       this.notices.over('kept', 'unkept', 'changed');
@@ -274,9 +277,47 @@ export class Files {
   #complain(error) {
     const text = error instanceof Error ? error.message : String(error);
     if (error instanceof Changed) {
-      this.notices.ask('changed', text, [{ label: word('shell.copy'), run: () => void this.download() }]);
+      this.#tellChanged(text);
     } else {
       this.notices.say(text);
+    }
+  }
+
+  /** The file is another one than the drawing was made of: nothing is written over until the user says so. @param {string} text */
+  #tellChanged(text) {
+    this.notices.ask('changed', text, [
+      { label: word('shell.look-both'), run: () => void this.#compare(text) },
+      { label: word('shell.overwrite'), run: () => void this.#overwrite() },
+      { label: word('shell.copy'), run: () => {
+        this.download();
+        this.#tellChanged(text); // it still is
+      } }]);
+  }
+
+  async #overwrite() {
+    try {
+      await this.save((await this.server.look()).tag);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** Shows the drawing and the file beside each other. @param {string} text */
+  async #compare(text) {
+    try {
+      const { compare } = await want(import('./compare.js'));
+      const file = await this.server.look();
+      const answer = await compare(this.engine, file);
+      if (answer === 'overwrite') {
+        await this.save(file.tag); // what was looked at, and nothing newer
+        return;
+      }
+      if (answer === 'copy') {
+        this.download();
+      }
+      this.#tellChanged(text);
+    } catch (error) {
+      this.#complain(error);
     }
   }
 }

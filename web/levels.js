@@ -1,7 +1,7 @@
 // The level strip: one row a level of the chosen curve, finest first, with a fader, mute and solo; below it what can be
 // done with levels. Loaded when it is first seen, with its own style sheet. The engine holds all that it shows.
 
-import { addressOf } from './build.js';
+import { dress } from './build.js';
 import { tell, word } from './words.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
@@ -41,10 +41,7 @@ export class LevelStrip {
     this.panel = panel;
     this.engine = panel.engine;
     this.stage = stage;
-    const sheet = document.createElement('link');
-    sheet.rel = 'stylesheet';
-    sheet.href = addressOf('levels.css');
-    document.head.append(sheet);
+    void dress('levels.css');
     this.box = tell(make('section', 'levels'), { label: 'tool.levels' });
     this.box.hidden = true;
     this.list = make('ul', 'level-list');

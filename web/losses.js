@@ -1,6 +1,7 @@
 // What writing over a file would lose: a list of it, and the question before. Loaded when there is something to tell.
 
 import { totalOf } from './files.js';
+import { answer, question } from './question.js';
 import { counted, tell, word } from './words.js';
 
 /** @typedef {import('./engine.js').Losses} Losses */
@@ -19,51 +20,10 @@ function list(losses) {
   return rows;
 }
 
-/** @param {string} value @param {string} text */
-function answer(value, text) {
-  const button = document.createElement('button');
-  button.value = value;
-  button.textContent = text;
-  return button;
-}
-
-/**
- * Asks, before a file is written over.
- * @param {string} name
- * @param {Losses} losses
- * @returns {Promise<string>} 'copy', 'lose', or '' for neither
- */
+/** @param {Losses} losses @param {string} name @returns {Promise<string>} 'copy', 'lose', or '' for neither */
 export function ask(name, losses) {
-  const dialog = document.createElement('dialog');
-  const form = document.createElement('form');
-  const text = document.createElement('p');
-  const answers = document.createElement('div');
-  Object.assign(dialog, { id: 'lossy', className: 'question' });
-  dialog.setAttribute('aria-labelledby', 'lossy-text');
-  text.id = 'lossy-text';
-  text.textContent = word('shell.may-lose', name);
-  form.method = 'dialog';
-  answers.className = 'answers';
-  const copy = answer('copy', word('shell.save-copy'));
-  copy.className = 'strong';
-  copy.autofocus = true;
-  answers.append(copy, answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel')));
-  form.append(text, list(losses), answers);
-  dialog.append(form);
-  document.body.append(dialog);
-  dialog.addEventListener('keydown', (event) => {
-    event.stopPropagation(); // nothing of it is for the drawing
-    if (event.ctrlKey || event.metaKey) {
-      event.preventDefault(); // nor does the browser save the page
-    }
-  });
-  dialog.showModal();
-  return new Promise((resolve) => {
-    dialog.addEventListener('close', () => {
-      dialog.remove();
-      resolve(dialog.returnValue);
-    }, { once: true });
-  });
+  return question('lossy', word('shell.may-lose', name), [list(losses)], [answer('copy', word('shell.save-copy')),
+    answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel'))]);
 }
 
 /** The list alone, to look at. @param {Losses} losses */

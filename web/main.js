@@ -10,6 +10,7 @@ import { Notices } from './notice.js';
 import { loadIcons } from './icons.js';
 import { Painter, ROLE_GRID } from './paint.js';
 import { Panel } from './panel.js';
+import './ring.js';
 import { Server } from './server.js';
 import { Settings } from './settings.js';
 import { Tabs } from './tabs.js';

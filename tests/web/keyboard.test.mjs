@@ -271,3 +271,33 @@ test('the Tab key passes each toolbar in one stop, F6 each region, and nothing h
   await context.close();
   server.close();
 });
+
+test('the ring around what has the focus comes with the Tab key, and goes with a pointer', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const { page, context } = await open(browser, server.address);
+  const focused = () => page.evaluate(() => {
+    const { activeElement: element } = document;
+    return [element.id || element.dataset.name, getComputedStyle(element).outlineStyle !== 'none'];
+  });
+  await page.mouse.click(600, 650);
+  await page.keyboard.press('c');
+  await settle(page);
+  assert.deepEqual(await focused(), ['stage', false], 'a key for the drawing rings nothing');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'ring-none.png') });
+  await page.mouse.click(600, 650);
+  for (let i = 0; i < 3; i++) {
+    const before = (await focused())[0];
+    await page.keyboard.press('F6');
+    await page.waitForFunction((name) => (document.activeElement.id || document.activeElement.dataset.name) !== name, before);
+    assert.deepEqual((await focused())[1], true);
+  }
+  await page.mouse.click(600, 650);
+  assert.deepEqual(await focused(), ['stage', false]);
+  await page.keyboard.press('Shift+Tab'); // from the drawing, by the list beside it, to the tools
+  await page.keyboard.press('Shift+Tab');
+  assert.deepEqual((await focused())[1], true);
+  await page.keyboard.press('ArrowDown');
+  assert.deepEqual((await focused())[1], true);
+  await context.close();
+});

@@ -2,8 +2,9 @@
 // compare the file.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, inked, launch, open, place, ready, settle, state } from './page.mjs';
+import { bezier, expectFaults, inked, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -137,21 +138,119 @@ test('the program and a native file', async (t) => {
   await context.close();
 });
 
+/** What it asks, and what can be answered. @returns {Promise<string[]>} */
+const answers = (page) => page.locator('[data-about=changed] button').allTextContents();
+const shown = (page) => page.waitForFunction(() => [...document.querySelectorAll('#compare img')]
+  .filter((picture) => picture.complete && picture.naturalWidth > 0).length === 2);
 
-test('a file that changed on disk is not overwritten', async () => {
+test('a file that changed on disk: both can be seen, and nothing is written over unless it is wanted', async (t) => {
   expectFaults(/status of 412/);
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
   const { page, hand, context } = await open(browser, server.address);
-  await hand.stroke([await place(page, 100, 60), await place(page, 300, 50)]);
-  const foreign = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>');
+  await hand.stroke(bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y)))));
+  const foreign = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100"><path d="M10 90Q100 0 190 90" ' +
+    'fill="none" stroke="#a00" stroke-width="3"/></svg>');
   server.bytes = foreign;
   await page.keyboard.press('Control+S');
   await page.waitForSelector('[data-about=changed]');
   assert.match((await state(page)).notice, /changed on disk/);
-  assert.equal(server.bytes, foreign);
+  assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Download a copy', '×']);
   assert.equal((await state(page)).unsaved, true);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=changed] button')]);
+
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('text=Download a copy')]);
   assert.equal(download.suggestedFilename(), 'car.svg');
+  assert.equal(await page.isVisible('[data-about=changed]'), true, 'it is as it was');
+
+  await page.click('text=Look at both');
+  await shown(page);
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await settle(page);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `compare-${colorScheme}.png`) });
+  }
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#compare', { state: 'detached' });
+  assert.equal(server.bytes, foreign);
+  await page.keyboard.press('Control+S');
+  await settle(page);
+  assert.equal(server.bytes, foreign, 'to have looked allows nothing');
+
+  await page.click('text=Look at both');
+  await shown(page);
+  const newer = server.bytes = Buffer.from(foreign.toString().replace('#a00', '#00a'));
+  await page.click('#compare [value=overwrite]');
+  await page.waitForSelector('[data-about=changed]');
+  assert.equal(server.bytes, newer, 'only what was looked at is written over');
+
+  await page.click('[data-about=changed] >> text=Overwrite');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(server.bytes.toString(), /batten:document/);
+  assert.equal(await page.isVisible('[data-about=changed]'), false);
   await context.close();
-  server.close();
+});
+
+test('a native file that changed on disk is a picture, too', async (t) => {
+  expectFaults(/status of 412/);
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const car = await open(browser, server.address);
+  const native = await car.page.evaluate(() => new TextDecoder().decode(batten.engine.save(true)));
+  await car.context.close();
+  const other = await serve({ name: 'car.batten', bytes: Buffer.from(native) });
+  t.after(other.close);
+  const { page, hand, context } = await open(browser, other.address);
+  await hand.stroke(bezier([300, 300], [500, 100], [700, 500], [900, 300]));
+  other.bytes = Buffer.from(`${native}\n`);
+  await page.keyboard.press('Control+S');
+  await page.click('text=Look at both');
+  await shown(page);
+  await page.click('#compare [value=overwrite]');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.notEqual(other.bytes.toString().trim(), native.trim());
+  await context.close();
+});
+
+test('a program started again is found without a reload; one with another file is not taken for it', async (t) => {
+  expectFaults(/status of 403/, /ERR_CONNECTION_REFUSED/, /ERR_CONNECTION_RESET/);
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close());
+  const { page, hand, context } = await open(browser, program.address);
+  await page.waitForLoadState('networkidle');
+  const line = bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y))));
+  await hand.stroke(line);
+  const { address } = program;
+  await program.kill();
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => /does not answer/.test(document.getElementById('notice-text').textContent));
+  assert.equal((await state(page)).unsaved, true);
+
+  await program.start();
+  assert.equal(program.address, address);
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(program.bytes.toString(), /batten:document/);
+
+  await program.kill();
+  const stranger = await edit(fs.readFileSync(EXAMPLE), 'bus.svg', '--port', new URL(address).port);
+  t.after(() => stranger.close());
+  await hand.stroke(line.map(([x, y]) => [x, y + 40]));
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => /token/.test(document.getElementById('notice-text').textContent));
+  assert.deepEqual(stranger.bytes, fs.readFileSync(EXAMPLE));
+  assert.equal((await state(page)).unsaved, true);
+  await context.close();
+});
+
+test('what was said goes when the next stroke begins', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const { page, hand, context } = await open(browser, server.address);
+  await page.keyboard.press('Control+Z');
+  await page.waitForSelector('#notice >> text=Nothing to undo');
+  await hand.stroke(bezier([300, 300], [500, 100], [700, 500], [900, 300]), {
+    during: async () => assert.equal(await page.isVisible('#notice'), false),
+  });
+  assert.doesNotMatch(await page.textContent('#notice-text'), /Nothing to undo/);
+  await context.close();
 });
