@@ -143,8 +143,8 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
     for (const sheet of ['style', 'layers', 'settings', 'menu']) {
       await page.focus(`[data-name=${sheet}]`);
       await page.keyboard.press('Enter');
-      await settle(page);
-      assert.equal(await page.isVisible(`#${sheet}`), true);
+      await page.waitForSelector(`#${sheet}`);
+      await quiet(page);
       assert.deepEqual(await violations(page), [], sheet);
       await page.keyboard.press('Escape');
     }

@@ -132,7 +132,8 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
   const { page, hand, context } = await open(browser, server.address, TABLET);
   const stroke = await Promise.all(bezier([440, 137], [490, 103], [560, 92], [690, 114]).map(([x, y]) => place(page, x, y)));
   const plain = await state(page);
-  const view = () => page.evaluate(() => ({ ...batten.painter.painted }));
+  const view = () => page.evaluate(() => Object.fromEntries(Object.entries(batten.painter.painted)
+    .map(([name, value]) => [name, Math.round(value * 1e9) / 1e9])));
   const seen = await view();
 
   // A palm before the very first pen: its size reaches the engine.

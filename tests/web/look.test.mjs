@@ -137,7 +137,7 @@ test('all of it can be reached by the keyboard, with a visible focus', async () 
   }
   await page.focus('[data-name=menu]');
   await page.keyboard.press('Enter');
-  assert.equal(await page.isVisible('#menu'), true);
+  await page.waitForSelector('#menu'); // fetched when it is first opened
   await page.keyboard.press('Escape');
   assert.equal(await page.isVisible('#menu'), false);
   await context.close();
