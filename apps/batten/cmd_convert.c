@@ -45,17 +45,18 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to batten|svg|json] [--tolerance T] [--lossy]",
-    .summary = "Converts between the native format, SVG and the JSON of one curve.",
+    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--lossy]",
+    .summary = "Converts between the native format, SVG, the JSON of one curve and others.",
     .details =
-        "Formats go by the names' endings: .batten, .svg, .json (one CURVE). Standard input is recognised. "
+        "Formats go by the names' endings: .batten, .svg, .json (one CURVE) and others. Standard input is "
+        "recognised. "
         "One\n"
         "line on standard error counts what an SVG held that was left out: texts, gradients, clips and the "
         "like.\nWriting over such a file needs --lossy.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,
-    .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg or json"},
+    .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg, json ..."},
                 {"--tolerance", "T",
                  "knots of imported paths are removed within T units; 0: only where nothing changes"},
                 OPTION_LOSSY},
