@@ -14,7 +14,7 @@ from sources import sources
 # The rooms of src/, from the ground up: each may use those that stand before it.
 ROOMS = [
     "base", "text", "curve", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
-    "kinds", "format/native", "format/svg", "format/curve", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
+    "kinds", "format/native", "format/svg", "format/curve", "format/obj", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
     "editor/commands", "editor/panels", "editor",
