@@ -1,6 +1,7 @@
 /* Commands that cut and mend the selected curves. */
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/session/context.h"
@@ -194,25 +195,6 @@ static bat_status joined(const bat_curve *a, const bat_curve *b, bat_curve **out
     return status;
 }
 
-/* The object without one curve; *out NULL: nothing is left of it. */
-static bat_status without(const bat_object *object, int curve, bat_object **out) {
-    int count = bat_object_curve_count(object), kept = 0;
-    *out = NULL;
-    if (count == 1) return BAT_OK;
-    bat_curve **curves = calloc((size_t)count, sizeof *curves);
-    bat_status status = curves ? BAT_OK : BAT_MEMORY;
-    for (int i = 0; i < count && status == BAT_OK; i++) {
-        if (i == curve) continue;
-        status = bat_curve_copy(bat_object_curve(object, i), &curves[kept]);
-        kept += status == BAT_OK;
-    }
-    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
-    if (status != BAT_OK)
-        while (kept > 0) bat_curve_free(curves[--kept]);
-    free(curves);
-    return status;
-}
-
 static bat_status join_two(bat_context *c, const open_curve two[2]) {
     const bat_document *document = c->session->document;
     bat_curve *curve = NULL;
@@ -227,11 +209,12 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
         return status;
     }
     if (two[0].object == two[1].object) { /* the second lies behind the first in the same object */
-        status = without(after, two[1].curve, &rest);
+        status = bat_without_curve(after, two[1].curve, &rest);
         if (status == BAT_OK) status = bat_transaction_replace(c, two[0].object, rest);
     } else {
         status = bat_transaction_replace(c, two[0].object, after);
-        if (status == BAT_OK) status = without(bat_document_at(document, two[1].object), two[1].curve, &rest);
+        if (status == BAT_OK)
+            status = bat_without_curve(bat_document_at(document, two[1].object), two[1].curve, &rest);
         if (status == BAT_OK)
             status = rest ? bat_transaction_replace(c, two[1].object, rest)
                           : bat_transaction_remove(c, two[1].object);

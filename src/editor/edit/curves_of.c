@@ -4,11 +4,29 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
 
+#include <stdlib.h>
+
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {
     const bat_object *found = bat_document_at(document, bat_document_find(document, object));
     if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
     const bat_curve *target = bat_object_curve(found, curve);
     return bat_curve_dimension(target) == 2 ? target : NULL;
+}
+
+bat_status bat_without_curve(const bat_object *object, int index, bat_object **out) {
+    int count = bat_object_curve_count(object), kept = 0;
+    *out = NULL;
+    if (count == 1) return BAT_OK;
+    bat_curve **curves = calloc((size_t)count, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++)
+        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
+            kept++;
+    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
+    if (status != BAT_OK)
+        for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
+    free(curves);
+    return status;
 }
 
 bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,

@@ -10,6 +10,8 @@
 
 /* The curve an edit works on, or NULL when the document has none such. */
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
+/* The object without one of its curves; *out NULL when none is left. */
+bat_status bat_without_curve(const bat_object *object, int index, bat_object **out);
 /* Within a transaction: a new path of one curve, in front within `parent` (0: of all). Takes the curve over, whatever it
  * returns. */
 bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,

@@ -76,23 +76,6 @@ bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sket
     return status;
 }
 
-/* The object without one of its curves; *out NULL when none is left. */
-static bat_status without_curve(const bat_object *object, int index, bat_object **out) {
-    int count = bat_object_curve_count(object), kept = 0;
-    *out = NULL;
-    if (count == 1) return BAT_OK;
-    bat_curve **curves = calloc((size_t)count, sizeof *curves);
-    bat_status status = curves ? BAT_OK : BAT_MEMORY;
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
-            kept++;
-    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
-    if (status != BAT_OK)
-        for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
-    free(curves);
-    return status;
-}
-
 /* The curve is only what has been shown of it. */
 static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_shape *shape = NULL;
@@ -121,7 +104,7 @@ static bat_status remove_curve(bat_context *c, bat_id id, int index) {
     int at = bat_document_find(c->session->document, id);
     if (at < 0) return BAT_ARGUMENT;
     bat_object *after = NULL;
-    bat_status status = without_curve(bat_document_at(c->session->document, at), index, &after);
+    bat_status status = bat_without_curve(bat_document_at(c->session->document, at), index, &after);
     if (status != BAT_OK) return status;
     status = after ? bat_transaction_replace(c, at, after) : bat_transaction_remove(c, at);
     bat_object_release(after);
