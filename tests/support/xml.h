@@ -35,11 +35,11 @@ static inline size_t xml_decode(char *text, size_t size) {
     return n;
 }
 
-/* False when the text is not even roughly XML. */
+/* False when the text is not even roughly XML, or there is no memory. */
 static inline bool xml_feed(bat_svg_reader *reader, const char *source) {
     size_t size = strlen(source);
     char *text = malloc(size + 1), *at = text, *end = text + size;
-    if (!text) abort();
+    if (!text) return false;
     memcpy(text, source, size + 1);
     bool good = true;
     while (at < end && good) {
@@ -115,8 +115,9 @@ static inline bat_status xml_read(const char *source, const bat_svg_options *opt
     bat_svg_reader *reader;
     bat_status status = bat_svg_reader_create(options, &reader);
     if (status != BAT_OK) return status;
-    if (!xml_feed(reader, source)) abort();
-    return bat_svg_reader_finish(reader, out, report, problem);
+    if (xml_feed(reader, source)) return bat_svg_reader_finish(reader, out, report, problem);
+    bat_svg_reader_free(reader);
+    return BAT_MEMORY;
 }
 
 #endif

@@ -1,0 +1,78 @@
+/* label: slow. Long random sessions in which memory runs out every now and then, at any allocation of an event: the
+ * invariants hold after each, undoing and redoing lead to the same drawings, and nothing is left behind. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/alloc_fail.h"
+#include "support/random_curve.h"
+#include "support/wild.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void must_be_sound(const bat_editor *editor, uint64_t seed, size_t at) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, at, wrong);
+}
+
+/* Back as far as it goes and forth again, while memory is there. */
+static void back_and_forth(bat_editor *editor, uint64_t seed) {
+    while (bat_editor_command(editor, "redo") == BAT_OK) {
+    }
+    const uint64_t top = digest(editor);
+    while (bat_editor_command(editor, "undo") == BAT_OK) must_be_sound(editor, seed, 0);
+    while (bat_editor_command(editor, "redo") == BAT_OK) must_be_sound(editor, seed, 0);
+    assert_true(digest(editor) == top);
+}
+
+/* What memory did not suffice for is not in the journal, either. */
+static void replays(bat_editor *editor, uint64_t seed) {
+    size_t size = 0;
+    const char *text = bat_editor_journal(editor, &size);
+    bat_editor *again = NULL;
+    bat_problem problem = {"", ""};
+    assert_int_equal(bat_editor_create(&again), BAT_OK);
+    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+        fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
+    assert_true(digest(again) == digest(editor));
+    bat_editor_free(again);
+}
+
+static void short_of_memory(void **state) {
+    (void)state;
+    enum { SIZE = 3000, SESSIONS = 60 };
+    static uint8_t data[SIZE];
+    int failed = 0;
+    for (uint64_t seed = 1; seed <= SESSIONS; seed++) {
+        random_source r = {seed * 31337};
+        for (int i = 0; i < SIZE; i++) data[i] = (uint8_t)random_int(&r, 0, 255);
+        const long held = alloc_live();
+        session_bytes bytes = {data, SIZE, 0};
+        bat_editor *editor = pen_editor();
+        double time = 0;
+        while (bytes.at < bytes.size) {
+            const size_t at = bytes.at;
+            /* Half of all events fail in one of their first allocations, if they make as many. */
+            const double share = random_unit(&r);
+            alloc_fail_at(random_int(&r, 0, 1) * (1 + (long)(60 * share * share * share)));
+            wild_event(editor, &bytes, &time);
+            failed += alloc_fail_reached();
+            must_be_sound(editor, seed, at);
+            if (random_int(&r, 0, 3) == 0) bat_editor_frame(editor);
+        }
+        wild_settle(editor);
+        must_be_sound(editor, seed, SIZE);
+        replays(editor, seed);
+        back_and_forth(editor, seed);
+        bat_editor_free(editor);
+        assert_true(alloc_live() == held);
+    }
+    assert_true(failed > 1000);
+    print_message("%d events ran out of memory\n", failed);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(short_of_memory)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
