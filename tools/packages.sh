@@ -48,6 +48,7 @@ need_to_test() {
     need_to_build
     need g++ g++
     need clang clang
+    need llvm llvm-cov
     need libcmocka-dev /usr/include/cmocka.h
     need libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.asan*.a'
     need clang-format clang-format

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Branch coverage of src/ by the C tests, the examples, the seeds of the fuzz targets, the journals and the drawings of
+# this repository, all in one native program (tests/wasm). A line for each file: the share of its branches' directions
+# that are taken, how many there are, how many are not taken; worst first, all of src/ last.
+# Usage: tools/coverage.sh [FILE...]: with files, also each condition of theirs that never holds, or always.
+set -eu
+cd "$(dirname "$0")/.."
+tree=build/coverage
+cmake --preset coverage --log-level=WARNING > /dev/null
+cmake --build --preset coverage > $tree/build.log || { tail -40 $tree/build.log; exit 1; }
+rm -rf $tree/runs
+mkdir $tree/runs
+
+# The words of each run, a line each: its name, what the program is given.
+{
+    sed -n 's/^    {"\(.*\)", \(unit\|call\)_.*/\1 run \1/p' $tree/tests/wasm/units_list.c
+    for folder in fuzz/corpus/*; do
+        target=fuzz_${folder##*/}
+        echo "$target read $target" "$folder"/*
+    done
+    echo svg read svg $(git ls-files '*.svg')
+    echo journal read journal $(git ls-files '*.journal' fuzz/corpus/journal)
+    echo text read text $(git ls-files '*.csv' '*.json' '*.batten' fuzz/corpus)
+} > $tree/runs.txt
+xargs -P "$(nproc)" -L 1 sh -c 'name=$1 && shift
+    LLVM_PROFILE_FILE=$0/runs/$name.profraw "$0/units" "$@" > "$0/runs/$name.log" 2>&1 ||
+        { echo "$name failed:"; tail -3 "$0/runs/$name.log"; exit 1; }' $tree < $tree/runs.txt
+llvm-profdata merge -sparse $tree/runs/*.profraw -o $tree/all.profdata
+rm $tree/runs/*.profraw
+
+llvm-cov export $tree/units -instr-profile=$tree/all.profdata > $tree/all.json
+jq -r '[.data[0].files[] | select(.filename | test("(^|/)src/")) |
+        {name: (.filename | sub(".*?src/"; "src/")), all: .summary.branches.count, none: .summary.branches.notcovered}] |
+        (sort_by(if .all == 0 then 1 else 1 - .none / .all end) | .[]),
+        {name: "src", all: (map(.all) | add), none: (map(.none) | add)} | select(.all > 0) |
+        "\((1000 * (.all - .none) / .all | floor) / 10)\t\(.all)\t\(.none)\t\(.name)"' $tree/all.json
+for file; do
+    jq -r --arg file "$file" '.data[0].files[] | select(.filename | endswith("/" + $file)) | .branches[] |
+        select(.[4] == 0 or .[5] == 0) |
+        "\($file):\(.[0]):\(.[1]): never\(if .[4] == 0 then " true" else "" end)\(if .[5] == 0 then " false" else "" end)"' \
+        $tree/all.json
+done
