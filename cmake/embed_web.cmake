@@ -18,7 +18,7 @@ set(type_wasm "application/wasm")
 string(REPLACE "|" ";" files "${FILES}")
 string(REPLACE "|" ";" built "${WORDS}|${MODULE}")
 list(REMOVE_ITEM built "")
-list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/types\\.js$")
+list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
 set(staying index.html manifest.webmanifest sw.js) # the last names the others
 list(TRANSFORM staying PREPEND "${ROOT}/")
 list(REMOVE_ITEM files ${staying})

@@ -42,7 +42,7 @@ class Serving(EditTest):
         self.assertRegex(editor.token, r"^[0-9a-f]{32}$")
         build = f"/{editor.build}"
         for path, kind in (("/", "text/html; charset=utf-8"), (f"{build}/main.js", "text/javascript; charset=utf-8"),
-                           (f"{build}/style.css", "text/css; charset=utf-8"), (f"{build}/batten.wasm", "application/wasm"),
+                           (f"{build}/styles/page.css", "text/css; charset=utf-8"), (f"{build}/batten.wasm", "application/wasm"),
                            ("/document", "application/json")):
             status, headers, body = editor.get(path)
             self.assertEqual((status, headers["Content-Type"]), (200, kind), path)
@@ -61,7 +61,7 @@ class Serving(EditTest):
     def test_files_of_one_build(self):
         editor = self.start(content=drawing())
         self.assertRegex(editor.build, r"^[0-9a-f]{16}$")
-        for name in ("main.js", "keeping.js", "icons/sprite.svg", "batten.wasm", "batten-later.wasm", "words.ko.json"):
+        for name in ("main.js", "keep/keeping.js", "icons/sprite.svg", "batten.wasm", "batten-later.wasm", "words.ko.json"):
             self.assertEqual(editor.get(f"/{editor.build}/{name}")[0], 200, name)
             for folder in ("", "/0123456789abcdef", f"/{editor.build}0"):
                 self.assertEqual(editor.get(f"{folder}/{name}")[0], 404, "a page of another build gets none of these")

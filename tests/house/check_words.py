@@ -63,7 +63,7 @@ for path in files:
         if sentence or given:
             faults.append(f"{path.relative_to(root)}: {words!r}")
     asked |= set(re.findall(r"'(shell\.[a-z0-9-]+)'", text))
-    asked |= {f"shell.{key}" for key in re.findall(r"\.text\('([a-z-]+)'\)", text)}
+    asked |= {f"shell.{key}" for key in re.findall(r"#?text\('([a-z-]+)'\)", text)}
     if "`shell.${" in text:  # by the names of sheets and of the groups of the bar
         names = re.findall(r"'([a-z]+)'", text) + re.findall(r'data-group="(\w+)"', sprite.lower())
         asked |= {f"shell.{name}" for name in names} & keys

@@ -24,7 +24,7 @@ after(async () => {
 const objects = (page, count) => page.evaluate((wanted) =>
   JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.slice(-wanted), count);
 const size = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
-const clipboardThere = (page) => page.waitForFunction(() => batten.clipboard !== null);
+const clipboardThere = (page) => page.waitForFunction(() => batten.requests.clipboard !== null);
 
 for (const colorScheme of ['light', 'dark']) {
   test(`copied in one window, pasted in another, knot by knot, ${colorScheme}`, async () => {

@@ -91,11 +91,11 @@ test('Escape cancels the stroke under the pen', async () => {
 test('every sample of a stroke reaches the engine, several in one frame', async () => {
   await page.evaluate(() => {
     batten.input.cost = { samples: 0, milliseconds: 0 };
-    batten.cost.frames = 0;
+    batten.loop.cost.frames = 0;
   });
   const sent = await hand.stroke(await on(wave(60, 60)), { step: 1 });
   const { samples, frames } = await page.evaluate(() => ({
-    samples: batten.input.cost.samples, frames: batten.cost.frames }));
+    samples: batten.input.cost.samples, frames: batten.loop.cost.frames }));
   assert.ok(samples >= sent.length, `${samples} of ${sent.length}`);
   assert.ok(frames < sent.length / 2, `${frames} frames for ${sent.length} samples`);
 });

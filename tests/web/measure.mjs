@@ -56,7 +56,7 @@ function way(samples, [x, y]) {
 async function strokes(page, hand, rows, name, path) {
   await hand.hover(path[0]);
   await take(page);
-  await page.evaluate(() => { batten.cost = { frames: 0, engine: 0, paint: 0 }; });
+  await page.evaluate(() => { batten.loop.cost = { frames: 0, engine: 0, paint: 0 }; });
   // As a tablet of 480 samples a second brings them: eight a frame.
   const samples = densify(path, 0.5);
   const send = (type, [x, y]) => hand.client.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1,
@@ -67,7 +67,7 @@ async function strokes(page, hand, rows, name, path) {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   }
   const calls = await take(page);
-  const cost = await page.evaluate(() => ({ ...batten.cost }));
+  const cost = await page.evaluate(() => ({ ...batten.loop.cost }));
   const told = calls.filter(([what, , , phase]) => what === 'pointer' && phase === 2);
   const frames = calls.filter(([what]) => what === 'frame').map(([, time]) => time);
   rows.push([`${name}: samples, predicted ones too`, sum(told.map(([, , count]) => count)), 0]);

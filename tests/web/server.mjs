@@ -34,7 +34,7 @@ const BUILT = ['words.en.json', 'words.ko.json', 'batten.wasm', 'batten-later.wa
 /** What the program would have embedded. @param {string} build */
 function shellFiles(build) {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
-  return [...files.filter((file) => file !== 'types.js' && !STAYING.includes(file)), ...BUILT].map((file) => `${build}/${file}`)
+  return [...files.filter((file) => file !== 'engine/types.js' && !STAYING.includes(file)), ...BUILT].map((file) => `${build}/${file}`)
     .concat(STAYING.slice(0, 2));
 }
 

@@ -1,0 +1,383 @@
+// The engine: what can be asked of batten.wasm, as a plain class. Below it, instance.js: its memory, and what is done when it
+// traps.
+
+import { Refusal, word } from '../page/words.js';
+import { readFrame } from './frame.js';
+import { EVENTS, Instance, OK } from './instance.js';
+import { readSvg } from './svg_reader.js';
+
+/** @typedef {import('./types.js').Frame} Frame */
+/** @typedef {import('./types.js').Pointer} Pointer */
+/** @typedef {import('./types.js').Tables} Tables */
+
+/** @typedef {Record<string, number>} Losses how many of each kind */
+
+const decoder = new TextDecoder();
+
+export class Engine extends Instance {
+  /** Whether the document can only be looked at. @param {boolean} on */
+  setReadOnly(on) {
+    this.readOnly = on;
+    this.guard(() => this.wasm.editor_read_only(this.editor, Number(on)), undefined);
+  }
+
+  // ---- input ----
+
+  /**
+   * @param {number} width view pixels
+   * @param {number} height
+   * @param {number} ratio device pixels in a view pixel
+   */
+  resize(width, height, ratio) {
+    this.size = [width, height, ratio];
+    this.guard(() => this.wasm.editor_resize(this.editor, width, height, ratio), undefined);
+  }
+
+  /** @param {Pointer[]} pointers in order of time */
+  pointer(pointers) {
+    this.guard(() => {
+      for (let first = 0; first < pointers.length; first += EVENTS) {
+        const count = Math.min(EVENTS, pointers.length - first);
+        const view = this.view();
+        for (let i = 0; i < count; i++) {
+          this.#writePointer(view, this.events + i * this.layout['pointer.size'], pointers[first + i]);
+        }
+        this.wasm.editor_pointer(this.editor, this.events, count);
+      }
+    }, undefined);
+  }
+
+  /**
+   * @param {DataView} view
+   * @param {number} at
+   * @param {Pointer} pointer
+   */
+  #writePointer(view, at, pointer) {
+    const place = this.layout;
+    view.setUint32(at + place['pointer.phase'], pointer.phase, true);
+    view.setUint32(at + place['pointer.device'], pointer.device, true);
+    view.setUint32(at + place['pointer.contact'], pointer.contact, true);
+    view.setUint32(at + place['pointer.buttons'], pointer.buttons, true);
+    view.setUint32(at + place['pointer.modifiers'], pointer.modifiers, true);
+    view.setFloat64(at + place['pointer.x'], pointer.x, true);
+    view.setFloat64(at + place['pointer.y'], pointer.y, true);
+    view.setFloat64(at + place['pointer.pressure'], pointer.pressure, true);
+    view.setFloat64(at + place['pointer.tilt_x'], pointer.tiltX, true);
+    view.setFloat64(at + place['pointer.tilt_y'], pointer.tiltY, true);
+    view.setFloat64(at + place['pointer.twist'], pointer.twist, true);
+    view.setFloat64(at + place['pointer.width'], pointer.width, true);
+    view.setFloat64(at + place['pointer.height'], pointer.height, true);
+    view.setFloat64(at + place['pointer.time'], pointer.time, true);
+    view.setUint8(at + place['pointer.predicted'], pointer.predicted ? 1 : 0);
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} dx pixels
+   * @param {number} dy
+   * @param {number} modifiers
+   * @param {number} time
+   */
+  wheel(x, y, dx, dy, modifiers, time) {
+    this.guard(() => this.wasm.editor_wheel(this.editor, x, y, dx, dy, modifiers, time), undefined);
+  }
+
+  /**
+   * @param {string} key as KeyboardEvent.key
+   * @param {boolean} down
+   * @param {number} modifiers
+   * @param {number} time
+   * @returns {boolean} the engine used it
+   */
+  key(key, down, modifiers, time) {
+    const call = (/** @type {number} */ name) => !this.partial &&
+      this.wasm.editor_key(this.editor, name, down ? 1 : 0, modifiers, time) !== 0;
+    return this.guard(() => this.lend(key, call), false);
+  }
+
+  /** @param {string} name @returns {boolean} it could be done now */
+  command(name) {
+    return !this.partial && this.guard(() => this.lend(name, (text) => this.wasm.editor_command(this.editor, text)) === OK, false);
+  }
+
+  /** @param {string} property @param {number} value @returns {boolean} it was taken */
+  set(property, value) {
+    return this.guard(() => this.lend(property, (text) => this.wasm.editor_set(this.editor, text, value)) === OK,
+      false);
+  }
+
+  /** @param {string} property @returns {number} NaN when there is none */
+  get(property) {
+    return this.guard(() => this.lend(property, (text) => this.wasm.editor_get(this.editor, text)), NaN);
+  }
+
+  /** Which share of a brush's reach a pen's pressure stands for. @param {number} pressure @returns {number} */
+  pressure(pressure) {
+    return this.guard(() => this.wasm.editor_pressure(this.editor, pressure), 1);
+  }
+
+  /** Enters a number of what is chosen, or a property, as text. @param {string} name @param {string} text @returns {boolean} it was taken */
+  enter(name, text) {
+    return this.guard(() => this.lend(name, (number) => this.lend(text, (words) =>
+      this.wasm.editor_enter(this.editor, number, words))) === OK, false);
+  }
+
+  /** That number as it is, in the unit in force; '' when there is none. @param {string} name @returns {string} */
+  number(name) {
+    return this.guard(() => this.string(this.lend(name, (text) => this.wasm.editor_number(this.editor, text))), '');
+  }
+
+  /** Commands that the selection makes possible. @returns {string[]} */
+  actions() {
+    return this.guard(() => this.string(this.wasm.editor_actions(this.editor)).split(' ').filter(Boolean), []);
+  }
+
+  /** Moves a layer to the place of another. @param {number} id @param {number} target @returns {boolean} */
+  placeLayer(id, target) {
+    return this.guard(() => this.wasm.editor_place_layer(this.editor, id, target) === OK, false);
+  }
+
+  /** A text that the engine makes. @param {string} name of the export @param {...number} numbers @returns {string} */
+  ask(name, ...numbers) {
+    return this.guard(() => {
+      const address = this.wasm[name](this.editor, ...numbers);
+      return address ? this.string(address) : '';
+    }, '');
+  }
+
+  /** @param {string} name of the export @param {...number} numbers @returns {boolean} it could be done */
+  act(name, ...numbers) {
+    return this.guard(() => this.wasm[name](this.editor, ...numbers) === OK, false);
+  }
+
+  /** @returns {import('../sheets/layers.js').Layers} */
+  layers() {
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_layers(this.editor))),
+      { layers: [], active: 0, loose: 0, pictures: 0 });
+  }
+
+  /** @returns {import('../stage/chips.js').Readings} */
+  readings() {
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_readings(this.editor))),
+      { at: [0, 0], chosen: -1, words: [] });
+  }
+
+  /** @param {number} reading @returns {boolean} */
+  readAs(reading) {
+    return this.guard(() => this.wasm.editor_read_as(this.editor, reading) === OK, false);
+  }
+
+  /** @returns {import('../sheets/levels.js').Levels} */
+  levels() {
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_levels(this.editor))),
+      { rows: [], points: 0, apart: 0, copying: 0 });
+  }
+
+  /**
+   * @param {number} act as Act of levels.js
+   * @param {number} level 0: the base
+   * @param {number} value
+   * @param {boolean} done a fader was let go
+   * @returns {boolean}
+   */
+  level(act, level, value, done) {
+    return this.guard(() => this.wasm.editor_level(this.editor, act, level, value, Number(done)) === OK, false);
+  }
+
+  /** @param {number} id 0: none @returns {boolean} */
+  activateLayer(id) {
+    return this.guard(() => this.wasm.editor_activate_layer(this.editor, id) === OK, false);
+  }
+
+  /** @param {number} id @param {string} name @returns {boolean} */
+  rename(id, name) {
+    return this.guard(() => this.lend(name, (text) => this.wasm.editor_rename(this.editor, id, text)) === OK, false);
+  }
+
+  /** @param {number} id @param {boolean} hidden @param {boolean} locked @returns {boolean} */
+  setState(id, hidden, locked) {
+    return this.guard(() => this.wasm.editor_set_state(this.editor, id, Number(hidden), Number(locked)) === OK, false);
+  }
+
+  /** @param {string} command @param {string | null} keys null: the default @returns {boolean} */
+  bind(command, keys) {
+    return this.guard(() => this.lend(command, (name) => (keys === null ?
+      this.wasm.editor_bind(this.editor, name, 0) :
+      this.lend(keys, (list) => this.wasm.editor_bind(this.editor, name, list)))) === OK, false);
+  }
+
+  /** @returns {Tables} */
+  tables() {
+    return JSON.parse(this.string(this.wasm.editor_tables(this.editor)));
+  }
+
+  // ---- pictures ----
+
+  /** Places a picture to trace; a notice tells when it is refused. @param {Uint8Array} bytes @param {string} name */
+  addPicture(bytes, name) {
+    this.guard(() => this.lend(bytes, (data, size) => this.lend(name, (title) =>
+      this.wasm.editor_add_picture(this.editor, data, size, title))), undefined);
+  }
+
+  /** The file of a picture that an item shows. @param {number} picture @returns {Uint8Array<ArrayBuffer>} */
+  picture(picture) {
+    const at = this.wasm.editor_picture(this.editor, picture, this.scratch);
+    const size = at ? this.view().getUint32(this.scratch, true) : 0;
+    return new Uint8Array(this.wasm.memory.buffer).slice(at, at + size);
+  }
+
+  // ---- the clipboard ----
+
+  /** What is selected, as SVG with its knots. @param {boolean} cut @returns {string} '' when nothing is: a notice says so */
+  copy(cut) {
+    return this.guard(() => (this.wasm.editor_copy(this.editor, Number(cut), this.scratch) === OK ?
+      decoder.decode(this.take()) : ''), '');
+  }
+
+  /** @param {Element} root */
+  pasteSvg(root) {
+    this.#done(this.guard(() => readSvg(this, root, (reader) =>
+      this.wasm.svg_paste(reader, this.editor, this.scratch)), -1));
+  }
+
+  // ---- files ----
+
+  /**
+   * A native document.
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   */
+  openNative(bytes, name) {
+    const broken = -1;
+    const status = this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
+      this.wasm.editor_open_native(this.editor, text, size, title, this.scratch))), broken);
+    this.#opened(status);
+  }
+
+  /**
+   * An SVG document as the browser's own parser understood it.
+   * @param {Element} root
+   * @param {string} name
+   */
+  openSvg(root, name) {
+    const broken = -1;
+    const status = this.guard(() => readSvg(this, root, (reader) => this.lend(name, (title) =>
+      this.wasm.svg_finish(reader, this.editor, title, this.scratch))), broken);
+    this.#opened(status);
+  }
+
+  /** What the file holds and the drawing does not, so that writing over the file would lose it. @returns {Losses} */
+  get losses() {
+    return this.guard(() => {
+      const counts = this.wasm.editor_losses(this.editor);
+      /** @type {Losses} */
+      const losses = {};
+      for (let kind = 0, key = 0; (key = this.wasm.loss_key(kind)); kind++) {
+        const count = this.view().getInt32(counts + 4 * kind, true);
+        if (count > 0) {
+          losses[this.string(key)] = count;
+        }
+      }
+      return losses;
+    }, {});
+  }
+
+  set losses(losses) {
+    this.guard(() => {
+      /** @type {number[]} */
+      const counts = [];
+      for (let key = 0; (key = this.wasm.loss_key(counts.length));) {
+        counts.push(losses[this.string(key)] ?? 0);
+      }
+      this.lend(new Uint8Array(new Int32Array(counts).buffer), (at) => this.wasm.editor_set_losses(this.editor, at));
+    }, undefined);
+  }
+
+  /** @param {number} status */
+  #opened(status) {
+    this.#done(status);
+    this.begun(new Uint8Array(0)); // to be copied afresh
+  }
+
+  /** Throws what the reader has to say. @param {number} status */
+  #done(status) {
+    if (status === OK) {
+      return;
+    }
+    if (status < 0) {
+      throw new Refusal(word('shell.broke'));
+    }
+    const place = this.string(this.scratch + this.layout['problem.place']);
+    const message = this.string(this.scratch + this.layout['problem.message']);
+    throw new Refusal([place, message || this.string(this.wasm.status_message(status))].filter(Boolean).join(': '));
+  }
+
+  /**
+   * The document as the bytes of a file.
+   * @param {boolean} native the native format, else SVG
+   * @returns {Uint8Array}
+   */
+  save(native) {
+    /** @type {Uint8Array | null} */
+    const none = null;
+    const bytes = this.guard(() => {
+      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, this.scratch);
+      if (status !== OK) {
+        throw new Refusal(this.string(this.wasm.status_message(status)));
+      }
+      return this.take();
+    }, /** @type {Uint8Array | null} */ (none));
+    if (!bytes) {
+      throw new Refusal(word('shell.not-written'));
+    }
+    return bytes;
+  }
+
+  /** The host has saved: the document is clean. */
+  saved() {
+    this.guard(() => this.wasm.editor_saved(this.editor), undefined);
+  }
+
+  /** 64 bits that tell documents apart. @returns {string} */
+  digest() {
+    return BigInt.asUintN(64, this.wasm.editor_digest(this.editor)).toString(16).padStart(16, '0');
+  }
+
+  /** Which invariant does not hold, '' when all do. @returns {string} */
+  check() {
+    const address = this.wasm.editor_check(this.editor);
+    return address ? this.string(address) : '';
+  }
+
+  /**
+   * Runs a journal from its first line, in place of the document.
+   * @param {Uint8Array} journal
+   * @returns {boolean} all of it could be done
+   */
+  replay(journal) {
+    const broken = -1;
+    const status = this.guard(() => this.lend(journal, (text, size) =>
+      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), broken);
+    this.begun(new Uint8Array(0)); // to be copied afresh
+    return status === OK;
+  }
+
+  // ---- output ----
+
+  /**
+   * What is to be painted and said now. Paths are views into the module's memory: use them before the next call.
+   * @returns {Frame | null} null after a trap; the next one is whole again
+   */
+  frame() {
+    return this.guard(() => {
+      this.keepJournal();
+      const at = this.wasm.editor_frame(this.editor);
+      const frame = readFrame(this.wasm.memory, this.layout, at, this.stillVersion, this.still);
+      this.still = frame.still;
+      this.stillVersion = frame.stillVersion;
+      this.traps = 0;
+      return frame;
+    }, null);
+  }
+}

@@ -1,0 +1,83 @@
+// batten.wasm in its two parts. The first has what shows a drawing and looks at it; the second is fetched when the page is
+// there, and at the latest when something in it is called. What one imports from the other stands under the name of
+// their build, so that parts of two builds are never joined.
+
+import { addressOf, get, Missing } from '../page/build.js';
+
+const FIRST = 'batten.wasm';
+const LATER = 'batten-later.wasm';
+
+/** The later part while the caller waits: an engine in the midst of a call cannot be left. */
+function compileNow() {
+  const request = new XMLHttpRequest();
+  request.open('GET', addressOf(LATER), false);
+  request.overrideMimeType('text/plain; charset=x-user-defined'); // a byte a character, in its lower half
+  request.send();
+  if (request.status !== 200) {
+    throw new Error(`${request.status} ${request.statusText}`);
+  }
+  return new WebAssembly.Module(Uint8Array.from(request.responseText, (c) => c.charCodeAt(0)));
+}
+
+export class Module {
+  /** @param {WebAssembly.Module} first */
+  constructor(first) {
+    this.first = first;
+    this.build = WebAssembly.Module.imports(first).find(({ module }) => module !== 'host')?.module ?? '';
+    /** @type {WebAssembly.Module | null} */
+    this.second = null;
+    /** @type {Promise<void> | null} */
+    this.coming = null;
+  }
+
+  static async load() {
+    return new Module(await WebAssembly.compileStreaming(get(FIRST)));
+  }
+
+  /** Fetches the second part. @returns {Promise<void>} */
+  complete() {
+    this.coming ??= WebAssembly.compileStreaming(get(LATER)).then((second) => this.#take(second)).catch((error) => {
+      this.coming = null;
+      throw new Missing(`${LATER}: ${error}`);
+    });
+    return this.coming;
+  }
+
+  /** @param {WebAssembly.Module} second */
+  #take(second) {
+    if (WebAssembly.Module.imports(second).some(({ module }) => module !== this.build)) {
+      throw new Error('of another build');
+    }
+    this.second = second;
+  }
+
+  /** Makes the second part join an instance of the first. @param {WebAssembly.Exports} primary */
+  #join(primary) {
+    try {
+      if (!this.second) {
+        this.#take(compileNow());
+      }
+    } catch (error) {
+      throw new Missing(`${LATER}: ${error}`);
+    }
+    new WebAssembly.Instance(/** @type {WebAssembly.Module} */ (this.second), { [this.build]: primary });
+  }
+
+  /**
+   * A new instance. The second part joins it when one of its functions, for which placeholders stand in the table, is
+   * called; without it, the call throws what says so.
+   * @param {WebAssembly.ModuleImports} host
+   */
+  instantiate(host) {
+    const placeholders = new Proxy({}, {
+      get: (_, slot) => (/** @type {unknown[]} */ ...values) => {
+        this.#join(instance.exports);
+        return table.get(Number(slot))(...values);
+      },
+    });
+    const instance = new WebAssembly.Instance(this.first, { host, [this.build]: placeholders });
+    const table = /** @type {WebAssembly.Table} */ (
+      Object.values(instance.exports).find((value) => value instanceof WebAssembly.Table));
+    return instance;
+  }
+}

@@ -1,0 +1,77 @@
+// An SVG document told to the module, element by element.
+
+import { Refusal, word } from '../page/words.js';
+import { OK } from './instance.js';
+import { plain } from './svg.js';
+
+/** @typedef {import('./instance.js').Instance} Instance */
+
+/**
+ * Tells the reader of an element and all in it, in document order, without recursion: files may nest deeply.
+ * @param {Instance} module
+ * @param {number} reader
+ * @param {Element} root
+ * @returns {number} status
+ */
+function walk(module, reader, root) {
+  /** @type {Node | null} */
+  let node = root;
+  while (node) {
+    let status = OK;
+    if (node.nodeType === Node.ELEMENT_NODE) {
+      const element = /** @type {Element} */ (node);
+      const strings = [element.nodeName];
+      for (const attribute of element.attributes) {
+        strings.push(attribute.name, plain(attribute.value));
+      }
+      const pairs = element.attributes.length;
+      status = module.lend(strings.join('\0'), (text) => module.wasm.svg_start(reader, text, pairs));
+    } else if (node.nodeType === Node.TEXT_NODE || node.nodeType === Node.CDATA_SECTION_NODE) {
+      status = module.lend(plain(node.nodeValue ?? ''), (text, size) => module.wasm.svg_text(reader, text, size));
+    }
+    if (status !== OK) {
+      return status;
+    }
+    if (node.firstChild) {
+      node = node.firstChild;
+      continue;
+    }
+    for (;;) {
+      if (node.nodeType === Node.ELEMENT_NODE) {
+        status = module.wasm.svg_end(reader);
+        if (status !== OK) {
+          return status;
+        }
+      }
+      if (node === root) {
+        return OK;
+      }
+      if (node.nextSibling) {
+        node = node.nextSibling;
+        break;
+      }
+      node = /** @type {Node} */ (node.parentNode);
+    }
+  }
+  return OK;
+}
+
+/**
+ * Tells a reader of an SVG document, and then what to do with it.
+ * @param {Instance} module
+ * @param {Element} root
+ * @param {(reader: number) => number} finish frees the reader
+ * @returns {number} status
+ */
+export function readSvg(module, root, finish) {
+  const reader = module.wasm.svg_begin();
+  if (!reader) {
+    throw new Refusal(word('shell.no-memory'));
+  }
+  const refused = walk(module, reader, root);
+  if (refused !== OK) {
+    module.wasm.svg_cancel(reader);
+    return refused;
+  }
+  return finish(reader);
+}

@@ -1,0 +1,118 @@
+// The clipboard, by the browser's own events, which need no permission: what is selected goes out as SVG that keeps its
+// knots, and SVG or a picture of any program comes in. Fetched once the page is there.
+
+import { Ask } from '../engine/codes.js';
+import { parseSvg } from '../engine/svg.js';
+import { Refusal, word } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('./files.js').Files} Files */
+/** @typedef {import('../page/notice.js').Notices} Notices */
+
+const TEXT = 'text/plain';
+const SVG = 'image/svg+xml';
+const OPENING = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" ' +
+  'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ' +
+  'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">';
+
+/** Text that another program meant as text. @param {Event} event */
+function isText(event) {
+  const target = event.target instanceof Element ? event.target : null;
+  return target?.closest('input, select, textarea, dialog') || String(getSelection()) !== '';
+}
+
+/** The root of an SVG file, of elements without one, or of bare path data. @param {string} text */
+function rootOf(text) {
+  const whole = text.trim();
+  if (/^m[\s\d.+-]/i.test(whole) && /^[\s\dmlhvcsqtaze,.+-]*$/i.test(whole)) {
+    return parseSvg(`${OPENING}<path d="${whole}"/></svg>`);
+  }
+  return parseSvg(/^<(\?xml|!|([\w-]+:)?svg[\s>])/.test(whole) ? whole : `${OPENING}${whole}</svg>`);
+}
+
+/** @param {string} text */
+const looksLikeSvg = (text) => /^\s*<[?!\w]/.test(text) || /^\s*m[\s\d.+-][\s\dmlhvcsqtaze,.+-]+$/i.test(text);
+
+export class Clipboard {
+  /**
+   * @param {Engine} engine
+   * @param {Files} files
+   * @param {Notices} notices
+   * @param {() => void} wake
+   */
+  constructor(engine, files, notices, wake) {
+    this.engine = engine;
+    this.files = files;
+    this.notices = notices;
+    this.wake = wake;
+    addEventListener('copy', (event) => this.#copy(event, false));
+    addEventListener('cut', (event) => this.#copy(event, true));
+    addEventListener('paste', (event) => this.#paste(event));
+  }
+
+  /** A command of the menu, or of another key. @param {number} requests */
+  async ask(requests) {
+    if (requests & (Ask.CUT | Ask.COPY)) {
+      document.execCommand(requests & Ask.CUT ? 'cut' : 'copy');
+    }
+    if (requests & Ask.PASTE) {
+      try {
+        this.#put(await navigator.clipboard.readText());
+      } catch {
+        this.notices.say(word('shell.press-paste'));
+      }
+    }
+  }
+
+  /** @param {ClipboardEvent} event @param {boolean} cut */
+  #copy(event, cut) {
+    if (isText(event)) {
+      return;
+    }
+    const text = this.engine.copy(cut);
+    this.wake();
+    if (!text) {
+      return;
+    }
+    event.preventDefault();
+    event.clipboardData?.setData(TEXT, text);
+    event.clipboardData?.setData(SVG, text);
+    // The event's own SVG stays within the browser; this one other programs find, where the browser lets it through.
+    if (/** @type {any} */ (globalThis.ClipboardItem)?.supports?.(SVG)) {
+      const parts = [TEXT, SVG].map((type) => [type, new Blob([text], { type })]);
+      navigator.clipboard.write([new ClipboardItem(Object.fromEntries(parts))]).catch(() => {});
+    }
+  }
+
+  /** @param {ClipboardEvent} event */
+  #paste(event) {
+    const data = event.clipboardData;
+    if (!data || isText(event)) {
+      return;
+    }
+    event.preventDefault();
+    // Programs that give a picture beside the text mean the same drawing by both.
+    const text = [TEXT, SVG].map((type) => data.getData(type)).find(looksLikeSvg);
+    const picture = [...data.files].find((file) => file.type.startsWith('image/'));
+    if (text || !picture) {
+      this.#put(text ?? '');
+    } else if (picture.type === SVG) {
+      void picture.text().then((svg) => this.#put(svg));
+    } else {
+      void this.files.addPicture(picture);
+    }
+  }
+
+  /** @param {string} text */
+  #put(text) {
+    try {
+      this.engine.pasteSvg(rootOf(looksLikeSvg(text) ? text : ''));
+    } catch (error) {
+      if (!(error instanceof Refusal)) {
+        throw error;
+      }
+      this.notices.say(error.message);
+    }
+    this.wake();
+  }
+}

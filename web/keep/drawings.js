@@ -1,0 +1,208 @@
+// Which drawing the page has, and what the browser kept of it: opened with what a closed or crashed page left, left for
+// another, taken over from another page.
+
+import { word } from '../page/words.js';
+
+/** @typedef {import('../main.js').Shell} Shell */
+/** @typedef {import('./keep.js').Fault} Fault */
+/** @typedef {import('./keep.js').Kept} Kept */
+
+/** What notices about a drawing are about: they go with it. */
+const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
+
+export class Drawings {
+  /** @param {Shell} shell */
+  constructor({ engine, files, keeper, notices, settings, tabs, whole, wake }) {
+    this.engine = engine;
+    this.files = files;
+    this.keeper = keeper;
+    this.notices = notices;
+    this.settings = settings;
+    this.tabs = tabs;
+    this.whole = whole;
+    this.wake = wake;
+    engine.onrecovery = (all, error) => this.#recovered(all, error);
+    keeper.onfault = (fault) => this.#notKept(fault);
+    files.find = (name) => this.admit(name);
+    files.onopen = (kept) => this.resume(kept);
+    tabs.onleave = async () => {
+      await keeper.yield();
+      this.showOwner();
+    };
+  }
+
+  /** This page may change the drawing, and keeps it. */
+  get ours() {
+    return this.tabs.held && this.tabs.name === this.files.name && !this.engine.partial;
+  }
+
+  /** What the shell says of it. @param {string} key @returns {string} */
+  #text(key) {
+    return word(`shell.${key}`, this.files.name);
+  }
+
+  /**
+   * Leaves this drawing for another.
+   * @param {string} name
+   * @returns {Promise<Kept | null>} what was kept of it; null, too, when another page has it
+   */
+  async admit(name) {
+    if (this.files.unsaved) {
+      this.keeper.drop(this.files.name); // the user was asked
+      await this.keeper.settled();
+    }
+    return await this.tabs.claim(name) ? this.#kept(name) : null;
+  }
+
+  /**
+   * What was kept of a drawing, and what it takes to replay it: a call in the midst of it cannot wait for a worker.
+   * @param {string} name
+   */
+  async #kept(name) {
+    const kept = await this.keeper.find(name);
+    return kept && await this.whole.complete() ? kept : null;
+  }
+
+  /** Says when another page has the drawing; it can be had from there. */
+  showOwner() {
+    this.engine.setReadOnly(!this.tabs.held || this.engine.partial);
+    this.notices.over('owner');
+    if (!this.tabs.held) {
+      this.notices.ask('owner', this.#text('elsewhere'), [{
+        label: this.#text('take-over'), run: () => void this.#takeOver() }], true);
+    }
+    this.wake();
+  }
+
+  async #takeOver() {
+    await this.tabs.take();
+    const kept = await this.#kept(this.files.name);
+    await this.files.reopen();
+    this.resume(kept);
+  }
+
+  /** The server's file, with what was kept of it. */
+  async openServed() {
+    await this.files.openServed();
+    this.resume(await this.admit(this.files.name));
+  }
+
+  /** Without a file: the drawing kept last that no other page has, else an empty one. */
+  async openLast() {
+    for (const { name } of await this.keeper.list()) {
+      const kept = await this.admit(name);
+      if (kept) {
+        this.files.name = name;
+        if (this.engine.replay(kept.journal)) {
+          this.wake();
+          this.notices.ask('left', this.#text('as-left'), [{ label: this.#text('new'), run: () => void this.openNew() }]);
+          return;
+        }
+      }
+    }
+    await this.openNew();
+  }
+
+  /** An empty drawing; what was there before stays kept. */
+  async openNew() {
+    const taken = (await this.keeper.list()).map((kept) => kept.name);
+    this.#leave();
+    let name = 'drawing.svg';
+    for (let number = 2; taken.includes(name) || !(await this.tabs.claim(name)); number++) {
+      name = `drawing ${number}.svg`;
+    }
+    this.#become(name);
+    await this.files.reopen();
+    this.showOwner();
+  }
+
+  /** A drawing that is kept, in place of this one, which stays kept. @param {string} name */
+  async openKept(name) {
+    await this.keeper.settled();
+    this.#leave();
+    const kept = await this.admit(name);
+    if (!kept) {
+      await this.tabs.claim(this.files.name);
+      this.notices.say(word('shell.kept-not.help', name));
+    } else {
+      this.#become(name);
+      if (!this.engine.replay(kept.journal)) {
+        this.#lost(kept);
+      }
+    }
+    this.showOwner();
+  }
+
+  /** What there is goes from the page, not from what is kept. */
+  #leave() {
+    this.notices.over(...OF_DRAWING);
+    this.keeper.session = -1;
+    this.keeper.unsaved = this.files.unsaved = false;
+  }
+
+  /** No file is behind it. @param {string} name */
+  #become(name) {
+    this.files.name = name;
+    this.files.bound = false;
+    this.files.opened = new Uint8Array(0);
+  }
+
+  /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
+  resume(kept) {
+    this.notices.over(...OF_DRAWING);
+    this.showOwner();
+    if (!kept) {
+      return;
+    }
+    // Its steps lead through the file as it is, or the file has changed since, and the user is to say.
+    if (new TextDecoder().decode(kept.journal).includes(`"digest":"${this.engine.digest()}"`)) {
+      this.#bringBack(kept);
+    } else {
+      this.notices.ask('other', this.#text('kept-other'), [{
+        label: this.#text('bring-back'), run: () => this.#bringBack(kept) }]);
+    }
+  }
+
+  /** @param {Kept} kept */
+  #bringBack(kept) {
+    if (this.engine.replay(kept.journal)) {
+      this.engine.losses = this.files.losses; // the file as it is, not as it was
+      this.notices.ask('kept', this.#text('brought-back'), [{
+        label: this.#text('without'), run: () => void this.files.reopen() }]);
+    } else {
+      this.#lost(kept);
+    }
+    this.wake();
+  }
+
+  /** What was kept leads nowhere. @param {Kept} kept */
+  #lost(kept) {
+    void this.files.reopen();
+    this.notices.ask('other', this.#text('lost'), [{
+      label: this.#text('journal'), run: () => this.files.downloadJournal(kept.journal) }]);
+  }
+
+  /** The module broke, and its journal was replayed. @param {boolean} whole @param {unknown} error */
+  #recovered(whole, error) {
+    console.error(error);
+    this.settings.restore();
+    if (!whole) {
+      this.keeper.session = -1; // what is kept stays kept, though the drawing shown is not unsaved
+    }
+    const run = () => this.files.downloadJournal(this.engine.broken);
+    this.notices.ask('trap', word(whole ? 'shell.trapped' : 'shell.trapped-part'), [{ label: word('shell.journal'), run }]);
+    this.wake();
+  }
+
+  /** The browser keeps nothing of what was drawn last, or does so again. @param {Fault | ''} fault */
+  #notKept(fault) {
+    this.notices.over('unkept');
+    if (!fault) {
+      return;
+    }
+    const copy = { label: this.#text('copy'), run: () => void this.files.download() };
+    const save = { label: this.#text('save-now'), run: () => void this.files.save() };
+    this.notices.ask('unkept', this.#text(fault), this.files.bound ? [save, copy] : [copy]);
+    this.wake();
+  }
+}

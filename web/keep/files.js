@@ -1,0 +1,323 @@
+// Files: in by drop, picker or server, out to the server or as a download.
+
+import { want } from '../page/build.js';
+import { Changed } from './server.js';
+import { parseSvg } from '../engine/svg.js';
+import { counted, word } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('./keep.js').Kept} Kept */
+/** @typedef {import('../page/notice.js').Notices} Notices */
+/** @typedef {import('./server.js').Server} Server */
+
+const SVG = 'image/svg+xml';
+const JSON_TYPE = 'application/json';
+
+/** @param {import('../engine/engine.js').Losses} losses */
+export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
+
+/** @param {string} name */
+export const isNative = (name) => name.toLowerCase().endsWith('.batten');
+
+/**
+ * The text of an XML file in whatever encoding it declares.
+ * @param {Uint8Array} bytes
+ */
+function decodeXml(bytes) {
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200));
+  let label = /^<\?xml[^>]*encoding=["']([\w.:-]+)["']/.exec(start)?.[1] ?? 'utf-8';
+  if (start.startsWith('\xff\xfe') || start.startsWith('\xfe\xff')) {
+    label = start.startsWith('\xff') ? 'utf-16le' : 'utf-16be';
+  }
+  try {
+    return new TextDecoder(label).decode(bytes);
+  } catch {
+    return new TextDecoder().decode(bytes);
+  }
+}
+
+export class Files {
+  /**
+   * @param {Engine} engine
+   * @param {Server} server
+   * @param {Notices} notices
+   * @param {() => void} wake
+   */
+  constructor(engine, server, notices, wake) {
+    this.engine = engine;
+    this.server = server;
+    this.notices = notices;
+    this.wake = wake;
+    this.name = 'drawing.svg';
+    /** What was opened, as it came. @type {Uint8Array} */
+    this.opened = new Uint8Array(0);
+    /** Asked before a drawing is opened in place of this one: what was kept of it. @type {(name: string) => Promise<Kept | null>} */
+    this.find = async () => null;
+    /** Told as soon as it is open. @type {(kept: Kept | null) => void} */
+    this.onopen = () => {};
+    /** What of the file as it was opened the drawing does not hold. @type {import('../engine/engine.js').Losses} */
+    this.losses = {};
+    /** The document is the server's file, so that it is saved there. */
+    this.bound = false;
+    this.unsaved = false;
+    /** The page goes and comes back with what is not saved. */
+    this.leaving = false;
+    this.saving = false;
+    this.picker = /** @type {HTMLInputElement} */ (document.getElementById('picker'));
+    this.#listen();
+  }
+
+  #listen() {
+    const drop = /** @type {HTMLElement} */ (document.getElementById('drop'));
+    this.picker.addEventListener('change', () => {
+      const file = this.picker.files?.[0];
+      this.picker.value = '';
+      void this.#openFile(file);
+    });
+    addEventListener('dragover', (event) => {
+      event.preventDefault();
+      drop.hidden = !event.dataTransfer?.types.includes('Files');
+    });
+    addEventListener('dragleave', (event) => {
+      drop.hidden = event.relatedTarget === null || drop.hidden;
+    });
+    addEventListener('drop', (event) => {
+      event.preventDefault();
+      drop.hidden = true;
+      void this.#openFile(event.dataTransfer?.files[0]);
+    });
+    addEventListener('beforeunload', (event) => {
+      if (this.unsaved && !this.leaving) {
+        event.preventDefault();
+      }
+    });
+  }
+
+  /** Asks for a file. */
+  pick() {
+    this.picker.click();
+  }
+
+  /** The server's file, when there is a server. */
+  async openServed() {
+    try {
+      const { name, bytes } = await this.server.load();
+      this.bound = this.open(bytes, name);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** The drawing as it was opened, or an empty one. */
+  async reopen() {
+    if (this.bound) {
+      await this.openServed();
+    } else if (this.opened.length > 0) {
+      this.open(this.opened, this.name);
+    } else {
+      const head = JSON.stringify({ journal: 'batten', version: 1, name: this.name });
+      this.engine.replay(new TextEncoder().encode(head));
+      this.wake();
+    }
+  }
+
+  /** @param {File | undefined} file */
+  async #openFile(file) {
+    if (file && /^image\/(?!svg)/.test(file.type)) {
+      await this.addPicture(file);
+      return;
+    }
+    if (!file || (this.unsaved && !(await this.#mayReplace()))) {
+      return;
+    }
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const kept = await this.find(file.name);
+    if (this.open(bytes, file.name)) {
+      this.bound = false;
+      this.onopen(kept);
+    } else {
+      await this.find(this.name);
+    }
+  }
+
+  /** A picture to trace, behind the drawing. @param {File} file */
+  async addPicture(file) {
+    const { bytesOf } = await want(import('../stage/pictures.js'));
+    this.engine.addPicture(await bytesOf(file), file.name);
+    this.wake();
+  }
+
+  /** @returns {Promise<boolean>} the unsaved drawing may go */
+  #mayReplace() {
+    const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('question'));
+    const text = /** @type {HTMLElement} */ (document.getElementById('question-text'));
+    text.textContent = word('shell.may-replace', this.name);
+    dialog.returnValue = '';
+    dialog.showModal();
+    return new Promise((resolve) => {
+      dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), { once: true });
+    });
+  }
+
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   * @returns {boolean} it is open now; else the user was told why not
+   */
+  open(bytes, name) {
+    try {
+      const native = isNative(name) || bytes.find((byte) => byte > 32) === 123; // a brace
+      if (native) {
+        this.engine.openNative(bytes, name);
+      } else {
+        this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
+      }
+      this.losses = this.engine.losses;
+      const lost = totalOf(this.losses);
+      if (lost) {
+        this.notices.say(counted('shell.loses', lost));
+      }
+      this.name = name;
+      this.opened = bytes;
+      return true;
+    } catch (error) {
+      this.#complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
+      return false;
+    } finally {
+      this.wake();
+    }
+  }
+
+  /**
+   * To the file that the server holds, else as a download.
+   * @param {string} [over] what it takes the place of, when that is another version than the drawing was made of
+   */
+  async save(over) {
+    const native = isNative(this.name);
+    if (!this.bound) {
+      if (this.download(native)) {
+        this.engine.saved();
+        this.wake();
+      }
+      return;
+    }
+    if (this.saving) {
+      return;
+    }
+    this.saving = true;
+    try {
+      if (!native && !over && !(await this.#mayLose())) {
+        return;
+      }
+      // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
+      await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
+      this.engine.saved();
+      this.losses = this.engine.losses = {};
+      this.notices.over('kept', 'unkept', 'changed');
+      this.notices.say(word('shell.saved', this.name));
+    } catch (error) {
+      this.#complain(error);
+    } finally {
+      this.saving = false;
+      this.wake();
+    }
+  }
+
+  /** Asks before something of the file is lost. @returns {Promise<boolean>} it may be written over */
+  async #mayLose() {
+    const { losses } = this.engine;
+    if (!totalOf(losses)) {
+      return true;
+    }
+    const { ask } = await want(import('../sheets/losses.js'));
+    const answer = await ask(this.name, losses);
+    if (answer === 'copy') {
+      this.download(false);
+    }
+    return answer === 'lose';
+  }
+
+  /**
+   * A copy, in the browser's folder for downloads.
+   * @param {boolean} [native]
+   * @returns {boolean}
+   */
+  download(native = isNative(this.name)) {
+    try {
+      const stem = this.name.replace(/\.(svg|batten)$/i, '');
+      this.#deliver(this.engine.save(native), `${stem}.${native ? 'batten' : 'svg'}`, native ? JSON_TYPE : SVG);
+      return true;
+    } catch (error) {
+      this.#complain(error);
+      return false;
+    }
+  }
+
+  /** All steps since opening. */
+  downloadJournal(journal = this.engine.journal) {
+    const stem = this.name.replace(/\.(svg|batten)$/i, '');
+    this.#deliver(journal, `${stem}.journal`, 'application/x-ndjson');
+  }
+
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   * @param {string} type
+   */
+  #deliver(bytes, name, type) {
+    const address = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
+    const link = document.createElement('a');
+    link.href = address;
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(address), 10000);
+  }
+
+  /** @param {unknown} error */
+  #complain(error) {
+    const text = error instanceof Error ? error.message : String(error);
+    if (error instanceof Changed) {
+      this.#tellChanged(text);
+    } else {
+      this.notices.say(text);
+    }
+  }
+
+  /** The file is another one than the drawing was made of: nothing is written over until the user says so. @param {string} text */
+  #tellChanged(text) {
+    this.notices.ask('changed', text, [
+      { label: word('shell.look-both'), run: () => void this.#compare(text) },
+      { label: word('shell.overwrite'), run: () => void this.#overwrite() },
+      { label: word('shell.copy'), run: () => {
+        this.download();
+        this.#tellChanged(text); // it still is
+      } }]);
+  }
+
+  async #overwrite() {
+    try {
+      await this.save((await this.server.look()).tag);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** Shows the drawing and the file beside each other. @param {string} text */
+  async #compare(text) {
+    try {
+      const { compare } = await want(import('../sheets/compare.js'));
+      const file = await this.server.look();
+      const answer = await compare(this.engine, file);
+      if (answer === 'overwrite') {
+        await this.save(file.tag); // what was looked at, and nothing newer
+        return;
+      }
+      if (answer === 'copy') {
+        this.download();
+      }
+      this.#tellChanged(text);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+}

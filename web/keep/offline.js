@@ -1,0 +1,59 @@
+// Offline: the page can be installed and opens without a server; a newer build is offered, never slipped in.
+
+import { word } from '../page/words.js';
+
+/**
+ * @param {import('../page/notice.js').Notices} notices
+ * @param {() => Promise<void>} pack the page may go then
+ */
+export async function settle(notices, pack) {
+  const link = document.createElement('link');
+  link.rel = 'manifest';
+  link.href = 'manifest.webmanifest';
+  document.head.append(link);
+  const workers = navigator.serviceWorker;
+  if (!workers) {
+    return;
+  }
+  let controlled = workers.controller !== null;
+
+  /** @param {ServiceWorker | null} waiting */
+  const offer = (waiting) => notices.ask('update', word('shell.update'), [{ label: word('shell.update-now'), run: async () => {
+    await pack();
+    if (waiting?.state === 'installed') {
+      workers.addEventListener('controllerchange', () => location.reload());
+      waiting.postMessage('use');
+    } else {
+      location.reload();
+    }
+  } }]);
+
+  workers.addEventListener('controllerchange', () => {
+    if (controlled) {
+      offer(null); // another tab has changed over
+    }
+    controlled = true;
+  });
+  const registration = await workers.register('sw.js', { updateViaCache: 'none' }).catch(() => null);
+  if (!registration) {
+    return; // the browser does not let it stay
+  }
+  const watch = () => {
+    const next = registration.installing;
+    next?.addEventListener('statechange', () => {
+      if (next.state === 'installed' && workers.controller) {
+        offer(next);
+      }
+    });
+  };
+  registration.addEventListener('updatefound', watch);
+  watch();
+  if (registration.waiting && workers.controller) {
+    offer(registration.waiting);
+  }
+  document.addEventListener('visibilitychange', () => {
+    if (!document.hidden) {
+      registration.update().catch(() => {}); // no server: no news
+    }
+  });
+}

@@ -1,0 +1,109 @@
+// The loopback server that `batten edit` runs: the file it was started with, and saving back to it.
+
+import { word } from '../page/words.js';
+
+/** The file changed on disk after it was opened. */
+export class Changed extends Error {}
+
+/** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: names this version of the file */
+
+const FORBIDDEN = 403;
+const CHANGED = 412;
+const TOKEN = /name="batten-token" content="([0-9a-f]+)"/;
+
+/** @param {Response} response */
+const nameIn = (response) => decodeURIComponent(response.headers.get('X-Batten-Name') ?? 'drawing.svg');
+
+export class Server {
+  constructor() {
+    const token = document.querySelector('meta[name=batten-token]')?.getAttribute('content') ?? '';
+    /** '' when the page was served by something else. */
+    this.token = token.startsWith('%') ? '' : token;
+    this.name = '';
+    /** Of the version that the drawing was made of. */
+    this.tag = '';
+    /** Another program may answer here tomorrow: nothing of the page is to stay in the browser. */
+    this.passing = document.querySelector('meta[name=batten-address]')?.getAttribute('content') === 'passing';
+  }
+
+  get there() {
+    return this.token !== '';
+  }
+
+  /** The file, which the drawing is made of from now on. @returns {Promise<FileBytes>} */
+  async load() {
+    const file = await this.look();
+    [this.name, this.tag] = [file.name, file.tag];
+    return file;
+  }
+
+  /** The file as it is now. @returns {Promise<FileBytes>} */
+  async look() {
+    const response = await this.#ask('GET', {}, null);
+    return { name: nameIn(response), bytes: new Uint8Array(await response.arrayBuffer()),
+      tag: response.headers.get('ETag') ?? '' };
+  }
+
+  /**
+   * Puts the bytes where the file was.
+   * @param {Uint8Array} bytes
+   * @param {string} type media type
+   * @param {string} [over] the tag of the version that they take the place of
+   */
+  async save(bytes, type, over = this.tag) {
+    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes);
+    this.tag = response.headers.get('ETag') ?? '';
+  }
+
+  /**
+   * @param {string} method
+   * @param {Record<string, string>} headers
+   * @param {Uint8Array | null} bytes
+   */
+  async #ask(method, headers, bytes) {
+    let response = await this.#send(method, headers, bytes);
+    if (response.status === FORBIDDEN && await this.#meet()) {
+      response = await this.#send(method, headers, bytes);
+    }
+    if (response.status === CHANGED) {
+      throw new Changed(word('shell.changed'));
+    }
+    if (!response.ok) {
+      // The server says in one line of plain text what it objects to.
+      const reason = (await response.text()).trim();
+      throw new Error(reason || word('shell.answered', `${response.status} ${response.statusText}`));
+    }
+    return response;
+  }
+
+  /**
+   * @param {string} method
+   * @param {Record<string, string>} headers
+   * @param {Uint8Array | null} bytes
+   */
+  async #send(method, headers, bytes) {
+    try {
+      const body = /** @type {BodyInit | null} */ (bytes);
+      return await fetch('/document', { method, headers: { ...headers, 'X-Batten-Token': this.token }, body });
+    } catch {
+      throw new Error(word('shell.no-answer'));
+    }
+  }
+
+  /** The server was started anew, with another token. @returns {Promise<boolean>} it serves the same file */
+  async #meet() {
+    const page = await fetch('/', { cache: 'no-store' }).catch(() => null);
+    const token = TOKEN.exec(await page?.text() ?? '')?.[1];
+    if (!token || token === this.token) {
+      return false;
+    }
+    const before = this.token;
+    this.token = token;
+    const file = await this.#send('GET', {}, null);
+    const same = file.ok && (!this.name || nameIn(file) === this.name);
+    if (!same) {
+      this.token = before;
+    }
+    return same;
+  }
+}

@@ -1,0 +1,82 @@
+// What the engine asks of its host, and what is fetched when it is asked for.
+
+import { Ask } from '../engine/codes.js';
+import { want } from './build.js';
+
+/** @typedef {import('../main.js').Shell} Shell */
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+export class Requests {
+  /** @param {Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    /** @type {import('../keep/clipboard.js').Clipboard | null} */
+    this.clipboard = null;
+    /** @type {import('../sheets/commands.js').CommandSheet | undefined} */
+    this.commands = undefined;
+    /** @type {import('../sheets/kept.js').KeptSheet | undefined} */
+    this.keptSheet = undefined;
+    part('unkept').addEventListener('click', () => void this.#losses());
+    part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
+  }
+
+  /** @param {number} requests */
+  grant(requests) {
+    const { files, panel } = this.shell;
+    /** @type {[number, () => unknown][]} */
+    const ways = [
+      [Ask.SAVE, () => files.save()],
+      [Ask.DOWNLOAD_SVG, () => files.download(false)],
+      [Ask.DOWNLOAD_NATIVE, () => files.download(true)],
+      [Ask.JOURNAL, () => files.downloadJournal()],
+      [Ask.CUT | Ask.COPY | Ask.PASTE, () => this.clipboard?.ask(requests)],
+      [Ask.SPAN, () => panel.ask('picture-span')],
+      [Ask.SHORTCUTS, () => this.#shortcuts()],
+      [Ask.REGION | Ask.REGION_BACK, () => this.#walk(requests & Ask.REGION ? 1 : -1)],
+      [Ask.LOSSES, () => this.#losses()],
+      [Ask.KEPT, () => this.#kept()],
+      [Ask.OPEN, () => files.pick()],
+    ];
+    for (const [asked, run] of requests ? ways : []) {
+      if (requests & asked) {
+        void run();
+      }
+    }
+  }
+
+  /** @param {number} direction */
+  async #walk(direction) {
+    const { walk } = await want(import('./regions.js'));
+    walk(direction);
+  }
+
+  async #losses() {
+    const { show } = await want(import('../sheets/losses.js'));
+    show(this.shell.engine.losses);
+  }
+
+  async #kept() {
+    const { KeptSheet } = await want(import('../sheets/kept.js'));
+    this.keptSheet ??= new KeptSheet(this.shell);
+    await this.keptSheet.show();
+  }
+
+  /** The sheet of commands, made when it is first wanted. */
+  async #commandSheet() {
+    const { CommandSheet } = await want(import('../sheets/commands.js'));
+    const { engine, settings, wake, words } = this.shell;
+    this.commands ??= new CommandSheet(part('menu'), words, settings, (command) => {
+      engine.command(command);
+      wake();
+    });
+    return this.commands;
+  }
+
+  async #shortcuts() {
+    const sheet = await this.#commandSheet();
+    sheet.sheet.showPopover();
+    sheet.search.focus();
+  }
+}

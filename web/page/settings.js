@@ -1,0 +1,64 @@
+// What the user has set, kept in the browser: properties but those of style, and shortcuts, by the names of the
+// engine's tables.
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+
+const STORE = 'batten-settings';
+const SOON = 300; // milliseconds after a frame
+
+/** @typedef {{ values: Record<string, number>, keys: Record<string, string> }} Kept */
+
+export class Settings {
+  /** @param {Engine} engine */
+  constructor(engine) {
+    this.engine = engine;
+    this.properties = engine.tables().properties.filter((row) => row.group === '');
+    /** @type {Kept} */
+    this.kept = { values: {}, keys: {} };
+    this.timer = 0;
+    try {
+      const { values, keys } = JSON.parse(localStorage.getItem(STORE) ?? '{}');
+      this.kept = { values: { ...values }, keys: { ...keys } };
+    } catch {
+      // Spoilt: the defaults.
+    }
+    this.restore();
+    addEventListener('pagehide', () => this.#write());
+  }
+
+  /** Tells the engine; one that was just made knows nothing. */
+  restore() {
+    for (const [name, value] of Object.entries(this.kept.values)) {
+      this.engine.set(name, Number(value));
+    }
+    for (const [name, keys] of Object.entries(this.kept.keys)) {
+      this.engine.bind(name, String(keys));
+    }
+  }
+
+  /** Shortcuts of a command; null: the default. @param {string} command @param {string | null} keys */
+  bind(command, keys) {
+    if (!this.engine.bind(command, keys)) {
+      return false;
+    }
+    if (keys === null) {
+      delete this.kept.keys[command];
+    } else {
+      this.kept.keys[command] = keys;
+    }
+    this.note();
+    return true;
+  }
+
+  /** Something may be set otherwise now: told at every frame. */
+  note() {
+    this.timer ||= setTimeout(() => this.#write(), SOON);
+  }
+
+  #write() {
+    this.timer = 0;
+    const set = this.properties.filter((row) => this.engine.get(row.name) !== row.default);
+    this.kept.values = Object.fromEntries(set.map((row) => [row.name, this.engine.get(row.name)]));
+    localStorage.setItem(STORE, JSON.stringify(this.kept));
+  }
+}

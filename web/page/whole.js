@@ -1,0 +1,50 @@
+// Whether all of the build is here: the module's second part is fetched, and what is missing is said, with one way out.
+
+import { miss, whenMissing } from './build.js';
+import { word } from './words.js';
+
+export class Whole {
+  /**
+   * @param {import('../engine/engine.js').Engine} engine
+   * @param {import('./notice.js').Notices} notices
+   * @param {() => Promise<void>} pack the page may go then
+   */
+  constructor(engine, notices, pack) {
+    this.engine = engine;
+    this.notices = notices;
+    this.pack = pack;
+    /** Told when the second part cannot be had. */
+    this.onpartial = () => {};
+    whenMissing(() => this.#say());
+  }
+
+  /**
+   * Fetches the second part of the module. Without it the drawing can only be looked at, and nothing is kept of it.
+   * @returns {Promise<boolean>} it is here
+   */
+  async complete() {
+    const { engine } = this;
+    await (engine.partial || engine.module.complete().catch((error) => {
+      engine.partial = true;
+      miss(error);
+      this.onpartial();
+    }));
+    return !engine.partial;
+  }
+
+  #say() {
+    const text = this.engine.partial || this.engine.dead ? 'shell.partial' : 'shell.missing';
+    this.notices.ask('missing', word(text), [{ label: word('shell.reload'), run: () => void this.#reload() }], true);
+  }
+
+  async #reload() {
+    const answer = await fetch(location.href, { cache: 'no-store' }).catch(() => null);
+    if (answer?.ok) {
+      await this.pack();
+      location.reload();
+    } else { // this page is better than none
+      this.#say();
+      this.notices.say(word('shell.no-answer'));
+    }
+  }
+}

@@ -1,0 +1,143 @@
+// The words of the page. An element names its words by the keys of the engine's table, so that another language, or
+// another shortcut, is one walk over the page.
+
+import { get, miss } from './build.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('../engine/types.js').Tables} Tables */
+
+const MAC = /Mac|iP(hone|ad)/.test(navigator.platform);
+
+/** @type {Record<string, string>} */
+let strings = {};
+/** What was fetched: all of a language, of which the engine keeps what it says itself. @type {Record<string, string>} */
+let fetched = {};
+/** First shortcut of each command. @type {Record<string, string>} */
+let shortcuts = {};
+
+/** Something that cannot be done; its words are for the user. */
+export class Refusal extends Error {}
+
+/** The text of a key. @param {string} key @param {string | number} [value] of what stands for "%" */
+export function word(key, value) {
+  const text = strings[key] ?? '';
+  return value === undefined ? text : text.replace('%', () => String(value));
+}
+
+/** The text of a key that has another for one thing. @param {string} key @param {number} count */
+export const counted = (key, count) => word(count === 1 ? `${key}-one` : key, count);
+
+/** A shortcut as this machine writes it. @param {string} key */
+export function keyName(key) {
+  /** @type {Record<string, string>} */
+  const known = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', Escape: 'Esc' };
+  if (MAC) {
+    Object.assign(known, { Ctrl: '⌘', Shift: '⇧', Alt: '⌥' });
+  }
+  // "Ctrl++" is Ctrl and the key "+".
+  const parts = key.split(/\+(?=.)/);
+  return parts.map((piece) => known[piece] ?? piece).join(MAC ? '' : '+');
+}
+
+/** @param {HTMLElement} element */
+function speak(element) {
+  const { text, label, help, value, shortcut } = element.dataset;
+  const say = (/** @type {string} */ key) => word(key, value && word(value));
+  if (text) {
+    element.textContent = say(text);
+  }
+  if (label) {
+    element.setAttribute('aria-label', say(label));
+  }
+  if (help !== undefined) {
+    const keys = shortcuts[shortcut ?? ''];
+    const more = [label ? say(label) : '', word(help)].filter(Boolean).join(': ');
+    element.title = keys ? `${more} (${keyName(keys)})` : more;
+  }
+}
+
+/**
+ * Gives an element its words, now and in every language to come.
+ * @template {HTMLElement} T
+ * @param {T} element
+ * @param {{ text?: string, label?: string, help?: string, value?: string, shortcut?: string }} keys of the text in it,
+ *   of its name for who does not see it, of its title; value: of what stands for "%"; shortcut: the command whose shortcut to tell
+ * @returns {T}
+ */
+export function tell(element, keys) {
+  Object.assign(element.dataset, keys);
+  speak(element);
+  return element;
+}
+
+/** Says everything anew: the words or the shortcuts are others. @param {Tables} tables */
+export function retell(tables) {
+  strings = { ...tables.strings, ...fetched };
+  shortcuts = Object.fromEntries(tables.commands.map((row) => [row.name, row.keys[0]]));
+  document.documentElement.lang = word('language.code');
+  document.documentElement.dir = word('language.direction');
+  document.querySelectorAll('[data-text], [data-label], [data-help]').forEach((element) =>
+    speak(/** @type {HTMLElement} */ (element)));
+}
+
+/** The language in force: chosen, or the first of the browser's that there is. @param {Engine} engine */
+function languageOf(engine) {
+  const row = engine.tables().properties.find((property) => property.name === 'language');
+  const codes = (row?.choices ?? []).map((key) => key.split('.')[1]);
+  const wishes = navigator.languages.map((tag) => tag.split('-')[0]);
+  return codes[engine.get('language') || -1] ?? wishes.find((code) => codes.includes(code)) ?? 'en';
+}
+
+export class Words {
+  /** @param {Engine} engine */
+  constructor(engine) {
+    this.engine = engine;
+    this.choice = -1;
+    this.language = '';
+    /** @type {Tables} */
+    this.tables = engine.tables();
+    /** Other words are on the page. @type {(tables: Tables) => void} */
+    this.onchange = () => {};
+  }
+
+  /**
+   * Sees that the page speaks the language chosen. The module knows English itself, but for what only explains; that,
+   * and other languages, are fetched.
+   */
+  async follow() {
+    const choice = this.engine.get('language');
+    if (choice === this.choice) {
+      return;
+    }
+    const first = this.choice < 0;
+    this.choice = choice;
+    this.language = languageOf(this.engine);
+    if (first && this.language === 'en') {
+      this.retell();
+    } else {
+      await this.load();
+    }
+  }
+
+  /** Fetches the words of the language in force. */
+  async load() {
+    const { language } = this;
+    try {
+      const bytes = new Uint8Array(await (await get(`words.${language}.json`)).arrayBuffer());
+      if (language === this.language) {
+        fetched = JSON.parse(new TextDecoder().decode(bytes));
+        this.engine.speak(bytes);
+      }
+    } catch (error) {
+      miss(error); // English then
+    }
+    this.retell();
+  }
+
+  /** Other words or shortcuts. */
+  retell() {
+    this.tables = this.engine.tables();
+    retell(this.tables);
+    this.onchange(this.tables);
+  }
+}

@@ -1,0 +1,226 @@
+// The sheet of all commands, by sections: to run them, to find them, and to give them other keys. Loaded when it is
+// first opened.
+
+import { keyName, tell, word } from '../page/words.js';
+
+/** @typedef {import('../engine/types.js').CommandRow} CommandRow */
+/** @typedef {import('../page/words.js').Words} Words */
+/** @typedef {import('../page/settings.js').Settings} Settings */
+
+/**
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {string} style class
+ * @param {...(Node | string)} content
+ * @returns {HTMLElementTagNameMap[K]}
+ */
+function make(tag, style, ...content) {
+  const element = document.createElement(tag);
+  element.className = style;
+  element.append(...content);
+  return element;
+}
+
+/** @param {string} label @param {() => void} act @param {...(Node | string)} content */
+function button(label, act, ...content) {
+  const one = make('button', '', ...content);
+  one.type = 'button';
+  one.setAttribute('aria-label', label);
+  one.title = label;
+  one.addEventListener('click', act);
+  return one;
+}
+
+/** A helping word without its stop, for a button. @param {string} key @param {string} [value] */
+const brief = (key, value) => word(`shell.${key}.help`, value).replace(/[.。]$/, '');
+
+/**
+ * What was pressed, as the tables write it; '' for what is no shortcut by itself. Shift is part of letters and named
+ * keys only: where a sign lies decides whether it takes Shift.
+ * @param {KeyboardEvent} event
+ */
+function shortcutOf(event) {
+  const latin = /^Key[A-Z]$/.test(event.code) && (event.key > '~' || event.altKey);
+  const key = latin ? event.code[3] : event.key === ' ' ? 'Space' : event.key;
+  if (/^(Shift|Control|Alt|AltGraph|Meta|CapsLock|Dead|Process|Unidentified|Tab|Escape)$/.test(key)) {
+    return '';
+  }
+  const letter = /^[a-z]$/i.test(key);
+  const typed = event.getModifierState('AltGraph'); // a sign, not Ctrl and Alt
+  return [(event.ctrlKey || event.metaKey) && !typed && 'Ctrl', event.shiftKey && (letter || key.length > 1) && 'Shift',
+    event.altKey && !typed && 'Alt', letter ? key.toUpperCase() : key].filter(Boolean).join('+');
+}
+
+export class CommandSheet {
+  /**
+   * @param {HTMLElement} sheet
+   * @param {Words} words
+   * @param {Settings} settings
+   * @param {(command: string) => void} run
+   */
+  constructor(sheet, words, settings, run) {
+    this.sheet = sheet;
+    this.words = words;
+    this.settings = settings;
+    this.run = run;
+    this.commands = words.tables.commands;
+    /** The command whose keys are being changed. */
+    this.editing = '';
+    /** A key that was refused, or has others beside. */
+    this.pressed = '';
+    this.refused = false;
+    this.search = make('input', 'search');
+    this.search.type = 'search';
+    this.search.addEventListener('input', () => this.#sift());
+    this.body = make('div', 'command-list');
+    sheet.replaceChildren(tell(make('h2', ''), { text: 'shell.menu' }), this.search, this.body);
+    sheet.addEventListener('toggle', (event) => {
+      if (/** @type {ToggleEvent} */ (event).newState === 'closed') {
+        this.editing = '';
+        this.search.value = '';
+      }
+      this.fill();
+    });
+    sheet.addEventListener('keydown', (event) => this.#key(event));
+    this.fill();
+  }
+
+  /** Made anew from the tables: other words, other keys. */
+  fill() {
+    const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
+      document.activeElement.dataset.focus : undefined;
+    this.commands = this.words.tables.commands;
+    const parts = [];
+    let section = '';
+    for (const row of this.commands) {
+      if (row.section !== section) {
+        section = row.section;
+        parts.push(make('h3', '', word(section)), make('ul', 'commands'));
+      }
+      parts[parts.length - 1].append(this.#row(row));
+    }
+    if (Object.keys(this.settings.kept.keys).length > 0) {
+      const all = button(brief('keys-default'), () => this.#bind(this.commands.map((row) => [row.name, null])),
+        brief('keys-default'));
+      parts.push(all);
+    }
+    this.body.replaceChildren(...parts);
+    this.search.placeholder = brief('search');
+    this.search.setAttribute('aria-label', brief('search'));
+    this.#sift();
+    const again = focus && this.body.querySelector(`[data-focus="${focus}"]`);
+    if (again instanceof HTMLElement) {
+      again.focus();
+    }
+  }
+
+  /** Shows what has all the words looked for in its name, help or keys. */
+  #sift() {
+    const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    for (const entry of this.body.querySelectorAll('li')) {
+      const said = entry.dataset.said ?? '';
+      entry.hidden = !wanted.every((part) => said.includes(part));
+    }
+    for (const list of this.body.querySelectorAll('ul')) {
+      const empty = !list.querySelector('li:not([hidden])');
+      list.hidden = empty;
+      /** @type {HTMLElement} */ (list.previousElementSibling).hidden = empty;
+    }
+  }
+
+  /** @param {CommandRow} row */
+  #row(row) {
+    const label = button(row.label, () => {
+      this.sheet.hidePopover();
+      this.run(row.name);
+    }, row.label);
+    const help = word(`command.${row.name}.help`);
+    label.title = help;
+    label.dataset.command = row.name;
+    const editing = row.name === this.editing;
+    const names = row.keys.map(keyName);
+    const caps = names.flatMap((name) => [make('kbd', '', name), ' ']);
+    const keys = button(`${names.join(' ')} ${brief(editing ? 'press' : 'rebind', row.label)}`, () => {
+      this.editing = editing ? '' : row.name;
+      this.pressed = '';
+      this.fill();
+    }, ...(caps.length > 0 ? caps : ['+']));
+    keys.className = 'keys';
+    keys.dataset.focus = row.name;
+    keys.setAttribute('aria-pressed', String(editing));
+    const entry = make('li', '', make('div', 'command', label, keys));
+    entry.dataset.said = [row.label, help, ...row.keys, ...names].join(' ').toLowerCase();
+    if (editing) {
+      entry.append(this.#editor(row));
+    }
+    return entry;
+  }
+
+  /** What can be done to a command's keys, and what came of the key pressed last. @param {CommandRow} row */
+  #editor(row) {
+    const box = make('div', 'rebinding', make('p', '', word('shell.press.help', row.label)));
+    const status = make('p', 'told');
+    status.setAttribute('role', 'status');
+    box.append(status);
+    if (this.refused) {
+      status.textContent = word('shell.key-refused.help', keyName(this.pressed));
+    }
+    const others = this.refused ? [] : this.#others(row, this.pressed);
+    if (others.length > 0) {
+      status.textContent = word('shell.key-also.help', others.map((other) => other.label).join(', '));
+      box.append(button(brief('key-only'), () => this.#bind(others.map((other) => [other.name,
+        other.keys.filter((key) => key !== this.pressed).join(' ')])), brief('key-only')));
+    }
+    for (const key of row.keys) {
+      const cross = make('span', '', '✕');
+      cross.ariaHidden = 'true';
+      box.append(button(brief('key-remove', keyName(key)), () => {
+        this.pressed = '';
+        this.#bind([[row.name, row.keys.filter((other) => other !== key).join(' ')]]);
+      }, make('kbd', '', keyName(key)), ' ', cross));
+    }
+    if (row.name in this.settings.kept.keys) {
+      box.append(button(brief('key-default'), () => {
+        this.pressed = '';
+        this.#bind([[row.name, null]]);
+      }, brief('key-default')));
+    }
+    return box;
+  }
+
+  /** Other commands with a key. @param {CommandRow} row @param {string} key */
+  #others(row, key) {
+    return this.commands.filter((other) => other !== row && other.name !== row.name && other.keys.includes(key));
+  }
+
+  /** @param {[string, string | null][]} changes command and keys; null: the default */
+  #bind(changes) {
+    this.refused = changes.filter(([command, keys]) => !this.settings.bind(command, keys)).length > 0;
+    const { editing } = this;
+    this.words.retell();
+    /** @type {HTMLElement | null} */ (this.body.querySelector(`[data-focus="${editing}"]`))?.focus();
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    event.stopPropagation(); // nothing of it is for the drawing
+    const row = this.commands.find((one) => one.name === this.editing);
+    if (!row || event.target === this.search) {
+      return;
+    }
+    if (event.key === 'Escape') {
+      event.preventDefault();
+      this.editing = '';
+      this.fill();
+      return;
+    }
+    // On the other buttons Enter and Space do what they always do.
+    const onKeys = event.target instanceof HTMLElement && event.target.dataset.focus === this.editing;
+    const key = onKeys ? shortcutOf(event) : '';
+    if (key) {
+      event.preventDefault();
+      this.pressed = key;
+      this.#bind([[row.name, [...row.keys.filter((other) => other !== key), key].join(' ')]]);
+    }
+  }
+}

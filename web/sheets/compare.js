@@ -1,0 +1,47 @@
+// A file that changed on disk while it was drawn on: the drawing and the file beside each other, and what can be done.
+// Loaded when it is wanted.
+
+import { dress } from '../page/build.js';
+import { Engine } from '../engine/engine.js';
+import { isNative } from '../keep/files.js';
+import { answer, question } from './question.js';
+import { word } from '../page/words.js';
+
+/** The file as a picture: of a native one an engine of its own makes it. @param {Engine} engine @param {import('../keep/server.js').FileBytes} file */
+function pictureOf(engine, { name, bytes }) {
+  if (!isNative(name)) {
+    return bytes;
+  }
+  const other = new Engine(engine.module);
+  other.openNative(bytes, name);
+  return other.save(false);
+}
+
+/** @param {Uint8Array} svg @param {string} title */
+function figure(svg, title) {
+  const box = document.createElement('figure');
+  const picture = document.createElement('img');
+  const caption = document.createElement('figcaption');
+  caption.textContent = title;
+  picture.src = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (svg)], { type: 'image/svg+xml' }));
+  picture.alt = '';
+  for (const event of ['load', 'error']) {
+    picture.addEventListener(event, () => URL.revokeObjectURL(picture.src));
+  }
+  box.append(picture, caption);
+  return box;
+}
+
+/**
+ * @param {Engine} engine of the drawing
+ * @param {import('../keep/server.js').FileBytes} file
+ * @returns {Promise<string>} 'overwrite', 'copy', or '' for neither
+ */
+export async function compare(engine, file) {
+  await dress('styles/compare.css');
+  const both = document.createElement('div');
+  both.className = 'both';
+  both.append(figure(engine.save(false), word('shell.drawn-here')), figure(pictureOf(engine, file), word('shell.on-disk')));
+  return question('compare', word('shell.changed'), [both], [answer('copy', word('shell.copy')),
+    answer('overwrite', word('shell.overwrite')), answer('', word('command.cancel'))]);
+}

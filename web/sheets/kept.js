@@ -1,0 +1,102 @@
+// The drawings that the browser keeps: to open them, and to delete them. Loaded when they are asked for.
+
+import { tell, word } from '../page/words.js';
+
+/** @typedef {import('../keep/keep.js').Kept} Kept */
+/** @typedef {{ keeper: import('../keep/keep.js').Keeper, files: import('../keep/files.js').Files, wake: () => void,
+ * drawings: import('../keep/drawings.js').Drawings }} Shell */
+
+/** @param {() => void} act @param {...(Node | string)} content */
+function button(act, ...content) {
+  const one = document.createElement('button');
+  one.type = 'button';
+  one.append(...content);
+  one.addEventListener('click', act);
+  return one;
+}
+
+/** @param {...Node} content */
+function entry(...content) {
+  const item = document.createElement('li');
+  const row = document.createElement('div');
+  row.className = 'command';
+  row.append(...content);
+  item.append(row);
+  return item;
+}
+
+export class KeptSheet {
+  /** @param {Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    this.sheet = tell(document.createElement('div'), { label: 'command.open-kept' });
+    Object.assign(this.sheet, { id: 'kept', className: 'sheet', popover: 'auto' });
+    this.sheet.setAttribute('role', 'dialog');
+    this.sheet.addEventListener('keydown', (event) => event.stopPropagation()); // nothing of it is for the drawing
+    this.list = document.createElement('ul');
+    this.list.className = 'commands';
+    this.sheet.append(tell(document.createElement('h2'), { text: 'command.open-kept' }), this.list);
+    document.body.append(this.sheet);
+  }
+
+  async show() {
+    await this.#fill();
+    this.sheet.showPopover();
+    this.#focus(0);
+  }
+
+  /** @param {number} row */
+  #focus(row) {
+    const all = this.list.querySelectorAll('button:first-child');
+    /** @type {HTMLElement} */ (all[Math.min(row, all.length - 1)]).focus();
+  }
+
+  async #fill() {
+    await this.shell.keeper.settled();
+    const format = new Intl.DateTimeFormat(document.documentElement.lang, { dateStyle: 'medium', timeStyle: 'short' });
+    const rows = await this.shell.keeper.list();
+    const fresh = tell(button(() => this.#go(this.shell.drawings.openNew())), { text: 'shell.new' });
+    this.list.replaceChildren(...rows.map((kept, index) => this.#row(kept, format.format(kept.time), index)), entry(fresh));
+  }
+
+  /** @param {Promise<void>} way */
+  #go(way) {
+    this.sheet.hidePopover();
+    return way;
+  }
+
+  /** @param {Kept} kept @param {string} date @param {number} index */
+  #row({ name }, date, index) {
+    const title = document.createElement('bdi');
+    const time = document.createElement('time');
+    title.textContent = name;
+    time.textContent = date;
+    const own = name === this.shell.files.name;
+    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(this.shell.drawings.openKept(name))), title, ' ', time);
+    opener.ariaCurrent = String(own);
+    return entry(opener, ...(own ? [] : [this.#remover(name, index)]));
+  }
+
+  /** Pressed twice, it deletes. @param {string} name @param {number} index */
+  #remover(name, index) {
+    let sure = false;
+    const say = (/** @type {string} */ key) => {
+      one.ariaLabel = one.title = word(`shell.${key}.help`, name).slice(0, -1); // without its stop
+    };
+    const one = button(async () => {
+      if (!sure) {
+        sure = true;
+        say('kept-sure');
+        one.textContent = one.title.split(':')[0];
+        return;
+      }
+      this.shell.keeper.drop(name);
+      this.shell.wake(); // what is shown is kept on
+      await this.#fill();
+      this.#focus(index);
+    }, '✕');
+    one.className = 'keys';
+    say('kept-delete');
+    return one;
+  }
+}

@@ -1,0 +1,190 @@
+// The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it.
+
+import { icon, loadIcons } from '../page/icons.js';
+import { word } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('../engine/types.js').Frame} Frame */
+/**
+ * @typedef {object} Layer
+ * @property {number} id
+ * @property {string} name
+ * @property {boolean} hidden
+ * @property {boolean} locked
+ * @property {number} depth
+ * @property {number} members
+ *
+ * @typedef {object} Layers
+ * @property {Layer[]} layers back to front
+ * @property {number} active
+ * @property {number} loose objects in no layer
+ * @property {number} pictures to trace
+ */
+
+export class LayersSheet {
+  /**
+   * @param {Engine} engine
+   * @param {() => void} wake
+   * @param {HTMLElement} sheet
+   */
+  constructor(engine, wake, sheet) {
+    this.engine = engine;
+    this.wake = wake;
+    this.sheet = sheet;
+    this.shown = '';
+    this.list = document.createElement('ul');
+    this.list.className = 'layer-list';
+    sheet.addEventListener('toggle', () => void loadIcons('arrange').then(() => this.#fill()));
+  }
+
+  /** @param {Frame} frame */
+  show(frame) {
+    const now = `${frame.revision} ${frame.layer}`;
+    if (now !== this.shown) {
+      this.shown = now;
+      if (this.sheet.matches(':popover-open')) {
+        this.#fill();
+      }
+    }
+  }
+
+  #fill() {
+    if (this.list.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement &&
+      document.activeElement.type === 'text') {
+      return; // a name is being written
+    }
+    const { layers, active, loose, pictures } = this.engine.layers();
+    /** @type {HTMLElement} */ (document.getElementById('pictures')).hidden = pictures === 0;
+    const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
+    const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
+    rows.unshift(this.#row(none, active === 0));
+    // The rows are others then; what had the focus has it again.
+    const held = document.activeElement?.closest('.layer-row');
+    const parts = (/** @type {HTMLElement} */ row) => /** @type {HTMLElement[]} */ ([...row.querySelectorAll('input, button')]);
+    const id = held instanceof HTMLElement && this.list.contains(held) ? held.dataset.id : null;
+    const index = id ? parts(/** @type {HTMLElement} */ (held)).indexOf(/** @type {HTMLElement} */ (document.activeElement)) : -1;
+    this.list.replaceChildren(...rows);
+    const again = rows.find((row) => row.dataset.id === id);
+    if (again) {
+      parts(again)[index]?.focus();
+    }
+  }
+
+  /** @param {() => void} change */
+  #change(change) {
+    change();
+    this.#fill();
+    this.wake();
+  }
+
+  /** @param {Layer} layer @param {boolean} active */
+  #row(layer, active) {
+    const row = document.createElement('li');
+    row.className = 'layer-row';
+    row.style.paddingInlineStart = `${layer.depth * 16}px`;
+    row.dataset.id = String(layer.id);
+    const choose = document.createElement('input');
+    choose.type = 'radio';
+    choose.name = 'layer';
+    choose.checked = active;
+    choose.setAttribute('aria-label', word('shell.draw-in', layer.name));
+    choose.addEventListener('change', () => this.#change(() => this.engine.activateLayer(layer.id)));
+    row.append(choose);
+    if (layer.id === 0) {
+      const name = document.createElement('span');
+      name.className = 'layer-name';
+      name.textContent = layer.name;
+      row.append(name);
+    } else {
+      const name = document.createElement('input');
+      name.type = 'text';
+      name.className = 'layer-name';
+      name.value = layer.name;
+      name.setAttribute('aria-label', word('shell.layer-name'));
+      name.addEventListener('change', () => this.engine.rename(layer.id, name.value));
+      name.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter' || event.key === 'Escape') {
+          name.blur();
+        }
+        event.stopPropagation();
+      });
+      name.addEventListener('blur', () => this.#change(() => {}));
+      row.append(name);
+    }
+    const members = document.createElement('span');
+    members.className = 'layer-members';
+    members.textContent = String(layer.members);
+    members.title = word('shell.objects', layer.members);
+    row.append(members);
+    if (layer.id !== 0) {
+      row.append(
+        this.#toggle(layer.hidden ? 'hidden' : 'shown', layer.hidden, word('shell.hide', layer.name),
+          () => this.engine.setState(layer.id, !layer.hidden, layer.locked)),
+        this.#toggle(layer.locked ? 'locked' : 'free', layer.locked, word('shell.lock', layer.name),
+          () => this.engine.setState(layer.id, layer.hidden, !layer.locked)),
+        this.#grip(layer, row));
+    }
+    return row;
+  }
+
+  /**
+   * What the row is dragged by, or moved with the arrow keys.
+   * @param {Layer} layer
+   * @param {HTMLElement} row
+   */
+  #grip(layer, row) {
+    const grip = this.#iconButton('grip', word('shell.move-layer', layer.name), word('shell.move-layer', layer.name));
+    const rows = () => /** @type {HTMLElement[]} */ ([...this.list.children]).filter((one) => one.dataset.id !== '0');
+    /** @param {HTMLElement | undefined} target */
+    const place = (target) => {
+      if (target && target !== row) {
+        grip.focus();
+        this.#change(() => this.engine.placeLayer(layer.id, Number(target.dataset.id)));
+      }
+    };
+    /** @param {PointerEvent} event */
+    const under = (event) => rows().find((one) => event.clientY < one.getBoundingClientRect().bottom) ?? rows().at(-1);
+    grip.classList.add('grip');
+    grip.addEventListener('pointerdown', (event) => grip.setPointerCapture(event.pointerId));
+    grip.addEventListener('pointermove', (event) => {
+      if (grip.hasPointerCapture(event.pointerId)) {
+        rows().forEach((one) => one.classList.toggle('target', one === under(event) && one !== row));
+      }
+    });
+    grip.addEventListener('pointerup', (event) => place(under(event)));
+    grip.addEventListener('pointercancel', () => this.#fill());
+    grip.addEventListener('keydown', (event) => {
+      const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+      if (step) {
+        event.preventDefault();
+        event.stopPropagation();
+        place(rows()[rows().indexOf(row) + step]);
+      }
+    });
+    return grip;
+  }
+
+  /** @param {string} name @param {string} label @param {string} title */
+  #iconButton(name, label, title) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'tool';
+    button.append(icon(name) ?? '');
+    button.setAttribute('aria-label', label);
+    button.title = title;
+    return button;
+  }
+
+  /**
+   * @param {string} name of the icon, and of the word for it
+   * @param {boolean} pressed
+   * @param {string} label
+   * @param {() => void} act
+   */
+  #toggle(name, pressed, label, act) {
+    const button = this.#iconButton(name, label, word(`shell.${name}`));
+    button.setAttribute('aria-pressed', String(pressed));
+    button.addEventListener('click', () => this.#change(act));
+    return button;
+  }
+}

@@ -1,0 +1,188 @@
+// The level strip: one row a level of the chosen curve, finest first, with a fader, mute and solo; below it what can be
+// done with levels. Loaded when it is first seen, with its own style sheet. The engine holds all that it shows.
+
+import { dress } from '../page/build.js';
+import { tell, word } from '../page/words.js';
+
+/** @typedef {import('./panel.js').Panel} Panel */
+/**
+ * @typedef {object} Level
+ * @property {number} points
+ * @property {number} gain
+ * @property {number} muted 0 or 1, as all that follow
+ * @property {number} solo
+ * @property {number} active
+ *
+ * @typedef {object} Levels
+ * @property {Level[]} rows the base first; none: the curve has no levels
+ * @property {number} points of the curve
+ * @property {number} apart the rows are what taking apart would give
+ * @property {number} copying a tap chooses the curve that gets the detail
+ */
+
+const Act = Object.freeze({ CHOOSE: 0, GAIN: 1, MUTE: 2, SOLO: 3 });
+const LOUDEST = 2; // the fader's end; the engine takes more
+
+/**
+ * @template {keyof HTMLElementTagNameMap} T
+ * @param {T} tag
+ * @param {string} name
+ * @returns {HTMLElementTagNameMap[T]}
+ */
+function make(tag, name) {
+  const element = document.createElement(tag);
+  element.className = name;
+  return element;
+}
+
+export class LevelStrip {
+  /** @param {Panel} panel @param {HTMLElement} stage */
+  constructor(panel, stage) {
+    this.panel = panel;
+    this.engine = panel.engine;
+    this.stage = stage;
+    void dress('styles/levels.css');
+    this.box = tell(make('section', 'levels'), { label: 'tool.levels' });
+    this.box.hidden = true;
+    this.list = make('ul', 'level-list');
+    this.apart = make('div', 'level-controls');
+    for (const name of ['apart-levels', 'apart-points']) {
+      this.apart.append(this.#property(name));
+    }
+    this.apart.append(this.#commands(['accept', 'cancel']));
+    this.tools = make('div', 'level-controls');
+    this.study = make('div', 'level-controls');
+    this.more = this.#commands(['level-add', 'levels-copy', 'levels-flatten']);
+    for (const name of ['show-levels', 'show-frames', 'frame-rule', 'level-sketch']) {
+      this.study.append(this.#property(name));
+    }
+    this.tools.append(this.#commands(['take-apart']), this.more, this.study);
+    this.box.append(this.list, this.apart, this.tools);
+    stage.after(this.box);
+    // The fader's step is taken back, or the strip left for the drawing.
+    this.box.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') {
+        this.engine.command('cancel');
+        this.stage.focus();
+        this.#changed();
+        event.stopPropagation();
+      }
+    });
+  }
+
+  /** @param {string} name */
+  #property(name) {
+    const row = /** @type {import('../engine/types.js').PropertyRow} */ (
+      this.panel.tables.properties.find((property) => property.name === name));
+    const control = this.panel.control(row, 'strip');
+    const input = control.querySelector('input');
+    if (row.type === 'number' && input) {
+      input.before(this.panel.stepper(row, input, -1));
+      input.after(this.panel.stepper(row, input, 1));
+    }
+    return control;
+  }
+
+  /** @param {string[]} names */
+  #commands(names) {
+    const row = make('div', 'level-commands');
+    row.append(...names.map((name) => this.panel.wordButton(name)));
+    return row;
+  }
+
+  #changed() {
+    this.show(!this.box.hidden);
+    this.panel.wake();
+  }
+
+  /** @param {number} act @param {number} level @param {number} value @param {boolean} done */
+  #act(act, level, value, done = true) {
+    this.engine.level(act, level, value, done);
+    this.#changed();
+  }
+
+  /** @param {boolean} visible */
+  show(visible) {
+    this.box.hidden = !visible;
+    if (!visible) {
+      return;
+    }
+    const { rows, apart, copying } = this.engine.levels();
+    this.apart.hidden = apart === 0;
+    this.tools.hidden = apart !== 0;
+    this.study.hidden = rows.length === 0;
+    for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (this.more.querySelectorAll('[data-text^="command.levels-"]'))) {
+      button.hidden = rows.length === 0;
+      if (button.dataset.text === 'command.levels-copy') {
+        button.setAttribute('aria-pressed', String(copying !== 0));
+      }
+    }
+    while (this.list.children.length > rows.length) {
+      this.list.firstElementChild?.remove(); // the finest stands first
+    }
+    while (this.list.children.length < rows.length) {
+      this.list.prepend(this.#row(this.list.children.length));
+    }
+    rows.forEach((level, index) => {
+      this.#fill(/** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]), level, index, apart !== 0);
+    });
+    this.panel.refresh();
+  }
+
+  /** @param {number} index */
+  #row(index) {
+    const row = make('li', 'level-row');
+    const choose = make('input', 'level-choose');
+    choose.type = 'radio';
+    choose.name = 'level';
+    choose.addEventListener('change', () => this.#act(Act.CHOOSE, index, 0));
+    const label = make('label', 'level-name');
+    label.append(choose, make('span', ''), make('small', ''));
+    row.append(label);
+    if (index > 0) {
+      const fader = make('input', 'level-fader');
+      fader.type = 'range';
+      fader.min = '0';
+      fader.max = String(LOUDEST);
+      fader.step = '0.01';
+      fader.addEventListener('input', () => this.#act(Act.GAIN, index, fader.valueAsNumber, false));
+      fader.addEventListener('change', () => this.#act(Act.GAIN, index, fader.valueAsNumber));
+      fader.addEventListener('dblclick', () => this.#act(Act.GAIN, index, 1));
+      tell(fader, { label: 'levels.gain' });
+      row.append(fader, make('output', 'level-gain'));
+    }
+    for (const [name, act] of /** @type {[string, number][]} */ ([['mute', Act.MUTE], ['solo', Act.SOLO]])) {
+      if (index === 0 && act === Act.MUTE) {
+        continue;
+      }
+      const button = tell(make('button', `level-${name}`), { text: `levels.${name}-short` });
+      button.type = 'button';
+      button.addEventListener('click', () => this.#act(act, index, Number(button.ariaPressed !== 'true')));
+      row.append(button);
+    }
+    return row;
+  }
+
+  /** @param {HTMLElement} row @param {Level} level @param {number} index @param {boolean} still */
+  #fill(row, level, index, still) {
+    const [choose, fader] = row.querySelectorAll('input');
+    const [name, points] = row.querySelectorAll('span, small');
+    row.toggleAttribute('data-muted', level.muted !== 0);
+    choose.checked = level.active !== 0;
+    name.textContent = index ? word('levels.level', index) : word('levels.base');
+    points.textContent = word('levels.points', level.points);
+    if (fader) {
+      fader.value = String(level.gain);
+      fader.setAttribute('aria-label', word('levels.gain', index));
+      /** @type {HTMLElement} */ (row.querySelector('output')).textContent = level.gain.toFixed(2);
+    }
+    for (const [part, on] of /** @type {[string, number][]} */ ([['mute', level.muted], ['solo', level.solo]])) {
+      const button = row.querySelector(`.level-${part}`);
+      button?.setAttribute('aria-pressed', String(on !== 0));
+      button?.setAttribute('aria-label', word(`levels.${part}`, index));
+    }
+    for (const control of /** @type {NodeListOf<HTMLInputElement>} */ (row.querySelectorAll('input, button'))) {
+      control.disabled = still;
+    }
+  }
+}

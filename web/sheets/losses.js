@@ -1,0 +1,41 @@
+// What writing over a file would lose: a list of it, and the question before. Loaded when there is something to tell.
+
+import { totalOf } from '../keep/files.js';
+import { answer, question } from './question.js';
+import { counted, tell, word } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Losses} Losses */
+
+/** @param {Losses} losses */
+function list(losses) {
+  const rows = document.createElement('ul');
+  rows.className = 'losses';
+  for (const [key, count] of Object.entries(losses)) {
+    const row = document.createElement('li');
+    const number = document.createElement('b');
+    number.textContent = String(count);
+    row.append((word(`loss.${key}.help`) || key).replace(/\.$/, ''), ' ', number);
+    rows.append(row);
+  }
+  return rows;
+}
+
+/** @param {Losses} losses @param {string} name @returns {Promise<string>} 'copy', 'lose', or '' for neither */
+export function ask(name, losses) {
+  return question('lossy', word('shell.may-lose', name), [list(losses)], [answer('copy', word('shell.save-copy')),
+    answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel'))]);
+}
+
+/** The list alone, to look at. @param {Losses} losses */
+export function show(losses) {
+  const old = document.getElementById('losses');
+  const sheet = old ?? tell(document.createElement('div'), { label: 'command.losses' });
+  if (!old) {
+    Object.assign(sheet, { id: 'losses', className: 'sheet', popover: 'auto', tabIndex: -1 });
+    sheet.setAttribute('role', 'dialog');
+    document.body.append(sheet);
+  }
+  sheet.replaceChildren(tell(document.createElement('h2'), { text: 'command.losses' }), list(losses));
+  sheet.showPopover();
+  sheet.focus();
+}

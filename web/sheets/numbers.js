@@ -1,0 +1,70 @@
+// The numbers sheet: place, size and turn of what is chosen, entered as text. Which there are, the engine's table says;
+// what is read and written, the engine itself.
+
+import { tell } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+
+export class NumbersSheet {
+  /**
+   * @param {Engine} engine
+   * @param {() => void} wake
+   * @param {HTMLElement} sheet
+   * @param {string[]} names
+   */
+  constructor(engine, wake, sheet, names) {
+    this.engine = engine;
+    this.rows = names.map((name) => {
+      const box = document.createElement('div');
+      box.className = 'control number';
+      const input = document.createElement('input');
+      input.type = 'text';
+      input.id = `number-${name}`;
+      input.autocomplete = 'off';
+      const label = tell(document.createElement('label'), { text: `number.${name}` });
+      label.htmlFor = input.id;
+      input.addEventListener('change', () => {
+        if (input.value === this.engine.number(name)) {
+          return; // what is shown is rounded: entering it would move things by what it leaves out
+        }
+        const taken = this.engine.enter(name, input.value);
+        input.setAttribute('aria-invalid', String(!taken));
+        if (taken) {
+          this.show();
+        }
+        wake();
+      });
+      input.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') {
+          input.dispatchEvent(new Event('change'));
+          input.select();
+        } else if (event.key === 'Escape') {
+          input.value = this.engine.number(name);
+          input.blur();
+        }
+      });
+      input.addEventListener('focus', () => input.select());
+      input.addEventListener('blur', () => this.show());
+      box.append(label, input);
+      return { name, box, input };
+    });
+    this.none = tell(document.createElement('p'), { text: 'notice.select-first' });
+    sheet.append(...this.rows.map((row) => row.box), this.none);
+    this.show();
+  }
+
+  /** What is chosen, or where it is, is another. */
+  show() {
+    let some = false;
+    for (const { name, box, input } of this.rows) {
+      const text = this.engine.number(name);
+      box.hidden = text === '';
+      some ||= text !== '';
+      if (document.activeElement !== input || input.getAttribute('aria-invalid') === 'false') {
+        input.value = text;
+        input.removeAttribute('aria-invalid');
+      }
+    }
+    this.none.hidden = some;
+  }
+}

@@ -1,0 +1,62 @@
+// The row of what can be done with the selection: order, align, group, cut and mend. Fetched with its icons when
+// something is selected for the first time.
+
+import { dress } from '../page/build.js';
+import { loadIcons } from '../page/icons.js';
+import { tell } from '../page/words.js';
+
+/** @typedef {import('./panel.js').Panel} Panel */
+/** @typedef {import('../engine/types.js').Frame} Frame */
+
+const FAMILIES = [/^(un)?group$/, /^curve-/, /^order-/, /^align-/, /^distribute-/];
+
+export class Actions {
+  /** @param {Panel} panel */
+  static async make(panel) {
+    await Promise.all([dress('styles/offers.css'), loadIcons('arrange')]);
+    return new Actions(panel);
+  }
+
+  /** @param {Panel} panel */
+  constructor(panel) {
+    this.engine = panel.engine;
+    this.shown = '';
+    this.row = tell(document.createElement('div'), { label: 'shell.actions' });
+    this.row.id = 'actions';
+    this.row.className = 'actions';
+    this.row.setAttribute('role', 'toolbar');
+    this.row.hidden = true;
+    /** @type {Map<string, HTMLElement>} */
+    this.buttons = new Map();
+    for (const family of FAMILIES) {
+      const group = document.createElement('div');
+      group.className = 'group';
+      for (const { name } of panel.tables.commands) {
+        if (family.test(name) && document.getElementById(`icon-${name}`)) {
+          const button = panel.button(name, `command.${name}`);
+          this.buttons.set(name, button);
+          group.append(button);
+        }
+      }
+      this.row.append(group);
+    }
+    document.querySelector('main')?.append(this.row);
+  }
+
+  /** @param {Frame} frame */
+  show(frame) {
+    const now = `${frame.selection} ${frame.revision} ${frame.tool}`;
+    if (now === this.shown || frame.busy) {
+      return;
+    }
+    this.shown = now;
+    const possible = frame.selected > 0 ? this.engine.actions() : [];
+    this.row.hidden = possible.length === 0;
+    for (const [name, button] of this.buttons) {
+      button.hidden = !possible.includes(name);
+    }
+    for (const group of this.row.children) {
+      /** @type {HTMLElement} */ (group).hidden = [...group.children].every((one) => /** @type {HTMLElement} */ (one).hidden);
+    }
+  }
+}

@@ -1,0 +1,378 @@
+// Painting: a still canvas for the drawing and an overlay canvas for what is under the pen. The still canvas is
+// repainted only where the drawing changed. When the view moves over a heavy drawing, the painted layer is moved
+// at once and painted afresh when the hand rests.
+
+/** @typedef {import('../engine/types.js').Frame} Frame */
+/** @typedef {import('../engine/types.js').Item} Item */
+/** @typedef {import('./theme.js').Theme} Theme */
+/** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
+/** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
+
+const STROKED = 1;
+const FILLED = 2;
+const EVEN_ODD = 4;
+const SCREEN_WIDTH = 8;
+const DASHED = 16;
+const ROLE_OBJECT = 0;
+const ROLE_STRETCH = 2;
+const ROLE_PAGE = 8;
+const ROLE_IMAGE = 26;
+const FADE = 0.75; // how much of the paper covers a line that is about to change
+export const ROLE_RULER = 29;
+export const ROLE_GRID = 27; // this and what follows: lines to draw by
+const RULER_FONT = '10px system-ui, sans-serif';
+const LABEL_FONT = '500 13px system-ui, sans-serif';
+
+/** @type {CanvasLineCap[]} */
+const CAPS = ['butt', 'round', 'square'];
+/** @type {CanvasLineJoin[]} */
+const JOINS = ['miter', 'round', 'bevel'];
+
+/** Path numbers that can be painted within a frame; a heavier view is moved first and painted when idle. */
+const LIGHT = 15000;
+const IDLE = 90; // milliseconds without a move
+const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
+
+/**
+ * @param {Float32Array} path commands and coordinates, as editor.h says
+ * @returns {Path2D}
+ */
+function shapeOf(path) {
+  const shape = new Path2D();
+  let i = 0;
+  while (i < path.length) {
+    switch (path[i]) {
+      case 0:
+        shape.moveTo(path[i + 1], path[i + 2]);
+        i += 3;
+        break;
+      case 1:
+        shape.lineTo(path[i + 1], path[i + 2]);
+        i += 3;
+        break;
+      case 2:
+        shape.bezierCurveTo(path[i + 1], path[i + 2], path[i + 3], path[i + 4], path[i + 5], path[i + 6]);
+        i += 7;
+        break;
+      default:
+        shape.closePath();
+        i += 1;
+    }
+  }
+  return shape;
+}
+
+/**
+ * From coordinates relative to the origin to pixels, of which `ratio` are a view pixel.
+ * @param {View} view @param {number} ratio
+ */
+function matrixOf(view, ratio) {
+  return new DOMMatrix().scale(view.zoom * ratio).rotate(view.angle)
+    .translate(view.originX - view.x, view.originY - view.y);
+}
+
+/**
+ * The upright box around the box as the matrix lays it.
+ * @param {DOMMatrix} matrix @param {number[]} box x0 y0 x1 y1
+ */
+function around(matrix, [x0, y0, x1, y1]) {
+  const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map(([x, y]) => matrix.transformPoint({ x, y }));
+  const xs = corners.map((corner) => corner.x);
+  const ys = corners.map((corner) => corner.y);
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+}
+
+export class Painter {
+  /**
+   * @param {HTMLCanvasElement} still
+   * @param {HTMLCanvasElement} overlay
+   * @param {Theme} theme
+   */
+  constructor(still, overlay, theme) {
+    this.still = still;
+    this.overlay = overlay;
+    this.theme = theme;
+    this.stillContext = /** @type {CanvasRenderingContext2D} */ (still.getContext('2d'));
+    this.overlayContext = /** @type {CanvasRenderingContext2D} */ (overlay.getContext('2d'));
+    this.width = 1;
+    this.height = 1;
+    this.ratio = 1;
+    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    this.cache = new Map();
+    /** @type {Painted[]} */
+    this.list = [];
+    /** The view that the still canvas shows; null: nothing yet. @type {View | null} */
+    this.painted = null;
+    /** Pictures by their numbers; null: being decoded, or cannot be. @type {Map<number, ImageBitmap | null>} */
+    this.pictures = new Map();
+    /** A picture is wanted that is not there yet. @type {(picture: number) => void} */
+    this.onpicture = () => {};
+    this.overlayEmpty = true;
+    this.stale = true;
+    this.timer = 0;
+    /** Asks for another frame. */
+    this.onidle = () => {};
+    /** Counts for tests and measurements. */
+    this.counts = { full: 0, part: 0, moved: 0 };
+  }
+
+  /**
+   * @param {number} width view pixels
+   * @param {number} height
+   * @param {number} ratio
+   */
+  resize(width, height, ratio) {
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    for (const canvas of [this.still, this.overlay]) {
+      canvas.width = Math.max(1, Math.round(width * ratio));
+      canvas.height = Math.max(1, Math.round(height * ratio));
+    }
+    this.stale = true;
+    this.overlayEmpty = true;
+  }
+
+  /** The theme's colours are others now. */
+  retheme() {
+    this.stale = true;
+  }
+
+  /** @param {Frame} frame */
+  paint(frame) {
+    if (frame.stillChanged) {
+      this.#collect(frame.still);
+    }
+    this.#paintStill(frame);
+    this.#paintOverlay(frame);
+  }
+
+  /** @param {Item[]} items */
+  #collect(items) {
+    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    const kept = new Map();
+    this.list = items.map((item) => {
+      const known = this.cache.get(item.id);
+      const shape = item.id !== 0 && known?.version === item.version ? known.shape : shapeOf(item.path);
+      if (item.id !== 0) {
+        kept.set(item.id, { version: item.version, shape });
+      }
+      const corners = item.role === ROLE_IMAGE ? item.path.slice() : item.path;
+      return { item, shape, weight: item.path.length, corners };
+    });
+    this.cache = kept;
+  }
+
+  /** @param {Frame} frame */
+  #paintStill(frame) {
+    const dirty = frame.dirty[0] <= frame.dirty[2] && frame.dirty[1] <= frame.dirty[3];
+    const was = this.painted;
+    const moved = !was || was.x !== frame.x || was.y !== frame.y || was.zoom !== frame.zoom ||
+      was.angle !== frame.angle || was.originX !== frame.originX || was.originY !== frame.originY;
+    if (!moved && !this.stale) {
+      if (dirty) {
+        this.#repaint(frame, frame.dirty);
+      }
+      return;
+    }
+    if (was && !this.stale && !dirty && this.#weight(frame) > LIGHT) {
+      this.#moveLayer(was, frame);
+      return;
+    }
+    this.#repaint(frame, null);
+  }
+
+  /** How much there is to paint: numbers in the paths in sight. @param {View} view */
+  #weight(view) {
+    const [x0, y0, x1, y1] = around(matrixOf(view, 1).inverse(), [0, 0, this.width, this.height]);
+    let weight = 0;
+    for (const { item, weight: numbers } of this.list) {
+      if (item.x1 >= x0 && item.x0 <= x1 && item.y1 >= y0 && item.y0 <= y1) {
+        weight += numbers;
+      }
+    }
+    return weight;
+  }
+
+  /** Shows the layer as painted, where the view now has it. @param {View} was @param {View} now */
+  #moveLayer(was, now) {
+    const { originX, originY } = now;
+    this.still.style.transform = String(matrixOf(now, 1).multiply(matrixOf({ ...was, originX, originY }, 1).inverse()));
+    this.counts.moved++;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.stale = true;
+      this.onidle();
+    }, IDLE);
+  }
+
+  /**
+   * Paints what lies in the box (relative to the origin), or everything.
+   * @param {Frame} frame
+   * @param {[number, number, number, number] | null} box
+   */
+  #repaint(frame, box) {
+    const context = this.stillContext;
+    const { width, height } = this.still;
+    const matrix = matrixOf(frame, this.ratio);
+    let [x0, y0, x1, y1] = [0, 0, width, height];
+    if (box) {
+      // Whole device pixels with one to spare, so that no half-covered seam stays behind.
+      const [left, top, right, bottom] = around(matrix, box);
+      x0 = Math.max(0, Math.floor(left) - 2);
+      y0 = Math.max(0, Math.floor(top) - 2);
+      x1 = Math.min(width, Math.ceil(right) + 2);
+      y1 = Math.min(height, Math.ceil(bottom) + 2);
+      this.counts.part++;
+    } else {
+      clearTimeout(this.timer);
+      this.still.style.transform = '';
+      this.stale = false;
+      const { x, y, zoom, angle, originX, originY } = frame;
+      this.painted = { x, y, zoom, angle, originX, originY };
+      this.counts.full++;
+    }
+    if (x0 >= x1 || y0 >= y1) {
+      return;
+    }
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.beginPath();
+    context.rect(x0, y0, x1 - x0, y1 - y0);
+    context.clip();
+    context.clearRect(x0, y0, x1 - x0, y1 - y0);
+    context.setTransform(matrix);
+    const [left, top, right, bottom] = around(matrix.inverse(), [x0 - 2, y0 - 2, x1 + 2, y1 + 2]);
+    for (const { item, shape, corners } of this.list) {
+      if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
+        continue;
+      }
+      if (item.role === ROLE_IMAGE) {
+        this.#drawPicture(context, item, corners);
+      } else {
+        this.#draw(context, item, shape, frame.zoom);
+      }
+    }
+    context.restore();
+  }
+
+  /**
+   * A picture between its corners.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Float32Array} path round the corners: command, x, y each
+   */
+  #drawPicture(context, item, path) {
+    const bitmap = this.pictures.get(item.picture);
+    if (bitmap === undefined) {
+      this.pictures.set(item.picture, null);
+      this.onpicture(item.picture);
+    }
+    if (!bitmap) {
+      return;
+    }
+    const [, x, y, , xRight, yRight, , , , , xDown, yDown] = path;
+    const { width, height } = bitmap;
+    context.save();
+    context.globalAlpha = item.opacity;
+    context.transform((xRight - x) / width, (yRight - y) / width, (xDown - x) / height, (yDown - y) / height, x, y);
+    context.drawImage(bitmap, 0, 0);
+    context.restore();
+  }
+
+  /** @param {Frame} frame */
+  #paintOverlay(frame) {
+    const context = this.overlayContext;
+    if (!this.overlayEmpty) {
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.clearRect(0, 0, this.overlay.width, this.overlay.height);
+    }
+    this.overlayEmpty = frame.live.length === 0 && frame.labels.length === 0;
+    context.setTransform(matrixOf(frame, this.ratio));
+    for (const item of frame.live) {
+      const shape = shapeOf(item.path);
+      if (item.role === ROLE_STRETCH) {
+        this.#fade(context, item, shape, frame.zoom);
+      } else {
+        this.#draw(context, item, shape, frame.zoom);
+      }
+    }
+    this.#write(context, frame);
+  }
+
+  /**
+   * A line that is about to change goes pale, and a thin one stays for comparison.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Path2D} shape
+   * @param {number} zoom
+   */
+  #fade(context, item, shape, zoom) {
+    const paged = this.list[0]?.item.role === ROLE_PAGE;
+    context.setLineDash([]);
+    context.lineJoin = 'round';
+    context.lineCap = 'butt';
+    context.lineWidth = item.width / zoom;
+    context.strokeStyle = paged ? this.theme.paper : this.theme.ground;
+    context.globalAlpha = FADE;
+    context.stroke(shape);
+    context.lineWidth = 1 / zoom;
+    context.strokeStyle = this.theme.roles[ROLE_STRETCH].stroke;
+    context.globalAlpha = 1;
+    context.stroke(shape);
+  }
+
+  /**
+   * The labels, in view pixels, readable over whatever lies below.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Frame} frame
+   */
+  #write(context, frame) {
+    context.globalAlpha = 1;
+    context.textBaseline = 'middle';
+    context.textAlign = 'center';
+    context.lineJoin = 'round';
+    context.lineWidth = 4;
+    context.setLineDash([]);
+    const matrix = matrixOf(frame, 1);
+    for (const label of frame.labels) {
+      const look = this.theme.roles[label.role] ?? this.theme.roles[1];
+      const at = matrix.transformPoint(label);
+      context.font = label.role === ROLE_RULER ? RULER_FONT : LABEL_FONT;
+      context.setTransform(new DOMMatrix().scale(this.ratio).translate(at.x + label.dx, at.y + label.dy).rotate(label.turn));
+      if (label.role !== ROLE_RULER) {
+        context.strokeStyle = look.fill;
+        context.strokeText(label.text, 0, 0);
+      }
+      context.fillStyle = look.stroke;
+      context.fillText(label.text, 0, 0);
+    }
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Item} item
+   * @param {Path2D} shape
+   * @param {number} zoom
+   */
+  #draw(context, item, shape, zoom) {
+    const own = item.role === ROLE_OBJECT;
+    const look = this.theme.roles[item.role] ?? this.theme.roles[1];
+    context.globalAlpha = item.opacity;
+    // Paper lies on the ground, whatever the engine says of its border.
+    if (item.flags & FILLED || item.role === ROLE_PAGE) {
+      context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
+      context.fill(shape, item.flags & EVEN_ODD ? 'evenodd' : 'nonzero');
+    }
+    if (item.flags & STROKED) {
+      context.strokeStyle = own ? this.theme.colour(item.stroke) : look.stroke;
+      const width = item.flags & SCREEN_WIDTH ? item.width / zoom : item.width;
+      context.lineWidth = Math.max(width, HAIRLINE / zoom);
+      context.lineCap = CAPS[item.cap] ?? 'round';
+      context.lineJoin = JOINS[item.join] ?? 'round';
+      context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
+      context.setLineDash(item.flags & DASHED ? [6 / zoom, 5 / zoom] : []);
+      context.stroke(shape);
+    }
+  }
+}

@@ -1,0 +1,115 @@
+// Colours: what a role looks like, and how a drawing's own colours appear on a dark ground. The colours themselves
+// are tokens in styles/page.css.
+
+/** Role numbers of editor.h, in order, as the tokens name them. */
+const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending',
+  'selection', 'handle', 'marquee', 'ghost', 'point', 'chosen', 'prompt', 'arrow', 'wedge', 'beyond', 'guide',
+  'value', 'polygon', 'comb', 'reach', 'erased', 'image', 'grid',
+  'grid-strong', 'ruler', 'guideline'];
+const CHOICES = ['system', 'light', 'dark'];
+const STORE = 'batten-theme';
+
+/** @param {number} value 0..1, sRGB */
+const linear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+/** @param {number} value 0..1, linear light */
+const gamma = (value) => (value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055);
+
+/**
+ * The colour with its lightness turned over and hue and chroma kept (OKLab, Ottosson 2020), so that black lines
+ * show on a dark ground and a white paper goes dark. For the eye only: the document keeps its own.
+ * @param {number} red 0..1
+ * @param {number} green
+ * @param {number} blue
+ * @returns {[number, number, number]}
+ */
+export function turnOver(red, green, blue) {
+  const [r, g, b] = [linear(red), linear(green), linear(blue)];
+  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  const light = Math.max(0, 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s);
+  const lightness = 0.97 - 0.75 * light ** 1.4; // the dark end spreads, so that ink is not grey
+  const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
+  const c = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
+  const l3 = (lightness + 0.3963377774 * a + 0.2158037573 * c) ** 3;
+  const m3 = (lightness - 0.1055613458 * a - 0.0638541728 * c) ** 3;
+  const s3 = (lightness - 0.0894841775 * a - 1.291485548 * c) ** 3;
+  const clip = (/** @type {number} */ value) => gamma(Math.min(1, Math.max(0, value)));
+  return [
+    clip(4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3),
+    clip(-1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3),
+    clip(-0.0041960863 * l3 - 0.7034186147 * m3 + 1.707614701 * s3),
+  ];
+}
+
+export class Theme {
+  constructor() {
+    /** @type {{ stroke: string, fill: string }[]} */
+    this.roles = [];
+    /** What a drawing lies on: without a page, and with one. */
+    this.ground = '';
+    this.paper = '';
+    this.dark = false;
+    /** @type {Map<number, string>} */
+    this.colours = new Map();
+    /** The colours are others now. */
+    this.onchange = () => {};
+    const stored = localStorage.getItem(STORE) ?? '';
+    this.choice = CHOICES.includes(stored) ? stored : 'system';
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#apply());
+    matchMedia('(forced-colors: active)').addEventListener('change', () => this.#apply());
+    this.#apply();
+  }
+
+  /** @param {string} choice system, light or dark */
+  choose(choice) {
+    this.choice = choice;
+    localStorage.setItem(STORE, choice);
+    this.#apply();
+  }
+
+  /** From light to dark and back. */
+  toggle() {
+    this.choose(this.dark ? 'light' : 'dark');
+  }
+
+  #apply() {
+    const root = document.documentElement;
+    if (this.choice === 'system') {
+      delete root.dataset.theme;
+    } else {
+      root.dataset.theme = this.choice;
+    }
+    this.dark = this.choice === 'dark' ||
+      (this.choice === 'system' && matchMedia('(prefers-color-scheme: dark)').matches);
+    // A token says light and dark at once; an element that wears it tells what it comes to.
+    const probe = document.createElement('i');
+    probe.style.forcedColorAdjust = 'none';
+    root.append(probe);
+    const token = (/** @type {string} */ name) => {
+      probe.style.color = `var(--${name}, transparent)`;
+      return getComputedStyle(probe).color;
+    };
+    this.roles = ROLES.map((role) => ({ stroke: token(`role-${role}`), fill: token(`role-${role}-fill`) }));
+    this.ground = token('ground');
+    this.paper = token('role-page-fill');
+    probe.remove();
+    this.colours.clear();
+    this.onchange();
+  }
+
+  /** A colour of the drawing, as it is to be painted. @param {number} rgba 0xRRGGBBAA @returns {string} */
+  colour(rgba) {
+    let text = this.colours.get(rgba);
+    if (text === undefined) {
+      let channels = [(rgba >>> 24) / 255, ((rgba >>> 16) & 255) / 255, ((rgba >>> 8) & 255) / 255];
+      if (this.dark) {
+        channels = turnOver(channels[0], channels[1], channels[2]);
+      }
+      const [red, green, blue] = channels.map((value) => Math.round(value * 255));
+      text = `rgb(${red} ${green} ${blue} / ${(rgba & 255) / 255})`;
+      this.colours.set(rgba, text);
+    }
+    return text;
+  }
+}
