@@ -69,7 +69,7 @@ for (const colorScheme of ['light', 'dark']) {
 
 test('the language is chosen in the settings, at once, and stays chosen', async () => {
   const { page, context } = await open(browser, server.address);
-  const said = () => page.evaluate(() => [document.documentElement.lang, document.querySelector('#settings h2').textContent]);
+  const said = () => page.evaluate(() => [document.documentElement.lang, document.querySelector('[data-name=settings]').ariaLabel]);
   assert.deepEqual(await said(), ['en', 'Settings']);
   await page.click('[data-name=settings]');
   await page.selectOption('#settings [data-property=language]', { label: '한국어' });
@@ -118,7 +118,7 @@ test('English: what explains comes with the first touch of the page; without it 
   const other = await alone.newPage();
   await other.goto(server.address);
   await ready(other);
-  assert.equal(await other.textContent('#settings h2'), 'Settings');
+  assert.equal(await other.getAttribute('[data-name=settings]', 'aria-label'), 'Settings');
   assert.match(await other.textContent('[data-about=missing]'), /Part of Batten did not load/);
   await alone.close();
 });
@@ -183,8 +183,9 @@ for (const [colorScheme, width] of [['light', 1280], ['dark', 1280], ['light', 8
   });
 }
 
-test('no rule of the style sheet knows left from right but what the canvas and the eye need', () => {
-  const sheet = fs.readFileSync(path.resolve(HERE, '../../web/style.css'), 'utf8');
+test('no rule of the style sheets knows left from right but what the canvas and the eye need', () => {
+  const styles = path.resolve(HERE, '../../web/styles');
+  const sheet = fs.readdirSync(styles).map((file) => fs.readFileSync(path.join(styles, file), 'utf8')).join('');
   const physical = sheet.match(/^ +((margin|padding|border)-(left|right)|left|right|text-align: (left|right)).*$/gm) ?? [];
   // The canvas, whose transform counts from the left; half is half from either side.
   assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: 0;']);
