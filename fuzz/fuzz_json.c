@@ -15,6 +15,17 @@ static void add_guide(bat_document *document, bat_id id) {
     bat_object_release(guide);
 }
 
+/* A plane of whatever numbers there are: right angles, or none at all. */
+static void add_plane(bat_document *document, const double *numbers) {
+    bat_object *plane;
+    if (bat_object_create_plane(bat_document_new_id(document), "plane", numbers, numbers + 3, &plane) !=
+        BAT_OK)
+        return;
+    if (!bat_object_plane(plane)) abort();
+    bat_document_put(document, 0, plane);
+    bat_object_release(plane);
+}
+
 static void check_document(const char *text, size_t size) {
     bat_document *document, *back;
     bat_problem problem;
@@ -25,9 +36,14 @@ static void check_document(const char *text, size_t size) {
             abort();
         return;
     }
+    size_t before = size;
     if (bat_document_check(document)) abort();
     add_guide(document, bat_document_new_id(document));
     add_guide(document, bat_document_digest(document) >> (bat_document_digest(document) & 63));
+    double numbers[9] = {0};
+    memcpy(numbers, text, before < sizeof numbers ? before : sizeof numbers);
+    add_plane(document, numbers);
+    if (bat_document_check(document)) abort();
     if (bat_document_write(document, &written, &size) == BAT_OK) {
         if (bat_document_read(written, size, &back, &problem) != BAT_OK) abort();
         if (bat_document_digest(back) != bat_document_digest(document)) abort();

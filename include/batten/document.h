@@ -36,7 +36,7 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * of the tangents hand, whose points and directions stay editable and give its one curve; or a shape, some of
  * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a
  * group, or a layer, which is a group of the topmost level; or an image, a placed picture, without curves too; or a
- * guide, an endless line that paints nothing. */
+ * guide, an endless line that paints nothing; or a plane in space to draw on. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -44,7 +44,8 @@ typedef enum bat_kind {
     BAT_KIND_LAYER = 4,
     BAT_KIND_SHAPE = 5,
     BAT_KIND_IMAGE = 6,
-    BAT_KIND_GUIDE = 7
+    BAT_KIND_GUIDE = 7,
+    BAT_KIND_PLANE = 8
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -84,6 +85,10 @@ BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double
 BAT_API bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out);
 /* A copy elsewhere along its axis. BAT_ARGUMENT: the object is no guide. */
 BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, bat_object **out);
+/* A plane in space: through the origin, spanned by two axes, x and y, which become unit vectors at right angles: x keeps
+ * its direction, y its side. BAT_NUMBER: beyond BAT_COORDINATE_MAX; BAT_SINGULAR: the axes span no plane. */
+BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3],
+                                           const double axes[6], bat_object **out);
 /* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
  * is kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
@@ -132,7 +137,9 @@ BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a laye
 BAT_API bool
 bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
-BAT_API bat_id bat_object_parent(const bat_object *object);         /* of the group it is in, 0: in none */
+/* Origin, x axis, y axis: nine numbers, the object's; NULL when it is no plane. */
+BAT_API const double *bat_object_plane(const bat_object *object);
+BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */
 BAT_API bool bat_object_hidden(const bat_object *object);
 BAT_API bool bat_object_locked(const bat_object *object);

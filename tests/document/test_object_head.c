@@ -16,7 +16,7 @@
 
 enum { ID = 12, PARENT = 3 };
 static const bat_kind kinds[] = {BAT_KIND_PATH,  BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
-                                 BAT_KIND_SHAPE, BAT_KIND_IMAGE,  BAT_KIND_GUIDE};
+                                 BAT_KIND_SHAPE, BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -63,6 +63,11 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         bat_picture_release(picture);
         break;
     case BAT_KIND_GUIDE: assert_int_equal(bat_object_create_guide(id, 1, 40, &object), BAT_OK); break;
+    case BAT_KIND_PLANE:
+        assert_int_equal(
+            bat_object_create_plane(id, "", (double[]){1, 2, 3}, (double[]){1, 0, 0, 1, 1, 1}, &object),
+            BAT_OK);
+        break;
     case BAT_KIND_PATH:
     case BAT_KIND_SHAPE:
         if (kind == BAT_KIND_SHAPE) assert_int_equal(bat_shape_decompose(curve, 1, &options, &shape), BAT_OK);

@@ -358,6 +358,9 @@ static bat_document *rich_document(void) {
     bat_picture_release(picture);
     assert_int_equal(bat_object_create_guide(10, 0, 3, &object), BAT_OK);
     put(document, object);
+    assert_int_equal(bat_object_create_plane(11, "plane", matrix, (double[]){1, 0, 0, 0, 1, 0}, &object),
+                     BAT_OK);
+    put(document, object);
     return document;
 }
 
@@ -378,6 +381,7 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     }
     if (bat_object_spline(object)) d = add(d, (uint64_t)bat_object_spline_options(object)->mode);
     if (bat_object_matrix(object)) d = add_doubles(d, bat_object_matrix(object), 6);
+    if (bat_object_plane(object)) d = add_doubles(d, bat_object_plane(object), 9);
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
     const void *bytes = bat_picture_bytes(picture, &size);

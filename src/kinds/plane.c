@@ -1,0 +1,108 @@
+/* A plane in space to draw on: it goes through its origin, and two axes at right angles span it. */
+#include "document/digest.h"
+#include "format/json/fields.h"
+#include "kinds/kinds.h"
+#include "text/text.h"
+
+#include <math.h>
+
+enum { NUMBERS = 9 };
+static const double RIGHT = 1e-12; /* axes so near to unit length and a right angle are left as they are */
+
+typedef struct plane {
+    double frame[NUMBERS]; /* origin, x axis, y axis */
+} plane;
+
+static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* The x axis keeps its direction, the y axis its side. -0 becomes 0, so that equal planes have equal bits. */
+static bat_status set(const double *origin, const double *axes, plane *out) {
+    double *x = out->frame + 3, *y = out->frame + 6;
+    for (int i = 0; i < 3; i++) out->frame[i] = origin[i] + 0.0;
+    for (int i = 0; i < 6; i++) x[i] = axes[i] + 0.0;
+    for (int i = 0; i < NUMBERS; i++)
+        if (!(fabs(out->frame[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    if (fabs(dot(x, x) - 1) <= RIGHT && fabs(dot(y, y) - 1) <= RIGHT && fabs(dot(x, y)) <= RIGHT)
+        return BAT_OK;
+    for (int pass = 0; pass < 3; pass++) { /* Gram and Schmidt, twice is enough; the first only scales */
+        double *axis = pass == 0 ? x : y, most = fmax(fmax(fabs(axis[0]), fabs(axis[1])), fabs(axis[2]));
+        double along = pass ? dot(x, axis) : 0, before, length;
+        if (!(most > 0)) return BAT_SINGULAR;
+        for (int i = 0; i < 3; i++) axis[i] /= most;
+        along /= most;
+        before = sqrt(dot(axis, axis));
+        for (int i = 0; i < 3 && pass; i++) axis[i] -= along * x[i];
+        length = sqrt(dot(axis, axis));
+        if (!(length > 1e-9 * before)) return BAT_SINGULAR;
+        for (int i = 0; i < 3; i++) axis[i] = axis[i] / length + 0.0;
+    }
+    return BAT_OK;
+}
+
+bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3], const double axes[6],
+                                   bat_object **out) {
+    plane own;
+    if (!origin || !axes) return BAT_ARGUMENT;
+    bat_status status = set(origin, axes, &own);
+    return status == BAT_OK ? bat_object_make(&bat_kind_of_plane, id, name, NULL, &own, 0, NULL, out)
+                            : status;
+}
+
+const double *bat_object_plane(const bat_object *object) {
+    const plane *own = bat_object_own(object, &bat_kind_of_plane);
+    return own ? own->frame : NULL;
+}
+
+static uint64_t digest_plane(uint64_t digest, const void *own) {
+    for (int i = 0; i < NUMBERS; i++) digest = bat_digest_double(digest, ((const plane *)own)->frame[i]);
+    return digest;
+}
+
+static const char *check(const bat_object *object) {
+    const double *x = bat_object_plane(object) + 3, *y = x + 3;
+    bool right = fabs(dot(x, x) - 1) <= 1e-9 && fabs(dot(y, y) - 1) <= 1e-9 && fabs(dot(x, y)) <= 1e-9;
+    return right ? NULL : "the axes of a plane are not at right angles";
+}
+
+/* What moves the page moves the plane, and turns its axes; z stays. */
+static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+    const double *f = bat_object_plane(object);
+    double moved[NUMBERS];
+    plane own;
+    for (int i = 0; i < NUMBERS; i += 3) {
+        moved[i] = m[0] * f[i] + m[2] * f[i + 1] + (i ? 0 : m[4]);
+        moved[i + 1] = m[1] * f[i] + m[3] * f[i + 1] + (i ? 0 : m[5]);
+        moved[i + 2] = f[i + 2];
+    }
+    bat_status status = set(moved, moved + 3, &own);
+    return status == BAT_OK ? bat_object_remake(object, &bat_kind_of_plane, &own, 0, NULL, out) : status;
+}
+
+static void write(const bat_object *object, bat_text *text) {
+    const double *frame = bat_object_plane(object);
+    for (int i = 0; i < NUMBERS; i++) {
+        bat_text_string(text, i == 0 ? ",\"origin\":[" : i == 3 ? "],\"axes\":[" : ",");
+        bat_text_number(text, frame[i]);
+    }
+    bat_text_string(text, "]");
+}
+
+static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
+    double origin[3], axes[6];
+    bat_status status = bat_fields_numbers(f, node, "origin", 3, "three numbers", origin);
+    if (status == BAT_OK) status = bat_fields_numbers(f, node, "axes", 6, "six numbers", axes);
+    if (status != BAT_OK) return status;
+    status = bat_object_create_plane(id, name, origin, axes, out);
+    if (status != BAT_SINGULAR) return bat_fields_say(f, node, status);
+    return bat_json_complain(f->json, bat_json_member(f->json, node, "axes"), status, "axes",
+                             "two directions that span a plane", f->problem);
+}
+
+const bat_kind_type bat_kind_of_plane = {.number = BAT_KIND_PLANE,
+                                         .name = "plane",
+                                         .size = sizeof(plane),
+                                         .check = check,
+                                         .digest = digest_plane,
+                                         .transform = transform,
+                                         .write = write,
+                                         .read = read};
