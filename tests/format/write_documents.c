@@ -50,6 +50,11 @@ static void write_one(random_source *r, int objects) {
     if (bat_document_put(document, 0, made)) abort();
     bat_object_release(made);
     bat_picture_release(picture);
+    if (bat_object_create_plane(bat_document_new_id(document), "plane", matrix + 3,
+                                (double[]){1, 2, 3, -1, 0, 5}, &made))
+        abort();
+    if (bat_document_put(document, 0, made)) abort();
+    bat_object_release(made);
     char *text;
     size_t size;
     if (bat_document_write(document, &text, &size)) abort();
