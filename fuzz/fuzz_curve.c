@@ -1,6 +1,7 @@
 /* Bytes become a curve and a run of public calls on it. Whatever the numbers are, there is a status, never a
  * crash, and what comes out is a valid curve. */
 #include <batten/bezier.h>
+#include <batten/drag.h>
 #include <batten/refine.h>
 
 #include <math.h>
@@ -83,12 +84,39 @@ static void evaluate(bytes *in, const bat_curve *curve) {
     free(greville);
 }
 
+/* All segments: as many as the curve says, each finite. */
+static bat_status segments(const bat_curve *curve) {
+    int count = bat_curve_segment_count(curve), size = bat_curve_dimension(curve);
+    int numbers = count * (bat_curve_degree(curve) + 1) * size;
+    double *points = malloc((size_t)numbers * sizeof *points),
+           *breaks = malloc((size_t)(count + 1) * sizeof *breaks);
+    if (points && breaks && bat_curve_to_bezier(curve, points, breaks) == BAT_OK) {
+        for (int i = 0; i < numbers; i++)
+            if (!isfinite(points[i])) abort();
+        for (int i = 0; i < count; i++)
+            if (!(breaks[i] < breaks[i + 1])) abort();
+    }
+    free(points);
+    free(breaks);
+    return BAT_ARGUMENT;
+}
+
+/* Some points of the curve moved, or a control point. */
+static bat_status drag(bytes *in, const bat_curve *curve, bat_curve **out) {
+    double u[4], delta[12];
+    int count = small(in, 4);
+    for (int i = 0; i < 12; i++) delta[i] = number(in);
+    if (count == 0) return bat_curve_move_point(curve, small(in, 40) - 1, delta, out);
+    for (int i = 0; i < count; i++) u[i] = number(in);
+    return bat_curve_drag(curve, count, u, delta, out);
+}
+
 static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *other, bat_curve **out,
                          bat_curve **second) {
     double u[12], error = 0, matrix[12], *cubics = NULL;
     int removed, count;
     bat_status status;
-    switch (small(in, 17)) {
+    switch (small(in, 19)) {
     case 0: u[0] = number(in); return bat_curve_insert_knot(curve, u[0], small(in, 9), out);
     case 1:
         count = small(in, 12);
@@ -121,6 +149,8 @@ static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *oth
         status = bat_curve_to_cubics(curve, number(in), &cubics, &count);
         if (status == BAT_OK || status == BAT_TOLERANCE) bat_free(cubics);
         return BAT_ARGUMENT;
+    case 17: return segments(curve);
+    case 18: return drag(in, curve, out);
     case 16:
         return bat_curve_refine(curve, bat_curve_knot_count(other ? other : curve),
                                 bat_curve_knots(other ? other : curve), out);
@@ -155,6 +185,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         evaluate(&in, curve);
         bat_curve *next = NULL, *second = NULL;
         bat_status status = change(&in, curve, other, &next, &second);
+        if (!bat_status_message(status)) abort();
         if (status != BAT_OK) {
             if (next || second) abort();
             continue;

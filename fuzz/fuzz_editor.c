@@ -4,6 +4,8 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
+enum { MOST = 48 }; /* bytes; long sessions are the tests', here many count */
+
 static void demand(bool holds, const char *what) {
     if (holds) return;
     fprintf(stderr, "%s\n", what);
@@ -25,7 +27,7 @@ static void replays(const bat_editor *editor) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    session_bytes bytes = {data, size < 1500 ? size : 1500, 0};
+    session_bytes bytes = {data, size < MOST ? size : MOST, 0};
     bat_editor *editor = pen_editor();
     uint64_t first = digest(editor);
     double time = 0;

@@ -8,6 +8,27 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
+/* A finder gives what one query does; no step of a projection leads away; a curve lies on itself. */
+static void find(const bat_curve *curve, const double *point, const bat_near *near) {
+    bat_finder *finder;
+    bat_near same;
+    double domain[2], at[3], there = 0, back = 0, before = 0, after = 0;
+    if (bat_finder_create(curve, &finder) != BAT_OK) abort();
+    bat_finder_nearest(finder, point, &same);
+    if (same.u != near->u || same.distance != near->distance) abort();
+    bat_finder_free(finder);
+    bat_curve_domain(curve, domain);
+    const double u = 0.3 * domain[0] + 0.7 * domain[1], v = bat_curve_project_near(curve, point, u, 4);
+    bat_curve_eval(curve, u, 0, at);
+    for (int c = 0; c < bat_curve_dimension(curve); c++) before = hypot(before, at[c] - point[c]);
+    bat_curve_eval(curve, v, 0, at);
+    for (int c = 0; c < bat_curve_dimension(curve); c++) after = hypot(after, at[c] - point[c]);
+    if (!(after <= before * (1 + 1e-12))) abort();
+    if (bat_curve_distance(curve, curve, 2, &there, &back) != BAT_OK) abort();
+    if (!(there <= 1e-9 * (bat_curve_size(curve) + hypot(hypot(at[0], at[1]), before))) || there != back)
+        abort();
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     enum { MOST = 24 };
     double knots[MOST + 8], points[MOST * 3], point[3], t = 0;
@@ -54,6 +75,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (!(length >= 0)) abort();
     (void)bat_curve_at_length(curve, domain[0], 0.5 * length, 1e-6);
     (void)bat_curve_inflections(curve, u, 8);
+    if (!isfinite(bat_curve_curvature(curve, near.u))) abort();
+    find(curve, point, &near);
     bat_curve_free(curve);
     return 0;
 }

@@ -69,8 +69,7 @@ static void check_file(const bat_shape *shape) {
 }
 
 static bat_shape *make(source *s) {
-    int kind = byte(s), degree = 1 + kind % 5, dimension = 2 + kind / 5 % 2,
-        count = degree + 2 + byte(s) % 40;
+    int kind = byte(s), degree = 1 + kind % 5, dimension = 2 + kind / 5 % 2, count = degree + 2 + byte(s) % 3;
     bool closed = kind / 10 % 2;
     double knots[64], points[200], t = 0;
     int total = closed ? count + 1 : count + degree + 1;
@@ -94,8 +93,8 @@ static bat_shape *make(source *s) {
     if (rules & 128) {
         if (bat_shape_decompose(curve, 1 + rules % 2, &options, &shape) != BAT_OK) shape = NULL;
     } else if (bat_shape_create(curve, &options, &shape) == BAT_OK) {
-        for (int l = rules / 64 % 2; l < 2; l++)
-            if (bat_shape_add_level(shape, 0, NULL, NULL, NULL) != BAT_OK) break;
+        if (bat_shape_add_level(shape, 0, NULL, NULL, NULL) == BAT_OK && rules / 64 % 2 && count < 5)
+            (void)bat_shape_add_level(shape, 0, NULL, NULL, NULL);
     }
     bat_curve_free(curve);
     if (shape && bat_shape_commit(shape) != BAT_OK) {
@@ -107,7 +106,7 @@ static bat_shape *make(source *s) {
 
 /* One session of drags at a level; the shape goes on as it is committed, or as it was. */
 static bat_shape *session(source *s, bat_shape *shape) {
-    int level = byte(s) % (bat_shape_levels(shape) + 1), rounds = 1 + byte(s) % 3;
+    int level = byte(s) % (bat_shape_levels(shape) + 1), rounds = 1 + byte(s) % 2;
     double domain[2], u = 0, delta[3] = {0};
     bat_curve_domain(bat_shape_curve(shape, level), domain);
     bat_shape_live *live;
@@ -134,13 +133,12 @@ static bat_shape *session(source *s, bat_shape *shape) {
     if (bat_shape_commit(one) != BAT_OK || !same(one, after)) abort();
     bat_shape_free(one);
     bat_shape_free(shape);
-    check_file(after);
     return after;
 }
 
 /* A free stroke over the base. What comes out is finite and reads back; what went in is as it was. */
 static bat_shape *redraw(source *s, bat_shape *shape) {
-    enum { MOST = 24 };
+    enum { MOST = 6 };
     const bat_curve *base = bat_shape_curve(shape, 0);
     int dimension = bat_curve_dimension(base), count = byte(s) % MOST, way = byte(s);
     double points[3 * MOST], domain[2];
@@ -153,7 +151,7 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     }
     bat_stroke stroke = {dimension, (size_t)count, points, NULL, NULL};
     bat_sketch_options options = bat_sketch_defaults();
-    options.pixel = fmax(bat_curve_size(base) / 50, 1e-9); /* fine fits are fuzz_sketch's, and slow */
+    options.pixel = fmax(bat_curve_size(base) / 8, 0.5); /* fine fits are those of fuzz_sketch */
     bat_shape *before, *out = NULL;
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
     bat_status status = bat_shape_redraw(shape, &stroke, &options, way % 2, &out, NULL);
@@ -170,7 +168,6 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
         return shape;
     }
     bat_shape_free(shape);
-    check_file(out);
     return out;
 }
 
@@ -216,7 +213,7 @@ static void sketch(source *s, bat_shape *shape) {
 
 /* Frames of every level: finite, of unit length, the same bits one at a time and many at once. */
 static void frames(source *s, const bat_shape *shape) {
-    enum { MOST = 12 };
+    enum { MOST = 3 };
     const bat_curve *curve = bat_shape_curve(shape, byte(s) % (bat_shape_levels(shape) + 1));
     bat_frame_options options = bat_frame_defaults();
     options.rule = (bat_frame_rule)(byte(s) % 3);
@@ -225,6 +222,11 @@ static void frames(source *s, const bat_shape *shape) {
     bat_curve_domain(curve, domain);
     for (int i = 0; i < MOST; i++) u[i] = domain[0] + (domain[1] - domain[0]) * byte(s) / 255;
     if (bat_frame_chain_create(curve, &options, &chain) != BAT_OK) abort();
+    bat_frame3 each[MOST];
+    double holonomy;
+    if (bat_frames(curve, &options, MOST, u, each, &holonomy) != BAT_OK || !isfinite(holonomy)) abort();
+    bat_frame_chain_follow(chain, &options);
+    if (!isfinite(options.holonomy_near)) abort();
     const bat_frame_arrays out = {x, t, n, NULL};
     if (bat_frame_chain_many(chain, MOST, u, &out) != BAT_OK) abort();
     if (!isfinite(bat_frame_chain_holonomy(chain))) abort();
@@ -232,6 +234,7 @@ static void frames(source *s, const bat_shape *shape) {
         bat_frame3 one;
         double t2 = 0, s2 = 0, across = 0;
         bat_frame_chain_at(chain, u[i], &one);
+        if (memcmp(one.s, each[i].s, sizeof one.s) != 0) abort();
         if (memcmp(one.point, x + 3 * i, sizeof one.point) != 0 ||
             memcmp(one.t, t + 3 * i, sizeof one.t) != 0 || memcmp(one.s, n + 3 * i, sizeof one.s) != 0)
             abort();
@@ -242,13 +245,75 @@ static void frames(source *s, const bat_shape *shape) {
     bat_frame_chain_free(chain);
 }
 
+/* Edits that name a level or a point by any number; on failure the shape is as it was. */
+static void edit(source *s, bat_shape *shape) {
+    double deltas[9], matrix[12], u = 0;
+    int level = byte(s) % (bat_shape_levels(shape) + 2), index = byte(s) % 20 - 1,
+        dimension = bat_curve_dimension(bat_shape_curve(shape, 0));
+    for (int i = 0; i < 9; i++) deltas[i] = coordinate(s);
+    for (int i = 0; i < dimension * (dimension + 1); i++)
+        matrix[i] = (i % (dimension + 2) == 0) + (byte(s) - 128) / 256.0;
+    bat_shape *before, *made = NULL;
+    bat_shape_live *live;
+    if (bat_shape_copy(shape, &before) != BAT_OK) abort();
+    bat_status status = BAT_STATE;
+    bat_stroke stroke = {dimension, 9 / (size_t)dimension, deltas, NULL, NULL};
+    switch (byte(s) % 9) {
+    case 0: status = bat_shape_move(shape, level, index, deltas); break;
+    case 1: status = bat_shape_move_many(shape, level, index, 2, deltas); break;
+    case 2: status = bat_shape_set_muted(shape, level, index & 1); break;
+    case 3: status = bat_shape_transform(shape, matrix); break;
+    case 4:
+        status = bat_shape_reframe(shape, (bat_frame_rule)(byte(s) % 3), index & 1 ? matrix : NULL);
+        break;
+    case 5: status = bat_shape_sketch_stroke(shape, level, &stroke, NULL); break;
+    case 6: /* of a curve that has no levels yet */
+        if (bat_shape_copy_levels(shape, bat_shape_curve(shape, 0), &made) == BAT_OK &&
+            bat_shape_levels(made) != bat_shape_levels(shape))
+            abort();
+        break;
+    case 7:
+        (void)bat_shape_decompose_to(bat_shape_curve(shape, bat_shape_levels(shape)), 1, 3 + byte(s) % 6,
+                                     bat_shape_options_of(shape), &made);
+        break;
+    default:
+        if (bat_shape_live_begin(shape, level, &live) != BAT_OK) break;
+        (void)bat_shape_live_move(live, index, 2, deltas);
+        check_touched(shape, live);
+        (void)bat_shape_live_drag_finest(live, index, deltas, 1e-3, &u);
+        check_finite(bat_shape_live_shape(live));
+        bat_shape_live_cancel(live);
+    }
+    if (status != BAT_OK && !same(shape, before)) abort();
+    if (made) check_finite(made);
+    bat_shape_free(made);
+    bat_shape_free(before);
+    if (bat_shape_commit(shape) != BAT_OK) abort();
+}
+
+/* What can be asked of a shape. */
+static void ask(const bat_shape *shape) {
+    bat_curve *flat;
+    if (bat_shape_flatten(shape, &flat) != BAT_OK) abort();
+    if (!bat_curve_equal(flat, bat_shape_curve(shape, bat_shape_levels(shape)))) abort();
+    bat_curve_free(flat);
+    for (int l = 1; l <= bat_shape_levels(shape); l++) {
+        const double *nodes = bat_shape_nodes(shape, l);
+        for (int i = 0; i < bat_curve_count(bat_shape_curve(shape, l)); i++)
+            if (!isfinite(nodes[i]) || bat_shape_source(shape, l)[i] < 0 ||
+                bat_shape_source(shape, l)[i] >= l)
+                abort();
+        if (!(fabs(bat_shape_gain(shape, l)) <= 1e6)) abort();
+        (void)bat_shape_muted(shape, l);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source s = {data, size};
     bat_shape *shape = make(&s);
     if (!shape) return 0;
-    bool drawn = false;
-    for (int k = 0; k < 8 && s.size > 0; k++) {
-        switch (byte(&s) % 8) {
+    for (int k = 0; k < 2 && s.size > 0; k++) {
+        switch (byte(&s) % 9) {
         case 0:
             if (bat_shape_levels(shape) > 0) {
                 int level = 1 + byte(&s) % bat_shape_levels(shape);
@@ -268,16 +333,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;
         }
-        case 2: /* costs more than all else: once */
-            if (!drawn) shape = redraw(&s, shape);
-            drawn = true;
+        case 2: /* costs more than all else: nothing after it, and little in it */
+            if (bat_shape_levels(shape) < 2) shape = redraw(&s, shape);
+            s.size = 0;
             break;
         case 3: sketch(&s, shape); break;
         case 4: frames(&s, shape); break;
+        case 8: edit(&s, shape); break;
         default: shape = session(&s, shape);
         }
         check_finite(shape);
     }
+    ask(shape);
+    if (size % 8 == 1) check_file(shape); /* digits take longer than all else */
     bat_shape_free(shape);
     return 0;
 }

@@ -1,4 +1,4 @@
-/* Bytes become a curve, a stroke and options, and go through every call of the sketch hand. There is a status,
+/* Bytes become a curve, a stroke and options, and go through one call of the sketch hand. There is a status,
  * never a crash; what comes out is a valid curve; on tame input what is kept does not move, and the session's
  * commit is the one-shot call. */
 #include <batten/sketch.h>
@@ -75,80 +75,112 @@ static void check_kept(const bat_curve *old, const bat_curve *now, const bat_ske
     }
 }
 
+/* One call on a stroke, and what was made of it checked. */
+typedef struct scene {
+    bat_curve *a, *b;
+    bat_stroke stroke;
+    bat_sketch_options options;
+    bool wild;
+} scene;
+
+/* In parts, with a preview of each: the commit is the one-shot call. */
+static void draw_live(const scene *s, bat_status status, const bat_curve *expected, bool cancel) {
+    enum { PART = 9 };
+    const size_t size = (size_t)s->stroke.dimension;
+    bat_sketch_live *live;
+    bat_curve *made = NULL;
+    if (bat_sketch_begin(s->a, BAT_SKETCH_REDRAW, &s->options, s->stroke.dimension, &live) != BAT_OK) return;
+    for (size_t i = 0; i < s->stroke.count; i += PART) {
+        const bat_stroke part = {.dimension = s->stroke.dimension,
+                                 .count = i + PART < s->stroke.count ? PART : s->stroke.count - i,
+                                 .points = s->stroke.points + i * size};
+        if (bat_sketch_add(live, &part) != BAT_OK) abort();
+        bat_curve *shown = NULL;
+        const bat_status previewed = bat_sketch_preview(live, &shown, NULL);
+        check(previewed, shown);
+        bat_curve_free(shown);
+    }
+    if (cancel) {
+        bat_sketch_cancel(live);
+        return;
+    }
+    const bat_status committed = bat_sketch_commit(live, &made, NULL);
+    if (committed != status || (expected && !bat_curve_equal(expected, made))) abort();
+    bat_curve_free(made);
+}
+
+static void redraw(const scene *s, bool cancel) {
+    bat_curve *made = NULL;
+    bat_sketch_report report;
+    const bat_status status = bat_sketch(s->a, &s->stroke, &s->options, &made, &report);
+    check(status, made);
+    if (made && !s->wild && s->options.pins == 3) check_kept(s->a, made, &report);
+    draw_live(s, status, made, cancel);
+    bat_curve_free(made);
+}
+
+static void calm(const scene *s) {
+    bat_curve *made = NULL;
+    const double stretch[2] = {s->stroke.points[0], s->stroke.points[1]};
+    const bat_status status = bat_sketch_calm(s->a, stretch, s->options.tolerance, s->options.pixel, &made);
+    if (status == BAT_OK ? !made || bat_curve_knot_count(made) != bat_curve_knot_count(s->a) : made != NULL)
+        abort();
+    bat_curve_free(made);
+}
+
+static void perform(const scene *s, int what) {
+    bat_curve *made = NULL;
+    bat_sketch_report report;
+    bat_status status;
+    if (what < 2 || !s->a) {
+        status = bat_sketch_new(&s->stroke, &s->options, what == 1, &made, &report);
+    } else if (what < 4) {
+        redraw(s, what == 2);
+        return;
+    } else if (what == 4) {
+        status = bat_sketch_smooth(s->a, &s->stroke, &s->options, &made, &report);
+    } else if (what == 5 || !s->b) {
+        calm(s);
+        return;
+    } else {
+        status = bat_sketch_join(s->a, s->b, &s->stroke, &s->options, &made, &report);
+    }
+    check(status, made);
+    bat_curve_free(made);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    enum { ROOM = 511 };
+    enum { ROOM = 24 };
     bytes in = {data, size};
-    const bool wild = small(&in, 3) == 0;
+    const int choice = small(&in, 255);
+    scene s = {.wild = choice % 4 == 0, .options = bat_sketch_defaults()};
     const int dimension = 2 + (small(&in, 3) == 0);
-    bat_sketch_options options = bat_sketch_defaults();
-    options.pins = 2 + small(&in, 1);
-    options.keep_corners = small(&in, 1);
+    s.options.pins = 2 + small(&in, 1);
+    s.options.keep_corners = small(&in, 1);
     const double tolerances[] = {0, 0.2, 0.5, 3, 30}, widths[] = {3, 0, 1, 10};
-    options.tolerance = tolerances[small(&in, 4)];
-    options.width = widths[small(&in, 3)];
-    if (wild) options.pixel = fabs(number(&in, true));
-    bat_curve *a = read_curve(&in, dimension, wild), *b = read_curve(&in, dimension, wild);
-    double points[ROOM * 3], x[3] = {0};
-    const size_t count = (size_t)(small(&in, 255) + 256 * small(&in, 1));
-    const bool along = small(&in, 1) && a; /* near the curve, so that more than BAT_FAR happens */
+    s.options.tolerance = tolerances[small(&in, 4)];
+    s.options.width = widths[small(&in, 3)];
+    if (s.wild) s.options.pixel = fabs(number(&in, true));
+    s.a = read_curve(&in, dimension, s.wild);
+    s.b = read_curve(&in, dimension, s.wild);
+    double points[ROOM * 3] = {0}, x[3] = {0};
+    const size_t count = (size_t)small(&in, ROOM);
+    const bool along = small(&in, 1) && s.a; /* near the curve, so that more than BAT_FAR happens */
     for (size_t i = 0; i < count; i++) {
         if (along) {
             double domain[2];
-            bat_curve_domain(a, domain);
-            bat_curve_eval(a, domain[0] + (domain[1] - domain[0]) * (0.2 + 0.6 * (double)i / (double)count),
+            bat_curve_domain(s.a, domain);
+            bat_curve_eval(s.a, domain[0] + (domain[1] - domain[0]) * (0.2 + 0.6 * (double)i / (double)count),
                            0, x);
         }
         for (int c = 0; c < dimension; c++)
-            points[i * (size_t)dimension + (size_t)c] = along  ? x[c] + (small(&in, 255) - 128) / 32.0
-                                                        : wild ? number(&in, true)
-                                                               : (x[c] += small(&in, 40) - 18);
+            points[i * (size_t)dimension + (size_t)c] = along    ? x[c] + (small(&in, 255) - 128) / 32.0
+                                                        : s.wild ? number(&in, true)
+                                                                 : (x[c] += small(&in, 40) - 18);
     }
-    const bat_stroke stroke = {.dimension = dimension, .count = count, .points = points};
-    bat_sketch_report report;
-    bat_curve *out = NULL, *other = NULL;
-    bat_status status = bat_sketch_new(&stroke, &options, small(&in, 1), &out, &report);
-    check(status, out);
-    bat_curve_free(out);
-    if (a) {
-        out = NULL;
-        status = bat_sketch(a, &stroke, &options, &out, &report);
-        check(status, out);
-        if (out && !wild && options.pins == 3) check_kept(a, out, &report);
-        bat_sketch_live *live;
-        if (bat_sketch_begin(a, BAT_SKETCH_REDRAW, &options, dimension, &live) == BAT_OK) {
-            for (size_t i = 0; i < count; i += 61) {
-                const bat_stroke part = {.dimension = dimension,
-                                         .count = i + 61 < count ? 61 : count - i,
-                                         .points = points + i * (size_t)dimension};
-                if (bat_sketch_add(live, &part) != BAT_OK) abort();
-                bat_curve *shown = NULL;
-                const bat_status previewed = bat_sketch_preview(live, &shown, NULL);
-                check(previewed, shown);
-                bat_curve_free(shown);
-            }
-            const bat_status committed = bat_sketch_commit(live, &other, NULL);
-            if (committed != status || (out && !bat_curve_equal(out, other))) abort();
-        }
-        bat_curve_free(out);
-        bat_curve_free(other);
-        out = NULL;
-        status = bat_sketch_smooth(a, &stroke, &options, &out, &report);
-        check(status, out);
-        bat_curve_free(out);
-        out = NULL;
-        const double stretch[2] = {points[0], points[1]};
-        status = bat_sketch_calm(a, stretch, options.tolerance, options.pixel, &out);
-        if (status == BAT_OK ? !out || bat_curve_knot_count(out) != bat_curve_knot_count(a) : out != NULL)
-            abort();
-        bat_curve_free(out);
-        out = NULL;
-        if (b) {
-            status = bat_sketch_join(a, b, &stroke, &options, &out, &report);
-            check(status, out);
-            bat_curve_free(out);
-        }
-    }
-    bat_curve_free(a);
-    bat_curve_free(b);
+    s.stroke = (bat_stroke){.dimension = dimension, .count = count, .points = points};
+    perform(&s, choice / 4 % 7);
+    bat_curve_free(s.a);
+    bat_curve_free(s.b);
     return 0;
 }

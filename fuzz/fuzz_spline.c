@@ -23,6 +23,23 @@ static void check_insert(const bat_spline *spline, const bat_tangents_options *o
     bat_free(block);
 }
 
+/* k of a direction is in its range, and a shape stands on the spline as on its curve. */
+static void check_base(const bat_spline *spline) {
+    bat_tangents_options options = bat_tangents_defaults();
+    bat_shape *shape = NULL;
+    const int size = spline->dimension;
+    for (int i = 1; i + 1 < spline->count; i++) {
+        double c0[3], c1[3];
+        const double *p = spline->points + i * size;
+        for (int d = 0; d < size; d++) c0[d] = p[d] - p[d - size], c1[d] = p[d + size] - p[d];
+        double k = bat_tangents_k(size, c0, c1, spline->tangents ? spline->tangents + i * size : c0);
+        if (!isnan(k) && !(k >= 0 && k <= 1)) abort();
+    }
+    bat_status status = bat_shape_from_spline(spline, &options, NULL, &shape);
+    if ((status == BAT_OK) != (shape != NULL)) abort();
+    bat_shape_free(shape);
+}
+
 static void check_spline(const bat_spline *spline) {
     for (int choice = 0; choice < 6; choice++) {
         bat_tangents_options options = {(bat_tangents_mode)(choice % 2), (bat_tangents_default)(choice / 2)};
@@ -77,6 +94,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_problem problem;
     if (bat_spline_read(text, size, &spline, &block, &problem) == BAT_OK) {
         if (spline.count <= 200) check_spline(&spline);
+        if (spline.count <= 200) check_base(&spline);
         bat_free(block);
     }
     check_shape(text, size);

@@ -52,6 +52,15 @@ static bat_document *read_native(const bat_document *document) {
     return back;
 }
 
+/* Every kind that is counted has words; the buffer is kept to. */
+static void say_losses(const bat_losses *lost) {
+    for (int kind = 0; kind < BAT_LOSS_COUNT; kind++) {
+        char words[60];
+        bat_loss_words((bat_loss)kind, lost->count[kind], words, sizeof words);
+        if (!bat_loss_key((bat_loss)kind) || strlen(words) >= sizeof words) abort();
+    }
+}
+
 static void read_again(const char *svg) {
     bat_document *document = NULL;
     bat_svg_report report;
@@ -67,8 +76,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_document *document = NULL;
     bat_svg_report report;
     bat_problem problem;
+    bat_svg_options options = size % 2 ? bat_svg_defaults() : bat_svg_merging();
     char *text = malloc(size + 1);
-    if (!text || bat_svg_reader_create(NULL, &reader) != BAT_OK) {
+    if (!text || bat_svg_reader_create(&options, &reader) != BAT_OK) {
         free(text);
         return 0;
     }
@@ -76,10 +86,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     text[size] = '\0';
     feed(reader, text, size);
     free(text);
+    if (size > 0 && data[0] == END) { /* given up early */
+        bat_svg_reader_free(reader);
+        return 0;
+    }
     if (bat_svg_reader_finish(reader, &document, &report, &problem) != BAT_OK) return 0;
     if (bat_document_check(document)) abort();
     char line[200], *svg;
     bat_svg_report_line(&report, line, sizeof line);
+    say_losses(&report.lost);
     bat_document *back = read_native(document);
     if (back && bat_document_digest(back) != bat_document_digest(document)) abort();
     bat_status status = bat_svg_write(document, true, &svg, &size);

@@ -100,8 +100,8 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy that differs in one curve (taken over on success), or in style. A spline becomes a path by it,
- * and the curve has no levels any more. */
+/* A copy that differs in one curve (taken over on success), or in style (of an image its opacity; groups and guides have
+ * none, and stay as they are). A spline becomes a path by the first, and the curve has no levels any more. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);

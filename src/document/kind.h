@@ -12,11 +12,12 @@ struct bat_fields; /* format/json/fields.h */
 struct bat_text;
 
 typedef enum bat_trait {
-    BAT_HOLDS = 1,  /* other objects */
-    BAT_LAYER = 2,  /* holds, and lies in nothing but layers; choosing goes through it */
-    BAT_DRAWN = 4,  /* can be seen in pictures, and chosen */
-    BAT_CURVES = 8, /* has one at least, and a whole style; otherwise only the opacity means something */
-    BAT_MADE = 16   /* its curves follow from something that is edited instead of them */
+    BAT_HOLDS = 1, /* other objects */
+    BAT_LAYER = 2, /* holds, and lies in nothing but layers; choosing goes through it */
+    BAT_DRAWN = 4, /* can be seen in pictures, and chosen */
+    BAT_CURVES =
+        8, /* has one at least, and a whole style; otherwise of what is drawn only the opacity means something */
+    BAT_MADE = 16 /* its curves follow from something that is edited instead of them */
 } bat_trait;
 
 typedef struct bat_kind_type {

@@ -188,7 +188,7 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     if (!copy) return BAT_MEMORY;
     if (bat_object_is(object, BAT_CURVES))
         copy->head.style = *style;
-    else
+    else if (bat_object_is(object, BAT_DRAWN)) /* what paints nothing has none, and files keep none of it */
         copy->head.style.opacity = style->opacity;
     *out = copy;
     return BAT_OK;

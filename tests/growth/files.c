@@ -481,8 +481,8 @@ typedef struct bound {
 static const bound bounds[] = {
     {"a use of 10^8 shapes", bomb_of_8, 1, 1200},
     {"a use of 10^40 shapes", bomb_of_40, 1, 1200},
-    {"odd curves measured", measure, 3000, 3},
-    {"a stroke that no tolerance can meet", sketch, 12, 60},
+    {"odd curves measured", measure, 3000, 1},
+    {"a stroke that no tolerance can meet", sketch, 12, 200},
 };
 
 static bool judge_bound(const bound *b) {

@@ -64,6 +64,37 @@ static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
     return which == 255 || count == 0 ? 77 : bat_object_id(bat_document_at(document, which % count));
 }
 
+/* What else hosts ask and tell. */
+static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
+    static const char *const keys[] = {"Ctrl+Q", "Q Shift+Q", "", NULL, "Ctrl+", "+", "\xff"};
+    static const char *const words[] = {"{\"HINT_PAN\":\"%\"}", "{}", "[", "{\"TOOL_SKETCH\":\"\u00e4\"}"};
+    static const char *const names[] = {"roof", "", "\xed\x95\x9c", "\xff"};
+    uint8_t what = session_byte(bytes), more = session_byte(bytes);
+    bat_losses lost = {{0}};
+    double value = 0;
+    switch (what % 10) {
+    case 0: bat_editor_get(editor, "tolerance", &value); break;
+    case 1:
+        value = bat_editor_pressure(editor, more / 200.0 - 0.1);
+        if (!(value >= 0.25 && value <= 1)) abort();
+        break;
+    case 2: bat_editor_bind(editor, more & 1 ? "undo" : "zoom-in", keys[more / 2 % 7]); break;
+    case 3: bat_editor_tables(editor); break;
+    case 4:
+        bat_editor_words(editor, more & 4 ? NULL : words[more % 4], more & 4 ? 0 : strlen(words[more % 4]));
+        break;
+    case 5: bat_editor_saved(editor); break;
+    case 6:
+        lost.count[more % BAT_LOSS_COUNT] = more;
+        bat_editor_set_losses(editor, more & 1 ? &lost : NULL);
+        if (bat_losses_total(bat_editor_losses(editor)) != (more & 1 ? more : 0)) abort();
+        break;
+    case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
+    case 8: bat_editor_picture(editor, more); break;
+    default: bat_editor_readings(editor); bat_editor_read_as(editor, more % 5 - 1);
+    }
+}
+
 static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *time) {
     static const char *const commands[] = {
 #define COMMAND(id, name, keys, when, function) name,
@@ -118,6 +149,8 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
         bat_editor_compact(editor);
     } else if (what < 154) {
         bat_editor_set_read_only(editor, session_byte(bytes) & 1);
+    } else if (what < 162) {
+        wild_host(editor, bytes);
     } else {
         session_event(editor, bytes, time);
     }

@@ -1,0 +1,244 @@
+/* Bytes become a document, and objects of every kind in it that are changed in every way. The document stays sound, a
+ * copy of it is untouched, and what an object is made of can be read from it again. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include "support/pictures.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+typedef struct source {
+    const uint8_t *data;
+    size_t left;
+} source;
+
+static int byte(source *s) { return s->left == 0 ? 0 : (s->left--, *s->data++); }
+static double number(source *s) {
+    static const double odd[] = {NAN, INFINITY, 1e300, -1e100, 1e-310, 0, -0.0, 1e9};
+    int b = byte(s);
+    return b < 8 ? odd[b] : (b - 128) * 0.75;
+}
+
+static const char *const names[] = {"roof", "", "\xed\x95\x9c", "\xff", NULL, "a \"name\" & <more>"};
+static const char *name(source *s) { return names[byte(s) % 6]; }
+
+static bat_style style(source *s) {
+    bat_style made = bat_style_defaults();
+    int b = byte(s);
+    made.stroked = b & 1, made.filled = b & 2, made.even_odd = b & 4;
+    if (b & 8) made.width = number(s), made.opacity = number(s), made.miter_limit = number(s);
+    if (b & 16) made.stroke = 0x336699ff, made.cap = (bat_cap)(b >> 5);
+    return made;
+}
+
+static bat_curve *curve(source *s) {
+    double points[24], knots[20];
+    int degree = 1 + byte(s) % 4;
+    int n = degree + 1 + byte(s) % 4;
+    bool closed = n > 3 && byte(s) % 2;
+    for (int i = 0; i < 2 * n; i++) points[i] = number(s);
+    for (int i = 0; i <= n + degree; i++)
+        knots[i] = closed || (i > degree && i <= n) ? i : i > n ? n : degree;
+    bat_curve *made = NULL;
+    return bat_curve_create(degree, 2, closed, n, knots, points, &made) == BAT_OK ? made : NULL;
+}
+
+static bat_shape *levels(source *s) {
+    bat_curve *base = curve(s);
+    bat_shape *made = NULL;
+    if (base && bat_shape_create(base, NULL, &made) == BAT_OK &&
+        bat_shape_add_level(made, 0, NULL, NULL, NULL) != BAT_OK) {
+        bat_shape_free(made);
+        made = NULL;
+    }
+    bat_curve_free(base);
+    return made;
+}
+
+static bat_spline spline(source *s, double points[16], double tangents[16]) {
+    bat_spline made = {.dimension = 2,
+                       .closed = byte(s) % 2,
+                       .count = 2 + byte(s) % 7,
+                       .points = points,
+                       .tangents = tangents};
+    for (int i = 0; i < 16; i++) points[i] = number(s), tangents[i] = i % 3 ? 0 : number(s);
+    return made;
+}
+
+static bat_status with_curves(source *s, const bat_object *from, bat_object **out) {
+    bat_curve *curves[3];
+    for (int i = 0; i < 3; i++) curves[i] = curve(s);
+    int count = byte(s) % 4, given = 0;
+    for (int i = 0; i < 3; i++)
+        if (curves[i]) curves[given++] = curves[i];
+    if (count > given) count = given;
+    bat_style own = style(s);
+    bat_id id = (bat_id)byte(s) + 1;
+    const char *called = name(s);
+    bat_status status = from ? bat_object_with_curves(from, count, curves, out)
+                             : bat_object_create_path(id, called, &own, count, curves, out);
+    for (int i = status == BAT_OK ? count : 0; i < given; i++) bat_curve_free(curves[i]);
+    return status;
+}
+
+static bat_status image(source *s, bat_id id, bat_object **out) {
+    unsigned char head[HEAD_ROOM];
+    bat_picture *picture = NULL;
+    double matrix[6];
+    for (int i = 0; i < 6; i++) matrix[i] = number(s);
+    bat_status status = bat_picture_create(head, head_png(head, (unsigned)byte(s), 9), &picture);
+    if (status != BAT_OK) return status;
+    status = bat_object_create_image(id, "tree", picture, matrix, number(s) / 90, out);
+    bat_picture_release(bat_picture_retain(picture));
+    bat_picture_release(picture);
+    return status;
+}
+
+static bat_status make(source *s, bat_document *document, bat_object **out) {
+    double points[16], tangents[16];
+    int kind = byte(s);
+    bat_id id = kind & 128 ? (bat_id)byte(s) : bat_document_new_id(document);
+    bat_style own = style(s);
+    bat_spline made;
+    switch (kind % 6) {
+    case 0: return bat_object_create_group(id, name(s), kind & 8, out);
+    case 1: return bat_object_create_guide(id, kind / 8 % 3, number(s), out);
+    case 2: return image(s, id, out);
+    case 3:
+        made = spline(s, points, tangents);
+        return bat_object_create_spline(id, name(s), &own, &made, NULL, out);
+    default: return with_curves(s, NULL, out);
+    }
+}
+
+static bat_status alter(source *s, const bat_object *object, bat_object **out) {
+    double points[16], tangents[16], matrix[6];
+    bat_style own = style(s);
+    bat_spline other;
+    bat_curve *one;
+    bat_shape *shape;
+    bat_status status;
+    int index = byte(s) % 5 - 1;
+    switch (byte(s) % 13) {
+    case 0:
+        for (int i = 0; i < 6; i++) matrix[i] = number(s);
+        return bat_object_with_matrix(object, matrix, out);
+    case 1: return bat_object_with_guide(object, number(s), out);
+    case 2: return with_curves(s, object, out);
+    case 3: return bat_object_with_parent(object, (bat_id)byte(s), out);
+    case 4: return bat_object_with_name(object, name(s), out);
+    case 5: return bat_object_with_state(object, index & 1, index & 2, out);
+    case 6: return bat_object_with_id(object, (bat_id)byte(s), out);
+    case 7:
+        one = curve(s);
+        status = one ? bat_object_with_curve(object, index, one, out) : BAT_ARGUMENT;
+        if (status != BAT_OK) bat_curve_free(one);
+        return status;
+    case 8: return bat_object_with_style(object, &own, out);
+    case 9:
+        shape = levels(s);
+        status = shape ? bat_object_with_shape(object, index, shape, out) : BAT_ARGUMENT;
+        if (status != BAT_OK) bat_shape_free(shape);
+        return status;
+    case 10: other = spline(s, points, tangents); return bat_object_with_spline(object, &other, out);
+    case 11: return bat_object_to_path(object, out);
+    default: *out = bat_object_retain(object); return BAT_OK;
+    }
+}
+
+static void demand(bool holds) {
+    if (!holds) abort();
+}
+
+/* All that can be asked of an object fits together. */
+static void ask(const bat_object *object) {
+    double box[4], corners[8], sides[2], at;
+    size_t bytes;
+    bat_kind kind = bat_object_kind(object);
+    bool drawn = bat_object_is_drawn(object), group = bat_object_is_group(object);
+    demand(bat_object_id(object) > 0 && bat_object_name(object) && bat_object_style(object));
+    demand(bat_object_parent(object) != bat_object_id(object));
+    (void)(bat_object_hidden(object) && bat_object_locked(object));
+    demand(group == (kind == BAT_KIND_GROUP || kind == BAT_KIND_LAYER) &&
+           drawn == (!group && kind != BAT_KIND_GUIDE));
+    demand((bat_object_guide(object, &at) >= 0) == (kind == BAT_KIND_GUIDE));
+    demand((bat_object_spline(object) != NULL) == (kind == BAT_KIND_SPLINE));
+    demand(!bat_object_spline(object) || bat_object_spline_options(object));
+    bat_object_bounds(object, box);
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        const bat_shape *shape = bat_object_shape(object, i);
+        demand(bat_object_curve(object, i) != NULL);
+        demand(!shape ||
+               bat_curve_equal(bat_shape_curve(shape, bat_shape_levels(shape)), bat_object_curve(object, i)));
+    }
+    const bat_picture *picture = bat_object_picture(object);
+    demand((picture != NULL) == (kind == BAT_KIND_IMAGE));
+    if (!picture) return;
+    bat_object_corners(object, corners);
+    bat_picture_sides(picture, sides);
+    demand(bat_object_matrix(object) && bat_picture_bytes(picture, &bytes) && bytes > 0);
+    demand(strcmp(bat_picture_type(picture), "image/png") == 0 && bat_picture_digest(picture) != 0);
+    const double *m = bat_object_matrix(object);
+    demand(corners[0] == m[4] && corners[1] == m[5]);
+}
+
+static void step(source *s, bat_document *document) {
+    bat_object *made = NULL;
+    int count = bat_document_count(document), way = byte(s),
+        at = count ? byte(s) % (count + 1) - (way > 250) : 0;
+    const bat_object *there = count ? bat_document_at(document, at % count) : NULL;
+    bat_status status = BAT_OK;
+    if (way % 8 < 3 || !there) {
+        status = make(s, document, &made);
+        if (status == BAT_OK) status = bat_document_put(document, at, made);
+    } else if (way % 8 < 7) {
+        status = alter(s, there, &made);
+        demand((status == BAT_OK) == (made != NULL));
+        if (made) ask(made);
+        if (status == BAT_OK) status = bat_document_replace(document, at, made);
+    } else {
+        demand(bat_document_end(document, at % count) > at % count);
+        status = bat_document_remove(document, at);
+    }
+    if (made) ask(made);
+    demand(bat_status_message(status) != NULL);
+    bat_object_release(made);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    source s = {data, size < 600 ? size : 600};
+    bat_document *document = NULL, *copy = NULL;
+    double page[4], box[4];
+    if (bat_document_create(&document) != BAT_OK) return 0;
+    for (int k = 0; k < 4; k++) page[k] = number(&s);
+    bat_document_set_page(document, page);
+    bat_document_page(document, page);
+    demand(isfinite(page[2]) && page[2] >= 0);
+    for (int k = 0; k < 24 && s.left > 0; k++) {
+        if (k == 12) demand(bat_document_copy(document, &copy) == BAT_OK);
+        uint64_t before = copy ? bat_document_digest(copy) : 0;
+        step(&s, document);
+        demand(!copy || bat_document_digest(copy) == before);
+    }
+    for (int i = 0; i < bat_document_count(document); i++) {
+        ask(bat_document_at(document, i));
+        demand(bat_document_find(document, bat_object_id(bat_document_at(document, i))) == i);
+    }
+    bat_document_bounds(document, box);
+    char *text = NULL;
+    bat_document *back = NULL;
+    if (!bat_document_check(document) && bat_document_write(document, &text, &size) == BAT_OK) {
+        demand(bat_document_read(text, size, &back, NULL) == BAT_OK);
+        demand(bat_document_digest(back) == bat_document_digest(document));
+        bat_free(text);
+    }
+    bat_document_free(back);
+    bat_document_free(copy);
+    bat_document_free(document);
+    return 0;
+}
