@@ -1,0 +1,376 @@
+/* What no caller may hand over is a status at every public function, changes nothing and gives nothing. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/pen.h"
+#include <batten/batten.h>
+
+static bat_curve *out; /* of every call that makes one: stays NULL */
+
+static void refused(bat_status wanted, bat_status status, const char *call, int line) {
+    if (status != wanted) fail_msg("line %d: %s: %s", line, call, bat_status_message(status));
+    if (out) fail_msg("line %d: %s gave something", line, call);
+}
+
+#define ARGUMENT(call) refused(BAT_ARGUMENT, call, #call, __LINE__)
+#define NUMBER(call) refused(BAT_NUMBER, call, #call, __LINE__)
+
+static bat_curve *closed_curve(void) {
+    const double knots[] = {0, 1, 2, 3, 4, 5}, points[] = {0, 0, 9, 0, 9, 9, 4, 12, 0, 9};
+    bat_curve *curve = NULL;
+    assert_int_equal(bat_curve_create(3, 2, true, 5, knots, points, &curve), BAT_OK);
+    return curve;
+}
+
+static void of_refinement(void **state) {
+    (void)state;
+    bat_curve *open = pen_curve(0, 0, 10, 5, 7), *closed = closed_curve(), *left = NULL;
+    const double u[] = {1, 2};
+    int count = 0;
+    double error;
+    ARGUMENT(bat_curve_copy(NULL, &out));
+    ARGUMENT(bat_curve_copy(open, NULL));
+    ARGUMENT(bat_curve_insert_knot(NULL, 1, 1, &out));
+    ARGUMENT(bat_curve_insert_knot(open, 1, 1, NULL));
+    ARGUMENT(bat_curve_insert_knot(open, 1, -1, &out));
+    ARGUMENT(bat_curve_insert_knots(NULL, 2, u, &out));
+    ARGUMENT(bat_curve_insert_knots(open, 2, u, NULL));
+    ARGUMENT(bat_curve_insert_knots(open, -1, u, &out));
+    ARGUMENT(bat_curve_insert_knots(open, 2, NULL, &out));
+    ARGUMENT(bat_curve_refine(NULL, 2, u, &out));
+    ARGUMENT(bat_curve_refine(open, 2, NULL, &out));
+    ARGUMENT(bat_curve_refine(open, 2, u, NULL));
+    ARGUMENT(bat_curve_remove_knot(NULL, 1, 1, 1, &out, NULL, NULL));
+    ARGUMENT(bat_curve_remove_knot(open, 1, 1, 1, NULL, NULL, NULL));
+    ARGUMENT(bat_curve_remove_knot(open, 1, -1, 1, &out, NULL, NULL));
+    ARGUMENT(bat_curve_remove_knot(open, 1, 1, NAN, &out, NULL, NULL));
+    ARGUMENT(bat_curve_simplify(NULL, 1, 1, &out, &error));
+    ARGUMENT(bat_curve_simplify(open, 1, 1, NULL, &error));
+    ARGUMENT(bat_curve_simplify(open, -1, 1, &out, &error));
+    ARGUMENT(bat_curve_simplify(open, 1, NAN, &out, &error));
+    ARGUMENT(bat_curve_elevate(NULL, 5, &out));
+    ARGUMENT(bat_curve_elevate(open, 5, NULL));
+    ARGUMENT(bat_curve_clamp(NULL, &out));
+    ARGUMENT(bat_curve_clamp(open, NULL));
+    ARGUMENT(bat_curve_clamp(closed, &out));
+    ARGUMENT(bat_curve_reverse(NULL, &out));
+    ARGUMENT(bat_curve_reverse(open, NULL));
+    ARGUMENT(bat_curve_reparametrise(NULL, 0, 1, &out));
+    ARGUMENT(bat_curve_reparametrise(open, 0, 1, NULL));
+    NUMBER(bat_curve_reparametrise(open, NAN, 1, &out));
+    NUMBER(bat_curve_reparametrise(open, 0, INFINITY, &out));
+    ARGUMENT(bat_curve_split(NULL, 1, &left, &out));
+    ARGUMENT(bat_curve_split(open, 1, NULL, &out));
+    ARGUMENT(bat_curve_split(open, 1, &left, NULL));
+    ARGUMENT(bat_curve_split(closed, 1, &left, &out));
+    assert_null(left);
+    ARGUMENT(bat_curve_piece(NULL, 0, 1, &out));
+    ARGUMENT(bat_curve_piece(open, 0, 1, NULL));
+    NUMBER(bat_curve_piece(open, NAN, 1, &out));
+    NUMBER(bat_curve_piece(open, 0, INFINITY, &out));
+    ARGUMENT(bat_curve_open_at(NULL, 1, &out));
+    ARGUMENT(bat_curve_open_at(closed, 1, NULL));
+    ARGUMENT(bat_curve_open_at(open, 1, &out));
+    ARGUMENT(bat_curve_close(NULL, 1, &out));
+    ARGUMENT(bat_curve_close(open, 1, NULL));
+    ARGUMENT(bat_curve_close(closed, 1, &out));
+    ARGUMENT(bat_curve_close(open, NAN, &out));
+    ARGUMENT(bat_curve_move_seam(NULL, 1, &out));
+    ARGUMENT(bat_curve_move_seam(closed, 1, NULL));
+    ARGUMENT(bat_curve_move_seam(open, 1, &out));
+    NUMBER(bat_curve_move_seam(closed, NAN, &out));
+    ARGUMENT(bat_curve_to_bezier(NULL, NULL, NULL));
+    double *points = NULL;
+    ARGUMENT(bat_curve_to_cubics(NULL, 1, &points, &count));
+    ARGUMENT(bat_curve_to_cubics(open, 1, NULL, &count));
+    ARGUMENT(bat_curve_to_cubics(open, 1, &points, NULL));
+    ARGUMENT(bat_curve_from_bezier(3, 2, 1, NULL, false, 0, 0, &out, NULL));
+    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, 0, 0, NULL, NULL));
+    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, -1, 0, &out, NULL));
+    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, 0, NAN, &out, NULL));
+    bat_curve_free(open);
+    bat_curve_free(closed);
+}
+
+static void of_measures_and_drags(void **state) {
+    (void)state;
+    bat_curve *open = pen_curve(0, 0, 10, 5, 7);
+    const double u[] = {1, 2}, at[2] = {1, 1}, bad[2] = {NAN, 0};
+    double values[20];
+    int count = 0;
+    bat_near near;
+    bat_finder *finder = NULL;
+    bat_frame3 frames[2];
+    bat_frame_chain *chain = NULL;
+    ARGUMENT(bat_curve_eval_many(NULL, 2, u, 0, values));
+    ARGUMENT(bat_curve_eval_many(open, 2, u, -1, values));
+    ARGUMENT(bat_curve_eval_many(open, 2, NULL, 0, values));
+    ARGUMENT(bat_curve_eval_many(open, 2, u, 0, NULL));
+    assert_int_equal(bat_curve_eval_many(open, 0, NULL, 0, NULL), BAT_OK);
+    ARGUMENT(bat_curve_transform(NULL, values, &out));
+    ARGUMENT(bat_curve_transform(open, NULL, &out));
+    ARGUMENT(bat_curve_transform(open, values, NULL));
+    ARGUMENT(bat_curve_to_dimension(NULL, 3, &out));
+    ARGUMENT(bat_curve_to_dimension(open, 3, NULL));
+    ARGUMENT(bat_curve_nearest(NULL, at, &near));
+    ARGUMENT(bat_curve_nearest(open, NULL, &near));
+    ARGUMENT(bat_curve_nearest(open, at, NULL));
+    ARGUMENT(bat_curve_nearest_all(NULL, at, 1, 1, &near, &count));
+    ARGUMENT(bat_curve_nearest_all(open, NULL, 1, 1, &near, &count));
+    ARGUMENT(bat_curve_nearest_all(open, at, 1, 1, &near, NULL));
+    ARGUMENT(bat_curve_nearest_all(open, at, 1, -1, &near, &count));
+    ARGUMENT(bat_curve_nearest_all(open, at, 1, 1, NULL, &count));
+    ARGUMENT(bat_curve_nearest_all(open, at, NAN, 1, &near, &count));
+    NUMBER(bat_curve_nearest_all(open, bad, 1, 1, &near, &count));
+    ARGUMENT(bat_finder_create(NULL, &finder));
+    ARGUMENT(bat_finder_create(open, NULL));
+    ARGUMENT(bat_curve_drag(NULL, 1, u, at, &out));
+    ARGUMENT(bat_curve_drag(open, 1, NULL, at, &out));
+    ARGUMENT(bat_curve_drag(open, 1, u, NULL, &out));
+    ARGUMENT(bat_curve_drag(open, 1, u, at, NULL));
+    ARGUMENT(bat_curve_drag(open, 0, u, at, &out));
+    ARGUMENT(bat_curve_move_point(NULL, 0, at, &out));
+    ARGUMENT(bat_curve_move_point(open, 0, NULL, &out));
+    ARGUMENT(bat_curve_move_point(open, 0, at, NULL));
+    ARGUMENT(bat_curve_move_point(open, -1, at, &out));
+    ARGUMENT(bat_curve_move_point(open, 7, at, &out));
+    bat_curve *space = NULL;
+    assert_int_equal(bat_curve_to_dimension(open, 3, &space), BAT_OK);
+    ARGUMENT(bat_frames(NULL, NULL, 2, u, frames, NULL));
+    ARGUMENT(bat_frames(space, NULL, 2, NULL, frames, NULL));
+    ARGUMENT(bat_frames(space, NULL, 2, u, NULL, NULL));
+    ARGUMENT(bat_frame_chain_create(NULL, NULL, &chain));
+    ARGUMENT(bat_frame_chain_create(space, NULL, NULL));
+    bat_frame_options options = {.substeps = -1};
+    ARGUMENT(bat_frame_chain_create(space, &options, &chain));
+    options.substeps = 1025;
+    ARGUMENT(bat_frame_chain_create(space, &options, &chain));
+    options = (bat_frame_options){.rule = (bat_frame_rule)77};
+    ARGUMENT(bat_frame_chain_create(space, &options, &chain));
+    options = (bat_frame_options){.holonomy_near = NAN};
+    NUMBER(bat_frame_chain_create(space, &options, &chain));
+    options = (bat_frame_options){.has_first = true, .first = {0, NAN, 0}};
+    NUMBER(bat_frame_chain_create(space, &options, &chain));
+    assert_null(chain);
+    ARGUMENT(bat_frame_chain_many(NULL, 0, u, NULL));
+    bat_curve_free(space);
+    bat_curve_free(open);
+}
+
+static void of_strokes(void **state) {
+    (void)state;
+    bat_curve *open = pen_curve(0, 0, 10, 5, 7), *closed = closed_curve();
+    const double points[] = {0, 0, 10, 5, 20, 0};
+    const bat_stroke stroke = {.dimension = 2, .count = 3, .points = points},
+                     none = {.dimension = 2, .count = 3};
+    bat_sketch_options options = bat_sketch_defaults();
+    bat_sketch_report report;
+    bat_sketch_live *live = NULL;
+    ARGUMENT(bat_sketch(NULL, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch(open, NULL, &options, &out, &report));
+    ARGUMENT(bat_sketch(open, &none, &options, &out, &report));
+    ARGUMENT(bat_sketch(open, &stroke, &options, NULL, &report));
+    ARGUMENT(bat_sketch_new(NULL, &options, false, &out, &report));
+    ARGUMENT(bat_sketch_new(&stroke, &options, false, NULL, &report));
+    ARGUMENT(bat_sketch_smooth(NULL, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch_smooth(open, &stroke, &options, NULL, &report));
+    ARGUMENT(bat_sketch_join(NULL, open, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch_join(open, NULL, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch_join(open, open, &stroke, &options, NULL, &report));
+    ARGUMENT(bat_sketch_join(open, closed, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch_join(closed, open, &stroke, &options, &out, &report));
+    ARGUMENT(bat_sketch_begin(open, (bat_sketch_kind)9, &options, 2, &live));
+    assert_null(live);
+    ARGUMENT(bat_sketch_add(NULL, &stroke));
+    ARGUMENT(bat_sketch_preview(NULL, &out, NULL));
+    ARGUMENT(bat_sketch_commit(NULL, &out, &report));
+    assert_int_equal(bat_sketch_begin(open, BAT_SKETCH_REDRAW, &options, 2, &live), BAT_OK);
+    ARGUMENT(bat_sketch_add(live, NULL));
+    ARGUMENT(bat_sketch_add(live, &none));
+    ARGUMENT(bat_sketch_commit(live, NULL, &report)); /* which ends it */
+    options.width = 101;
+    ARGUMENT(bat_sketch(open, &stroke, &options, &out, &report));
+    options.width = -1;
+    ARGUMENT(bat_sketch(open, &stroke, &options, &out, &report));
+    const double range[2] = {0, 1};
+    NUMBER(bat_sketch_calm(open, range, INFINITY, 1, &out));
+    NUMBER(bat_sketch_calm(open, range, 1, INFINITY, &out));
+    bat_fit_options fit = bat_fit_defaults();
+    ARGUMENT(bat_fit(2, 3, points, &fit, NULL, NULL));
+    fit.corner_count = -1;
+    ARGUMENT(bat_fit(2, 3, points, &fit, &out, NULL));
+    fit.corner_count = 1;
+    ARGUMENT(bat_fit(2, 3, points, &fit, &out, NULL));
+    fit.corner_count = 0, fit.solves_max = -1;
+    ARGUMENT(bat_fit(2, 3, points, &fit, &out, NULL));
+    bat_curve_free(open);
+    bat_curve_free(closed);
+}
+
+static void of_levels(void **state) {
+    (void)state;
+    bat_curve *curve = pen_curve(0, 0, 10, 5, 11);
+    bat_shape *shape = NULL, *made = NULL;
+    bat_shape_live *live = NULL;
+    const double delta[2] = {1, 1}, bad[6] = {1, 0, 0, 0, NAN, 0};
+    double left;
+    assert_int_equal(bat_shape_decompose(curve, 1, NULL, &shape), BAT_OK);
+    ARGUMENT(bat_shape_decompose(NULL, 1, NULL, &made));
+    ARGUMENT(bat_shape_decompose(curve, 1, NULL, NULL));
+    ARGUMENT(bat_shape_decompose_to(NULL, 1, 4, NULL, &made));
+    ARGUMENT(bat_shape_decompose_to(curve, 1, 4, NULL, NULL));
+    ARGUMENT(bat_shape_create(NULL, NULL, &made));
+    ARGUMENT(bat_shape_create(curve, NULL, NULL));
+    ARGUMENT(bat_shape_copy(NULL, &made));
+    ARGUMENT(bat_shape_copy(shape, NULL));
+    ARGUMENT(bat_shape_flatten(NULL, &out));
+    ARGUMENT(bat_shape_flatten(shape, NULL));
+    ARGUMENT(bat_shape_add_level(NULL, 0, NULL, NULL, NULL));
+    ARGUMENT(bat_shape_move(NULL, 0, 0, delta));
+    ARGUMENT(bat_shape_move(shape, -1, 0, delta));
+    ARGUMENT(bat_shape_move(shape, 2, 0, delta));
+    ARGUMENT(bat_shape_set_gain(shape, 0, 1));
+    ARGUMENT(bat_shape_set_gain(NULL, 1, 1));
+    ARGUMENT(bat_shape_set_muted(shape, 0, true));
+    ARGUMENT(bat_shape_set_muted(shape, 2, true));
+    ARGUMENT(bat_shape_transform(NULL, bad));
+    ARGUMENT(bat_shape_transform(shape, NULL));
+    NUMBER(bat_shape_transform(shape, bad));
+    ARGUMENT(bat_shape_commit(NULL));
+    ARGUMENT(bat_shape_sketch(NULL, 0, 1, delta, delta));
+    ARGUMENT(bat_shape_sketch(shape, -1, 1, delta, delta));
+    ARGUMENT(bat_shape_sketch(shape, 2, 1, delta, delta));
+    ARGUMENT(bat_shape_sketch(shape, 0, 0, delta, delta));
+    ARGUMENT(bat_shape_sketch(shape, 0, 1, NULL, delta));
+    ARGUMENT(bat_shape_sketch(shape, 0, 1, delta, NULL));
+    NUMBER(bat_shape_sketch(shape, 0, 1, delta, bad + 4));
+    NUMBER(bat_shape_sketch(shape, 0, 1, bad + 4, delta));
+    ARGUMENT(bat_shape_redraw(NULL, NULL, NULL, false, &made, NULL));
+    ARGUMENT(bat_shape_redraw(shape, NULL, NULL, false, NULL, NULL));
+    ARGUMENT(bat_shape_redraw_level(NULL, 0, NULL, NULL, NULL));
+    ARGUMENT(bat_shape_redraw_level(shape, -1, NULL, NULL, NULL));
+    ARGUMENT(bat_shape_redraw_level(shape, 2, NULL, NULL, NULL));
+    ARGUMENT(bat_shape_live_begin(NULL, 0, &live));
+    ARGUMENT(bat_shape_live_begin(shape, 0, NULL));
+    ARGUMENT(bat_shape_live_begin(shape, -1, &live));
+    ARGUMENT(bat_shape_live_begin(shape, 2, &live));
+    assert_null(live);
+    ARGUMENT(bat_shape_live_move(NULL, 0, 1, delta));
+    ARGUMENT(bat_shape_live_drag(NULL, 0, delta));
+    ARGUMENT(bat_shape_live_drag_finest(NULL, 0, delta, 1, &left));
+    assert_int_equal(bat_shape_live_begin(shape, 0, &live), BAT_OK);
+    ARGUMENT(bat_shape_live_drag_finest(live, 0, NULL, 1, &left));
+    ARGUMENT(bat_shape_live_drag_finest(live, 0, delta, 0, &left));
+    NUMBER(bat_shape_live_drag_finest(live, NAN, delta, 1, &left));
+    bat_shape_live_cancel(live);
+    assert_null(made);
+    bat_shape_free(shape);
+    bat_curve_free(curve);
+}
+
+static void of_objects_and_documents(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_object *made = NULL;
+    bat_style style = bat_style_defaults(), wrong = style;
+    wrong.width = NAN;
+    bat_curve *curve = pen_curve(0, 0, 10, 5, 7), *nothing = NULL;
+    const double page[4] = {0, 0, 10, 10}, matrix[6] = {1, 0, 0, 1, 0, 0};
+    ARGUMENT(bat_document_create(NULL));
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    pen_add(document, pen_curve(0, 0, 10, 5, 7));
+    const bat_object *object = bat_document_at(document, 0);
+    const bat_id id = bat_object_id(object);
+    const uint64_t before = bat_document_digest(document);
+    ARGUMENT(bat_document_copy(NULL, &document));
+    ARGUMENT(bat_document_copy(document, NULL));
+    ARGUMENT(bat_document_put(NULL, 0, object));
+    ARGUMENT(bat_document_put(document, 0, NULL));
+    ARGUMENT(bat_document_put(document, -1, object));
+    ARGUMENT(bat_document_put(document, 2, object));
+    ARGUMENT(bat_document_put(document, 1, object)); /* it is there already */
+    ARGUMENT(bat_document_replace(NULL, 0, object));
+    ARGUMENT(bat_document_replace(document, 0, NULL));
+    ARGUMENT(bat_document_replace(document, -1, object));
+    ARGUMENT(bat_document_replace(document, 1, object));
+    ARGUMENT(bat_document_remove(NULL, 0));
+    ARGUMENT(bat_document_remove(document, -1));
+    ARGUMENT(bat_document_remove(document, 1));
+    ARGUMENT(bat_document_set_page(NULL, page));
+    ARGUMENT(bat_document_set_page(document, NULL));
+    ARGUMENT(bat_object_create_path(7, "", &style, 1, NULL, &made));
+    ARGUMENT(bat_object_create_path(7, "", &style, 1, &nothing, &made));
+    ARGUMENT(bat_object_create_path(7, "", &style, 1, &curve, NULL));
+    ARGUMENT(bat_object_create_path(0, "", &style, 1, &curve, &made));
+    ARGUMENT(bat_object_create_path((bat_id)BAT_ID_MAX + 1, "", &style, 1, &curve, &made));
+    ARGUMENT(bat_object_create_path(7, "", &wrong, 1, &curve, &made));
+    ARGUMENT(bat_object_create_path(7, "\xff", &style, 1, &curve, &made));
+    ARGUMENT(bat_object_with_curves(NULL, 1, &curve, &made));
+    ARGUMENT(bat_object_with_curve(NULL, 0, curve, &made));
+    ARGUMENT(bat_object_with_curve(object, 0, NULL, &made));
+    ARGUMENT(bat_object_with_curve(object, 0, curve, NULL));
+    ARGUMENT(bat_object_with_curve(object, -1, curve, &made));
+    ARGUMENT(bat_object_with_curve(object, 1, curve, &made));
+    ARGUMENT(bat_object_with_style(NULL, &style, &made));
+    ARGUMENT(bat_object_with_style(object, NULL, &made));
+    ARGUMENT(bat_object_with_style(object, &style, NULL));
+    ARGUMENT(bat_object_with_style(object, &wrong, &made));
+    ARGUMENT(bat_object_with_parent(NULL, 0, &made));
+    ARGUMENT(bat_object_with_parent(object, 0, NULL));
+    ARGUMENT(bat_object_with_parent(object, id, &made));
+    ARGUMENT(bat_object_with_name(NULL, "a", &made));
+    ARGUMENT(bat_object_with_name(object, NULL, &made));
+    ARGUMENT(bat_object_with_name(object, "a", NULL));
+    ARGUMENT(bat_object_with_name(object, "\xc3", &made));
+    ARGUMENT(bat_object_with_state(NULL, true, true, &made));
+    ARGUMENT(bat_object_with_state(object, true, true, NULL));
+    ARGUMENT(bat_object_with_id(NULL, 9, &made));
+    ARGUMENT(bat_object_with_id(object, 9, NULL));
+    ARGUMENT(bat_object_with_id(object, 0, &made));
+    ARGUMENT(bat_object_to_path(NULL, &made));
+    ARGUMENT(bat_object_to_path(object, &made)); /* it is one */
+    ARGUMENT(bat_object_create_guide(7, 2, 1, &made));
+    ARGUMENT(bat_object_create_guide(7, -1, 1, &made));
+    ARGUMENT(bat_object_create_guide(7, 0, 1, NULL));
+    ARGUMENT(bat_object_create_image(7, "", NULL, matrix, 1, &made));
+    ARGUMENT(bat_object_with_matrix(object, matrix, &made)); /* no image */
+    bat_picture *picture = NULL;
+    ARGUMENT(bat_picture_create(NULL, 9, &picture));
+    ARGUMENT(bat_picture_create(page, 9, NULL));
+    assert_null(picture);
+    char *text = NULL;
+    size_t size = 0;
+    ARGUMENT(bat_document_write(NULL, &text, &size));
+    ARGUMENT(bat_document_write(document, NULL, &size));
+    ARGUMENT(bat_document_write(document, &text, NULL));
+    ARGUMENT(bat_svg_write(NULL, true, &text, &size));
+    ARGUMENT(bat_svg_write(document, true, NULL, &size));
+    ARGUMENT(bat_svg_write(document, true, &text, NULL));
+    ARGUMENT(bat_curve_write(NULL, &text, &size));
+    ARGUMENT(bat_curve_write(curve, NULL, &size));
+    ARGUMENT(bat_curve_write(curve, &text, NULL));
+    bat_problem problem;
+    ARGUMENT(bat_curve_read(NULL, 0, &out, &problem));
+    ARGUMENT(bat_curve_read("{}", 2, NULL, &problem));
+    ARGUMENT(bat_document_read(NULL, 0, &document, &problem));
+    ARGUMENT(bat_document_read("{}", 2, NULL, &problem));
+    ARGUMENT(bat_svg_reader_start(NULL, "g", NULL));
+    ARGUMENT(bat_svg_reader_text(NULL, "", 0));
+    ARGUMENT(bat_svg_reader_end(NULL));
+    assert_null(made);
+    assert_null(text);
+    assert_true(bat_document_digest(document) == before);
+    assert_null(bat_document_check(document));
+    bat_curve_free(curve);
+    bat_document_free(document);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(of_refinement),
+                                       cmocka_unit_test(of_measures_and_drags), cmocka_unit_test(of_strokes),
+                                       cmocka_unit_test(of_levels),
+                                       cmocka_unit_test(of_objects_and_documents)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
