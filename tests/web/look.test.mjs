@@ -182,6 +182,11 @@ test('every command and every property of the engine is in the page', async () =
   await page.click('[data-name=menu]');
   await page.waitForSelector('#menu [data-command]');
   await page.keyboard.press('Escape');
+  for (const sheet of ['style', 'layers', 'settings']) {
+    await page.click(`[data-name=${sheet}]`);
+    await page.waitForSelector(`#${sheet} h2`);
+    await page.keyboard.press('Escape');
+  }
   await page.click('[data-name=tool-levels]');
   const [x, y] = await place(page, 592, 103.5);
   await page.mouse.click(x, y);

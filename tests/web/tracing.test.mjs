@@ -106,7 +106,7 @@ for (const colorScheme of ['light', 'dark']) {
     await shownPictures(page, 1);
     const [x, y] = await middle(page);
     await page.click('[data-name="layers"]');
-    assert.ok(await page.isVisible('#pictures'));
+    await page.waitForSelector('#pictures'); // fetched when it is first opened
     await page.click('#pictures [data-text="command.tool-span"]');
     await page.keyboard.press('Escape');
     await settle(page);

@@ -1,9 +1,11 @@
-// The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it.
+// The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it, and
+// pictures to trace below them. Fetched when it is first opened.
 
 import { icon, loadIcons } from '../page/icons.js';
-import { word } from '../page/words.js';
+import { tell, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('../engine/types.js').CommandRow} CommandRow */
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /**
  * @typedef {object} Layer
@@ -21,7 +23,7 @@ import { word } from '../page/words.js';
  * @property {number} pictures to trace
  */
 
-export class LayersSheet {
+class LayersSheet {
   /**
    * @param {Engine} engine
    * @param {() => void} wake
@@ -34,7 +36,9 @@ export class LayersSheet {
     this.shown = '';
     this.list = document.createElement('ul');
     this.list.className = 'layer-list';
-    sheet.addEventListener('toggle', () => void loadIcons('arrange').then(() => this.#fill()));
+    const fill = () => void loadIcons('arrange').then(() => this.#fill());
+    sheet.addEventListener('toggle', fill);
+    fill();
   }
 
   /** @param {Frame} frame */
@@ -187,4 +191,21 @@ export class LayersSheet {
     button.addEventListener('click', () => this.#change(act));
     return button;
   }
+}
+
+/** @type {import('./panel.js').Filler['fill']} */
+export function fill({ engine, wake, tables, controls, buttons }, sheet) {
+  /** @param {string} name */
+  const heading = (name) => tell(document.createElement('h2'), { text: `shell.${name}` });
+  /** @param {(row: CommandRow) => boolean} chosen */
+  const row = (chosen) => buttons.row(tables.commands.filter(chosen));
+  const pictures = document.createElement('div');
+  pictures.id = 'pictures';
+  pictures.hidden = true;
+  pictures.append(heading('pictures'),
+    ...tables.properties.filter(({ group }) => group === 'picture').map((property) => controls.control(property, 'setting')),
+    row(({ name }) => name.startsWith('picture-') || name === 'tool-span'));
+  const layers = new LayersSheet(engine, wake, sheet);
+  sheet.append(heading('layers'), layers.list, row(({ name }) => name.startsWith('layer-')), pictures);
+  return layers;
 }

@@ -74,11 +74,11 @@ export class LevelStrip {
   #property(name) {
     const row = /** @type {import('../engine/types.js').PropertyRow} */ (
       this.panel.tables.properties.find((property) => property.name === name));
-    const control = this.panel.control(row, 'strip');
+    const control = this.panel.controls.control(row, 'strip');
     const input = control.querySelector('input');
     if (row.type === 'number' && input) {
-      input.before(this.panel.stepper(row, input, -1));
-      input.after(this.panel.stepper(row, input, 1));
+      input.before(this.panel.buttons.stepper(row, input, -1));
+      input.after(this.panel.buttons.stepper(row, input, 1));
     }
     return control;
   }
@@ -86,7 +86,7 @@ export class LevelStrip {
   /** @param {string[]} names */
   #commands(names) {
     const row = make('div', 'level-commands');
-    row.append(...names.map((name) => this.panel.wordButton(name)));
+    row.append(...names.map((name) => this.panel.buttons.word(name)));
     return row;
   }
 
@@ -126,7 +126,7 @@ export class LevelStrip {
     rows.forEach((level, index) => {
       this.#fill(/** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]), level, index, apart !== 0);
     });
-    this.panel.refresh();
+    this.panel.controls.refresh();
   }
 
   /** @param {number} index */

@@ -1,11 +1,11 @@
 // The numbers sheet: place, size and turn of what is chosen, entered as text. Which there are, the engine's table says;
-// what is read and written, the engine itself.
+// what is read and written, the engine itself. Fetched when it is first opened.
 
 import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
-export class NumbersSheet {
+class NumbersSheet {
   /**
    * @param {Engine} engine
    * @param {() => void} wake
@@ -67,4 +67,11 @@ export class NumbersSheet {
     }
     this.none.hidden = some;
   }
+}
+
+/** @type {import('./panel.js').Filler['fill']} */
+export function fill({ engine, wake, tables }, sheet) {
+  sheet.append(tell(document.createElement('h2'), { text: 'shell.numbers' }));
+  const numbers = new NumbersSheet(engine, wake, sheet, tables.numbers);
+  return { show: () => void (sheet.matches(':popover-open') && numbers.show()) };
 }

@@ -10,11 +10,11 @@ import { tell } from '../page/words.js';
 
 const FAMILIES = [/^(un)?group$/, /^curve-/, /^order-/, /^align-/, /^distribute-/];
 
-export class Actions {
+export class Offers {
   /** @param {Panel} panel */
   static async make(panel) {
     await Promise.all([dress('styles/offers.css'), loadIcons('arrange')]);
-    return new Actions(panel);
+    return new Offers(panel);
   }
 
   /** @param {Panel} panel */
@@ -33,7 +33,7 @@ export class Actions {
       group.className = 'group';
       for (const { name } of panel.tables.commands) {
         if (family.test(name) && document.getElementById(`icon-${name}`)) {
-          const button = panel.button(name, `command.${name}`);
+          const button = panel.buttons.command(name, `command.${name}`);
           this.buttons.set(name, button);
           group.append(button);
         }

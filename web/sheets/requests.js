@@ -1,7 +1,7 @@
 // What the engine asks of its host, and what is fetched when it is asked for.
 
 import { Ask } from '../engine/codes.js';
-import { want } from './build.js';
+import { want } from '../page/build.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
@@ -14,9 +14,9 @@ export class Requests {
     this.shell = shell;
     /** @type {import('../keep/clipboard.js').Clipboard | null} */
     this.clipboard = null;
-    /** @type {import('../sheets/commands.js').CommandSheet | undefined} */
+    /** @type {import('./commands.js').CommandSheet | undefined} */
     this.commands = undefined;
-    /** @type {import('../sheets/kept.js').KeptSheet | undefined} */
+    /** @type {import('./kept.js').KeptSheet | undefined} */
     this.keptSheet = undefined;
     part('unkept').addEventListener('click', () => void this.#losses());
     part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
@@ -48,24 +48,24 @@ export class Requests {
 
   /** @param {number} direction */
   async #walk(direction) {
-    const { walk } = await want(import('./regions.js'));
+    const { walk } = await want(import('../page/regions.js'));
     walk(direction);
   }
 
   async #losses() {
-    const { show } = await want(import('../sheets/losses.js'));
+    const { show } = await want(import('./losses.js'));
     show(this.shell.engine.losses);
   }
 
   async #kept() {
-    const { KeptSheet } = await want(import('../sheets/kept.js'));
+    const { KeptSheet } = await want(import('./kept.js'));
     this.keptSheet ??= new KeptSheet(this.shell);
     await this.keptSheet.show();
   }
 
   /** The sheet of commands, made when it is first wanted. */
   async #commandSheet() {
-    const { CommandSheet } = await want(import('../sheets/commands.js'));
+    const { CommandSheet } = await want(import('./commands.js'));
     const { engine, settings, wake, words } = this.shell;
     this.commands ??= new CommandSheet(part('menu'), words, settings, (command) => {
       engine.command(command);

@@ -1,0 +1,83 @@
+// The rooms of the page: files stay short, imports run downwards, what the page starts with is fetched at once, and each sheet
+// comes by itself when it is first opened.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch, open } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const WEB = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../web');
+
+/** What each room may import; a file fetched later may be of any. @type {Record<string, string[]>} */
+const BELOW = {
+  page: ['page'],
+  engine: ['page', 'engine'],
+  stage: ['page', 'engine', 'stage'],
+  keep: ['page', 'engine', 'keep'],
+  sheets: ['page', 'engine', 'stage', 'keep', 'sheets'],
+  '.': ['page', 'engine', 'stage', 'keep', 'sheets'],
+};
+
+const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(js|css|html)$/.test(file));
+const textOf = (file) => fs.readFileSync(path.join(WEB, file), 'utf8');
+const importsOf = (file) => [...textOf(file).matchAll(/^import (?:.*? from )?'(\.[^']+)'/gm)]
+  .map(([, from]) => path.join(path.dirname(file), from));
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+test('no file is long, and main.js only wires', () => {
+  assert.ok(files.length > 50);
+  const long = files.filter((file) => textOf(file).split('\n').length > (file === 'main.js' ? 150 : 401));
+  assert.deepEqual(long, []);
+});
+
+test('imports run downwards, from room to room', () => {
+  const upwards = files.filter((file) => file.endsWith('.js')).flatMap((file) => importsOf(file)
+    .filter((from) => !BELOW[path.dirname(file)].includes(path.dirname(from))).map((from) => `${file}: ${from}`));
+  assert.deepEqual(upwards, []);
+});
+
+test('what main.js stands on is fetched at once, not import by import', () => {
+  const whole = new Set();
+  const add = (file) => {
+    if (!whole.has(file)) {
+      whole.add(file);
+      importsOf(file).forEach(add);
+    }
+  };
+  add('main.js');
+  whole.delete('main.js');
+  const preloaded = [...textOf('index.html').matchAll(/modulepreload" href="%BUILD%\/([^"]+)"/g)].map(([, file]) => file);
+  assert.deepEqual(preloaded, [...whole].sort());
+});
+
+test('each sheet is fetched by itself, when it is first opened', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const { page, context } = await open(browser, server.address);
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname.slice(3)));
+  const already = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
+  const sheets = { numbers: 'numbers', style: 'style', layers: 'layers', settings: 'settings', menu: 'commands' };
+  for (const file of Object.values(sheets)) {
+    assert.ok(!already.some((where) => where.endsWith(`/sheets/${file}.js`)), `${file} is not there yet`);
+  }
+  for (const [name, file] of Object.entries(sheets)) {
+    assert.equal(await page.locator(`#${name} > *`).count(), 0);
+    asked.length = 0;
+    await page.click(`[data-name=${name}]`);
+    await page.waitForSelector(`#${name} > *`);
+    const others = Object.values(sheets).filter((other) => other !== file && asked.includes(`sheets/${other}.js`));
+    assert.ok(asked.includes(`sheets/${file}.js`), `${asked}`);
+    assert.deepEqual(others, []);
+    await page.click(`[data-name=${name}]`);
+    await page.waitForSelector(`#${name}`, { state: 'hidden' });
+  }
+  await context.close();
+});

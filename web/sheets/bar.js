@@ -1,0 +1,56 @@
+// The bar and the rail, made from the engine's tables: a tool always has its button, a command has one when the sprite holds
+// a symbol of its name.
+
+import { tell } from '../page/words.js';
+
+/** @typedef {import('./buttons.js').Buttons} Buttons */
+/** @typedef {import('../engine/types.js').Tables} Tables */
+
+const SHEETS = ['numbers', 'style', 'layers', 'settings', 'menu'];
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+/** A group of buttons. @param {HTMLElement} bar @param {string} name */
+function groupOf(bar, name) {
+  const group = tell(document.createElement('div'), { label: `shell.${name}` });
+  group.className = 'group';
+  group.setAttribute('role', 'group');
+  bar.append(group);
+  return group;
+}
+
+/** @param {Buttons} buttons @param {string} sheet */
+function sheetButton(buttons, sheet) {
+  const button = buttons.plain(sheet, `shell.${sheet}`);
+  button.setAttribute('popovertarget', sheet);
+  return button;
+}
+
+/**
+ * @param {Tables} tables
+ * @param {Buttons} buttons
+ * @returns {HTMLButtonElement} of the theme
+ */
+export function fillBar(tables, buttons) {
+  const bar = part('tools');
+  for (const tool of tables.tools) {
+    if (document.getElementById(`icon-${tool.command}`)) { // else one for a moment only, chosen where it is wanted
+      part('rail').append(buttons.command(tool.command, `tool.${tool.name}`));
+    }
+  }
+  const groups = new Map();
+  for (const row of tables.commands) {
+    const group = document.getElementById(`icon-${row.name}`)?.dataset.group;
+    if (!group || buttons.commands.has(row.name)) {
+      continue;
+    }
+    if (!groups.has(group)) {
+      groups.set(group, groupOf(bar, group.toLowerCase()));
+    }
+    groups.get(group).append(buttons.command(row.name, `command.${row.name}`));
+  }
+  const theme = buttons.plain('theme', 'shell.theme');
+  groupOf(bar, 'window').append(...SHEETS.map((sheet) => sheetButton(buttons, sheet)), theme);
+  return theme;
+}

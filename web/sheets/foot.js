@@ -1,0 +1,107 @@
+// What is said of the drawing beside it: name, hint, readouts in the foot, first hints, the question about a fit that misses.
+
+import { tell, word } from '../page/words.js';
+import { ROLE_RULER } from '../stage/paint.js';
+import { short } from './controls.js';
+
+/** @typedef {import('./buttons.js').Buttons} Buttons */
+/** @typedef {import('./controls.js').Controls} Controls */
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {import('../engine/types.js').Frame} Frame */
+/** @typedef {import('../engine/types.js').Tables} Tables */
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+export class Foot {
+  /**
+   * @param {Engine} engine
+   * @param {Tables} tables
+   * @param {Buttons} buttons
+   * @param {Controls} controls
+   */
+  constructor(engine, tables, buttons, controls) {
+    this.engine = engine;
+    this.tables = tables;
+    this.buttons = buttons;
+    this.controls = controls;
+    const list = part('readouts');
+    this.knots = this.#readout(list, 'shell.knots');
+    this.tolerance = this.#readout(list, 'property.tolerance');
+    this.#fillTolerance();
+    this.zoom = this.#readout(list, 'shell.zoom');
+    this.#fillPending();
+  }
+
+  #fillTolerance() {
+    const row = this.tables.properties.find((property) => property.name === 'tolerance');
+    if (row) {
+      const control = this.controls.control(row, 'readout');
+      control.querySelector('label')?.classList.add('hidden');
+      const input = /** @type {HTMLInputElement} */ (control.querySelector('input'));
+      input.before(this.buttons.stepper(row, input, -1));
+      input.after(this.buttons.stepper(row, input, 1));
+      this.tolerance.before(control);
+      this.tolerance.parentElement?.classList.add('with-control');
+    }
+  }
+
+  /** @param {HTMLElement} list @param {string} key */
+  #readout(list, key) {
+    const group = document.createElement('div');
+    const term = tell(document.createElement('dt'), { text: key });
+    const value = document.createElement('dd');
+    const text = document.createElement('span');
+    text.className = 'value';
+    value.append(text);
+    group.append(term, value);
+    list.append(group);
+    return text;
+  }
+
+  /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
+  #fillPending() {
+    part('first').querySelector('button')?.addEventListener('click', () => {
+      this.engine.set('first-hints', 3);
+      this.controls.wake();
+    });
+    for (const name of ['accept', 'cancel']) {
+      part('pending').append(this.buttons.word(name));
+    }
+  }
+
+  /** @param {Frame} frame @param {string} reach the tolerance, in the drawing @param {string | null} values null: they still run */
+  show(frame, reach, values) {
+    this.#showName(frame);
+    part('hint').textContent = frame.hint;
+    if (values !== null) {
+      part('values').textContent = values;
+    }
+    part('first').hidden = frame.first === 0;
+    part('first').querySelectorAll('p').forEach((hint, i) => {
+      hint.hidden = !(frame.first >> i & 1);
+    });
+    part('pending').hidden = !frame.pending;
+    const missed = frame.error > 0 ? word('shell.missed-by', short(frame.error)) : word('shell.missed');
+    part('pending-text').textContent = frame.pending ? missed : '';
+    /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;
+    const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
+    this.knots.textContent = `${before}${frame.knotsAfter}`;
+    this.tolerance.textContent = word('shell.in-drawing', reach);
+    this.zoom.textContent = [`${short(frame.zoom * 100)} %`,
+      ...(frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
+  }
+
+  /** @param {Frame} frame */
+  #showName(frame) {
+    const name = frame.name || word('shell.untitled');
+    part('name').textContent = name;
+    part('unsaved').hidden = !frame.unsaved;
+    document.title = `${frame.unsaved ? '• ' : ''}${name} – Batten`;
+  }
+
+  /** Values that the canvas shows, for those who do not see it; not while they still run. @param {Frame} frame */
+  static values(frame) {
+    return frame.busy ? null : frame.labels.filter((label) => label.role !== ROLE_RULER).map((label) => label.text).join(', ');
+  }
+}

@@ -1,0 +1,32 @@
+// The settings: the properties that belong to no other sheet, by subject. Fetched when it is first opened.
+
+import { want } from '../page/build.js';
+import { tell } from '../page/words.js';
+import { SHEET_OF } from './controls.js';
+
+/** @param {import('./panel.js').Panel} panel */
+async function drawPressure({ engine, controls }) {
+  const { PressureCurve } = await want(import('./pressure.js'));
+  const box = /** @type {HTMLElement} */ (document.getElementById('setting-pressure-curve')).parentElement;
+  const curve = new PressureCurve(engine, /** @type {Element} */ (box));
+  controls.list.push(() => curve.show());
+  curve.show();
+}
+
+/** @type {import('./panel.js').Filler['fill']} */
+export function fill(panel, sheet) {
+  sheet.append(tell(document.createElement('h2'), { text: 'shell.settings' }));
+  let subject = '';
+  for (const row of panel.tables.properties) {
+    if (SHEET_OF[row.group] || row.group === 'levels') {
+      continue; // there; or in the strip
+    }
+    if (row.group === '' && row.subject !== subject) {
+      subject = row.subject;
+      sheet.append(tell(document.createElement('h3'), { text: subject }));
+    }
+    sheet.append(panel.controls.control(row, 'setting'));
+  }
+  void drawPressure(panel);
+  return { show: () => {} };
+}
