@@ -169,6 +169,10 @@ for (const width of [390, 620, 820]) {
       assert.ok(boxes[i - 1].y + boxes[i - 1].height <= boxes[i].y, 'nothing hides another');
       assert.ok(boxes[i].x >= 0 && boxes[i].x + boxes[i].width <= width);
     }
+    for (const button of await page.locator('.asked button').all()) {
+      const { x, width: wide } = await button.boundingBox();
+      assert.ok(x >= 0 && x + wide <= width, `${await button.textContent()} can be reached`);
+    }
     const [hint, readouts] = [await box('#hint'), await box('#readouts')];
     assert.ok(hint.y + hint.height <= readouts.y);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);

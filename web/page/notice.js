@@ -57,7 +57,9 @@ export class Notices {
     if (!fixed) {
       buttons[answers.length].ariaLabel = word('step.close');
     }
-    box.append(said, ...buttons);
+    const row = document.createElement('div');
+    row.append(...buttons);
+    box.append(said, row);
     this.asked.append(box);
   }
 
