@@ -1,7 +1,7 @@
 // What is said of the drawing beside it: name, hint, readouts in the foot, first hints, the question about a fit that misses.
 
 import { tell, word } from '../page/words.js';
-import { ROLE_RULER } from '../stage/paint.js';
+import { Role } from '../engine/codes.js';
 import { short } from './controls.js';
 
 /** @typedef {import('./buttons.js').Buttons} Buttons */
@@ -102,6 +102,6 @@ export class Foot {
 
   /** Values that the canvas shows, for those who do not see it; not while they still run. @param {Frame} frame */
   static values(frame) {
-    return frame.busy ? null : frame.labels.filter((label) => label.role !== ROLE_RULER).map((label) => label.text).join(', ');
+    return frame.busy ? null : frame.labels.filter((label) => label.role !== Role.RULER).map((label) => label.text).join(', ');
   }
 }

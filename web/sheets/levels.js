@@ -1,6 +1,7 @@
 // The level strip: one row a level of the chosen curve, finest first, with a fader, mute and solo; below it what can be
 // done with levels. Loaded when it is first seen, with its own style sheet. The engine holds all that it shows.
 
+import { Act } from '../engine/codes.js';
 import { dress } from '../page/build.js';
 import { tell, word } from '../page/words.js';
 
@@ -20,7 +21,6 @@ import { tell, word } from '../page/words.js';
  * @property {number} copying a tap chooses the curve that gets the detail
  */
 
-const Act = Object.freeze({ CHOOSE: 0, GAIN: 1, MUTE: 2, SOLO: 3 });
 const LOUDEST = 2; // the fader's end; the engine takes more
 
 /**

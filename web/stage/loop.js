@@ -1,13 +1,13 @@
 // One frame at a time: the engine's picture is painted, and told to all that show something of it.
 
 import { word } from '../page/words.js';
-import { ROLE_GRID } from './paint.js';
+import { Cursor, Role, names } from '../engine/codes.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
-const CURSORS = ['cross', 'pen', 'grab', 'grabbing', 'wait', 'arrow', 'move',
-  'ew-resize', 'ns-resize', 'nwse-resize', 'nesw-resize', 'zoom-in', 'zoom-out'];
+/** Cursors by their numbers, as style sheets name them. */
+const CURSORS = names(Cursor).map((name) => name.replace(/^resize_(.*)/, '$1-resize').replace('_', '-'));
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -79,7 +79,7 @@ export class Loop {
     const { stage, engine, files, keeper, notices, drawings } = this.shell;
     stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
-    part('welcome').hidden = !empty || frame.live.some((item) => item.role < ROLE_GRID);
+    part('welcome').hidden = !empty || frame.live.some((item) => item.role < Role.GRID);
     const { ours } = drawings;
     files.unsaved = frame.unsaved && ours;
     this.#tellLost(frame.lost);

@@ -2,31 +2,20 @@
 // repainted only where the drawing changed. When the view moves over a heavy drawing, the painted layer is moved
 // at once and painted afresh when the hand rests.
 
+import { Cap, Flag, Join, Path, Role, names } from '../engine/codes.js';
+
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {import('../engine/types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
 /** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
 
-const STROKED = 1;
-const FILLED = 2;
-const EVEN_ODD = 4;
-const SCREEN_WIDTH = 8;
-const DASHED = 16;
-const ROLE_OBJECT = 0;
-const ROLE_STRETCH = 2;
-const ROLE_PAGE = 8;
-const ROLE_IMAGE = 26;
 const FADE = 0.75; // how much of the paper covers a line that is about to change
-export const ROLE_RULER = 29;
-export const ROLE_GRID = 27; // this and what follows: lines to draw by
 const RULER_FONT = '10px system-ui, sans-serif';
 const LABEL_FONT = '500 13px system-ui, sans-serif';
 
-/** @type {CanvasLineCap[]} */
-const CAPS = ['butt', 'round', 'square'];
-/** @type {CanvasLineJoin[]} */
-const JOINS = ['miter', 'round', 'bevel'];
+const CAPS = /** @type {CanvasLineCap[]} */ (names(Cap));
+const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 
 /** Path numbers that can be painted within a frame; a heavier view is moved first and painted when idle. */
 const LIGHT = 15000;
@@ -42,15 +31,15 @@ function shapeOf(path) {
   let i = 0;
   while (i < path.length) {
     switch (path[i]) {
-      case 0:
+      case Path.MOVE:
         shape.moveTo(path[i + 1], path[i + 2]);
         i += 3;
         break;
-      case 1:
+      case Path.LINE:
         shape.lineTo(path[i + 1], path[i + 2]);
         i += 3;
         break;
-      case 2:
+      case Path.CUBIC:
         shape.bezierCurveTo(path[i + 1], path[i + 2], path[i + 3], path[i + 4], path[i + 5], path[i + 6]);
         i += 7;
         break;
@@ -157,7 +146,7 @@ export class Painter {
       if (item.id !== 0) {
         kept.set(item.id, { version: item.version, shape });
       }
-      const corners = item.role === ROLE_IMAGE ? item.path.slice() : item.path;
+      const corners = item.role === Role.IMAGE ? item.path.slice() : item.path;
       return { item, shape, weight: item.path.length, corners };
     });
     this.cache = kept;
@@ -247,7 +236,7 @@ export class Painter {
       if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
         continue;
       }
-      if (item.role === ROLE_IMAGE) {
+      if (item.role === Role.IMAGE) {
         this.#drawPicture(context, item, corners);
       } else {
         this.#draw(context, item, shape, frame.zoom);
@@ -291,7 +280,7 @@ export class Painter {
     context.setTransform(matrixOf(frame, this.ratio));
     for (const item of frame.live) {
       const shape = shapeOf(item.path);
-      if (item.role === ROLE_STRETCH) {
+      if (item.role === Role.STRETCH) {
         this.#fade(context, item, shape, frame.zoom);
       } else {
         this.#draw(context, item, shape, frame.zoom);
@@ -308,7 +297,7 @@ export class Painter {
    * @param {number} zoom
    */
   #fade(context, item, shape, zoom) {
-    const paged = this.list[0]?.item.role === ROLE_PAGE;
+    const paged = this.list[0]?.item.role === Role.PAGE;
     context.setLineDash([]);
     context.lineJoin = 'round';
     context.lineCap = 'butt';
@@ -317,7 +306,7 @@ export class Painter {
     context.globalAlpha = FADE;
     context.stroke(shape);
     context.lineWidth = 1 / zoom;
-    context.strokeStyle = this.theme.roles[ROLE_STRETCH].stroke;
+    context.strokeStyle = this.theme.roles[Role.STRETCH].stroke;
     context.globalAlpha = 1;
     context.stroke(shape);
   }
@@ -338,9 +327,9 @@ export class Painter {
     for (const label of frame.labels) {
       const look = this.theme.roles[label.role] ?? this.theme.roles[1];
       const at = matrix.transformPoint(label);
-      context.font = label.role === ROLE_RULER ? RULER_FONT : LABEL_FONT;
+      context.font = label.role === Role.RULER ? RULER_FONT : LABEL_FONT;
       context.setTransform(new DOMMatrix().scale(this.ratio).translate(at.x + label.dx, at.y + label.dy).rotate(label.turn));
-      if (label.role !== ROLE_RULER) {
+      if (label.role !== Role.RULER) {
         context.strokeStyle = look.fill;
         context.strokeText(label.text, 0, 0);
       }
@@ -356,22 +345,22 @@ export class Painter {
    * @param {number} zoom
    */
   #draw(context, item, shape, zoom) {
-    const own = item.role === ROLE_OBJECT;
+    const own = item.role === Role.OBJECT;
     const look = this.theme.roles[item.role] ?? this.theme.roles[1];
     context.globalAlpha = item.opacity;
     // Paper lies on the ground, whatever the engine says of its border.
-    if (item.flags & FILLED || item.role === ROLE_PAGE) {
+    if (item.flags & Flag.FILLED || item.role === Role.PAGE) {
       context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
-      context.fill(shape, item.flags & EVEN_ODD ? 'evenodd' : 'nonzero');
+      context.fill(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
     }
-    if (item.flags & STROKED) {
+    if (item.flags & Flag.STROKED) {
       context.strokeStyle = own ? this.theme.colour(item.stroke) : look.stroke;
-      const width = item.flags & SCREEN_WIDTH ? item.width / zoom : item.width;
+      const width = item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width;
       context.lineWidth = Math.max(width, HAIRLINE / zoom);
       context.lineCap = CAPS[item.cap] ?? 'round';
       context.lineJoin = JOINS[item.join] ?? 'round';
       context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
-      context.setLineDash(item.flags & DASHED ? [6 / zoom, 5 / zoom] : []);
+      context.setLineDash(item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : []);
       context.stroke(shape);
     }
   }

@@ -1,11 +1,10 @@
 // Colours: what a role looks like, and how a drawing's own colours appear on a dark ground. The colours themselves
 // are tokens in styles/page.css.
 
-/** Role numbers of editor.h, in order, as the tokens name them. */
-const ROLES = ['object', 'highlight', 'stretch', 'transition', 'ink', 'fit', 'predicted', 'knot', 'page', 'pending',
-  'selection', 'handle', 'marquee', 'ghost', 'point', 'chosen', 'prompt', 'arrow', 'wedge', 'beyond', 'guide',
-  'value', 'polygon', 'comb', 'reach', 'erased', 'image', 'grid',
-  'grid-strong', 'ruler', 'guideline'];
+import { Role, names } from '../engine/codes.js';
+
+/** Roles by their numbers, as the tokens name them. */
+const ROLES = names(Role).map((name) => name.replace('_', '-'));
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
 
