@@ -72,16 +72,33 @@ static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance
     return BAT_OK;
 }
 
-static void stroke(cairo_t *cairo, const bat_style *style) {
+static void set_pen(cairo_t *cairo, const bat_style *style) {
     static const cairo_line_cap_t caps[] = {CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_SQUARE};
     static const cairo_line_join_t joins[] = {CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_ROUND,
                                               CAIRO_LINE_JOIN_BEVEL};
-    set_colour(cairo, style->stroke);
     cairo_set_line_width(cairo, style->width);
     cairo_set_line_cap(cairo, caps[style->cap]);
     cairo_set_line_join(cairo, joins[style->join]);
     cairo_set_miter_limit(cairo, style->miter_limit);
-    cairo_stroke(cairo);
+}
+
+/* What is painted next covers no more than the path and its stroke; without it a group is as large as the picture. */
+static void clip_to_path(cairo_t *cairo, const bat_style *style, bool stroked) {
+    double box[4], own[4], room = 2, across = 0; /* two pixels more: edges stay as they are */
+    cairo_device_to_user_distance(cairo, &room, &across);
+    cairo_fill_extents(cairo, &box[0], &box[1], &box[2], &box[3]);
+    if (stroked) {
+        set_pen(cairo, style);
+        cairo_stroke_extents(cairo, &own[0], &own[1], &own[2], &own[3]);
+        for (int k = 0; k < 2; k++) box[k] = fmin(box[k], own[k]), box[k + 2] = fmax(box[k + 2], own[k + 2]);
+    }
+    cairo_path_t *path = cairo_copy_path(cairo);
+    cairo_new_path(cairo);
+    cairo_rectangle(cairo, box[0] - room, box[1] - room, box[2] - box[0] + 2 * room,
+                    box[3] - box[1] + 2 * room);
+    cairo_clip(cairo);
+    cairo_append_path(cairo, path);
+    cairo_path_destroy(path);
 }
 
 static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
@@ -95,16 +112,25 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
     }
     bool group = style->opacity <
                  1; /* of the object as a whole: fill and stroke do not show through each other */
-    if (group) cairo_push_group(cairo);
+    if (group) {
+        cairo_save(cairo);
+        clip_to_path(cairo, style, stroked);
+        cairo_push_group(cairo);
+    }
     if (style->filled) {
         set_colour(cairo, style->fill);
         cairo_set_fill_rule(cairo, style->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
         cairo_fill_preserve(cairo);
     }
-    if (stroked) stroke(cairo, style);
+    if (stroked) {
+        set_colour(cairo, style->stroke);
+        set_pen(cairo, style);
+        cairo_stroke(cairo);
+    }
     if (group) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, style->opacity);
+        cairo_restore(cairo);
     }
     return BAT_OK;
 }

@@ -2,6 +2,7 @@
 import base64
 import io
 import json
+import os
 import pathlib
 import shutil
 import struct
@@ -169,6 +170,26 @@ class Render(ProgramTest):
         # Without a page it counts for the size: the line alone is flat.
         bare = self.file("bare.svg", pathlib.Path(traced).read_text().replace(' viewBox="0 0 100 50" width="100" height="50"', ""))
         self.assertEqual(self.png(bare).shape[:2], (500, 1000))
+
+
+def faults(*words):
+    """Pages of memory that the program touched."""
+    child = subprocess.Popen([PROGRAM, *words])
+    _, status, usage = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    assert child.returncode == 0
+    return usage.ru_minflt
+
+
+class Large(ProgramTest):
+    def test_what_is_translucent_takes_no_picture_of_its_own(self):
+        def drawing(opacity):
+            shapes = "".join(f'<circle cx="{50 * i + 25}" cy="25" r="9" fill="red" stroke="blue" opacity="{opacity}"/>'
+                             for i in range(8))
+            path = self.folder / f"translucent{opacity}.svg"
+            path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4000 4000">{shapes}</svg>')
+            return faults("render", path, self.folder / "large.png", "--size", "4000x4000")
+        self.assertLess(drawing(0.5), 2 * drawing(1))
 
 
 if __name__ == "__main__":

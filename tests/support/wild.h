@@ -86,8 +86,9 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     case 5: bat_editor_saved(editor); break;
     case 6:
         lost.count[more % BAT_LOSS_COUNT] = more;
-        bat_editor_set_losses(editor, more & 1 ? &lost : NULL);
-        if (bat_losses_total(bat_editor_losses(editor)) != (more & 1 ? more : 0)) abort();
+        if (bat_editor_set_losses(editor, more & 1 ? &lost : NULL) == BAT_OK &&
+            bat_losses_total(bat_editor_losses(editor)) != (more & 1 ? more : 0))
+            abort();
         break;
     case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
     case 8: bat_editor_picture(editor, more); break;
