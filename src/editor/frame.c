@@ -56,6 +56,21 @@ static void show_selection(bat_context *c, bat_overlay *overlay) {
     }
 }
 
+/* What lies over the drawing: lines to draw by, the selection, what the tool shows. */
+static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout *made,
+                         bat_overlay *overlay) {
+    bat_overlay_begin(overlay, c->scene->origin);
+    bat_grid_show(c, overlay);
+    bat_guides_show(c, overlay);
+    show_selection(c, overlay);
+    bat_insight_show(c, made->curve, overlay);
+    bat_calm_show(c, overlay);
+    if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
+    bat_snap_show(c, overlay);
+    bat_rulers_show(c, overlay);
+    bat_overlay_end(overlay, bat_view_pixel(c->view));
+}
+
 const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_context *c = &editor->context;
     bat_overlay *overlay = &editor->overlay;
@@ -66,18 +81,8 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
     if (tool->is->update) tool->is->update(c, tool->state);
     bat_stage_sync(c); /* a drag shows in the frame that it was made for */
-
-    bat_overlay_begin(overlay, scene->origin);
-    bat_grid_show(c, overlay);
-    bat_guides_show(c, overlay);
-    show_selection(c, overlay);
     bat_readout made = bat_toolbox_readout(c);
-    bat_insight_show(c, made.curve, overlay);
-    bat_calm_show(c, overlay);
-    if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
-    bat_snap_show(c, overlay);
-    bat_rulers_show(c, overlay);
-    bat_overlay_end(overlay, bat_view_pixel(c->view));
+    show_overlay(c, tool, &made, overlay);
 
     bat_frame *frame = &editor->frame;
     *frame = (bat_frame){.view = {c->view->x, c->view->y, c->view->zoom, c->view->angle},
