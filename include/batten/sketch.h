@@ -50,8 +50,8 @@ BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, 
 
 /*
  * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
- * ones stay. Cost: linear in the samples and in the curve's points; about 0.5 ms for 240 samples on 100 points,
- * 1 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.
+ * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
+ * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.
  * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from
  * the curve to be meant for it; of a closed curve it is enough that one end does, unless the stroke closes itself, for
  * a closed curve has no end that the stroke could become.
@@ -83,9 +83,7 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
 /*
  * Live (math 5.9): the same hand while the pen is down.
  * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far; its cost
- * is bounded, however long the stroke (a few solves), but for one pass over the samples. What it showed for 125 ms stays
- * within half a pixel. commit gives exactly what the one-shot call gives for the whole stroke; as a rule it lies within half
- * the tolerance of the last preview.
+ * is bounded, however long the stroke (about 0.4 ms, now and then 2), but for one pass over the samples. commit gives exactly what the one-shot call gives for the whole stroke.
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;

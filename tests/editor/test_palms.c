@@ -315,8 +315,8 @@ static void what_waits_goes_on_waiting(void **state) {
     uint32_t noise = 1;
     for (int i = 0; i <= 150; i++) { /* trembling that no curve follows within a tenth of a pixel */
         noise = noise * 1664525 + 1013904223;
-        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 100 + 3 * i + (noise >> 24) / 2.0,
-                  400 + (noise >> 16 & 255) / 2.0);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 100 + 3 * i + (noise >> 24) / 20.0,
+                  400 + (noise >> 16 & 255) / 20.0);
     }
     pen_event(&p, BAT_POINTER_UP, 550, 400);
     assert_true(bat_editor_frame(editor)->pending);

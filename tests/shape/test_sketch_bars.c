@@ -123,9 +123,9 @@ static void same_stroke_five_times(void **state) {
                 redraw(&curve, &d);
                 if (n == 1) second = bat_curve_knot_count(curve);
             }
-            /* One stroke is a dozen knots, and how many are found scatters by a few; they must not add up. */
+            /* One stroke is a dozen knots: two or three knots are more than a tenth. */
             const int more = bat_curve_knot_count(curve) - second;
-            worst = fmax(worst, more <= 6 ? 0 : (double)more / second);
+            worst = fmax(worst, more <= 3 ? 0 : (double)more / second);
             sum += more, total += second;
             drawn_free(&d);
             bat_curve_free(curve);
@@ -134,7 +134,7 @@ static void same_stroke_five_times(void **state) {
     print_message("one stroke five times: %.1f %% more knots than after the second on average\n",
                   100.0 * sum / total);
     assert_true(worst <= 0.10);
-    assert_true(sum <= 0.02 * total);
+    assert_true(sum <= 0.03 * total);
 }
 
 static void plain_stroke_over_busy_stretch(void **state) {

@@ -5,7 +5,6 @@
 #include <math.h>
 
 static const double shortest_stub = 2, corner_reach = 8;
-static const double generous = 1.1; /* the few knots of a blend need so much more room than a quintic */
 
 static double angle_between(const double *a, const double *b, size_t m) {
     double dot = 0;
@@ -124,9 +123,8 @@ void bat_plan_leads(bat_plan *plan) {
         bat_end *e = &plan->end[side];
         e->lead = e->blend = 0;
         if (e->kind == BAT_END_FREE) continue;
-        e->lead = generous *
-                  fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)), rho * e->angle);
-        e->lead = fmax(fmin(e->lead, 0.5 * L + 4 * e->offset), 12);
+        e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)),
+                       fmax(rho * e->angle, 12));
         e->blend = fmin(rho * e->angle, 0.2 * L);
     }
 }

@@ -1,8 +1,37 @@
-/* Inside the sketch hand: the constrained least-squares fit of one interval (docs/math sketch 5.7). */
+/* Inside the sketch hand: the constrained least-squares fit of one interval (docs/math sketch 5.7). Lengths
+ * are pixels; the parameter w runs from 0 to `end`, about a pixel of arc length a unit. */
 #ifndef BATTEN_HANDS_SKETCH_FIT_INTERVAL_H
 #define BATTEN_HANDS_SKETCH_FIT_INTERVAL_H
 
-#include "hands/sketch/machine.h"
+#include "curve/lsq.h"
+
+/* How the fitted piece hangs on what lies beyond one end of the interval. */
+typedef struct bat_local_side {
+    int pins;                         /* control points given at this end: 0, 1 (a point) or p - 1, p */
+    double outer[BAT_DEGREE_MAX + 1]; /* p knots, ascending, the end of the interval itself included */
+    const bat_curve *curve;           /* kept piece: its blossom gives the pins; NULL when pins <= 1 */
+    int span;                         /* its stored span next to the cut */
+    double base, rate;                /* curve parameter at w: base + (w - at) / rate */
+    double at;
+    double point[BAT_DIMENSION_MAX]; /* pins == 1 */
+} bat_local_side;
+
+typedef struct bat_local_problem {
+    int degree, dimension;
+    bool closed; /* periodic, no sides */
+    double end;
+    size_t count;
+    const double *w, *x, *weight, *allowed, *law; /* law: the speed wanted, ds/dw */
+    size_t first, last;                           /* samples of the stroke proper: what max_error is about */
+    bat_local_side side[2];
+    int fixed_count;
+    const double *fixed; /* corners: knots of multiplicity p that stay */
+    double span;         /* length of the first spans */
+    double wavelength;   /* shorter waves are not followed */
+    int warm_count;      /* knots to start with instead of even spans */
+    const double *warm;
+    bool remove; /* knots that are not needed go */
+} bat_local_problem;
 
 typedef struct bat_local_result {
     int interior;   /* knots strictly inside, multiplicity counted (closed: w = 0 is a knot besides) */
@@ -15,15 +44,52 @@ typedef struct bat_local_result {
 
 bat_status bat_local_fit(const bat_local_problem *problem, bat_local_result *out);
 void bat_local_result_free(bat_local_result *result);
+/* Pinned control points at the knots found: called again with exact knots when the result is put in place. */
+void bat_local_pins(const bat_local_problem *problem, int side, int interior, const double *knots,
+                    double *pins);
 
-/* ---- steps of it, each in a file ---- */
+/* ------------------------------------------------------------- the machine, shared with the removal of knots
+ */
 
-/* The greatest weight of the change of curvature that keeps every sample within its limit, on the knots of
- * machine->best. After it the aim of solves is the fair curve. False: none that is greater than the plain penalty's. */
-bool bat_fair_find(bat_local_machine *machine, bat_status *status);
-/* Few knots for the fair curve, from few upwards, into machine->best; false: not within what is tried. */
-bool bat_fair_few(bat_local_machine *machine, bat_status *status);
+typedef struct bat_knot_set {
+    int count;
+    double *w;
+    unsigned char *fixed; /* corner copies: never moved nor removed */
+} bat_knot_set;
+
+typedef struct bat_local_machine {
+    const bat_local_problem *problem;
+    int room; /* interior knots that fit in the arrays */
+    struct bat_curve space;
+    double *a, *b, *local, *factor, *border, *rank;
+    bat_lsq_memo memo[2]; /* of the last solve, and of the one before */
+    double *remembered;   /* their block */
+    size_t *first;
+    double *limit;       /* squared allowed error a sample */
+    double *distance;    /* squared error a sample, of the last solve */
+    double *soft;        /* a sample's factor on the penalty */
+    unsigned char *wild; /* a sample where even the dense fit leaves the speed law */
+    bat_knot_set best, trial, spare;
+    double *points; /* of the last solve */
+    int solves;
+    double work;     /* of all solves, units of some 20 ns: samples and eight times the knots */
+    bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
+    bool holds_best; /* the local polynomials are those of best */
+    double *slow;    /* w where the last solve left the speed law */
+    int slow_count;
+    double ridge; /* relative; 0 unless the equations were singular */
+} bat_local_machine;
+
+/* Solves for the knots given and measures; true when every sample is within its limit and the speed within
+ * the law's. *status tells a numerical failure apart. */
+bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_status *status);
+/* Fewest interior knots that the pins permit. */
+int bat_local_fewest(const bat_local_problem *problem);
 /* Removes and merges knots of machine->best while every sample stays within its limit. */
 bat_status bat_local_reduce(bat_local_machine *machine);
+/* Whether sample i violates its error limit. */
+static inline bool bat_local_fails(const bat_local_machine *m, size_t i) {
+    return !(m->distance[i] <= m->limit[i]);
+}
 
 #endif

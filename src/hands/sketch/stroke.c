@@ -11,9 +11,6 @@ enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
  * noise is judged by, and how finely the whole is resampled. */
 enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double dot_length = 8, hook_reach = 12, noise_cap = 1.5, noise_floor = 0.05;
-/* What is meant seldom moves faster than 7 Hz, the tremor of a hand does: 8 to 12 Hz. Without times: waves in px. The
- * filter stays so near to the samples, in px. */
-static const double intent_rate = 7, intent_wave = 50, intent_reach = 0.45;
 static const double corner_chord = 8, corner_turn = BAT_PI / 4;
 
 static double distance(const double *a, const double *b, size_t m) {
@@ -160,7 +157,7 @@ static bat_status resample(const double *z, const double *arc, size_t count, siz
                            bat_clean *out) {
     const double total = arc[count - 1];
     double step = total / (double)(raw > 1 ? raw - 1 : 1);
-    step = fmin(fmax(fmin(step, fmax(2, 0.5 * tolerance)), 1.5), total / 64);
+    step = fmax(fmin(step, fmax(2, 0.5 * tolerance)), fmin(0.5 * tolerance, 2));
     step = fmax(step, total / (double)most);
     const size_t room = (size_t)ceil(total / step) + corner_count + 8;
     out->points = malloc(room * m * sizeof *out->points);
@@ -182,6 +179,35 @@ static bat_status resample(const double *z, const double *arc, size_t count, siz
     measure(out->points, n, m, out->arc);
     out->length = out->arc[n - 1];
     return BAT_OK;
+}
+
+/* Smooths each piece between corners by itself; a corner stays where the samples put it. */
+static bat_status smooth_pieces(const double *y, size_t count, size_t m, double lambda, const size_t *corners,
+                                size_t corner_count, double *work, double *z) {
+    for (size_t k = 0; k <= corner_count; k++) {
+        const size_t from = k == 0 ? 0 : corners[k - 1], to = k == corner_count ? count - 1 : corners[k];
+        double *weight = work + count * 4;
+        for (size_t i = from; i <= to; i++) weight[i - from] = 1;
+        if (k > 0) weight[0] = 1e3;
+        if (k < corner_count) weight[to - from] = 1e3;
+        bat_status status = bat_whittaker(to - from + 1, (int)m, y + from * m, weight, lambda, work,
+                                          z + from * m);
+        if (status != BAT_OK) return status;
+        if (k > 0) memcpy(z + from * m, y + from * m, m * sizeof *z);
+    }
+    return BAT_OK;
+}
+
+/* The filter over samples first.. of y; what is settled is taken from the memory but for a stretch that the
+ * rest hangs on, so that a preview costs what is new. */
+static bat_status smooth_rest(const bat_clean_memory *memory, const double *y, size_t first, size_t count,
+                              size_t m, double sigma, double *work, double *z, double *lambda) {
+    size_t done = 0;
+    if (memory && memory->count > first + LIVE_OVERLAP) done = memory->count - first - LIVE_OVERLAP;
+    if (done + 16 > count) done = count > 16 ? count - 16 : 0;
+    if (done > 0) memcpy(z, memory->points + first * m, done * m * sizeof *z);
+    return bat_whittaker_sigma(count - done, (int)m, y + (first + done) * m, sigma, work, z + done * m,
+                               lambda);
 }
 
 /* Puts settled samples back where they were shown, fades the difference out behind them, and settles more.
@@ -228,26 +254,13 @@ typedef struct cleaning {
     size_t m, count, first, corner_count;
     size_t *corners;
     double sigma, lambda; /* noise; the weight of the smoothing, 0: none */
-    double interval;      /* between two samples, ms; 0: not known */
-    double *y, *z, *work, *arc, *weight;
+    double *y, *z, *work, *arc;
 } cleaning;
 
 static void cleaning_free(cleaning *k) {
     free(k->y);
     free(k->z);
     free(k->corners);
-}
-
-/* The usual time between samples, judged by the first ones so that it stays while a stroke grows. */
-static double interval_of(const bat_stroke *stroke) {
-    enum { JUDGED = 64 };
-    double steps[JUDGED];
-    size_t count = 0;
-    for (size_t i = 1; i < stroke->count && count < JUDGED; i++) {
-        const double step = stroke->time[i] - stroke->time[i - 1];
-        if (step > 0 && step < 1000) steps[count++] = step;
-    }
-    return count > 0 ? bat_select(steps, count, count / 2) : 0;
 }
 
 static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_options *o, cleaning *k) {
@@ -260,11 +273,10 @@ static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_option
     if (!k->y) return BAT_MEMORY;
     k->count = gather(stroke, o, k->y);
     if (k->count < 2) return BAT_DOT;
-    k->z = malloc(k->count * (m + 8) * sizeof *k->z);
+    k->z = malloc(k->count * (m + 6) * sizeof *k->z);
     k->corners = malloc(k->count * sizeof *k->corners);
     if (!k->z || !k->corners) return BAT_MEMORY;
-    k->work = k->z + k->count * m, k->arc = k->work + k->count * 5, k->weight = k->arc + k->count;
-    k->interval = stroke->time ? interval_of(stroke) : 0;
+    k->work = k->z + k->count * m, k->arc = k->work + k->count * 5;
     return BAT_OK;
 }
 
@@ -287,89 +299,12 @@ static bool cut_hooks(cleaning *k) {
     return true;
 }
 
-/* Samples beside one over which noise averages out and a bend does not. */
-enum { BESIDE = 2, STRAY_ROUNDS = 5 };
-
-/* How far the smooth points lie from the samples there. */
-static double strays(const double *y, const double *z, size_t count, size_t m, size_t i) {
-    const size_t from = i < BESIDE ? 0 : i - BESIDE, to = i + BESIDE < count ? i + BESIDE : count - 1;
-    double off[BAT_DIMENSION_MAX] = {0}, d = 0;
-    for (size_t j = from; j <= to; j++)
-        for (size_t c = 0; c < m; c++) off[c] += y[j * m + c] - z[j * m + c];
-    for (size_t c = 0; c < m; c++) d += off[c] * off[c];
-    return sqrt(d) / (double)(to - from + 1);
-}
-
-/* Samples weigh more where the filter leaves them: small writing is quicker than 7 Hz. Whether there were any. */
-static bool hold(const double *y, const double *z, size_t count, size_t m, double limit, double *weight) {
-    bool any = false;
-    double *next = weight + count;
-    memcpy(next, weight, count * sizeof *next);
-    for (size_t i = 0; i < count; i++) {
-        if (!(strays(y, z, count, m, i) > limit)) continue;
-        any = true;
-        const size_t from = i < BESIDE ? 0 : i - BESIDE, to = i + BESIDE < count ? i + BESIDE : count - 1;
-        for (size_t j = from; j <= to; j++) next[j] = 16 * weight[j];
-    }
-    memcpy(weight, next, count * sizeof *next);
-    return any;
-}
-
-/* Low-pass by what a hand means, not by what differences of samples call noise: tremor is slower than that. held: which
- * ends stay where they are. */
-static bat_status smooth_tremor(cleaning *k, const double *y, size_t count, const bool held[2], double *z) {
-    const size_t m = k->m;
-    double length = 0;
-    for (size_t i = 1; i < count; i++) length += distance(y + i * m, y + (i - 1) * m, m);
-    const double step = k->interval > 0
-                            ? intent_rate * k->interval / 1000
-                            : length / (double)(count - 1) / intent_wave; /* of a wave, a sample */
-    const double f = 2 * bat_sin(BAT_PI * fmin(step, 0.4)), cube = f * f * f;
-    const double limit = intent_reach * fmin(k->options->tolerance, 1) + 1.4 * k->sigma;
-    k->lambda = fmin(1 / (cube * cube), 1e10); /* above it the band matrix loses its digits */
-    bat_status status = BAT_OK;
-    for (size_t i = 0; i < count; i++) k->weight[i] = 1;
-    if (held[0]) k->weight[0] = 1e3;
-    if (held[1]) k->weight[count - 1] = 1e3;
-    for (int round = 0; round < STRAY_ROUNDS && status == BAT_OK; round++) {
-        status = bat_whittaker(count, k->dimension, y, k->weight, k->lambda, k->work, z);
-        if (status != BAT_OK || !hold(y, z, count, m, limit, k->weight)) break;
-    }
-    return status;
-}
-
-/* What is settled is taken from the memory but for a stretch that the rest hangs on, so that a preview costs what is new.
- */
-static bat_status smooth_rest(cleaning *k) {
-    const bat_clean_memory *memory = k->memory;
-    const size_t m = k->m;
-    size_t done = 0;
-    if (memory && memory->count > k->first + LIVE_OVERLAP) done = memory->count - k->first - LIVE_OVERLAP;
-    if (done + 16 > k->count) done = k->count > 16 ? k->count - 16 : 0;
-    if (done > 0) memcpy(k->z, memory->points + k->first * m, done * m * sizeof *k->z);
-    static const bool held[2] = {false, false};
-    return smooth_tremor(k, k->y + (k->first + done) * m, k->count - done, held, k->z + done * m);
-}
-
-/* Smooths each piece between corners by itself; a corner stays where the samples put it. */
-static bat_status smooth_pieces(cleaning *k) {
-    const size_t m = k->m, last = k->corner_count;
-    const double *y = k->y + k->first * m;
-    for (size_t i = 0; i <= last; i++) {
-        const size_t from = i == 0 ? 0 : k->corners[i - 1], to = i == last ? k->count - 1 : k->corners[i];
-        const bool held[2] = {i > 0, i < last};
-        const bat_status status = smooth_tremor(k, y + from * m, to - from + 1, held, k->z + from * m);
-        if (status != BAT_OK) return status;
-        if (i > 0) memcpy(k->z + from * m, y + from * m, m * sizeof *k->z);
-    }
-    return BAT_OK;
-}
-
 static bat_status smooth_once(cleaning *k) {
     bat_status status = BAT_OK;
     k->lambda = 0;
     memcpy(k->z, k->y + k->first * k->m, k->count * k->m * sizeof *k->z);
-    if (k->sigma >= noise_floor && k->count >= 16) status = smooth_rest(k);
+    if (k->sigma >= noise_floor && k->count >= 16)
+        status = smooth_rest(k->memory, k->y, k->first, k->count, k->m, k->sigma, k->work, k->z, &k->lambda);
     measure(k->z, k->count, k->m, k->arc);
     return status;
 }
@@ -418,7 +353,7 @@ static bat_status keep_corners(cleaning *k) {
         k->corner_count = find_corners(k->z, k->arc, count, m, chord, k->corners);
     }
     if (status == BAT_OK && k->corner_count > 0 && k->lambda > 0) {
-        status = smooth_pieces(k);
+        status = smooth_pieces(y, count, m, k->lambda, k->corners, k->corner_count, k->work, k->z);
         measure(k->z, count, m, k->arc);
     }
     return status;

@@ -291,19 +291,6 @@ void bat_plan_parameters(bat_plan *plan, size_t a, size_t b) {
     for (size_t i = 1; i < t->count; i++) t->w[i] = fmin(fmax(t->w[i], t->w[i - 1]), t->end);
 }
 
-/* The transition is left to the fit: the least change of curvature between what is kept and the stroke. The quintic gives
- * its length and its parameters only. */
-static bool open_end(const bat_end *e) { return e->kind == BAT_END_KEPT && e->lead > 0; }
-
-static void leave_open(bat_plan *plan, size_t a, size_t b) {
-    bat_target *t = &plan->target;
-    for (int side = 0; side < 2; side++) {
-        if (!open_end(&plan->end[side])) continue;
-        for (size_t i = side == 0 ? a : t->last + 1; i < (side == 0 ? t->first : b + 1); i++)
-            t->weight[i] = 0;
-    }
-}
-
 bat_status bat_plan_target(bat_plan *plan) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
@@ -336,7 +323,7 @@ bat_status bat_plan_target(bat_plan *plan) {
         if (e->kind == BAT_END_FREE || status != BAT_OK) continue;
         const double total = e->lead + e->blend;
         const size_t count =
-            (size_t)fmin(fmax(ceil(total / fmin(step, 2 * fmax(plan->tolerance, 1))), 24), 4096) + 1;
+            (size_t)fmin(fmax(ceil(total / fmin(step, 0.5 * fmax(plan->tolerance, 1))), 24), 4096) + 1;
         free(points);
         points = malloc(2 * count * m * sizeof *points);
         if (!points) {
@@ -345,15 +332,13 @@ bat_status bat_plan_target(bat_plan *plan) {
         }
         transition(plan, side, count, points);
         for (size_t i = 0; i < count && status == BAT_OK; i++)
-            status = bat_target_add(t, plan->dimension, points + i * m,
-                                    (open_end(e) ? 1 : 2) * plan->tolerance);
+            status = bat_target_add(t, plan->dimension, points + i * m, 2 * plan->tolerance);
     }
     b = t->count - 1;
     if (status == BAT_OK && plan->end[1].kind == BAT_END_KEPT && plan->end[1].cut != plan->end[1].joint_u)
         status = bat_plan_add_kept(plan, 1, step);
     if (status == BAT_OK) {
         bat_plan_parameters(plan, a, b);
-        leave_open(plan, a, b);
         status = fix_corners(plan, corners, corner_count);
     }
     free(points);

@@ -26,7 +26,8 @@ bat_status bat_whittaker(size_t count, int dimension, const double *y, const dou
     return BAT_OK;
 }
 
-double bat_select(double *values, size_t count, size_t k) {
+/* k-th smallest of values, which are reordered (Hoare's selection). */
+static double select_rank(double *values, size_t count, size_t k) {
     size_t low = 0, high = count - 1;
     while (low < high) {
         const double pivot = values[low + (high - low) / 2];
@@ -54,18 +55,43 @@ double bat_noise(size_t count, int dimension, const double *points, double *work
     for (size_t c = 0; c < m; c++) {
         double least = INFINITY;
         double binomial = 6; /* binom(2k, k), k = 2 */
-        double *difference = work, *size = work + count;
-        for (size_t i = 0; i < count; i++) difference[i] = points[i * m + c];
-        for (size_t k = 1; k <= 6; k++) {
-            const size_t n = count - k;
-            for (size_t i = 0; i < n; i++) difference[i] = difference[i + 1] - difference[i];
-            if (k < 3) continue;
+        for (size_t k = 3; k <= 6; k++) {
             binomial *= (double)(2 * (2 * k - 1)) / (double)k;
-            for (size_t i = 0; i < n; i++) size[i] = fabs(difference[i]);
-            const double sigma = 1.4826 * bat_select(size, n, n / 2) / sqrt(binomial);
+            const size_t n = count - k;
+            for (size_t i = 0; i < n; i++) {
+                double d[7];
+                for (size_t j = 0; j <= k; j++) d[j] = points[(i + j) * m + c];
+                for (size_t order = k; order > 0; order--)
+                    for (size_t j = 0; j < order; j++) d[j] = d[j + 1] - d[j];
+                work[i] = fabs(d[0]);
+            }
+            const double sigma = 1.4826 * select_rank(work, n, n / 2) / sqrt(binomial);
             if (sigma < least) least = sigma;
         }
         worst += least * least;
     }
     return sqrt(worst / (double)m);
+}
+
+bat_status bat_whittaker_sigma(size_t count, int dimension, const double *y, double sigma, double *work,
+                               double *z, double *lambda) {
+    const size_t m = (size_t)dimension;
+    /* Above 1e10 the band matrix loses its digits; below 1e-2 nothing is smoothed. */
+    double low = bat_log(1e-2), high = bat_log(1e10), middle = bat_log(1e4);
+    for (int round = 0; round < 24; round++) {
+        bat_status status = bat_whittaker(count, dimension, y, NULL, bat_exp(middle), work, z);
+        if (status != BAT_OK) return status;
+        double residual = 0;
+        for (size_t i = 0; i < count * m; i++) residual += (y[i] - z[i]) * (y[i] - z[i]);
+        residual = sqrt(residual / (double)(count * m));
+        *lambda = bat_exp(middle);
+        if (residual > sigma)
+            high = middle;
+        else if (residual < 0.95 * sigma)
+            low = middle;
+        else
+            break;
+        middle = 0.5 * (low + high);
+    }
+    return BAT_OK;
 }

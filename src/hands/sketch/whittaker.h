@@ -12,11 +12,12 @@
 bat_status bat_whittaker(size_t count, int dimension, const double *y, const double *weight, double lambda,
                          double *work, double *z);
 
-/* Standard deviation of the noise of a coordinate: robust, from differences of orders 3 to 6. work: 2 * count
+/* Standard deviation of the noise of a coordinate: robust, from differences of orders 3 to 6. work: count
  * doubles. 0 for fewer than 16 points. */
 double bat_noise(size_t count, int dimension, const double *points, double *work);
 
-/* k-th smallest of values, which are reordered. */
-double bat_select(double *values, size_t count, size_t k);
+/* Smooths so that the residual is 0.95 to 1 sigma (root mean square a coordinate). *lambda: what was used. */
+bat_status bat_whittaker_sigma(size_t count, int dimension, const double *y, double sigma, double *work,
+                               double *z, double *lambda);
 
 #endif
