@@ -80,6 +80,10 @@ typedef struct bat_local_machine {
     double ridge; /* relative; 0 unless the equations were singular */
 } bat_local_machine;
 
+/* The speed along the fit, as a share of the law's: beyond these the speed law is broken. */
+#define BAT_LOCAL_SLOWEST 0.6
+#define BAT_LOCAL_FASTEST 1.7
+
 /* Solves for the knots given and measures; true when every sample is within its limit and the speed within
  * the law's. *status tells a numerical failure apart. */
 bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_status *status);
