@@ -1,4 +1,5 @@
 #include "hands/sketch/fit_interval.h"
+#include "curve/banded.h"
 
 #include <math.h>
 #include <stdlib.h>
