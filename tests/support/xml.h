@@ -38,8 +38,9 @@ static inline size_t xml_decode(char *text, size_t size) {
 /* False when the text is not even roughly XML, or there is no memory. */
 static inline bool xml_feed(bat_svg_reader *reader, const char *source) {
     size_t size = strlen(source);
-    char *text = malloc(size + 1), *at = text, *end = text + size;
+    char *text = malloc(size + 1);
     if (!text) return false;
+    char *at = text, *end = text + size;
     memcpy(text, source, size + 1);
     bool good = true;
     while (at < end && good) {
