@@ -221,6 +221,7 @@ for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800
       assert.deepEqual(Object.values(await sides()).slice(0, 2), ['right', 'left']);
       await shot(page, `left-${screen}-${colorScheme}`);
       await page.locator('#settings [data-property=left-hand]').uncheck();
+      await settle(page);
       assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
       await context.close();
     });
