@@ -15,7 +15,8 @@ typedef struct drawing_file {
     bat_svg_report report; /* zero but for SVG */
 } drawing_file;
 
-/* format NULL: told from the text. A native document is read under any name. options NULL: bat_svg_defaults. */
+/* format NULL: told from the text. A native document is read under the name of a
+ * format of parts, too (.json). options NULL: bat_svg_defaults. */
 bat_status drawing_parse(const char *text, size_t size, const bat_format *format,
                          const bat_svg_options *options, drawing_file *out, bat_problem *problem);
 /* The file called name ("-": standard input). Returns 0, or an exit status after telling. */

@@ -48,11 +48,12 @@ const bat_format *bat_format_sniffed(const char *text, size_t size) { return sur
 
 bat_status bat_formats_read(const bat_reading *how, const char *text, size_t size, const bat_format **format,
                             bat_document **out, bat_svg_report *report, bat_problem *problem) {
-    const bat_format *found = *format;
+    const bat_format *found = *format ? *format : bat_format_sniffed(text, size);
     *report = (bat_svg_report){0};
-    if (!found) found = bat_format_sniffed(text, size);
-    if (found && !found->keeps && found->sniff(text, size) == 0 && surest(text, size, SURE))
-        found = surest(text, size, SURE);
+    if (*format && !found->keeps && found->sniff(text, size) == 0) {
+        const bat_format *sure = surest(text, size, SURE);
+        if (sure) found = sure;
+    }
     if (!found)
         return bat_problem_set(problem, BAT_SYNTAX, "line 1, column 1",
                                size ? "expected SVG or JSON, found neither"
