@@ -82,8 +82,9 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
 
 /*
  * Live (math 5.9): the same hand while the pen is down.
- * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far; its cost
- * is bounded, however long the stroke (about 0.4 ms, now and then 2), but for one pass over the samples. commit gives exactly what the one-shot call gives for the whole stroke.
+ * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far, close to the stroke and
+ * with more knots than the commit; what it showed for 125 ms stays where it is. Its cost is bounded, however long the
+ * stroke, but for one pass over the samples. commit gives exactly what the one-shot call gives for the whole stroke.
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;

@@ -7,6 +7,7 @@
 
 #include <batten/measure.h>
 #include <batten/nearest.h>
+#include <batten/refine.h>
 #include <batten/sketch.h>
 
 #include <math.h>

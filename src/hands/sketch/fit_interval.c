@@ -20,42 +20,19 @@ static bool set_add(bat_knot_set *set, int room, double w, bool fixed) {
     return true;
 }
 
-/* Even spans between the ends and the corners, or the warm knots. */
+/* Even spans between the ends and the corners. */
 static void start_knots(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int p = q->degree;
     bat_knot_set *set = &k->best;
     set->count = 0;
-    int warm = 0;
     for (int c = 0; c <= q->fixed_count; c++) {
         const double from = c == 0 ? 0 : q->fixed[c - 1], to = c == q->fixed_count ? q->end : q->fixed[c];
-        if (q->warm_count > 0) {
-            while (warm < q->warm_count && q->warm[warm] <= from) warm++;
-            for (; warm < q->warm_count && q->warm[warm] < to; warm++)
-                set_add(set, k->room - p, q->warm[warm], false);
-        } else {
-            int pieces = (int)fmin(ceil((to - from) / q->span), (double)q->count / 3 + 2);
-            if (pieces < 1) pieces = 1;
-            if (q->fixed_count == 0 && pieces < bat_local_fewest(q) + 2) pieces = bat_local_fewest(q) + 2;
-            for (int i = 1; i < pieces; i++)
-                set_add(set, k->room - p, from + (to - from) * i / pieces, false);
-        }
+        int pieces = (int)fmin(ceil((to - from) / q->span), (double)q->count / 3 + 2);
+        if (pieces < 1) pieces = 1;
+        if (q->fixed_count == 0 && pieces < bat_local_fewest(q) + 2) pieces = bat_local_fewest(q) + 2;
+        for (int i = 1; i < pieces; i++) set_add(set, k->room - p, from + (to - from) * i / pieces, false);
         for (int i = 0; i < p && c < q->fixed_count; i++) set_add(set, k->room, to, true);
-    }
-    /* Warm knots can be too few for the pins: halve the longest spans. */
-    while (set->count < bat_local_fewest(q) + 1 && set->count < k->room) {
-        int widest = 0;
-        double width = 0;
-        for (int i = 0; i <= set->count; i++) {
-            const double a = i == 0 ? 0 : set->w[i - 1], b = i == set->count ? q->end : set->w[i];
-            if (b - a > width) width = b - a, widest = i;
-        }
-        const double a = widest == 0 ? 0 : set->w[widest - 1];
-        memmove(set->w + widest + 1, set->w + widest, (size_t)(set->count - widest) * sizeof *set->w);
-        memmove(set->fixed + widest + 1, set->fixed + widest, (size_t)(set->count - widest));
-        set->w[widest] = a + 0.5 * width;
-        set->fixed[widest] = 0;
-        set->count++;
     }
 }
 
@@ -159,7 +136,7 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     memset(k, 0, sizeof *k);
     k->problem = q;
     const int p = q->degree;
-    k->room = (int)fmin(2 * (double)q->count + 32, 1 << 22) + q->fixed_count * p + q->warm_count;
+    k->room = (int)fmin(2 * (double)q->count + 32, 1 << 22) + q->fixed_count * p;
     const size_t n = (size_t)(k->room + 2 * p + 4), m = (size_t)q->dimension;
     k->space.degree = p, k->space.dimension = q->dimension, k->space.closed = q->closed;
     k->space.knots = calloc(n + (size_t)(2 * p), sizeof(double));

@@ -28,9 +28,7 @@ typedef struct bat_local_problem {
     const double *fixed; /* corners: knots of multiplicity p that stay */
     double span;         /* length of the first spans */
     double wavelength;   /* shorter waves are not followed */
-    int warm_count;      /* knots to start with instead of even spans */
-    const double *warm;
-    bool remove; /* knots that are not needed go */
+    bool remove;         /* knots that are not needed go */
 } bat_local_problem;
 
 typedef struct bat_local_result {

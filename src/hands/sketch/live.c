@@ -1,7 +1,6 @@
-/* The sketch hand while the pen is down (docs/math sketch 5.9). A session keeps the samples; the commit is
- * the one-shot call on all of them, so both agree bit for bit. A preview is the same call with the last
- * preview's knots to start from and no removal; the removal runs whenever the stroke has grown by an eighth,
- * which keeps the sum over all previews linear in the samples. */
+/* The sketch hand while the pen is down (docs/math sketch 5.9). A session keeps the samples; the commit is the one-shot
+ * call on all of them, so both agree bit for bit. A preview is the close fit that the commit starts from: one solve with
+ * even knots, so that what has been shown stays where it is. The commit leaves it by less than half the tolerance. */
 #include "hands/sketch/sketch.h"
 
 #include <math.h>
@@ -19,8 +18,7 @@ struct bat_sketch_live {
     double *time; /* a sample each, ms; NULL as soon as samples without times come */
     bool timed;
     bat_clean_memory memory; /* ink that has been shown for 100 ms */
-    size_t reduced;          /* samples when knots were last removed */
-    bat_sketch_hints last;   /* of the last preview; owns `found` and `target` */
+    double *target;          /* of the last preview */
 };
 
 bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind, const bat_sketch_options *options,
@@ -83,8 +81,10 @@ static size_t fresh_samples(const bat_sketch_live *live) {
 static bat_status run(const bat_sketch_live *live, bat_sketch_hints *hints, bat_curve **out,
                       bat_sketch_report *report) {
     const double nothing[BAT_DIMENSION_MAX] = {0};
-    const bat_stroke stroke = {
-        .dimension = live->dimension, .count = live->count, .points = live->points ? live->points : nothing};
+    const bat_stroke stroke = {.dimension = live->dimension,
+                               .count = live->count,
+                               .points = live->points ? live->points : nothing,
+                               .time = live->timed ? live->time : NULL};
     if (live->kind == BAT_SKETCH_NEW)
         return bat_sketch_new_with(&stroke, &live->options, &live->meaning, hints, out, report);
     if (live->kind == BAT_SKETCH_SMOOTH)
@@ -95,35 +95,26 @@ static bat_status run(const bat_sketch_live *live, bat_sketch_hints *hints, bat_
 bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch_preview_info *info) {
     if (!live) return BAT_ARGUMENT;
     live->memory.fresh = fresh_samples(live);
-    bat_sketch_hints hints = {.want_target = true, .memory = &live->memory};
-    hints.remove = !live->last.found || live->count >= live->reduced + live->reduced / 8 + 1;
-    if (!hints.remove) {
-        hints.last = &live->last;
-        hints.warm = live->last.found, hints.warm_count = live->last.found_count;
-    }
+    bat_sketch_hints hints = {.memory = &live->memory};
     bat_sketch_report report = {0};
     bat_curve *curve = NULL;
     const bat_status status = run(live, &hints, &curve, &report);
-    if (status == BAT_OK || status == BAT_TOLERANCE) {
-        if (hints.remove) live->reduced = live->count;
-        free(live->last.found);
-        free(live->last.target);
-        hints.last = NULL, hints.warm = NULL, hints.memory = NULL;
-        live->last = hints;
-        if (info)
-            *info = (bat_sketch_preview_info){.report = report,
-                                              .target_count = hints.target_count,
-                                              .target = hints.target,
-                                              .stroke_first = hints.stroke_first,
-                                              .stroke_last = hints.stroke_last};
-        if (out)
-            *out = curve;
-        else
-            bat_curve_free(curve);
-    } else {
+    if (status != BAT_OK && status != BAT_TOLERANCE) {
         free(hints.target);
-        free(hints.found);
+        return status;
     }
+    free(live->target);
+    live->target = hints.target;
+    if (info)
+        *info = (bat_sketch_preview_info){.report = report,
+                                          .target_count = hints.target_count,
+                                          .target = hints.target,
+                                          .stroke_first = hints.stroke_first,
+                                          .stroke_last = hints.stroke_last};
+    if (out)
+        *out = curve;
+    else
+        bat_curve_free(curve);
     return status;
 }
 
@@ -140,7 +131,6 @@ void bat_sketch_cancel(bat_sketch_live *live) {
     free(live->points);
     free(live->time);
     free(live->memory.points);
-    free(live->last.found);
-    free(live->last.target);
+    free(live->target);
     free(live);
 }

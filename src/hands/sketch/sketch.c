@@ -124,65 +124,16 @@ static void vector_area(size_t m, size_t count, const double *x, double *area) {
     }
 }
 
-/* Knots for a preview: those of the last one where the stroke has settled, even ones elsewhere. The settled
- * stretch hangs on the cut where the pen began. */
-static bool warm_knots(const bat_plan *plan, bat_sketch_hints *hints, bat_local_problem *problem) {
-    const bat_sketch_hints *last = hints->last;
-    const int anchor = hints->turned ? 1 : 0;
-    const double margin = 40, move = anchor == 0 ? 0 : plan->target.end - last->end;
-    const bool kept = plan->end[anchor].kind != BAT_END_FREE;
-    double from = anchor == 0 ? 0 : last->settled[0] + margin + move;
-    double to = anchor == 0 ? last->settled[1] - margin : plan->target.end;
-    if ((kept && last->cut[anchor] != plan->end[anchor].cut) || last->turned != hints->turned || to <= from)
-        from = to = -1; /* nothing is as it was */
-    const size_t room = (size_t)hints->warm_count + (size_t)(plan->target.end / problem->span) + 8;
-    hints->mixed = malloc(room * sizeof *hints->mixed);
-    if (!hints->mixed) return false;
-    int count = 0, next = 0;
-    double w = 0;
-    while (count < (int)room) {
-        double candidate = w + problem->span;
-        if (w >= from && w < to) {
-            while (next < hints->warm_count && hints->warm[next] + move <= w + 1e-6) next++;
-            if (next < hints->warm_count && hints->warm[next] + move < to)
-                candidate = hints->warm[next] + move;
-        }
-        if (candidate > plan->target.end - 0.5 * problem->span) break;
-        hints->mixed[count++] = w = candidate;
-    }
-    problem->warm = hints->mixed, problem->warm_count = count;
-    return true;
-}
-
-/* What a preview begins with and shows of the target. */
-static bat_status take_hints(const bat_plan *plan, bat_sketch_hints *hints, const double *origin,
-                             double pixel, bat_local_problem *problem) {
+/* What a preview shows of the target. */
+static bat_status take_target(const bat_plan *plan, bat_sketch_hints *hints, const double *origin,
+                              double pixel) {
     const size_t m = (size_t)plan->dimension;
     const bat_target *t = &plan->target;
-    problem->remove = hints->remove;
-    if (hints->warm && !warm_knots(plan, hints, problem)) return BAT_MEMORY;
-    if (hints->want_target) {
-        hints->target = malloc(t->count * m * sizeof *hints->target);
-        if (!hints->target) return BAT_MEMORY;
-        for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
-        hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
-    }
-    hints->end = t->end;
-    hints->settled[0] = t->w[t->first], hints->settled[1] = t->w[t->last];
-    hints->cut[0] = plan->end[0].cut, hints->cut[1] = plan->end[1].cut;
+    hints->target = malloc(t->count * m * sizeof *hints->target);
+    if (!hints->target) return BAT_MEMORY;
+    for (size_t i = 0; i < t->count * m; i++) hints->target[i] = origin[i % m] + pixel * t->x[i];
+    hints->target_count = t->count, hints->stroke_first = t->first, hints->stroke_last = t->last;
     return BAT_OK;
-}
-
-/* The knots, for the next preview to begin with; corners are found afresh. */
-static void leave_knots(const bat_local_problem *problem, bat_local_result *fit, bat_sketch_hints *hints) {
-    int count = 0;
-    for (int i = 0; i < fit->interior; i++) {
-        bool corner = false;
-        for (int j = 0; j < problem->fixed_count; j++) corner = corner || fit->knots[i] == problem->fixed[j];
-        if (!corner) fit->knots[count++] = fit->knots[i];
-    }
-    hints->found = fit->knots, hints->found_count = count;
-    fit->knots = NULL;
 }
 
 static void fill_report(const bat_plan *plan, const bat_local_result *fit, double pixel,
@@ -206,17 +157,13 @@ bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, b
     bat_local_result fit;
     if (plan->target.count < 3 || !(plan->target.end > 0)) return BAT_DOT;
     bat_plan_problem(plan, &problem);
-    bat_status status = hints ? take_hints(plan, hints, origin, pixel, &problem) : BAT_OK;
-    if (status == BAT_OK) status = bat_local_fit(&problem, &fit);
-    if (hints) {
-        free(hints->mixed);
-        hints->mixed = NULL;
-    }
+    problem.remove = !hints;
+    bat_status status = bat_local_fit(&problem, &fit);
     if (status != BAT_OK) return status;
     bat_curve *result;
     double changed_new[2] = {0, 0};
-    status = bat_splice(plan, &problem, &fit, origin, pixel, &result, changed_new);
-    if (status == BAT_OK && hints && hints->want_target) leave_knots(&problem, &fit, hints);
+    if (hints) status = take_target(plan, hints, origin, pixel);
+    if (status == BAT_OK) status = bat_splice(plan, &problem, &fit, origin, pixel, &result, changed_new);
     if (status == BAT_OK) {
         *out = result;
         if (report) fill_report(plan, &fit, pixel, result, changed_new, report);
@@ -261,7 +208,6 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
     const bool all_round = ring || (curve->closed && found.end - found.start >= 0.98 * canvas.track.length);
     if (!all_round && found.reversed) bat_clean_reverse(clean);
     facts.reversed = found.reversed;
-    if (hints) hints->turned = found.reversed;
     for (int side = 0; side < 2 && meaning; side++) plan.end[side].rule = meaning->end[side ^ found.reversed];
     const double around = curve->closed && !ring ? canvas.track.length : 0;
     status = around > 0 && bat_ends_far(clean, &found, around) ? BAT_FAR : bat_plan_ends(&plan, &found);

@@ -19,24 +19,11 @@ bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *
 /* First finite sample, or zero. */
 void bat_stroke_origin(const bat_stroke *stroke, double *origin);
 
-/* What a live session hands from one preview to the next. */
+/* What a live session gives to a preview, and gets from it. */
 typedef struct bat_sketch_hints {
-    bool remove; /* remove knots as the one-shot call does */
-    bool want_target;
-    const struct bat_sketch_hints *last; /* the preview before, whose knots are `warm`; or NULL */
-    const double *warm;
-    int warm_count;
     bat_clean_memory *memory;
-    /* Results. */
     double *target; /* points in document units; the caller frees it */
     size_t target_count, stroke_first, stroke_last;
-    int found_count; /* w of the interior knots; the caller frees them */
-    double *found;
-    double end;        /* w ends here */
-    double settled[2]; /* w of the stroke proper */
-    double cut[2];
-    bool turned;   /* the stroke runs against the curve */
-    double *mixed; /* scratch */
 } bat_sketch_hints;
 
 void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas);
@@ -47,7 +34,7 @@ bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *o
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,
                            bat_curve **out, bat_sketch_report *report);
 
-/* meaning, hints: NULL for none. */
+/* meaning, hints: NULL for none. With hints it is a preview: close to the stroke, with many knots. */
 bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke,
                            const bat_sketch_options *options, const bat_sketch_meaning *meaning,
                            bat_sketch_hints *hints, bat_curve **out, bat_sketch_report *report);

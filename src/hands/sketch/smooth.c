@@ -124,7 +124,6 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
     bat_canvas_bind(&plan, &canvas);
     bat_correspondence found = bat_correspond(&canvas.track, &clean, 0);
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve), .reversed = found.reversed};
-    if (hints) hints->turned = found.reversed;
     status = bat_plan_ends(&plan, &found);
     if (status == BAT_OK) {
         const double L = canvas.track.length;

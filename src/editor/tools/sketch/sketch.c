@@ -544,17 +544,18 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
     }
 }
 
-/* The fit and its knots: what is new of it, or all of a new curve. */
-static void show_fit(bat_overlay *overlay, bat_role role, const bat_curve *curve,
-                     const bat_sketch_report *report, bool whole, double pixel) {
+/* The fit: what is new of it, or all of a new curve; its knots where knots are asked for. */
+static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, const bat_curve *curve,
+                     const bat_sketch_report *report, bool whole) {
     double range[2];
     bat_curve_domain(curve, range);
     if (!whole && report->changed_new[0] < report->changed_new[1])
         memcpy(range, report->changed_new, sizeof range);
     bat_overlay_item(overlay, role, BAT_ITEM_STROKED, FIT_WIDTH);
     bat_overlay_stretch(overlay, curve, range[0], range[1]);
+    if (c->settings->values[BAT_PROPERTY_SHOW_KNOTS] == 0) return;
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
-    mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * pixel);
+    mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_view_pixel(c->view));
 }
 
 /* The stretch fades the old line, so it has to be as wide. */
@@ -608,8 +609,8 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
                              preview->blends + 2 * preview->blend_counts[0]);
     }
     if (preview->curve)
-        show_fit(overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
-                 !one_changes(&s->edit), bat_view_pixel(c->view));
+        show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
+                 !one_changes(&s->edit));
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink by the pen to what is to come */
         double pen[2];
@@ -629,8 +630,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
         const bat_edit *edit = &s->pending;
         bool whole = !one_changes(edit);
         if (!whole) show_stretch(c, list, edit, &s->pending_report);
-        show_fit(list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole,
-                 bat_view_pixel(c->view));
+        show_fit(c, list, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole);
     }
     if (s->state == BAT_SKETCHING_DRAWING)
         show_stroke(c, s, list);
