@@ -10,7 +10,7 @@ static void wire(bat_editor *editor) {
     editor->context = (bat_context){.settings = &editor->settings,
                                     .session = &editor->session,
                                     .notices = &editor->notices,
-                                    .view = &editor->view,
+                                    .stage = &editor->stage,
                                     .input = &editor->input,
                                     .choice = &editor->choice,
                                     .clipboard = &editor->clipboard,
@@ -33,7 +33,7 @@ bat_status bat_editor_create(bat_editor **out) {
     if (!editor) return BAT_MEMORY;
     wire(editor);
     editor->session.stepped = bat_choice_follow;
-    editor->view = bat_view_defaults();
+    editor->stage = bat_stage_defaults();
     editor->notices.notice = BAT_STRING_COUNT;
     bat_scene_init(&editor->scene);
     bat_settings_init(&editor->settings);
@@ -74,8 +74,9 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     bat_choice_forget(c);
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);
-    bat_view_look_afresh(c->view);
-    c->view->fit_wanted = !bat_stage_fit(c);
+    bat_view_look_afresh(&c->stage->view);
+    c->stage->ground = bat_ground_page();
+    c->stage->view.fit_wanted = !bat_seen_fit(c);
     bat_toolbox_settle(c);
     return BAT_OK;
 }

@@ -8,21 +8,21 @@
 #include "editor/input/input.h"
 #include "editor/panels/panels.h"
 #include "editor/pick/snap.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/inspect.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 
 struct bat_editor {
     bat_context context; /* points to all that follows */
     bat_settings settings;
     bat_session session;
     bat_notices notices;
-    bat_view view;
+    bat_stage stage;
     bat_input input;
     bat_choice choice;
     bat_clipboard clipboard;

@@ -272,14 +272,14 @@ void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double 
     double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
                     bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
     if (modifiers & BAT_CTRL) {
-        bat_view_zoom(c->view, at, bat_exp(-bounded(dy, -300, 300, 0) / 200));
+        bat_stage_zoom(c->stage, at, bat_exp(-bounded(dy, -300, 300, 0) / 200));
     } else {
         if (modifiers & BAT_SHIFT && dx == 0) {
             dx = dy;
             dy = 0;
         }
         double to[2] = {-bounded(dx, -1e4, 1e4, 0), -bounded(dy, -1e4, 1e4, 0)};
-        bat_view_pan(c->view, (double[]){0, 0}, to);
+        bat_stage_pan(c->stage, (double[]){0, 0}, to);
     }
 }
 
@@ -307,15 +307,15 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
 
 void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio) {
     bat_context *c = &editor->context;
-    bat_view *view = c->view;
+    bat_view *view = &c->stage->view;
     double middle[2];
     bool had_size = view->width > 0 && view->height > 0, busy = bat_toolbox_busy(c);
     bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
     view->width = bounded(width, 0, BAT_PIXELS_MAX, 0);
     view->height = bounded(height, 0, BAT_PIXELS_MAX, 0);
     view->ratio = bounded(pixel_ratio, 0.1, 16, 1);
-    if (c->view->fit_wanted && !busy) {
-        if (bat_stage_fit(c)) c->view->fit_wanted = false;
+    if (c->stage->view.fit_wanted && !busy) {
+        if (bat_seen_fit(c)) c->stage->view.fit_wanted = false;
     } else if (had_size && view->width > 0 && view->height > 0 && !busy) {
         /* The middle stays in the middle. */
         double screen[2];

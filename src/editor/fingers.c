@@ -9,17 +9,15 @@
 static const double MOMENT = 500; /* ms between a hand that comes down and the pen that it holds */
 static const double ROLL = 40;    /* px that it rolls meanwhile */
 
-static bool untouched(const bat_context *c) {
-    return !memcmp(c->view, &c->input->fingers.moved, sizeof *c->view);
-}
+static bool untouched(const bat_context *c) { return bat_stage_same(c->stage, &c->input->fingers.moved); }
 
-void bat_fingers_rest(bat_context *c) { c->input->fingers.rest = c->input->fingers.moved = *c->view; }
+void bat_fingers_rest(bat_context *c) { c->input->fingers.rest = c->input->fingers.moved = *c->stage; }
 
 void bat_fingers_before(bat_context *c) {
     if (!untouched(c)) bat_fingers_rest(c);
 }
 
-void bat_fingers_after(bat_context *c) { c->input->fingers.moved = *c->view; }
+void bat_fingers_after(bat_context *c) { c->input->fingers.moved = *c->stage; }
 
 void bat_finger_stop(bat_context *c, int index) {
     bat_contact *contact = &c->input->contacts.list[index];
@@ -29,7 +27,7 @@ void bat_finger_stop(bat_context *c, int index) {
         bat_notice(c, BAT_STRING_COUNT); /* a hand at rest is no news */
     }
     if (contact->duty == BAT_DUTY_NAVIGATE && untouched(c)) {
-        *c->view = c->input->fingers.rest;
+        *c->stage = c->input->fingers.rest;
         bat_fingers_after(c);
     }
     contact->duty = BAT_DUTY_IGNORED;

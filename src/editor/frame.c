@@ -68,7 +68,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
-    bat_overlay_end(overlay, bat_view_pixel(c->view));
+    bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }
 
 const bat_frame *bat_editor_frame(bat_editor *editor) {
@@ -76,43 +76,44 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_overlay *overlay = &editor->overlay;
     const bat_slot *tool = bat_toolbox_tool(c);
     bat_scene *scene = c->scene;
-    bat_scene_rebase(scene, c->view);
-    bat_stage_sync(c);
+    bat_scene_rebase(scene, c->stage);
+    bat_seen_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
     if (tool->is->update) tool->is->update(c, tool->state);
-    bat_stage_sync(c); /* a drag shows in the frame that it was made for */
+    bat_seen_sync(c); /* a drag shows in the frame that it was made for */
     bat_readout made = bat_toolbox_readout(c);
     show_overlay(c, tool, &made, overlay);
 
     bat_frame *frame = &editor->frame;
-    *frame = (bat_frame){.view = {c->view->x, c->view->y, c->view->zoom, c->view->angle},
-                         .origin = {scene->origin[0], scene->origin[1]},
-                         .still_version = scene->still_version,
-                         .still_count = (uint32_t)scene->item_count,
-                         .still = scene->items,
-                         .live_count = overlay->count,
-                         .live = overlay->items,
-                         .label_count = overlay->label_count,
-                         .labels = overlay->labels,
-                         .cursor = (uint32_t)cursor(c),
-                         .requests = c->notices->requests,
-                         .unsaved = c->session->history.state != c->session->saved_state,
-                         .can_undo = bat_history_can_undo(&c->session->history),
-                         .can_redo = bat_history_can_redo(&c->session->history),
-                         .tool = (uint32_t)c->choice->tool,
-                         .tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(c->view),
-                         .hint = hint(c),
-                         .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
-                         .notice_version = c->notices->notice_version,
-                         .name = c->session->name,
-                         .revision = (uint32_t)c->session->revision,
-                         .selection = c->choice->selection.version,
-                         .selected = (uint32_t)c->choice->selection.count,
-                         .layer = (uint32_t)c->choice->layer,
-                         .readings = bat_sketching_readings(c) ? bat_sketching_of(c)->again.version : 0,
-                         .levels = bat_leveling_version(c),
-                         .lost = (uint32_t)bat_losses_total(&c->session->losses),
-                         .first = bat_first_shown(c)};
+    *frame = (bat_frame){
+        .view = {c->stage->view.x, c->stage->view.y, c->stage->view.zoom, c->stage->view.angle},
+        .origin = {scene->origin[0], scene->origin[1]},
+        .still_version = scene->still_version,
+        .still_count = (uint32_t)scene->item_count,
+        .still = scene->items,
+        .live_count = overlay->count,
+        .live = overlay->items,
+        .label_count = overlay->label_count,
+        .labels = overlay->labels,
+        .cursor = (uint32_t)cursor(c),
+        .requests = c->notices->requests,
+        .unsaved = c->session->history.state != c->session->saved_state,
+        .can_undo = bat_history_can_undo(&c->session->history),
+        .can_redo = bat_history_can_redo(&c->session->history),
+        .tool = (uint32_t)c->choice->tool,
+        .tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage),
+        .hint = hint(c),
+        .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
+        .notice_version = c->notices->notice_version,
+        .name = c->session->name,
+        .revision = (uint32_t)c->session->revision,
+        .selection = c->choice->selection.version,
+        .selected = (uint32_t)c->choice->selection.count,
+        .layer = (uint32_t)c->choice->layer,
+        .readings = bat_sketching_readings(c) ? bat_sketching_of(c)->again.version : 0,
+        .levels = bat_leveling_version(c),
+        .lost = (uint32_t)bat_losses_total(&c->session->losses),
+        .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);
     frame->busy = bat_toolbox_busy(c);

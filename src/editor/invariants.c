@@ -5,15 +5,16 @@
 #include "editor/editor.h"
 #include <math.h>
 
-static const char *check_view(const bat_view *view) {
-    if (!(view->zoom >= BAT_ZOOM_MIN && view->zoom <= BAT_ZOOM_MAX)) return "the zoom is out of its limits";
-    if (!(fabs(view->x) <= BAT_VIEW_REACH && fabs(view->y) <= BAT_VIEW_REACH))
+static const char *check_view(const bat_stage *stage) {
+    if (!(stage->view.zoom >= BAT_ZOOM_MIN && stage->view.zoom <= BAT_ZOOM_MAX))
+        return "the zoom is out of its limits";
+    if (!(fabs(stage->view.x) <= BAT_VIEW_REACH && fabs(stage->view.y) <= BAT_VIEW_REACH))
         return "the view is out of reach";
-    if (!(view->angle > -180 && view->angle <= 180) ||
-        !(fabs(view->cosine * view->cosine + view->sine * view->sine - 1) < 1e-12))
+    if (!(stage->view.angle > -180 && stage->view.angle <= 180) ||
+        !(fabs(stage->view.cosine * stage->view.cosine + stage->view.sine * stage->view.sine - 1) < 1e-12))
         return "the view's angle is out of range";
-    if (!(view->width >= 0 && view->width <= BAT_PIXELS_MAX && view->height >= 0 &&
-          view->height <= BAT_PIXELS_MAX))
+    if (!(stage->view.width >= 0 && stage->view.width <= BAT_PIXELS_MAX && stage->view.height >= 0 &&
+          stage->view.height <= BAT_PIXELS_MAX))
         return "the window's size is out of range";
     return NULL;
 }
@@ -88,7 +89,7 @@ const char *bat_editor_check_since(const bat_editor *editor, bat_checked *checke
     const char *wrong = whole     ? bat_document_check(session->document)
                         : changed ? check_steps(session, before.states)
                                   : NULL;
-    if (!wrong) wrong = check_view(c->view);
+    if (!wrong) wrong = check_view(c->stage);
     if (!wrong && (whole || c->scene->still_version != before.still)) wrong = check_scene(c);
     if (!wrong) wrong = check_contacts(&c->input->contacts);
     if (!wrong) wrong = check_session(session);

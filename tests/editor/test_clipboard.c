@@ -165,14 +165,14 @@ static void of_other_programs(void **unused) {
     bat_object_bounds(object(editor, 2), box);
     /* 20 wide, 40 high, its middle under the pointer. */
     double at[2];
-    bat_view_to_document(&editor->view, (double[]){300, 250}, at);
+    bat_view_to_document(&editor->stage.view, (double[]){300, 250}, at);
     assert_true(fabs(box[0] - (at[0] - 10)) < 1e-9 && fabs(box[3] - (at[1] + 20)) < 1e-9);
     assert_int_equal(bat_object_style(object(editor, 2))->fill, 0xd9d9d9ff);
     /* The pointer is elsewhere: in the middle of the view. */
     pen_event(&p, BAT_POINTER_LEAVE, 0, 0);
     assert_int_equal(paste_text(editor, "<svg><path d=\"M0 0H10\"/></svg>"), BAT_OK);
     bat_object_bounds(object(editor, 3), box);
-    bat_view_to_document(&editor->view, (double[]){500, 400}, at);
+    bat_view_to_document(&editor->stage.view, (double[]){500, 400}, at);
     assert_true(fabs(box[0] / 2 + box[2] / 2 - at[0]) < 1e-9 && fabs(box[1] - at[1]) < 1e-9);
     replays(editor);
     bat_editor_free(editor);
@@ -188,7 +188,7 @@ static void never_out_of_sight(void **unused) {
     bat_editor_wheel(editor, 100, 100, 5000, 0, 0, 0);
     assert_int_equal(paste_text(editor, text), BAT_OK);
     bat_object_bounds(object(editor, 2), box);
-    bat_view_to_document(&editor->view, (double[]){500, 400}, at);
+    bat_view_to_document(&editor->stage.view, (double[]){500, 400}, at);
     assert_true(fabs(box[0] / 2 + box[2] / 2 - at[0]) < 1e-6);
     bat_free(text);
     bat_editor_free(editor);

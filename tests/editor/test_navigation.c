@@ -48,22 +48,22 @@ static void the_zoom_tool(void **state) {
     bat_editor_command(editor, "zoom-100");
     bat_editor_command(editor, "view-left");
     double middle[2] = {400, 300}, under[2], there[2];
-    bat_view_to_document(&editor->view, middle, under);
+    bat_view_to_document(&editor->stage.view, middle, under);
     drag(&p, 350, 260, 450, 340);
     assert_true(fabs(bat_editor_frame(editor)->view[2] - 10) < 1e-9);
-    bat_view_to_screen(&editor->view, under, there);
+    bat_view_to_screen(&editor->stage.view, under, there);
     assert_true(fabs(there[0] - 500) < 1e-6 && fabs(there[1] - 400) < 1e-6);
     /* dropped; and a line without width is no trap */
     pen_event(&p, BAT_POINTER_DOWN, 100, 100);
     pen_event(&p, BAT_POINTER_MOVE, 300, 300);
     assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
-    double zoom = editor->view.zoom;
+    double zoom = editor->stage.view.zoom;
     bat_editor_key(editor, "Escape", true, 0, 0);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
     pen_event(&p, BAT_POINTER_UP, 300, 300);
-    assert_true(editor->view.zoom == zoom);
+    assert_true(editor->stage.view.zoom == zoom);
     drag(&p, 100, 100, 300, 100);
-    assert_true(isfinite(editor->view.x) && editor->view.zoom <= BAT_ZOOM_MAX);
+    assert_true(isfinite(editor->stage.view.x) && editor->stage.view.zoom <= BAT_ZOOM_MAX);
     assert_null(bat_editor_check(editor));
     assert_true(digest(editor) == before);
     bat_editor_free(editor);

@@ -211,19 +211,19 @@ static void a_pan_is_taken_back(void **state) {
         slide(editor, 1, (double[]){500, 600}, (double[]){560, 640}, FINGER,
               2000); /* a pan, meant and done */
         touch(editor, BAT_POINTER_UP, 1, 560, 640, 0, 2100);
-        bat_view meant = editor->view;
+        bat_view meant = editor->stage.view;
         assert_true(meant.x == -60 && meant.y == -40);
         slide(editor, 1, (double[]){500, 600}, (double[]){510, 604}, FINGER, 3000);
         if (zoomed) {
             bat_editor_command(editor, "zoom-in");
-            meant = editor->view;
+            meant = editor->stage.view;
         }
         touch(editor, BAT_POINTER_MOVE, 1, 512, 604, FINGER, 3200);
         p.time = 4000;
         pen_event(&p, BAT_POINTER_DOWN, 400, 300);
-        assert_memory_equal(&editor->view, &meant, sizeof meant);
+        assert_memory_equal(&editor->stage.view, &meant, sizeof meant);
         touch(editor, BAT_POINTER_MOVE, 1, 540, 620, FINGER, 4010);
-        assert_memory_equal(&editor->view, &meant, sizeof meant);
+        assert_memory_equal(&editor->stage.view, &meant, sizeof meant);
         bat_editor_free(editor);
     }
 }
@@ -301,7 +301,7 @@ static void a_palm_does_not_pinch_with_the_pen(void **state) {
     pen_event(&p, BAT_POINTER_DOWN, 500, 400);
     touch(editor, BAT_POINTER_DOWN, 2, 700, 600, 0, p.time);
     pen_event(&p, BAT_POINTER_MOVE, 530, 380);
-    assert_true(editor->view.zoom == 1 && editor->view.x == -30 && editor->view.y == 20);
+    assert_true(editor->stage.view.zoom == 1 && editor->stage.view.x == -30 && editor->stage.view.y == 20);
     bat_editor_free(editor);
 }
 

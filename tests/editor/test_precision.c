@@ -147,14 +147,14 @@ static void guides_and_grid_draw(void **state) {
         before = 0;
         for (int k = 0; k < 60; k++) {
             double step = bat_grid_step(&editor->context), whole = step / spacings[i];
-            assert_true(step * editor->view.zoom >= 8 && fabs(whole - round(whole)) < 1e-9 * whole);
+            assert_true(step * editor->stage.view.zoom >= 8 && fabs(whole - round(whole)) < 1e-9 * whole);
             if (before > 0) {
                 double times = step / before;
                 assert_true(fabs(times - round(times)) < 1e-9 * times);
-                assert_true(step == before || before * editor->view.zoom < 8);
+                assert_true(step == before || before * editor->stage.view.zoom < 8);
             }
             before = step;
-            bat_view_zoom(&editor->view, (double[]){0, 0}, 0.8);
+            bat_view_zoom(&editor->stage.view, (double[]){0, 0}, 0.8);
         }
         bat_editor_command(editor, "zoom-100");
     }
@@ -479,7 +479,7 @@ static void rulers_tell_places(void **state) {
     for (int unit = 0; unit < 3; unit++)
         for (int k = 0; k < 40; k++) {
             bat_editor_set(editor, "unit", unit);
-            bat_view_zoom(&editor->view, (double[]){200, 300}, k < 20 ? 0.7 : 1.9);
+            bat_view_zoom(&editor->stage.view, (double[]){200, 300}, k < 20 ? 0.7 : 1.9);
             const bat_frame *frame = bat_editor_frame(editor);
             int labels = 0;
             for (uint32_t i = 0; i < frame->label_count; i++) {
@@ -489,7 +489,7 @@ static void rulers_tell_places(void **state) {
                 int axis = label->turn != 0;
                 double place = (frame->origin[axis] + (double)label->at[axis]) /
                                bat_unit_size(&editor->context);
-                double pixel = 1 / (editor->view.zoom * bat_unit_size(&editor->context));
+                double pixel = 1 / (editor->stage.view.zoom * bat_unit_size(&editor->context));
                 assert_true(fabs(strtod(label->text, NULL) - place) <= fmax(0.6 * pixel, 0.000501));
             }
             assert_true(labels >= 8 && labels < 40);

@@ -651,7 +651,7 @@ static void alt_drags_a_copy(void **state) {
     double box[4], moved[4];
     bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     double from[2];
-    bat_view_to_screen(&editor->view, (double[]){400, 200}, from);
+    bat_view_to_screen(&editor->stage.view, (double[]){400, 200}, from);
     for (int round = 0; round < 3; round++) { /* cancelled, cancelled of what was selected, let go */
         bool cancelled = round < 2, chosen = round == 1;
         p.time += 1000;
@@ -673,7 +673,7 @@ static void alt_drags_a_copy(void **state) {
         assert_true(bat_selection_has(&editor->choice.selection, id) == chosen);
         assert_true((digest(editor) == fresh) == cancelled);
     }
-    double pixel = bat_view_pixel(&editor->view);
+    double pixel = bat_view_pixel(&editor->stage.view);
     bat_object_bounds(bat_document_at(editor->session.document, 0), moved);
     assert_memory_equal(box, moved, sizeof box);
     bat_object_bounds(bat_document_at(editor->session.document, 1), moved);
@@ -685,7 +685,7 @@ static void alt_drags_a_copy(void **state) {
 
 static void tap(pen *p, double x, double y) {
     double at[2];
-    bat_view_to_screen(&p->editor->view, (double[]){x, y}, at);
+    bat_view_to_screen(&p->editor->stage.view, (double[]){x, y}, at);
     pen_event(p, BAT_POINTER_DOWN, at[0], at[1]);
     pen_event(p, BAT_POINTER_UP, at[0], at[1]);
 }

@@ -42,7 +42,7 @@ static void drag(pen *p, double x0, double y0, double x1, double y1) {
 static void placed_in_the_middle(void **unused) {
     (void)unused;
     bat_editor *editor = pen_editor();
-    bat_view view = editor->view;
+    bat_view view = editor->stage.view;
     double box[4], screen[4];
     assert_int_equal(add(editor, 4000, 1000), BAT_OK);
     bat_object_bounds(last(editor), box);
@@ -95,7 +95,7 @@ static void moved_undone_and_replayed(void **unused) {
     bat_object_bounds(last(editor), before);
     drag(&p, 400, 300, 430, 340);
     bat_object_bounds(last(editor), after);
-    double pixel = bat_view_pixel(&editor->view);
+    double pixel = bat_view_pixel(&editor->stage.view);
     assert_true(fabs(after[0] - before[0] - 30 * pixel) < 1e-9 &&
                 fabs(after[1] - before[1] - 40 * pixel) < 1e-9);
     uint64_t moved = digest(editor);
@@ -161,7 +161,7 @@ static void scaled_by_two_points(void **unused) {
     (void)unused;
     bat_editor *editor = pen_editor();
     pen p = pen_for(editor);
-    double before[6], now, pixel = bat_view_pixel(&editor->view), first[2], second[2];
+    double before[6], now, pixel = bat_view_pixel(&editor->stage.view), first[2], second[2];
     assert_int_equal(add(editor, 200, 100), BAT_OK);
     assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
     assert_true(bat_object_locked(last(editor)));
@@ -180,8 +180,8 @@ static void scaled_by_two_points(void **unused) {
     assert_int_equal(frame->label_count, 1);
     bat_editor_get(editor, "picture-span", &now);
     assert_true(fabs(now - 100 * pixel) < 1e-9);
-    bat_view_to_document(&editor->view, (double[]){450, 400}, first);
-    bat_view_to_document(&editor->view, (double[]){510, 480}, second);
+    bat_view_to_document(&editor->stage.view, (double[]){450, 400}, first);
+    bat_view_to_document(&editor->stage.view, (double[]){510, 480}, second);
     assert_int_equal(bat_editor_set(editor, "picture-span", 250), BAT_OK);
     const double *m = bat_object_matrix(last(editor));
     double factor = 250 / (100 * pixel);

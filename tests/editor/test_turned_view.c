@@ -155,13 +155,13 @@ static void upright_is_a_detent(void **state) {
 /* pen_editor with its page turned about the window's middle. */
 static bat_editor *turned_editor(double degrees) {
     bat_editor *editor = pen_editor();
-    bat_view_rotate(&editor->view, (double[]){500, 400}, degrees);
+    bat_view_rotate(&editor->stage.view, (double[]){500, 400}, degrees);
     bat_editor_frame(editor);
     return editor;
 }
 
 static void screen_of(const bat_editor *editor, double x, double y, double out[2]) {
-    bat_view_to_screen(&editor->view, (double[]){x, y}, out);
+    bat_view_to_screen(&editor->stage.view, (double[]){x, y}, out);
 }
 
 static const bat_curve *line(const bat_editor *editor, int index) {

@@ -51,6 +51,7 @@ TABLE = re.compile(r"^(?!static|extern|typedef|#)(?:const )?[A-Za-z_][\w \*]*?\b
 USED = re.compile(r"\bbat_\w+")
 KIND = re.compile(r"\bBAT_KIND_\w+")
 TOOL = re.compile(r"\bBAT_TOOL_(?!COUNT\b)\w+")
+VIEW = re.compile(r"\bbat_view\w*|->view\b|\.view\b")  # tools ask the stage
 
 
 def bare(text):
@@ -177,6 +178,8 @@ class House:
                 self.arrows.setdefault((name, "BAT_KIND_"), f"src/{name}")
             if TOOL.search(code) and room not in ("editor/tables", "editor/tools/modes"):
                 self.arrows.setdefault((name, "BAT_TOOL_"), f"src/{name}")
+            if room.startswith("editor/tools") and VIEW.search(code):
+                self.arrows.setdefault((name, "the view"), f"src/{name}")
             if re.search(r'bat_editor_command\([^;]*"', self.text[name]) and name.endswith(".c"):
                 self.arrows.setdefault((name, "a command by its text"), f"src/{name}")
         count = {}

@@ -5,7 +5,7 @@
 #include "editor/input/input.h"
 #include "editor/pick/pick.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -16,7 +16,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/fair.h"
 #include <batten/measure.h>
@@ -37,9 +37,9 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
         return bat_edit_target(c->session->document, *object, *curve);
     }
     if (!c->input->pen_near) return NULL;
-    double point[2], pixel = bat_view_pixel(c->view);
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, c->input->pen, point);
+    double point[2], pixel = bat_stage_pixel(c->stage);
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, c->input->pen, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, REACH * pixel);
     if (!pick.object) return NULL;
     const bat_curve *target = bat_edit_target(c->session->document, pick.object, pick.curve);
@@ -52,7 +52,7 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
 
 /* A closed curve as a whole: what holds the first half still is calmed after it. */
 static bat_status calm(const bat_context *c, const bat_curve *curve, const double range[2], bat_curve **out) {
-    double pixel = bat_view_pixel(c->view), limit = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
+    double pixel = bat_stage_pixel(c->stage), limit = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
     double domain[2];
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0];
@@ -90,11 +90,11 @@ static bat_status calm_selection(bat_context *c, double *far) {
     const bat_document *document = c->session->document;
     bat_status any = BAT_STATE;
     int end = 0; /* of the selected group that the walk is in */
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_id id = bat_object_id(bat_document_at(document, i));
         if (bat_selection_has(&c->choice->selection, id)) end = bat_document_end(document, i);
-        if (i >= end || bat_stage_out_of_reach(c, i)) continue;
+        if (i >= end || bat_seen_out_of_reach(c, i)) continue;
         for (int k = 0; k < bat_object_curve_count(bat_document_at(document, i)); k++) {
             double domain[2];
             bat_curve_domain(bat_object_curve(bat_document_at(document, i), k), domain);

@@ -13,7 +13,7 @@
 #include "editor/tools/select.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "hands/levels/shape.h"
 #include "base/real.h"
 #include <batten/nearest.h>
@@ -277,7 +277,7 @@ bat_status bat_command_curve_split(bat_context *c, bat_command_id id) {
         bat_curve_eval(ranged, bat_range_of(c)->u[bat_range_of(c)->end], 0, s->point);
         s->has_point = true;
     }
-    bat_near best = {.distance = s->has_point ? 24 * bat_view_pixel(c->view) : -1};
+    bat_near best = {.distance = s->has_point ? 24 * bat_stage_pixel(c->stage) : -1};
     int *members = NULL, count = 0, index = -1, which = 0;
     bat_status status = bat_arrange_members(c, &members, &count);
     if (status == BAT_STATE) status = BAT_OK;

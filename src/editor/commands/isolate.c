@@ -4,7 +4,7 @@
 #include "editor/edit/arrange.h"
 #include "editor/input/input.h"
 #include "editor/pick/pick.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "document/document.h"
@@ -14,10 +14,10 @@ static const double REACH = 16; /* px from the pen to a curve that it means */
 /* With nothing selected: what a click under the pen would select. */
 static bat_status keep_under_pen(bat_context *c) {
     double point[2];
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     if (!c->input->pen_near) return BAT_STATE;
-    bat_view_to_document(c->view, c->input->pen, point);
-    int at = bat_pick_object(c->scene, point, REACH * bat_view_pixel(c->view));
+    bat_stage_seen(c->stage, c->input->pen, point);
+    int at = bat_pick_object(c->scene, point, REACH * bat_stage_pixel(c->stage));
     if (at < 0) return BAT_STATE;
     at = bat_arrange_whole(c, at);
     return bat_selection_add(&c->choice->isolation.kept,

@@ -6,14 +6,14 @@
 #include "editor/choice/selection.h"
 #include "editor/commands/dispatch.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/tools/levels/state.h"
 #include "document/kind.h"
 
@@ -29,7 +29,7 @@ static bat_status told(bat_context *c, bat_status status) {
 
 bat_status bat_command_duplicate(bat_context *c, bat_command_id id) {
     (void)id;
-    double off = 10 * bat_view_pixel(c->view);
+    double off = 10 * bat_stage_pixel(c->stage);
     return told(c, bat_arrange_duplicate(c, off, off));
 }
 
@@ -90,7 +90,7 @@ bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
     const bat_document *document = c->session->document;
     bat_nesting nesting = {0};
     bat_selection_clear(&c->choice->selection);
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     bat_status status = BAT_OK;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);

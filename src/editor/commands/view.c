@@ -1,41 +1,41 @@
 /* Commands that change what is seen, not what is drawn. */
 #include "editor/tables/commands.h"
 #include "editor/input/input.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <math.h>
 
 static const double TURN = 15; /* degrees a step */
 
 bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
     (void)id;
-    return bat_stage_fit(c) ? BAT_OK : BAT_STATE;
+    return bat_seen_fit(c) ? BAT_OK : BAT_STATE;
 }
 
-static void middle_of(const bat_view *view, double middle[2]) {
-    middle[0] = view->width / 2;
-    middle[1] = view->height / 2;
+static void middle_of(const bat_stage *stage, double middle[2]) {
+    middle[0] = stage->view.width / 2;
+    middle[1] = stage->view.height / 2;
 }
 
 bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
     double middle[2], factor = id == BAT_COMMAND_ZOOM_IN    ? sqrt(2)
                                : id == BAT_COMMAND_ZOOM_OUT ? 1 / sqrt(2)
-                                                            : 1 / c->view->zoom;
-    middle_of(c->view, middle);
-    bat_view_zoom(c->view, middle, factor);
+                                                            : 1 / c->stage->view.zoom;
+    middle_of(c->stage, middle);
+    bat_stage_zoom(c->stage, middle, factor);
     return BAT_OK;
 }
 
 bat_status bat_command_turn(bat_context *c, bat_command_id id) {
-    double middle[2], angle = c->view->angle;
+    double middle[2], angle = c->stage->view.angle;
     if (id == BAT_COMMAND_VIEW_UPRIGHT && angle == 0) return BAT_STATE;
-    middle_of(c->view, middle);
-    bat_view_rotate(c->view, middle,
-                    id == BAT_COMMAND_VIEW_UPRIGHT ? -angle
-                    : id == BAT_COMMAND_VIEW_LEFT  ? -TURN
-                                                   : TURN);
+    middle_of(c->stage, middle);
+    bat_stage_rotate(c->stage, middle,
+                     id == BAT_COMMAND_VIEW_UPRIGHT ? -angle
+                     : id == BAT_COMMAND_VIEW_LEFT  ? -TURN
+                                                    : TURN);
     return BAT_OK;
 }
 
@@ -43,8 +43,8 @@ bat_status bat_command_turn(bat_context *c, bat_command_id id) {
 bat_status bat_command_pan(bat_context *c, bat_command_id id) {
     double x = (id == BAT_COMMAND_PAN_RIGHT) - (id == BAT_COMMAND_PAN_LEFT);
     double y = (id == BAT_COMMAND_PAN_DOWN) - (id == BAT_COMMAND_PAN_UP);
-    double to[2] = {-x * c->view->width / 10, -y * c->view->height / 10};
-    bat_view_pan(c->view, (double[]){0, 0}, to);
+    double to[2] = {-x * c->stage->view.width / 10, -y * c->stage->view.height / 10};
+    bat_stage_pan(c->stage, (double[]){0, 0}, to);
     return BAT_OK;
 }
 

@@ -11,7 +11,7 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/session/reorder.h"
 #include "base/matrix.h"
 #include "document/kind.h"
@@ -71,25 +71,25 @@ bat_status bat_clipboard_copy(bat_context *c, bool cut, char **text, size_t *siz
 
 /* How far the pasted go. own: copied from a drawing of ours, to be pasted near the place it has. */
 static void find_shift(bat_context *c, const bat_document *document, bool own, double shift[2]) {
-    const bat_view *view = c->view;
-    double box[4], low[2], high[2], to[2] = {view->width / 2, view->height / 2};
+    const bat_stage *stage = c->stage;
+    double box[4], low[2], high[2], to[2] = {stage->view.width / 2, stage->view.height / 2};
     shift[0] = shift[1] = 0;
     if (c->modifiers & BAT_SHIFT || c->clipboard->paste_in_place) return;
     uint64_t digest = bat_document_digest(document);
     if (c->clipboard->pasted && c->clipboard->pasted != digest)
         c->clipboard->pastes = 0; /* copied elsewhere meanwhile */
     c->clipboard->pasted = digest;
-    if (own) shift[0] = shift[1] = STEP * bat_view_pixel(view) * ++c->clipboard->pastes;
+    if (own) shift[0] = shift[1] = STEP * bat_stage_pixel(stage) * ++c->clipboard->pastes;
     bat_document_bounds(document, box);
-    if (!(box[0] <= box[2]) || !(view->width > 0 && view->height > 0)) return;
-    bat_view_to_screen(view, (double[]){box[0] + shift[0], box[1] + shift[1]}, low);
-    bat_view_to_screen(view, (double[]){box[2] + shift[0], box[3] + shift[1]}, high);
-    bool seen = fmax(low[0], high[0]) > 0 && fmin(low[0], high[0]) < view->width &&
-                fmax(low[1], high[1]) > 0 && fmin(low[1], high[1]) < view->height;
+    if (!(box[0] <= box[2]) || !(stage->view.width > 0 && stage->view.height > 0)) return;
+    bat_stage_project(stage, (double[]){box[0] + shift[0], box[1] + shift[1]}, low);
+    bat_stage_project(stage, (double[]){box[2] + shift[0], box[3] + shift[1]}, high);
+    bool seen = fmax(low[0], high[0]) > 0 && fmin(low[0], high[0]) < stage->view.width &&
+                fmax(low[1], high[1]) > 0 && fmin(low[1], high[1]) < stage->view.height;
     if (own && seen) return;
     /* At the pointer, or in the middle when it is elsewhere. */
     if (!own && c->input->pen_near) to[0] = c->input->pen[0], to[1] = c->input->pen[1];
-    bat_view_to_document(view, to, shift);
+    bat_stage_seen(stage, to, shift);
     for (int k = 0; k < 2; k++) shift[k] -= box[k] / 2 + box[k + 2] / 2;
 }
 

@@ -11,7 +11,7 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <math.h>
 
 static bat_string why(bat_status status) {
@@ -22,12 +22,13 @@ static bat_string why(bat_status status) {
 }
 
 /* In the middle of the view, at most four fifths of it; one to one when there is no view to speak of. */
-static void place(const bat_view *view, const bat_picture *picture, double matrix[6]) {
+static void place(const bat_stage *stage, const bat_picture *picture, double matrix[6]) {
     double sides[2], middle[2], scale = 1;
     bat_picture_sides(picture, sides);
-    bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
-    if (view->width > 0 && view->height > 0)
-        scale = fmin(1, 0.8 * fmin(view->width / sides[0], view->height / sides[1])) * bat_view_pixel(view);
+    bat_stage_seen(stage, (double[]){stage->view.width / 2, stage->view.height / 2}, middle);
+    if (stage->view.width > 0 && stage->view.height > 0)
+        scale = fmin(1, 0.8 * fmin(stage->view.width / sides[0], stage->view.height / sides[1])) *
+                bat_stage_pixel(stage);
     matrix[0] = matrix[3] = scale;
     matrix[1] = matrix[2] = 0;
     for (int k = 0; k < 2; k++) matrix[4 + k] = middle[k] - scale * sides[k] / 2;
@@ -36,7 +37,7 @@ static void place(const bat_view *view, const bat_picture *picture, double matri
 static bat_status insert(bat_context *c, const bat_picture *picture, const char *name) {
     double matrix[6];
     bat_object *object = NULL;
-    place(c->view, picture, matrix);
+    place(c->stage, picture, matrix);
     bat_id id = bat_document_new_id(c->session->document);
     bat_status status = bat_object_create_image(id, name, picture, matrix, 0.5, &object);
     if (status != BAT_OK) return status;

@@ -52,7 +52,7 @@ typedef struct bat_edit {
     bat_sketch_meaning meaning; /* NEW, REDRAW, EXTEND */
     int part_count;             /* SEVERAL; object, curve: the first of them */
     bat_edit_part part[BAT_EDIT_PARTS];
-    bat_view view; /* the stroke's samples are view pixels of this view */
+    bat_stage stage; /* the stroke's samples are pixels of it, and lie on its ground */
     bat_sketch_options options;
     bat_style style; /* NEW */
     bat_id parent;   /* NEW: the layer it goes into; 0: none */

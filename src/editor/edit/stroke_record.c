@@ -1,6 +1,6 @@
 #include "editor/edit/stroke_record.h"
 #include "editor/session/journal_line.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <math.h>
 #include <string.h>
 #include <stdio.h>
@@ -141,9 +141,9 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     number(line, "smooth_limit", edit->options.smooth_limit);
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     bat_text_string(line, ",\"view\":");
-    const bat_view *view = &edit->view;
-    bat_line_numbers(line, (double[]){view->x, view->y, view->zoom, view->angle}, view->angle == 0 ? 3 : 4,
-                     1);
+    const bat_stage *stage = &edit->stage;
+    bat_line_numbers(line, (double[]){stage->view.x, stage->view.y, stage->view.zoom, stage->view.angle},
+                     stage->view.angle == 0 ? 3 : 4, 1);
     stroke(line, &edit->samples);
 }
 
@@ -259,7 +259,7 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
         if (slant && !item_pair(json, slant, 90, lean))
             return bat_json_complain(json, slant, BAT_SYNTAX, "tilt", "[x, y] in degrees", problem);
         last = when;
-        bat_status status = bat_samples_add(&edit->samples, &edit->view, pixel, press, when, lean);
+        bat_status status = bat_samples_add(&edit->samples, &edit->stage, pixel, press, when, lean);
         if (status != BAT_OK) return status;
         at = json->nodes[at].next;
         p = following(json, p, bat_json_count(json, pressure));
@@ -370,7 +370,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
     out->accepted = read_switch(&r, "accepted");
-    if (r.status == BAT_OK) r.status = read_view(json, &out->view, problem);
+    if (r.status == BAT_OK) r.status = read_view(json, &out->stage.view, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);
     return r.status;
 }

@@ -2,7 +2,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/session/context.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -52,7 +52,7 @@ bool bat_contacts_clear(const bat_context *c) {
 static const double DETENT = 6; /* degrees */
 
 void bat_contacts_pinch(bat_context *c) {
-    double angle = c->view->angle;
+    double angle = c->stage->view.angle;
     c->input->contacts.turn = angle == 0 ? 0 : angle + copysign(DETENT, angle);
 }
 
@@ -60,7 +60,7 @@ static void turn(bat_context *c, const double about[2], double radians) {
     double *fingers = &c->input->contacts.turn;
     *fingers = remainder(*fingers + radians * (180 / BAT_PI), 360 + 2 * DETENT);
     double angle = fabs(*fingers) <= DETENT ? 0 : *fingers - copysign(DETENT, *fingers);
-    bat_view_rotate(c->view, about, angle - c->view->angle);
+    bat_stage_rotate(c->stage, about, angle - c->stage->view.angle);
 }
 
 void bat_contacts_navigate(bat_context *c, int index, const double to[2]) {
@@ -79,14 +79,14 @@ void bat_contacts_navigate(bat_context *c, int index, const double to[2]) {
         double apart = bat_hypot(moved->at[0] - other->at[0], moved->at[1] - other->at[1]);
         double now = bat_hypot(to[0] - other->at[0], to[1] - other->at[1]);
         if (apart >= 1 && now >= 1) {
-            bat_view_zoom(c->view, before, now / apart);
+            bat_stage_zoom(c->stage, before, now / apart);
             double x0 = moved->at[0] - other->at[0], y0 = moved->at[1] - other->at[1];
             double x1 = to[0] - other->at[0], y1 = to[1] - other->at[1];
             turn(c, before, bat_atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1));
         }
-        bat_view_pan(c->view, before, after);
+        bat_stage_pan(c->stage, before, after);
     } else {
-        bat_view_pan(c->view, moved->at, to);
+        bat_stage_pan(c->stage, moved->at, to);
     }
     memcpy(moved->at, to, sizeof moved->at);
 }

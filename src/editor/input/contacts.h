@@ -3,7 +3,7 @@
 #define BATTEN_EDITOR_INPUT_CONTACTS_H
 
 #include "editor/session/context.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <batten/editor.h>
 
 enum { BAT_CONTACTS_MAX = 16 };
@@ -31,7 +31,7 @@ typedef struct bat_contacts {
 
 /* What fingers have done, as far as a pen that comes down takes it back (fingers.h). */
 typedef struct bat_fingers {
-    bat_view rest, moved; /* the view as it was before fingers moved it, and as they left it */
+    bat_stage rest, moved; /* the stage as it was before fingers moved it, and as they left it */
     uint64_t before,
         after;   /* states of the history around the last dab of a finger; equal: it made no step */
     double time; /* of that dab, ms */

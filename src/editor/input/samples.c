@@ -40,8 +40,8 @@ static bat_status grow(bat_samples *samples) {
 
 double bat_samples_round(double value, double parts) { return round(value * parts) / parts; }
 
-bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
-                           double time, const double tilt[2]) {
+bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
+                           double pressure, double time, const double tilt[2]) {
     if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
     size_t i = samples->count++;
@@ -49,7 +49,7 @@ bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const dou
         samples->pixels[2 * i + (size_t)k] = pixel[k];
         samples->tilt[2 * i + (size_t)k] = tilt[k];
     }
-    bat_view_to_document(view, pixel, samples->points + 2 * i);
+    bat_stage_seen(stage, pixel, samples->points + 2 * i);
     samples->pressure[i] = pressure;
     samples->time[i] = time;
     return BAT_OK;

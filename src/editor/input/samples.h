@@ -2,7 +2,7 @@
 #ifndef BATTEN_EDITOR_INPUT_SAMPLES_H
 #define BATTEN_EDITOR_INPUT_SAMPLES_H
 
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <batten/editor.h>
 #include <batten/sketch.h>
 
@@ -22,8 +22,8 @@ typedef struct bat_samples {
 void bat_samples_clear(bat_samples *samples);
 void bat_samples_free(bat_samples *samples);
 /* view: of the stroke. BAT_COUNT when full, BAT_MEMORY; nothing added then. */
-bat_status bat_samples_add(bat_samples *samples, const bat_view *view, const double pixel[2], double pressure,
-                           double time, const double tilt[2]);
+bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
+                           double pressure, double time, const double tilt[2]);
 /* The samples from `first` on, as the sketch hand takes them; borrowed. */
 bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first);
 /* Rounds to what the journal keeps: 1/100 for pixels, milliseconds and degrees; 1/10000 for pressure. */

@@ -6,14 +6,14 @@
 
 #include "editor/input/contacts.h"
 #include "editor/session/context.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <batten/editor.h>
 
 typedef struct bat_taps {
     int fingers; /* that came down since none was; 0: none has */
     bool spoiled;
-    double began;  /* ms */
-    bat_view view; /* as it was then: what fingers shift while they tap is put back */
+    double began;    /* ms */
+    bat_stage stage; /* as it was then: what fingers shift while they tap is put back */
     bool
         waited; /* something waited for a yes then, which the first finger may take back: that was the undo */
 } bat_taps;

@@ -15,7 +15,7 @@
 #include "editor/tools/points.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "hands/levels/shape.h"
 #include "text/text.h"
 #include "editor/show/handles.h"
@@ -233,7 +233,7 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
     if (status == BAT_OK) status = bat_choice_select(c, id, false);
     if (status != BAT_OK || !bat_selection_has(&c->choice->selection, id))
         return BAT_STATE; /* locked or hidden */
-    bat_view_show(c->view, at, 40);
+    bat_stage_bring(c->stage, at, 40);
     if (spline) {
         bat_splining_of(c)->object = id;
         bat_splining_of(c)->point = point;

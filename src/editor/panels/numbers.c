@@ -15,7 +15,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/matrix.h"
 #include <math.h>
 #include <string.h>
@@ -147,7 +147,7 @@ const char *bat_panel_number(bat_context *c, const char *name) {
     const char *unit = bat_property_at(property)->unit;
     bool pixels = !strcmp(unit, "px"); /* of the view */
     if (pixels || !strcmp(unit, "unit"))
-        bat_unit_write(c, pixels ? value * bat_view_pixel(c->view) : value, text);
+        bat_unit_write(c, pixels ? value * bat_stage_pixel(c->stage) : value, text);
     else
         bat_unit_number(value, text);
     return text;

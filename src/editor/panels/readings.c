@@ -5,7 +5,7 @@
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/sketch/sketching.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "text/text.h"
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +33,7 @@ const char *bat_panel_readings(bat_context *c) {
     bat_text text = {0};
     double at[2] = {0, 0};
     int count = bat_sketching_readings(c) ? again->count : 0;
-    if (count) bat_view_to_screen(c->view, again->place, at);
+    if (count) bat_stage_project(c->stage, again->place, at);
     bat_text_string(&text, "{\"at\":");
     bat_line_numbers(&text, at, 2, 1);
     bat_text_string(&text, ",\"chosen\":");

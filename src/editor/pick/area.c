@@ -99,7 +99,7 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
 }
 
 typedef struct area {
-    const bat_view *view;
+    const bat_stage *stage;
     const double *origin; /* of the lines */
     const double *box;    /* view pixels */
 } area;
@@ -108,8 +108,8 @@ static bool crosses(void *user, const double from[2], const double to[2]) {
     const area *in_view = user;
     const double *box = in_view->box, *origin = in_view->origin;
     double t0 = 0, t1 = 1, a[2], b[2];
-    bat_view_to_screen(in_view->view, (double[]){from[0] + origin[0], from[1] + origin[1]}, a);
-    bat_view_to_screen(in_view->view, (double[]){to[0] + origin[0], to[1] + origin[1]}, b);
+    bat_stage_project(in_view->stage, (double[]){from[0] + origin[0], from[1] + origin[1]}, a);
+    bat_stage_project(in_view->stage, (double[]){to[0] + origin[0], to[1] + origin[1]}, b);
     for (int k = 0; k < 2; k++) { /* Liang and Barsky 1984 */
         double d = b[k] - a[k];
         if (d == 0) {
@@ -124,10 +124,10 @@ static bool crosses(void *user, const double from[2], const double to[2]) {
 }
 
 /* The box, upright in the document, around the view's. */
-static void around(const bat_view *view, const double box[4], double out[4]) {
+static void around(const bat_stage *stage, const double box[4], double out[4]) {
     for (int i = 0; i < 4; i++) {
         double corner[2];
-        bat_view_to_document(view, (double[]){box[i & 2], box[1 + 2 * (i & 1)]}, corner);
+        bat_stage_seen(stage, (double[]){box[i & 2], box[1 + 2 * (i & 1)]}, corner);
         for (int k = 0; k < 2; k++) {
             out[k] = i ? fmin(out[k], corner[k]) : corner[k];
             out[k + 2] = i ? fmax(out[k + 2], corner[k]) : corner[k];
@@ -135,14 +135,14 @@ static void around(const bat_view *view, const double box[4], double out[4]) {
     }
 }
 
-bool bat_pick_touches(const bat_scene *scene, int index, const bat_view *view, const double box[4]) {
+bool bat_pick_touches(const bat_scene *scene, int index, const bat_stage *stage, const double box[4]) {
     const bat_scene_entry *entry = &scene->entries[index];
     double reach[4], corner[2];
     if (entry->hidden || entry->locked || !entry->path) return false;
-    around(view, box, reach);
+    around(stage, box, reach);
     if (apart(entry->box, reach, 0)) return false;
-    area in_view = {view, scene->origin, box};
+    area in_view = {stage, scene->origin, box};
     if (each_line(entry, false, crosses, &in_view)) return true;
-    bat_view_to_document(view, box, corner);
+    bat_stage_seen(stage, box, corner);
     return fills(scene, entry, corner);
 }

@@ -22,6 +22,6 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
 int bat_pick_object(bat_scene *scene, const double point[2], double within);
 /* Whether the entry's outline, or its fill, has a part in the box of the view (pixels: low x, low y, high x,
  * high y); flattened. Never when it is hidden or locked. */
-bool bat_pick_touches(const bat_scene *scene, int entry, const bat_view *view, const double box[4]);
+bool bat_pick_touches(const bat_scene *scene, int entry, const bat_stage *stage, const double box[4]);
 
 #endif

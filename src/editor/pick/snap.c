@@ -4,13 +4,13 @@
 #include "curve/frames_walk.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "hands/levels/shape.h"
 #include <math.h>
 #include <string.h>
@@ -238,7 +238,7 @@ bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_cou
         search s = {.c = c,
                     .kinds = kinds & sources[i].kinds,
                     .point = {sources[i].point[0] + delta[0], sources[i].point[1] + delta[1]},
-                    .within = REACH * bat_view_pixel(c->view),
+                    .within = REACH * bat_stage_pixel(c->stage),
                     .count = count,
                     .but = but};
         if (s.kinds) run(&s);
@@ -251,7 +251,7 @@ bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_cou
 
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) {
     bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     (*c->snap) = bat_snap_find(c, count, but, 1, &source, (double[]){0, 0}, NULL);
     if (c->snap->kind) memcpy(point, c->snap->point, sizeof c->snap->point);
 }
@@ -272,6 +272,6 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
 double bat_grid_step(const bat_context *c) {
     if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
     double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
-    for (int i = 0; step * c->view->zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
+    for (int i = 0; step * c->stage->view.zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
     return step;
 }

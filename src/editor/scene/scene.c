@@ -232,11 +232,11 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     return status;
 }
 
-void bat_scene_rebase(bat_scene *scene, const bat_view *view) {
+void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
     double middle[2];
-    bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
+    bat_stage_seen(stage, (double[]){stage->view.width / 2, stage->view.height / 2}, middle);
     double away = fmax(fabs(middle[0] - scene->origin[0]), fabs(middle[1] - scene->origin[1]));
-    if (away * view->zoom * 0x1p-24 <= 0.25) return;
+    if (away * stage->view.zoom * 0x1p-24 <= 0.25) return;
     memcpy(scene->origin, middle, sizeof middle);
     for (int i = 0; i < scene->count; i++) {
         free(scene->entries[i].path);

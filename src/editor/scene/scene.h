@@ -8,7 +8,7 @@
 
 #include "editor/choice/isolation.h"
 #include "editor/scene/path.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <batten/nearest.h>
 
 typedef struct bat_scene_entry {
@@ -46,7 +46,7 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
 /* Mirrors the document. BAT_MEMORY: the scene is as it was, or some paths are missing until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
 /* Moves the origin to the view's middle when floats would show (a quarter of a pixel). */
-void bat_scene_rebase(bat_scene *scene, const bat_view *view);
+void bat_scene_rebase(bat_scene *scene, const bat_stage *stage);
 /* The finder of a curve of an entry, made at first use; NULL when memory is out. */
 const bat_finder *bat_scene_finder(bat_scene *scene, int entry, int curve);
 

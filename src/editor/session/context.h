@@ -12,7 +12,7 @@ typedef struct bat_context {
     struct bat_settings *settings; /* tables/settings.h: values of properties, shortcuts, words */
     struct bat_session *session;   /* session/session.h: document, history, journal, the open transaction */
     struct bat_notices *notices;   /* session/notice.h: what the user is told, and the host asked */
-    struct bat_view *view;         /* view/view.h */
+    struct bat_stage *stage;       /* view/stage.h: the view, and the ground that the pen draws on */
     struct bat_input *input;       /* input/input.h: contacts, the pen, what is held */
     struct bat_choice *choice;     /* choice/choice.h: selection, active layer, isolation, the tool wanted */
     struct bat_clipboard *clipboard; /* edit/clipboard.h */

@@ -6,7 +6,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/pick/snap.h"
 #include <math.h>
 
@@ -16,7 +16,7 @@ void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
     double step = bat_grid_step(c), zero[2], box[4];
     if (!(step > 0)) return;
     bat_unit_origin(c, zero);
-    bat_view_box(c->view, box);
+    bat_stage_box(c->stage, box);
     for (int strong = 0; strong < 2; strong++) {
         bat_overlay_item(overlay, strong ? BAT_ROLE_GRID_STRONG : BAT_ROLE_GRID, BAT_ITEM_STROKED, 1);
         for (int k = 0; k < 2; k++) {

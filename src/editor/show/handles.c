@@ -108,20 +108,20 @@ void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double o
 
 /* ---- how they look ---- */
 
-static bool in_sight(const bat_view *view, const double point[2]) {
+static bool in_sight(const bat_stage *stage, const double point[2]) {
     double screen[2];
-    bat_view_to_screen(view, point, screen);
-    return screen[0] > -20 && screen[1] > -20 && screen[0] < view->width + 20 &&
-           screen[1] < view->height + 20;
+    bat_stage_project(stage, point, screen);
+    return screen[0] > -20 && screen[1] > -20 && screen[0] < stage->view.width + 20 &&
+           screen[1] < stage->view.height + 20;
 }
 
-void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_view *view) {
-    double pixel = bat_view_pixel(view), u, at[2];
+void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
+    double pixel = bat_stage_pixel(stage), u, at[2];
     int multiplicity, marks = 0;
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL) && marks < MARKS_MAX; after = u) {
         bat_curve_eval(curve, u, 0, at);
-        if (!in_sight(view, at)) continue;
+        if (!in_sight(stage, at)) continue;
         bat_overlay_mark(overlay, at, KNOT_RADIUS * pixel);
         marks++;
     }
@@ -131,7 +131,7 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
          after = u) {
         if (multiplicity < 2) continue;
         bat_curve_eval(curve, u, 0, at);
-        if (!in_sight(view, at)) continue;
+        if (!in_sight(stage, at)) continue;
         for (int i = 1; i < multiplicity; i++)
             bat_overlay_mark(overlay, at, (KNOT_RADIUS + RING_STEP * i) * pixel);
         marks++;
@@ -149,24 +149,24 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
     }
 }
 
-void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_view *view) {
+void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
     const double *points = bat_curve_points(curve);
     int count = bat_curve_count(curve), marks = 0;
-    double pixel = bat_view_pixel(view);
+    double pixel = bat_stage_pixel(stage);
     bat_overlay_item(overlay, BAT_ROLE_POLYGON, BAT_ITEM_STROKED, POLYGON_WIDTH);
     bat_overlay_polyline(overlay, (size_t)count, points);
     if (bat_curve_closed(curve)) bat_path_close(&overlay->path);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     for (int i = 0; i < count && marks < MARKS_MAX; i++) {
-        if (!in_sight(view, points + 2 * i)) continue;
+        if (!in_sight(stage, points + 2 * i)) continue;
         bat_overlay_square(overlay, points + 2 * i, POINT_RADIUS * pixel);
         marks++;
     }
 }
 
 void bat_handles_show_one(bat_overlay *overlay, const bat_curve *curve, const bat_handle *handle,
-                          bat_role role, const bat_view *view) {
-    double at[2], radius = ONE_RADIUS * bat_view_pixel(view);
+                          bat_role role, const bat_stage *stage) {
+    double at[2], radius = ONE_RADIUS * bat_stage_pixel(stage);
     bat_handle_place(curve, handle, at);
     bat_overlay_item(overlay, role, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     if (handle->kind == BAT_HANDLE_POINT)

@@ -6,7 +6,7 @@
 #define BATTEN_EDITOR_SHOW_HANDLES_H
 
 #include "editor/show/overlay.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 
 typedef enum bat_handle_kind {
     BAT_HANDLE_NONE,
@@ -41,11 +41,11 @@ void bat_knots_reached(const bat_curve *curve, double u, double range[2]);
 void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double out[2]);
 
 /* Knots as diamonds, a ring for each further multiplicity; ends of open curves as bars across. */
-void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_view *view);
+void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
 /* Control polygon and control points. */
-void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_view *view);
+void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
 /* One handle, larger. */
 void bat_handles_show_one(bat_overlay *overlay, const bat_curve *curve, const bat_handle *handle,
-                          bat_role role, const bat_view *view);
+                          bat_role role, const bat_stage *stage);
 
 #endif

@@ -11,7 +11,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/show/handles.h"
 #include "editor/pick/pick.h"
@@ -31,15 +31,15 @@ typedef struct tooth {
     double at[2], normal[2], curvature, share;
 } tooth;
 
-static bool in_sight(const bat_view *view, const double point[2]) {
+static bool in_sight(const bat_stage *stage, const double point[2]) {
     double screen[2];
-    bat_view_to_screen(view, point, screen);
-    return screen[0] > -HIGHEST && screen[1] > -HIGHEST && screen[0] < view->width + HIGHEST &&
-           screen[1] < view->height + HIGHEST;
+    bat_stage_project(stage, point, screen);
+    return screen[0] > -HIGHEST && screen[1] > -HIGHEST && screen[0] < stage->view.width + HIGHEST &&
+           screen[1] < stage->view.height + HIGHEST;
 }
 
 /* The teeth in sight; *count of them. NULL: no memory, or none. */
-static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
+static tooth *grow(const bat_curve *curve, const bat_stage *stage, int *count) {
     int segments = bat_curve_segment_count(curve);
     double *breaks = malloc(((size_t)segments + 1) * sizeof *breaks);
     tooth *teeth = malloc(TEETH_MAX * sizeof *teeth);
@@ -50,13 +50,13 @@ static tooth *grow(const bat_curve *curve, const bat_view *view, int *count) {
         return NULL;
     }
     for (int s = 0; s < segments && *count < TEETH_MAX; s++) {
-        double length = bat_curve_length(curve, breaks[s], breaks[s + 1], 1e-2) * view->zoom;
+        double length = bat_curve_length(curve, breaks[s], breaks[s + 1], 1e-2) * stage->view.zoom;
         int steps = (int)fmin(fmax(ceil(length / SPACING), 12), 400);
         for (int i = 0; i <= steps && *count < TEETH_MAX; i++) {
             double u = breaks[s] + (breaks[s + 1] - breaks[s]) * i / steps, d[6];
             (i == steps ? bat_curve_eval_left : bat_curve_eval)(curve, u, 2, d);
             double speed = bat_hypot(d[2], d[3]);
-            if (!(speed > 0) || !in_sight(view, d)) continue;
+            if (!(speed > 0) || !in_sight(stage, d)) continue;
             teeth[(*count)++] = (tooth){{d[0], d[1]},
                                         {d[3] / speed, -d[2] / speed},
                                         (d[2] * d[5] - d[3] * d[4]) / (speed * speed * speed),
@@ -90,10 +90,10 @@ static double scale_of(const tooth *teeth, int count, double pixel) {
     return bat_exp(floor(bat_log(scale) / 0.34657359) * 0.34657359);
 }
 
-void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view *view) {
+void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
     int count;
-    double pixel = bat_view_pixel(view);
-    tooth *teeth = grow(curve, view, &count);
+    double pixel = bat_stage_pixel(stage);
+    tooth *teeth = grow(curve, stage, &count);
     double scale = teeth && count ? scale_of(teeth, count, pixel) : 0;
     if (teeth && scale > 0) {
         for (int i = 0; i < count; i++) {
@@ -122,7 +122,7 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view 
     bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_FILLED, 0);
     for (int i = 0; i < found && scale > 0; i++) {
         bat_curve_eval(curve, u[i], 0, at);
-        if (in_sight(view, at)) bat_overlay_circle(overlay, at, MARK * pixel);
+        if (in_sight(stage, at)) bat_overlay_circle(overlay, at, MARK * pixel);
     }
 }
 
@@ -131,8 +131,8 @@ static const bat_curve *look(bat_context *c) {
     bat_insight *insight = c->insight;
     if (c->input->pen_near && !c->session->busy && bat_contacts_clear(c)) {
         double point[2];
-        bat_view_to_document(c->view, c->input->pen, point);
-        bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_view_pixel(c->view));
+        bat_stage_seen(c->stage, c->input->pen, point);
+        bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_stage_pixel(c->stage));
         if (pick.object) *insight = (bat_insight){pick.object, pick.curve};
     }
     const bat_curve *curve = insight->object
@@ -150,14 +150,14 @@ void bat_insight_show(bat_context *c, const bat_curve *made, bat_overlay *overla
     if (!comb && !knots && !length) return;
     const bat_curve *curve = made ? made : look(c);
     if (!curve) return;
-    if (comb) bat_comb_show(overlay, curve, c->view);
-    if (knots) bat_handles_show_knots(overlay, curve, c->view);
+    if (comb) bat_comb_show(overlay, curve, c->stage);
+    if (knots) bat_handles_show_knots(overlay, curve, c->stage);
     if (length && c->input->pen_near) {
         double domain[2], at[2];
         char text[64];
         bat_curve_domain(curve, domain);
         bat_unit_write(c, bat_curve_length(curve, domain[0], domain[1], 1e-6), text);
-        bat_view_to_document(c->view, c->input->pen, at);
+        bat_stage_seen(c->stage, c->input->pen, at);
         bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 16, -20, text);
     }
 }

@@ -7,7 +7,7 @@
 
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 
 typedef struct bat_insight {
     bat_id object; /* 0: none yet */
@@ -16,7 +16,7 @@ typedef struct bat_insight {
 
 /* Teeth along the normals, their length in proportion to the curvature, scaled so that the usual ones can be read at
  * this zoom; a line through their ends; marks on the inflections. Planar curves. */
-void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_view *view);
+void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
 /* Once a frame, before the overlay of the tool. */
 void bat_insight_show(bat_context *c, const bat_curve *made,
                       bat_overlay *overlay); /* made: what is under way; or NULL */

@@ -5,7 +5,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/view/unit.h"
 #include <math.h>
 #include <string.h>
@@ -15,7 +15,7 @@ static const double TICK = 4, MIDDLE = 8;             /* px long */
 enum { TICKS_MAX = 4000 };
 
 bool bat_rulers_on(const bat_context *c) {
-    return c->settings->values[BAT_PROPERTY_SHOW_RULERS] != 0 && c->view->angle == 0;
+    return c->settings->values[BAT_PROPERTY_SHOW_RULERS] != 0 && c->stage->view.angle == 0;
 }
 
 int bat_ruler_at(const bat_context *c, const double pixel[2]) {
@@ -25,10 +25,10 @@ int bat_ruler_at(const bat_context *c, const double pixel[2]) {
 }
 
 /* A line between view pixels, along the window's axis k: so far along, and across from a to b. */
-static void across(bat_overlay *overlay, const bat_view *view, int k, double along, double a, double b) {
+static void across(bat_overlay *overlay, const bat_stage *stage, int k, double along, double a, double b) {
     double from[2], to[2];
-    bat_view_to_document(view, k ? (double[]){a, along} : (double[]){along, a}, from);
-    bat_view_to_document(view, k ? (double[]){b, along} : (double[]){along, b}, to);
+    bat_stage_seen(stage, k ? (double[]){a, along} : (double[]){along, a}, from);
+    bat_stage_seen(stage, k ? (double[]){b, along} : (double[]){along, b}, to);
     bat_path_move(&overlay->path, from[0], from[1]);
     bat_path_line(&overlay->path, to[0], to[1]);
 }
@@ -43,11 +43,12 @@ static double round_up(double value) {
 
 /* Axis 0 is the upper ruler, along x. */
 static void show_ticks(const bat_context *c, bat_overlay *overlay, int axis) {
-    const bat_view *view = c->view;
-    double zero[2], unit = bat_unit_size(c), scale = unit * view->zoom, R = BAT_RULER_WIDTH;
+    const bat_stage *stage = c->stage;
+    double zero[2], unit = bat_unit_size(c), scale = unit * stage->view.zoom, R = BAT_RULER_WIDTH;
     bat_unit_origin(c, zero);
-    double low = ((axis ? view->y : view->x) - zero[axis]) / unit;
-    double high = low + (axis ? view->height : view->width) / scale, step = round_up(LABEL_APART / scale);
+    double low = ((axis ? stage->view.y : stage->view.x) - zero[axis]) / unit;
+    double high = low + (axis ? stage->view.height : stage->view.width) / scale,
+           step = round_up(LABEL_APART / scale);
     int parts = 10;
     while (parts > 1 && step * scale / parts < TICK_APART) parts = parts == 10 ? 5 : parts == 5 ? 2 : 1;
     double first = floor(low / step);
@@ -57,41 +58,41 @@ static void show_ticks(const bat_context *c, bat_overlay *overlay, int axis) {
         if (value > high) break;
         if (along < R) continue;
         bool labelled = i % parts == 0;
-        across(overlay, view, axis, along, R - (labelled ? R : 2 * (i % parts) == parts ? MIDDLE : TICK), R);
+        across(overlay, stage, axis, along, R - (labelled ? R : 2 * (i % parts) == parts ? MIDDLE : TICK), R);
         if (!labelled) continue;
         char text[BAT_UNIT_ROOM];
         double at[2];
         bat_unit_number(value, text);
-        bat_view_to_document(view, axis ? (double[]){0, along} : (double[]){along, 0}, at);
+        bat_stage_seen(stage, axis ? (double[]){0, along} : (double[]){along, 0}, at);
         double half = 3.2 * (double)strlen(text) + 4; /* of the text's length */
         bat_overlay_label(overlay, BAT_ROLE_RULER, at, axis ? 7 : half, axis ? half : 7, text);
         if (axis && overlay->label_count) overlay->labels[overlay->label_count - 1].turn = 90;
     }
 }
 
-static void strip(bat_overlay *overlay, const bat_view *view, const double box[4]) {
+static void strip(bat_overlay *overlay, const bat_stage *stage, const double box[4]) {
     double corner[2];
     for (int i = 0; i < 4; i++) {
-        bat_view_to_document(view, (double[]){box[i == 1 || i == 2 ? 2 : 0], box[i > 1 ? 3 : 1]}, corner);
+        bat_stage_seen(stage, (double[]){box[i == 1 || i == 2 ? 2 : 0], box[i > 1 ? 3 : 1]}, corner);
         (i ? bat_path_line : bat_path_move)(&overlay->path, corner[0], corner[1]);
     }
     bat_path_close(&overlay->path);
 }
 
 void bat_rulers_show(const bat_context *c, bat_overlay *overlay) {
-    const bat_view *view = c->view;
+    const bat_stage *stage = c->stage;
     double R = BAT_RULER_WIDTH;
     if (!bat_rulers_on(c)) return;
     bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_FILLED, 0);
-    strip(overlay, view, (double[]){0, 0, view->width, R});
-    strip(overlay, view, (double[]){0, R, R, view->height});
+    strip(overlay, stage, (double[]){0, 0, stage->view.width, R});
+    strip(overlay, stage, (double[]){0, R, R, stage->view.height});
     bat_overlay_item(overlay, BAT_ROLE_RULER, BAT_ITEM_STROKED, 1);
-    across(overlay, view, 1, R - 0.5, 0, view->width);
-    across(overlay, view, 0, R - 0.5, 0, view->height);
+    across(overlay, stage, 1, R - 0.5, 0, stage->view.width);
+    across(overlay, stage, 0, R - 0.5, 0, stage->view.height);
     show_ticks(c, overlay, 0);
     show_ticks(c, overlay, 1);
     if (!c->input->pen_near) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
     for (int k = 0; k < 2; k++)
-        if (c->input->pen[k] >= R) across(overlay, view, k, c->input->pen[k], 0, R);
+        if (c->input->pen[k] >= R) across(overlay, stage, k, c->input->pen[k], 0, R);
 }

@@ -4,7 +4,7 @@
 #include "editor/session/notice.h"
 #include "editor/show/snapped.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <math.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@ void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
     };
     const bat_snap *snap = c->snap;
     const double *at = snap->point;
-    double size = 5 * bat_view_pixel(c->view);
+    double size = 5 * bat_stage_pixel(c->stage);
     char angle[BAT_UNIT_ROOM];
     if (snap->kind == BAT_SNAP_NONE) return;
     bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);

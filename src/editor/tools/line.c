@@ -9,13 +9,13 @@
 #include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
 #include "editor/pick/snap.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +48,7 @@ static const bat_curve *settle(const bat_context *c, lining *l) {
 static void place(bat_context *c, lining *l, const bat_pointer *event) {
     l->now[0] = event->x;
     l->now[1] = event->y;
-    bat_view_to_document(c->view, l->now, l->at);
+    bat_stage_seen(c->stage, l->now, l->at);
     if (c->modifiers & BAT_SHIFT && l->placed)
         bat_snap_angle(c, l->from, l->at);
     else
@@ -139,7 +139,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     l->pressed = false;
     bool clicked = bat_hypot(l->now[0] - l->start[0], l->now[1] - l->start[1]) <= CLICK;
     if (clicked && l->began) return; /* the first point is put */
-    if (bat_hypot(l->at[0] - l->from[0], l->at[1] - l->from[1]) <= CLICK * bat_view_pixel(c->view)) {
+    if (bat_hypot(l->at[0] - l->from[0], l->at[1] - l->from[1]) <= CLICK * bat_stage_pixel(c->stage)) {
         l->placed = false; /* on the end: that was all */
         l->object = 0;
         return;
@@ -182,7 +182,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     lining *l = state;
     settle(c, l);
     if (!l->placed) return;
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     if (l->pressed || l->hovering) {
         bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
         bat_overlay_polyline(list, 2, (double[]){l->from[0], l->from[1], l->at[0], l->at[1]});

@@ -16,7 +16,7 @@
 #include "editor/pick/snap.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -29,7 +29,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/pull.h"
@@ -48,7 +48,7 @@ static const float STRETCH_WIDTH = 4, HIGHLIGHT_WIDTH = 3;
 
 static double reach(const bat_context *c, const bat_pointing *p, double pixels) {
     double factor = p->device == BAT_DEVICE_TOUCH ? TOUCH : 1;
-    return pixels * factor * bat_view_pixel(c->view);
+    return pixels * factor * bat_stage_pixel(c->stage);
 }
 
 /* The chosen curve, NULL when there is none or it is gone. */
@@ -73,7 +73,7 @@ static void adopt(bat_context *c, bat_pointing *p) {
 static void settle(bat_context *c, bat_pointing *p) {
     adopt(c, p);
     const bat_curve *curve = chosen_curve(c, p);
-    if (!curve || bat_stage_out_of_reach(c, bat_document_find(c->session->document, p->object))) {
+    if (!curve || bat_seen_out_of_reach(c, bat_document_find(c->session->document, p->object))) {
         p->object = 0;
         choose_nothing(p);
         return;
@@ -119,8 +119,8 @@ static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_cur
 static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
     double point[2];
     bat_handle handle = {0};
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, pixel, point);
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, p, CURVE_REACH));
     const bat_curve *curve = chosen_curve(c, p);
     if (curve && handle_at(c, p, curve, point, &pick, &handle)) {
@@ -166,8 +166,8 @@ static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_c
 static void drag_delta(bat_context *c, bat_pointing *p, double delta[2]) {
     double from[2], to[2], held[2];
     int own = bat_document_find(c->session->document, p->grip.object);
-    bat_view_to_document(c->view, p->start, from);
-    bat_view_to_document(c->view, p->at, to);
+    bat_stage_seen(c->stage, p->start, from);
+    bat_stage_seen(c->stage, p->at, to);
     bat_handle_place(p->base, &p->grip, held);
     double place[2] = {held[0] + to[0] - from[0], held[1] + to[1] - from[1]};
     if (c->modifiers & BAT_SHIFT)
@@ -317,7 +317,7 @@ static bat_status delete_knot(bat_context *c, bat_pointing *p) {
         bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);
         return BAT_STATE;
     }
-    double within = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_view_pixel(c->view);
+    double within = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage);
     return take_out(c, p, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
 }
 
@@ -457,12 +457,12 @@ static bool undo(bat_context *c, void *state) {
 static bat_status step(bat_context *c, bat_pointing *p, int direction) {
     const bat_curve *curve = chosen_curve(c, p);
     if (!curve) { /* what is selected, else the first curve there is */
-        bat_stage_sync(c);
+        bat_seen_sync(c);
         for (int pass = 0; pass < 2 && !curve; pass++)
             for (int i = 0; i < bat_document_count(c->session->document) && !curve; i++) {
                 bat_id id = bat_object_id(bat_document_at(c->session->document, i));
                 if (pass == 0 && !bat_selection_has(&c->choice->selection, id)) continue;
-                if (bat_stage_out_of_reach(c, i)) continue;
+                if (bat_seen_out_of_reach(c, i)) continue;
                 if (!(curve = bat_edit_target(c->session->document, id, 0))) continue;
                 choose_curve(c, p, id, 0);
             }
@@ -519,7 +519,7 @@ bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
 }
 
 static bat_status nudge(bat_context *c, double x, double y) {
-    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(c->view);
+    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_stage_pixel(c->stage);
     return bat_pointing_shift(c, (double[]){x * far, y * far});
 }
 
@@ -618,12 +618,12 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     }
     const bat_curve *shown = curve ? curve : under;
     if (shown) {
-        bat_handles_show_points(list, shown, c->view);
-        bat_handles_show_knots(list, shown, c->view);
+        bat_handles_show_points(list, shown, c->stage);
+        bat_handles_show_knots(list, shown, c->stage);
     }
-    if (curve && p->chosen.kind) bat_handles_show_one(list, curve, &p->chosen, BAT_ROLE_CHOSEN, c->view);
+    if (curve && p->chosen.kind) bat_handles_show_one(list, curve, &p->chosen, BAT_ROLE_CHOSEN, c->stage);
     if (under && !(same(hot, &p->chosen) && curve))
-        bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, c->view);
+        bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, c->stage);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {

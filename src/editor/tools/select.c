@@ -16,7 +16,7 @@
 #include "editor/pick/snap.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -27,7 +27,7 @@
 #include "editor/tools/select.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "hands/levels/shape.h"
 #include "base/real.h"
 #include "base/matrix.h"
@@ -52,19 +52,21 @@ static void handle_share(int handle, double share[2]) {
 }
 
 /* Of the box (document units), in view pixels. False: too crowded, or no such side. */
-static bool handle_place(const bat_view *view, const double box[4], int handle, double out[2]) {
+static bool handle_place(const bat_stage *stage, const double box[4], int handle, double out[2]) {
     double share[2] = {0.5, 0};
     if (handle < BAT_GRIP_ROTATE) handle_share(handle, share);
-    double width = (box[2] - box[0]) * view->zoom, height = (box[3] - box[1]) * view->zoom;
+    double scale = bat_stage_scale(stage);
+    double width = (box[2] - box[0]) * scale, height = (box[3] - box[1]) * scale;
     bool corner = share[0] != 0.5 && share[1] != 0.5;
     if (handle < BAT_GRIP_ROTATE && !corner && (share[0] == 0.5 ? width : height) < CROWDED) return false;
     if (handle < BAT_GRIP_ROTATE && width == 0 && share[0] == 1 && share[1] != 0.5) return false;
     if (handle < BAT_GRIP_ROTATE && height == 0 && share[1] == 1 && share[0] != 0.5) return false;
-    bat_view_to_screen(
-        view, (double[]){box[0] + share[0] * (box[2] - box[0]), box[1] + share[1] * (box[3] - box[1])}, out);
+    bat_stage_project(
+        stage, (double[]){box[0] + share[0] * (box[2] - box[0]), box[1] + share[1] * (box[3] - box[1])}, out);
     if (handle == BAT_GRIP_ROTATE) {
-        out[0] += ROTATE_AWAY * view->sine;
-        out[1] -= ROTATE_AWAY * view->cosine;
+        double up[2];
+        bat_stage_up(stage, up);
+        for (int k = 0; k < 2; k++) out[k] += ROTATE_AWAY * up[k];
     }
     return true;
 }
@@ -74,7 +76,7 @@ static int handle_at(const bat_context *c, const double pixel[2], bat_device dev
     int found = BAT_GRIP_NONE;
     if (!bat_arrange_selection_box(c, box)) return found;
     for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
-        if (!handle_place(c->view, box, i, place)) continue;
+        if (!handle_place(c->stage, box, i, place)) continue;
         double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
         if (away <= best) {
             best = away;
@@ -87,9 +89,9 @@ static int handle_at(const bat_context *c, const double pixel[2], bat_device dev
 /* What a click here means: the whole group, or with deep the object itself. 0: nothing. */
 static bat_id object_at(bat_context *c, const double pixel[2], bat_device device, bool deep) {
     double point[2];
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, pixel, point);
-    int index = bat_pick_object(c->scene, point, reach(device) * bat_view_pixel(c->view));
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, point);
+    int index = bat_pick_object(c->scene, point, reach(device) * bat_stage_pixel(c->stage));
     if (index < 0) return 0;
     if (!deep) index = bat_arrange_whole(c, index);
     return bat_object_id(bat_document_at(c->session->document, index));
@@ -159,7 +161,7 @@ static void find_sources(bat_context *c, bat_selecting *s) {
     s->source_count = 0;
     for (int i = 0; i < 4; i++) add_source(s, s->box[i & 1 ? 2 : 0], s->box[i & 2 ? 3 : 1], BAT_SNAP_LINES);
     add_source(s, s->box[0] / 2 + s->box[2] / 2, s->box[1] / 2 + s->box[3] / 2, BAT_SNAP_LINES);
-    bat_view_to_document(c->view, s->start, held);
+    bat_stage_seen(c->stage, s->start, held);
     add_source(s, held[0], held[1], BAT_SNAP_ALL & ~BAT_SNAP_LINES);
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
@@ -266,9 +268,9 @@ static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], 
 
 static bat_status change(bat_context *c, bat_selecting *s) {
     double from[2], to[2], matrix[6];
-    bat_view_to_document(c->view, s->start, from);
-    bat_view_to_document(c->view, s->at, to);
-    bat_stage_sync(c);
+    bat_stage_seen(c->stage, s->start, from);
+    bat_stage_seen(c->stage, s->at, to);
+    bat_seen_sync(c);
     if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, s, from, to);
     if (s->state == BAT_SELECTING_SCALING)
         scaling(s, c->modifiers, from, to, matrix);
@@ -347,7 +349,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     s->hovering = event->device != BAT_DEVICE_TOUCH;
     memcpy(s->start, (double[]){event->x, event->y}, sizeof s->start);
     memcpy(s->at, s->start, sizeof s->at);
-    bat_view_to_document(c->view, s->start, s->point);
+    bat_stage_seen(c->stage, s->start, s->point);
     s->has_point = true;
     bat_notice(c, BAT_STRING_COUNT);
     s->handle = handle_at(c, s->start, event->device);
@@ -401,9 +403,9 @@ static void select_box(bat_context *c, bat_selecting *s) {
     double box[4];
     bat_status status = BAT_OK;
     marquee(c, s, box);
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     for (int i = 0; i < c->scene->count && status == BAT_OK; i++) {
-        if (!bat_pick_touches(c->scene, i, c->view, box)) continue;
+        if (!bat_pick_touches(c->scene, i, c->stage, box)) continue;
         if (!bat_arrange_entered(c, i)) continue;
         int whole = bat_arrange_whole(c, i);
         status = bat_selection_append(&c->choice->selection,
@@ -455,7 +457,7 @@ static void modifiers(bat_context *c, void *state) {
 static bat_status step_object(bat_context *c, int direction) {
     bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     int count = c->scene->count, i = direction > 0 ? 0 : count - 1;
     if (selection->count) {
         i = bat_document_find(document, selection->ids[direction > 0 ? selection->count - 1 : 0]);
@@ -521,37 +523,37 @@ static void update(bat_context *c, void *state) {
         give_up(c, s, status);
         return;
     }
-    bat_stage_sync(c);
+    bat_seen_sync(c);
 }
 
 /* ---- what is shown ---- */
 
-static void show_handle(bat_overlay *overlay, const bat_view *view, const double pixel[2], bool round) {
+static void show_handle(bat_overlay *overlay, const bat_stage *stage, const double pixel[2], bool round) {
     double r = HANDLE, corners[10], point[2];
     static const double square[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
     if (round) {
-        bat_view_to_document(view, pixel, point);
-        bat_overlay_mark(overlay, point, 1.3 * r * bat_view_pixel(view));
+        bat_stage_seen(stage, pixel, point);
+        bat_overlay_mark(overlay, point, 1.3 * r * bat_stage_pixel(stage));
         return;
     }
     for (int i = 0; i < 5; i++)
-        bat_view_to_document(view, (double[]){pixel[0] + r * square[i][0], pixel[1] + r * square[i][1]},
-                             corners + 2 * i);
+        bat_stage_seen(stage, (double[]){pixel[0] + r * square[i][0], pixel[1] + r * square[i][1]},
+                       corners + 2 * i);
     bat_overlay_polyline(overlay, 5, corners);
     bat_path_close(&overlay->path);
 }
 
-/* The box: of the document, or with a view, of its pixels. */
-static void show_box(bat_overlay *overlay, const bat_view *view, const double box[4]) {
+/* The box: of the document, or with a stage, of its pixels. */
+static void show_box(bat_overlay *overlay, const bat_stage *stage, const double box[4]) {
     double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
-    for (int i = 0; i < 5 && view; i++)
-        bat_view_to_document(view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
+    for (int i = 0; i < 5 && stage; i++)
+        bat_stage_seen(stage, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
     bat_overlay_polyline(overlay, 5, corners);
     bat_path_close(&overlay->path);
 }
 
 static void show_selection(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
-    const bat_view *view = c->view;
+    const bat_stage *stage = c->stage;
     double box[4], place[2], line[4];
     if (!bat_arrange_selection_box(c, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
@@ -559,12 +561,12 @@ static void show_selection(const bat_context *c, const bat_selecting *s, bat_ove
     if (dragging(s)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
-    line[3] = box[1] - ROTATE_AWAY * bat_view_pixel(view);
+    line[3] = box[1] - ROTATE_AWAY * bat_stage_pixel(stage);
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1);
     bat_overlay_polyline(overlay, 2, line);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
     for (int i = 0; i <= BAT_GRIP_ROTATE; i++)
-        if (handle_place(view, box, i, place)) show_handle(overlay, view, place, i == BAT_GRIP_ROTATE);
+        if (handle_place(stage, box, i, place)) show_handle(overlay, stage, place, i == BAT_GRIP_ROTATE);
 }
 
 /* The box of the group that was entered, and its name. */
@@ -598,7 +600,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
         double box[4];
         marquee(c, s, box);
         bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-        show_box(list, c->view, box);
+        show_box(list, c->stage, box);
     }
 }
 
@@ -626,7 +628,7 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
     if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
     if (s->handle != BAT_GRIP_NONE) /* the handles lie as the view is turned */
-        return handles[(s->handle + 8 + (int)round(c->view->angle / 45)) % 4];
+        return handles[(s->handle + 8 + (int)round(bat_stage_angle(c->stage) / 45)) % 4];
     if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_CURSOR_MOVE;
     return BAT_CURSOR_ARROW;
 }

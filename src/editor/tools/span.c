@@ -16,7 +16,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/view/unit.h"
 #include "base/matrix.h"
 #include <string.h>
@@ -34,13 +34,13 @@ static double distance(const bat_spanning *s) {
 }
 
 static void put(bat_context *c, bat_spanning *s, const bat_pointer *event) {
-    if (s->held >= 0) bat_view_to_document(c->view, (double[]){event->x, event->y}, s->at[s->held]);
+    if (s->held >= 0) bat_stage_seen(c->stage, (double[]){event->x, event->y}, s->at[s->held]);
 }
 
 static int place_at(const bat_context *c, const bat_spanning *s, const bat_pointer *event) {
     double within = event->device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH, screen[2];
     for (int i = s->count - 1; i >= 0; i--) {
-        bat_view_to_screen(c->view, s->at[i], screen);
+        bat_stage_project(c->stage, s->at[i], screen);
         if (bat_hypot(screen[0] - event->x, screen[1] - event->y) <= within) return i;
     }
     return -1;
@@ -86,7 +86,7 @@ static bool busy(const bat_context *c, const void *state) {
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_spanning *s = state;
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     if (s->count == 2) {
         double middle[2] = {s->at[0][0] / 2 + s->at[1][0] / 2, s->at[0][1] / 2 + s->at[1][1] / 2};
         char text[BAT_UNIT_ROOM];

@@ -7,7 +7,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <math.h>
 
@@ -44,19 +44,21 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_zooming *z = state;
-    bat_view *view = c->view;
+    bat_stage *stage = c->stage;
+    double window[2], centre[2];
     if (!z->down) return; /* cancelled */
     move(c, z, event);
-    if (drawn(z) && view->width > 0 && view->height > 0) {
+    bat_stage_window(stage, window);
+    bat_stage_middle(stage, centre);
+    if (drawn(z) && window[0] > 0 && window[1] > 0) {
         double size[2] = {fabs(z->at[0] - z->start[0]), fabs(z->at[1] - z->start[1])};
         double middle[2] = {(z->at[0] + z->start[0]) / 2, (z->at[1] + z->start[1]) / 2};
-        double centre[2] = {view->width / 2, view->height / 2};
         /* One side is over CLICK / sqrt(2), so the factor is finite. */
-        double factor = fmin(view->width / fmax(size[0], 1e-3), view->height / fmax(size[1], 1e-3));
-        bat_view_pan(view, middle, centre);
-        bat_view_zoom(view, centre, away(c) ? 1 / factor : factor);
+        double factor = fmin(window[0] / fmax(size[0], 1e-3), window[1] / fmax(size[1], 1e-3));
+        bat_stage_pan(stage, middle, centre);
+        bat_stage_zoom(stage, centre, away(c) ? 1 / factor : factor);
     } else {
-        bat_view_zoom(view, z->at, away(c) ? 1 / STEP : STEP);
+        bat_stage_zoom(stage, z->at, away(c) ? 1 / STEP : STEP);
     }
     z->down = false;
 }
@@ -82,7 +84,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     double corners[8] = {z->start[0], z->start[1], z->at[0],    z->start[1],
                          z->at[0],    z->at[1],    z->start[0], z->at[1]};
     for (int i = 0; i < 4; i++)
-        bat_view_to_document(c->view, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
+        bat_stage_seen(c->stage, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
     bat_overlay_polyline(list, 4, corners);
     bat_path_close(&list->path);
 }

@@ -35,6 +35,12 @@ void bat_view_to_document(const bat_view *view, const double screen[2], double d
     document[1] = view->y + (view->cosine * screen[1] - view->sine * screen[0]) / view->zoom;
 }
 
+bat_ray bat_view_ray(const bat_view *view, const double pixel[2]) {
+    bat_ray ray = {.along = {0, 0, -1}};
+    bat_view_to_document(view, pixel, ray.from);
+    return ray;
+}
+
 void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]) {
     double x = document[0] - view->x, y = document[1] - view->y;
     screen[0] = (view->cosine * x - view->sine * y) * view->zoom;

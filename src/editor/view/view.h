@@ -3,7 +3,7 @@
 #ifndef BATTEN_EDITOR_VIEW_VIEW_H
 #define BATTEN_EDITOR_VIEW_VIEW_H
 
-#include <batten/base.h>
+#include "editor/view/ground.h"
 
 #define BAT_ZOOM_MIN 1e-6
 #define BAT_ZOOM_MAX 1e6
@@ -24,6 +24,8 @@ void bat_view_look_afresh(bat_view *view);
 void bat_view_turn(bat_view *view, double degrees);
 /* Size of a view pixel in document units. */
 double bat_view_pixel(const bat_view *view);
+/* Through a view pixel, straight at the page: from the place on it that is seen there, away from the eye. */
+bat_ray bat_view_ray(const bat_view *view, const double pixel[2]);
 void bat_view_to_document(const bat_view *view, const double screen[2], double document[2]);
 void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]);
 /* Moves the view, so that the document point lies under the view pixel. */

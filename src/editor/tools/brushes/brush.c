@@ -3,7 +3,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/input/pressure.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 
 void bat_brush_note(bat_context *c, bat_brush *b, const bat_pointer *event) {
     b->hovering = true;
@@ -42,7 +42,7 @@ const char *bat_brush_check(const bat_context *c, const void *state) {
 
 void bat_brush_show(const bat_context *c, const bat_brush *b, double reach, bat_overlay *list) {
     double point[2];
-    bat_view_to_document(c->view, b->at, point);
+    bat_stage_seen(c->stage, b->at, point);
     bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.25F);
     bat_overlay_circle(list, point, reach);
 }

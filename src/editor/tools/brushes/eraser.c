@@ -7,7 +7,7 @@
 #include "editor/input/input.h"
 #include "editor/input/pressure.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -18,7 +18,7 @@
 #include "editor/tools/brushes/brush.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "hands/levels/shape.h"
 #include "editor/edit/cut_out.h"
 #include "editor/edit/curves_of.h"
@@ -53,7 +53,7 @@ static void end(void *state) {
 }
 
 static double radius(const bat_context *c, const erasing *b) {
-    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * b->brush.pressure * bat_view_pixel(c->view);
+    return c->settings->values[BAT_PROPERTY_ERASER_SIZE] * b->brush.pressure * bat_stage_pixel(c->stage);
 }
 
 static rubbed_curve *rubbed_of(erasing *b, bat_id object, int curve) {
@@ -79,9 +79,9 @@ static void give_up(bat_context *c, erasing *b, bat_status status) {
 static void rub(bat_context *c, erasing *b, const double from[2], const double to[2]) {
     const bat_scene *scene = c->scene;
     double a[2], end[2], r = radius(c, b);
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, from, a);
-    bat_view_to_document(c->view, to, end);
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, from, a);
+    bat_stage_seen(c->stage, to, end);
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         const double *box = entry->box;
@@ -135,7 +135,7 @@ static bat_status rest_add(rest *r, int count, bat_curve **pieces) {
 /* rubbed: those of the object that have spans, ascending. */
 static bat_status rest_of(const bat_context *c, const rubbed_curve *rubbed, int rubbed_count,
                           const bat_object *object, rest *out) {
-    const double least = LEAST * bat_view_pixel(c->view);
+    const double least = LEAST * bat_stage_pixel(c->stage);
     bat_status status = BAT_OK;
     for (int j = 0; j < bat_object_curve_count(object) && status == BAT_OK; j++) {
         const bat_curve *curve = bat_object_curve(object, j);

@@ -9,7 +9,7 @@
 #include "editor/input/pressure.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -19,7 +19,7 @@
 #include "editor/tools/brushes/brush.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/edit/fair.h"
 #include "editor/pick/pick.h"
@@ -49,7 +49,7 @@ static void end(void *state) {
 }
 
 static double radius(const bat_context *c) {
-    return c->settings->values[BAT_PROPERTY_BRUSH_SIZE] * bat_view_pixel(c->view);
+    return c->settings->values[BAT_PROPERTY_BRUSH_SIZE] * bat_stage_pixel(c->stage);
 }
 
 /* What the pen's pressure makes of it. A curve is found within all of it, however light the tap. */
@@ -67,8 +67,8 @@ static double half(double radius_, double distance) {
 static void look(bat_context *c, smoothing *b) {
     double point[2], r = radius(c);
     b->object = 0;
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, b->brush.at, point);
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, b->brush.at, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, r);
     if (!pick.object) return;
     b->object = pick.object;
@@ -87,7 +87,7 @@ static void paint(bat_context *c, smoothing *b) {
     double point[2], domain[2], range[2], r = radius(c);
     bat_near near;
     if (!curve) return;
-    bat_view_to_document(c->view, b->brush.at, point);
+    bat_stage_seen(c->stage, b->brush.at, point);
     if (bat_curve_nearest(curve, point, &near) != BAT_OK || near.distance > r) return;
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0], turns = 0;
@@ -101,7 +101,7 @@ static void paint(bat_context *c, smoothing *b) {
 }
 
 static bat_status fair(bat_context *c, smoothing *b, bat_curve **out) {
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     return bat_fair_curve(target(c, b), b->range, c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel,
                           pixel, out);
 }
@@ -198,7 +198,7 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
 }
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
-    double pixel = bat_view_pixel(c->view), limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
+    double pixel = bat_stage_pixel(c->stage), limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
     const bat_curve *curve = bat_edit_target(c->session->document, on->object, on->curve);
     bat_curve *faired = NULL;
     (void)state;

@@ -7,7 +7,7 @@
 #include "editor/pick/pick.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -17,7 +17,7 @@
 #include "editor/tools/keyed/waypoints.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/show/handles.h"
 #include "editor/edit/curves_of.h"
 #include <batten/measure.h>
@@ -78,7 +78,7 @@ static const bat_curve *settle(bat_context *c, bat_range *r) {
 static void show(bat_context *c, bat_range *r, const bat_curve *curve) {
     double at[2];
     bat_curve_eval(curve, r->u[r->end], 0, at);
-    bat_view_show(c->view, at, MARGIN);
+    bat_stage_bring(c->stage, at, MARGIN);
 }
 
 static bool choose(bat_context *c, bat_range *r, bat_id object, int curve) {
@@ -104,7 +104,7 @@ bat_status bat_command_range(bat_context *c, bat_command_id id) {
         !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS))
         tool->is->cancel(c, tool->state);
     if (tool->is->leave) tool->is->leave(c, tool->state);
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     const bat_scene *scene = c->scene;
     int end = 0; /* of the selected group that the walk is in */
     for (int i = 0; i < scene->count && c->choice->selection.count; i++) {
@@ -116,9 +116,10 @@ bat_status bat_command_range(bat_context *c, bat_command_id id) {
         if (i < end && !entry->hidden && !entry->locked && choose(c, r, object, again ? r->curve : 0))
             return BAT_OK;
     }
-    double at[2] = {c->view->width / 2, c->view->height / 2}, point[2];
+    double at[2], point[2];
+    bat_stage_middle(c->stage, at);
     if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
-    bat_view_to_document(c->view, at, point);
+    bat_stage_seen(c->stage, at, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, INFINITY);
     if (pick.object && choose(c, r, pick.object, pick.curve)) return BAT_OK;
     bat_notice(c, BAT_STRING_NOTICE_NO_CURVE);
@@ -135,7 +136,7 @@ void bat_range_end(bat_context *c) {
 
 /* The end goes along the curve, but not past the other one. */
 static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, double u) {
-    double domain[2], period = period_of(curve), pixel = bat_view_pixel(c->view);
+    double domain[2], period = period_of(curve), pixel = bat_stage_pixel(c->stage);
     bool closed = bat_curve_closed(curve);
     bat_curve_domain(curve, domain);
     double near = along(curve, r->u[1 - r->end], (r->end ? 1 : -1) * LEAST * pixel);
@@ -152,7 +153,7 @@ static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, dou
 }
 
 static bat_status step(bat_context *c, bat_range *r, const bat_curve *curve, int direction) {
-    double length = direction * STEP * bat_view_pixel(c->view);
+    double length = direction * STEP * bat_stage_pixel(c->stage);
     if (c->modifiers & BAT_SHIFT) length *= 10;
     return move(c, r, curve, along(curve, r->u[r->end], length));
 }
@@ -176,7 +177,7 @@ static bat_status step_knot(bat_context *c, bat_range *r, const bat_curve *curve
 
 /* The curves of the drawing, back to front; past the last one the keyboard goes on to what lies behind it. */
 static bat_status step_curve(bat_context *c, bat_range *r, int direction) {
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     int i = bat_document_find(c->session->document, r->object), j = r->curve + direction;
     for (; i >= 0 && i < c->scene->count; i += direction) {
         const bat_scene_entry *entry = &c->scene->entries[i];
@@ -261,7 +262,7 @@ static void update(bat_context *c, void *state) {
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_range *r = state;
     const bat_curve *curve = bat_range_curve(c);
-    double at[2], pixel = bat_view_pixel(c->view);
+    double at[2], pixel = bat_stage_pixel(c->stage);
     char text[32];
     if (!curve) return;
     bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, CURVE_WIDTH);

@@ -11,7 +11,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/edit/curves_of.h"
 #include <batten/bezier.h>
@@ -24,7 +24,7 @@ enum { OVER_RANGE = 5, SAMPLES_MIN = 6, SAMPLES_MAX = 400 };
 static const double SAMPLE = 2, MARGIN = 40, CLOSE = 8, SAME = 0.5; /* px */
 static const double FAR = 10, FARTHER = 100;                        /* px: with Shift, with Ctrl */
 
-static double pixel_of(const bat_context *c) { return bat_view_pixel(c->view); }
+static double pixel_of(const bat_context *c) { return bat_stage_pixel(c->stage); }
 
 static bool meet(const bat_context *c, const bat_waypoints *w, int i, int j, double pixels) {
     const double *p = w->points;
@@ -52,10 +52,11 @@ bat_status bat_command_place(bat_context *c, bat_command_id id) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (tool->is->cancel) tool->is->cancel(c, tool->state);
     if (tool->is->leave) tool->is->leave(c, tool->state);
-    double at[2] = {c->view->width / 2, c->view->height / 2};
+    double at[2];
+    bat_stage_middle(c->stage, at);
     if (c->input->pen_near) memcpy(at, c->input->pen, sizeof at);
     *w = (bat_waypoints){.on = true, .due = true, .count = 1};
-    bat_view_to_document(c->view, at, w->points);
+    bat_stage_seen(c->stage, at, w->points);
     bat_notice(c, BAT_STRING_COUNT);
     return BAT_OK;
 }
@@ -170,11 +171,11 @@ static void finish(bat_context *c, bat_waypoints *w) {
 
 static bat_status nudge(bat_context *c, bat_waypoints *w, double x, double y, double far) {
     double *point = w->points + 2 * w->chosen, screen[2];
-    bat_view_to_screen(c->view, point, screen);
+    bat_stage_project(c->stage, point, screen);
     screen[0] += x * far;
     screen[1] += y * far;
-    bat_view_to_document(c->view, screen, point);
-    bat_view_show(c->view, point, MARGIN);
+    bat_stage_seen(c->stage, screen, point);
+    bat_stage_bring(c->stage, point, MARGIN);
     w->due = true;
     return BAT_OK;
 }
@@ -214,7 +215,7 @@ static bat_status take_out(bat_context *c, bat_waypoints *w) {
 
 static bat_status choose(bat_context *c, bat_waypoints *w, int step) {
     w->chosen = (w->chosen + step + w->count) % w->count;
-    bat_view_show(c->view, w->points + 2 * w->chosen, MARGIN);
+    bat_stage_bring(c->stage, w->points + 2 * w->chosen, MARGIN);
     return BAT_OK;
 }
 
@@ -269,8 +270,8 @@ static void update(bat_context *c, void *state) {
         if (w->beneath) *w->beneath = false;
         return;
     }
-    if (memcmp(c->view, &w->view, sizeof w->view)) w->due = true;
-    w->view = (*c->view);
+    if (!bat_stage_same(c->stage, &w->stage)) w->due = true;
+    w->stage = *c->stage;
     if (w->due) trace(c, w); /* one place alone has no stroke */
     const bat_slot *tool = bat_toolbox_chosen(c);
     if (tool->is->trace && tool->is->update) tool->is->update(c, tool->state);

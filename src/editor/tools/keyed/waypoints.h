@@ -8,7 +8,7 @@
 
 #include "editor/session/context.h"
 #include "editor/tools/tool.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 
 enum { BAT_WAYPOINTS_MAX = 128 };
 
@@ -19,7 +19,7 @@ typedef struct bat_waypoints {
     double points[2 * BAT_WAYPOINTS_MAX]; /* document units */
     double leads[4]; /* redrawn: the curve's directions where the stroke begins and ends */
     int count, chosen;
-    bat_view view; /* that the preview was made in */
+    bat_stage stage; /* that the preview was made in */
     bool *beneath; /* whether the range is on that they redraw: when they are done, it is, too; NULL: none */
 } bat_waypoints;
 

@@ -14,7 +14,7 @@
 #include "editor/pick/snap.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -26,7 +26,7 @@
 #include "editor/tools/levels/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/curves_of.h"
@@ -42,7 +42,7 @@ static const double AXIS = 18, AXES_APART = 26; /* px: length of an axis, and be
 enum { AXES_MAX = 400 };
 
 static double reach(const bat_context *c, double pixels) {
-    return pixels * (bat_leveling_of(c)->device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_view_pixel(c->view);
+    return pixels * (bat_leveling_of(c)->device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_stage_pixel(c->stage);
 }
 
 /* The control polygon that can be dragged. */
@@ -66,8 +66,8 @@ static double near_point(const bat_curve *curve, const double at[2], int *index)
 static bat_handle find(bat_context *c, const double pixel[2]) {
     const bat_leveling *l = bat_leveling_of(c);
     double point[2];
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, pixel, point);
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, point);
     bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, CURVE_REACH));
     const bat_curve *polygon = l->copying ? NULL : active(c);
     int index = 0;
@@ -85,7 +85,7 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
 static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                         const double delta[2]) {
     if (grip->kind == BAT_HANDLE_POINT) return bat_shape_live_move(live, grip->index, 1, delta);
-    bat_status status = bat_shape_live_drag_finest(live, grip->u, delta, CLOSE * bat_view_pixel(c->view),
+    bat_status status = bat_shape_live_drag_finest(live, grip->u, delta, CLOSE * bat_stage_pixel(c->stage),
                                                    NULL);
     /* Where the details turn faster than the sweep moves, the sweep alone follows. */
     return status == BAT_TOLERANCE ? bat_shape_live_drag(live, grip->u, delta) : status;
@@ -129,8 +129,8 @@ static void drag(bat_context *c) {
     double from[2], to[2];
     if (!l->dragging || !l->due) return;
     l->due = false;
-    bat_view_to_document(c->view, l->start, from);
-    bat_view_to_document(c->view, l->at, to);
+    bat_stage_seen(c->stage, l->start, from);
+    bat_stage_seen(c->stage, l->at, to);
     double delta[2] = {to[0] - from[0], to[1] - from[1]};
     if (c->modifiers & BAT_SHIFT) {
         bat_snap_angle(c, from, to);
@@ -252,11 +252,11 @@ static bool cancel(bat_context *c, void *state) {
 
 static bat_status step(bat_context *c, int direction) {
     bat_leveling *l = bat_leveling_of(c);
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     for (int i = 0; i < bat_document_count(c->session->document) && !l->object;
          i++) { /* the first there is */
         bat_id id = bat_object_id(bat_document_at(c->session->document, i));
-        if (bat_edit_target(c->session->document, id, 0) && !bat_stage_out_of_reach(c, i))
+        if (bat_edit_target(c->session->document, id, 0) && !bat_seen_out_of_reach(c, i))
             bat_leveling_choose(c, id, 0);
     }
     const bat_curve *polygon = active(c);
@@ -270,7 +270,7 @@ static bat_status step(bat_context *c, int direction) {
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_leveling *l = bat_leveling_of(c);
     if (l->chosen < 0 || !active(c)) return BAT_STATE;
-    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_view_pixel(c->view);
+    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_stage_pixel(c->stage);
     const double delta[2] = {x * far, y * far};
     const bat_handle grip = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
     bat_shape_live *live = NULL;
@@ -339,7 +339,7 @@ static void line(bat_overlay *list, bat_role role, float width, const bat_curve 
 /* One axis of the frames at the nodes of the level above, thinned to what can be told apart. */
 static void show_axis(const bat_context *c, bat_overlay *list, bat_role role, size_t count,
                       const bat_frame3 *frames, bool across) {
-    double pixel = bat_view_pixel(c->view), last[2] = {INFINITY, INFINITY};
+    double pixel = bat_stage_pixel(c->stage), last[2] = {INFINITY, INFINITY};
     bat_overlay_item(list, role, BAT_ITEM_STROKED, 1.5F);
     for (size_t i = 0; i < count; i++) {
         const double *p = frames[i].point, *v = across ? frames[i].s : frames[i].t;
@@ -377,7 +377,7 @@ static void show_levels(const bat_context *c, bat_overlay *list, const bat_shape
         if (k != level) line(list, BAT_ROLE_GHOST, 1, bat_shape_curve(shape, k));
     const bat_curve *curve = bat_shape_curve(shape, level);
     if (level < bat_shape_levels(shape)) line(list, BAT_ROLE_FIT, 1.5F, curve);
-    bat_handles_show_points(list, curve, c->view);
+    bat_handles_show_points(list, curve, c->stage);
 }
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
@@ -401,9 +401,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     show_levels(c, list, shape, level, l->apart || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
     if (c->settings->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(c, list, shape);
     bat_handle one = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
-    if (l->chosen >= 0 && !l->apart) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->view);
+    if (l->chosen >= 0 && !l->apart) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->stage);
     if (under && hot->kind == BAT_HANDLE_POINT && hot->index != l->chosen)
-        bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, c->view);
+        bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, c->stage);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {

@@ -5,7 +5,7 @@
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/edit/stroke.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
@@ -46,7 +46,7 @@ void bat_leveling_settle(bat_context *c) {
         l->chosen = -1;
     }
     int at = bat_document_find(c->session->document, l->object);
-    if (!bat_leveling_curve(c) || bat_stage_out_of_reach(c, at)) {
+    if (!bat_leveling_curve(c) || bat_seen_out_of_reach(c, at)) {
         l->object = 0;
         l->copying = false;
     }

@@ -9,7 +9,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/scene/path.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -18,7 +18,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/show/ruler.h"
 #include "editor/pick/snap.h"
 #include "editor/view/unit.h"
@@ -82,8 +82,9 @@ bat_status bat_command_guide_delete(bat_context *c, bat_command_id id) {
 }
 
 static bat_status add(bat_context *c, int axis) {
-    double box[4], middle[2];
-    bat_view_to_document(c->view, (double[]){c->view->width / 2, c->view->height / 2}, middle);
+    double box[4], pixel[2], middle[2];
+    bat_stage_middle(c->stage, pixel);
+    bat_stage_seen(c->stage, pixel, middle);
     if (bat_arrange_selection_box(c, box)) middle[axis] = box[axis] / 2 + box[axis + 2] / 2;
     bat_status status = bat_guide_put(c, 0, axis, middle[axis]);
     if (status != BAT_OK) bat_notice_failure(c, status);
@@ -102,9 +103,9 @@ bat_status bat_command_guide_upright(bat_context *c, bat_command_id id) {
 
 /* The nearest guide within reach of the pixel. */
 static bat_id guide_at(const bat_context *c, const double pixel[2], bat_device device, int *axis) {
-    double point[2], best = (device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH) * bat_view_pixel(c->view);
+    double point[2], best = (device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH) * bat_stage_pixel(c->stage);
     bat_id found = 0;
-    bat_view_to_document(c->view, pixel, point);
+    bat_stage_seen(c->stage, pixel, point);
     for (int i = 0; i < bat_document_count(c->session->document); i++) {
         const bat_object *object = bat_document_at(c->session->document, i);
         double at;
@@ -160,18 +161,18 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (event->predicted) return;
     g->moved = g->moved || fabs(pixel[g->axis] - g->start[g->axis]) > STILL;
     int but = g->id ? bat_document_find(c->session->document, g->id) : -1;
-    bat_view_to_document(c->view, pixel, point);
+    bat_stage_seen(c->stage, pixel, point);
     bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     (*c->snap) = bat_snap_find(c, but >= 0, &but, 1, &source, (double[]){0, 0}, NULL);
     if (!c->snap->bound[g->axis])
         c->snap->kind = BAT_SNAP_NONE;
     else
         point[g->axis] = c->snap->point[g->axis];
     g->at = point[g->axis];
-    double edge = bat_rulers_on(c) ? BAT_RULER_WIDTH : 0;
-    g->dropping = pixel[0] < edge || pixel[1] < edge || pixel[0] > c->view->width ||
-                  pixel[1] > c->view->height;
+    double edge = bat_rulers_on(c) ? BAT_RULER_WIDTH : 0, window[2];
+    bat_stage_window(c->stage, window);
+    g->dropping = pixel[0] < edge || pixel[1] < edge || pixel[0] > window[0] || pixel[1] > window[1];
     if (g->dropping) c->snap->kind = BAT_SNAP_NONE;
 }
 
@@ -258,7 +259,7 @@ static void line(bat_overlay *overlay, const double box[4], int axis, double at)
 void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
     const bat_guiding *g = bat_guiding_of(c);
     double box[4];
-    bat_view_box(c->view, box);
+    bat_stage_box(c->stage, box);
     for (int chosen = 0; chosen < 2; chosen++) {
         bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED, chosen ? 2 : 1);
         for (int i = 0; i < bat_document_count(c->session->document); i++) {
@@ -277,7 +278,7 @@ void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
     char text[BAT_UNIT_ROOM];
     bat_unit_origin(c, zero);
     bat_unit_write(c, g->at - zero[g->axis], text);
-    bat_view_to_document(c->view, c->input->pen, at);
+    bat_stage_seen(c->stage, c->input->pen, at);
     bat_overlay_label(overlay, BAT_ROLE_VALUE, at, 36, -18, text);
 }
 

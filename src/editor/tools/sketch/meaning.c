@@ -3,11 +3,11 @@
 #include "editor/choice/selection.h"
 #include "editor/input/input.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ static bool restricts(const bat_context *c) {
 }
 
 bat_status bat_meaning_begin(bat_context *c, bat_meaning *m, bat_device device) {
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     bat_meaning_end(m);
     m->restricts = restricts(c);
     return bat_intent_create(device == BAT_DEVICE_TOUCH, m->restricts, &m->intent);
@@ -107,19 +107,13 @@ static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, con
     return status == BAT_NUMBER ? BAT_OK : status; /* too far out to be near anything */
 }
 
-static void map_of(const bat_view *view, double map[6]) {
-    const double z = view->zoom, c = view->cosine * z, s = view->sine * z;
-    const double to[6] = {c, -s, -(c * view->x - s * view->y), s, c, -(s * view->x + c * view->y)};
-    memcpy(map, to, sizeof to);
-}
-
 /* Curves near one place of the stroke, in the order in which they lie. */
-static bat_status look_at(bat_context *c, bat_meaning *m, const bat_view *view, const double point[2],
+static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage, const double point[2],
                           double within) {
     const bat_scene *scene = c->scene;
     const double box[4] = {point[0] - within, point[1] - within, point[0] + within, point[1] + within};
     double map[6];
-    map_of(view, map);
+    bat_stage_map(stage, map);
     bat_status status = BAT_OK;
     for (int i = 0, end = 0; i < scene->count && status == BAT_OK; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
@@ -148,11 +142,11 @@ static void keep_allowed(const bat_context *c, bat_meaning *m) {
     if (way != AS_DRAWN) m->count = kept;
 }
 
-bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_view *view, const bat_samples *samples,
-                            bool whole) {
+bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_stage *stage,
+                            const bat_samples *samples, bool whole) {
     if (!m->intent || !samples->count) return BAT_STATE;
-    const double within = (BESIDE + STRIDE) * bat_view_pixel(view);
-    bat_stage_sync(c);
+    const double within = (BESIDE + STRIDE) * bat_stage_pixel(stage);
+    bat_seen_sync(c);
     bat_status status = bat_intent_add(m->intent, samples->count - m->fed, samples->pixels + 2 * m->fed);
     if (status == BAT_OK) m->fed = samples->count;
     for (; m->asked < samples->count && status == BAT_OK; m->asked++) {
@@ -160,7 +154,7 @@ bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_view *view
         bool last = whole && m->asked + 1 == samples->count;
         if (m->asked && !last && bat_hypot(pixel[0] - m->last[0], pixel[1] - m->last[1]) < STRIDE) continue;
         memcpy(m->last, pixel, sizeof m->last);
-        status = look_at(c, m, view, samples->points + 2 * m->asked, within);
+        status = look_at(c, m, stage, samples->points + 2 * m->asked, within);
     }
     m->count = 0;
     if (status == BAT_OK) status = bat_intent_rank(m->intent, whole, m->readings, &m->count);
@@ -205,7 +199,7 @@ static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *r
     bat_near near;
     if (!finder) return;
     double from[2];
-    bat_view_to_document(&edit->view, reading->start, from);
+    bat_stage_seen(&edit->stage, reading->start, from);
     bat_finder_nearest(finder, from, &near);
     edit->meaning.put = true;
     memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);

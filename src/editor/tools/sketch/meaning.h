@@ -30,7 +30,7 @@ typedef struct bat_meaning {
 bat_status bat_meaning_begin(bat_context *c, bat_meaning *meaning, bat_device device);
 void bat_meaning_end(bat_meaning *meaning);
 /* Reads the stroke so far, or the whole. view: of the stroke. BAT_DOT: too short to say. */
-bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_view *view,
+bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_stage *stage,
                             const bat_samples *samples, bool whole);
 /* The edit as this reading has it; what is not of the reading stays as it is. */
 void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,

@@ -18,7 +18,7 @@
 #include "editor/pick/pick.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -28,7 +28,7 @@
 #include "editor/tools/sketch/sketching.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/edit/curves_of.h"
 #include <math.h>
@@ -47,9 +47,9 @@ static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REA
 
 static bat_pick pick_at(bat_context *c, const double pixel[2], bat_device device) {
     double point[2];
-    bat_stage_sync(c);
-    bat_view_to_document(c->view, pixel, point);
-    return bat_pick_nearest(c->scene, point, reach(device) * bat_view_pixel(c->view));
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, point);
+    return bat_pick_nearest(c->scene, point, reach(device) * bat_stage_pixel(c->stage));
 }
 
 /* ---- preview ---- */
@@ -135,7 +135,7 @@ static void refresh_preview(bat_context *c, bat_sketching *s) {
 /* ---- the stroke ---- */
 
 static bat_sketch_options options(const bat_context *c) {
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     bat_sketch_options options = bat_sketch_defaults();
     options.pixel = pixel;
     options.tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
@@ -181,7 +181,7 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
         return BAT_OK;
     double time = bat_samples_round(fmax(event->time - samples->start, 0), 100);
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
-    bat_status status = bat_samples_add(samples, &s->edit.view, pixel, event->pressure, time, tilt);
+    bat_status status = bat_samples_add(samples, &s->edit.stage, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
     if (status != BAT_OK) return status;
     s->travelled = fmax(s->travelled,
@@ -201,7 +201,7 @@ static void begin(bat_context *c, bat_sketching *s, const bat_pointer *event, ba
     bat_samples samples = s->edit.samples;
     samples.count = 0;
     s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
-                         .view = (*c->view),
+                         .stage = *c->stage,
                          .options = options(c),
                          .style = bat_styling_new(c),
                          .samples = samples};
@@ -239,7 +239,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
 static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing) return;
-    bat_status status = bat_meaning_look(c, m, &s->edit.view, &s->edit.samples, false);
+    bat_status status = bat_meaning_look(c, m, &s->edit.stage, &s->edit.samples, false);
     if (status != BAT_OK) return; /* too short yet, or no memory: as it was */
     s->nothing = !m->count;
     if (s->nothing) return;
@@ -258,7 +258,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
     if (event->predicted) {
         double point[2];
-        bat_view_to_document(c->view, (double[]){event->x, event->y}, point);
+        bat_stage_seen(c->stage, (double[]){event->x, event->y}, point);
         if (s->predicted_count < sizeof s->predicted / sizeof *s->predicted / 2)
             memcpy(s->predicted + 2 * s->predicted_count++, point, sizeof point);
         return;
@@ -322,7 +322,7 @@ static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_
     bat_status status = BAT_OK;
     int tried = 0;
     if (!s->forced && !s->smoothing) {
-        status = bat_meaning_look(c, &s->meaning, &edit->view, &edit->samples, true);
+        status = bat_meaning_look(c, &s->meaning, &edit->stage, &edit->samples, true);
         if (status != BAT_OK && status != BAT_DOT) return status;
         s->nothing = status == BAT_OK && !s->meaning.count;
         if (status == BAT_DOT) s->meaning.count = 0;
@@ -434,7 +434,7 @@ static bat_status trace(bat_context *c, void *state, const bat_traced *stroke) {
     bat_sketching *s = state;
     for (size_t i = 0; i < stroke->count; i++) {
         double at[2];
-        bat_view_to_screen(c->view, stroke->points + 2 * i, at);
+        bat_stage_project(c->stage, stroke->points + 2 * i, at);
         bat_pointer event = {.x = bat_samples_round(at[0], 100),
                              .y = bat_samples_round(at[1], 100),
                              .pressure = 0.5,
@@ -514,13 +514,13 @@ static void update(bat_context *c, void *state) {
             refresh_preview(c, s);
         return;
     }
-    const bat_view *view = c->view;
-    if (s->pick_revision == c->session->revision && !memcmp(view, &s->pick_view, sizeof *view) &&
+    const bat_stage *stage = c->stage;
+    if (s->pick_revision == c->session->revision && bat_stage_same(stage, &s->pick_stage) &&
         !s->hover_changed)
         return;
     s->pick = s->hovering ? pick_at(c, s->hover, s->device) : (bat_pick){0};
     s->pick_revision = c->session->revision;
-    s->pick_view = *view;
+    s->pick_stage = *stage;
     s->hover_changed = false;
 }
 
@@ -555,14 +555,14 @@ static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, 
     bat_overlay_stretch(overlay, curve, range[0], range[1]);
     if (c->settings->values[BAT_PROPERTY_SHOW_KNOTS] == 0) return;
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
-    mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_view_pixel(c->view));
+    mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_stage_pixel(c->stage));
 }
 
 /* The stretch fades the old line, so it has to be as wide. */
 static float stretch_width(const bat_context *c, bat_id id) {
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, id));
-    double width = object ? bat_object_style(object)->width * c->view->zoom : 0;
+    double width = object ? bat_object_style(object)->width * bat_stage_scale(c->stage) : 0;
     return fmaxf(STRETCH_WIDTH, (float)fmin(width + 2, BAT_PIXELS_MAX));
 }
 
@@ -617,7 +617,7 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
         bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
         const double *last = samples->points + 2 * (samples->count - 1);
         bat_path_move(&overlay->path, last[0], last[1]);
-        bat_view_to_document(c->view, s->hover, pen);
+        bat_stage_seen(c->stage, s->hover, pen);
         bat_path_line(&overlay->path, pen[0], pen[1]);
         for (size_t i = 0; i < s->predicted_count; i++)
             bat_path_line(&overlay->path, s->predicted[2 * i], s->predicted[2 * i + 1]);

@@ -31,7 +31,7 @@ typedef struct bat_sketching {
     double hover[2];        /* view pixels; while drawing, where the pen is */
     bat_pick pick;          /* IDLE: what would be redrawn */
     uint64_t pick_revision; /* of the document it was picked from */
-    bat_view pick_view;
+    bat_stage pick_stage;
 
     /* DRAWING */
     bat_edit edit;         /* of the stroke under the pen */

@@ -10,7 +10,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>
@@ -144,7 +144,7 @@ bat_status bat_splining_insert(bat_context *c, int segment, double t) {
     s->point = index;
     s->on_direction = false;
     char value[32];
-    snprintf(value, sizeof value, "%.3f", deviation * c->view->zoom);
+    snprintf(value, sizeof value, "%.3f", deviation * bat_stage_scale(c->stage));
     bat_notice_value(c, BAT_STRING_NOTICE_INSERTED, value);
     return BAT_OK;
 }

@@ -1,12 +1,12 @@
 /* The tangents tool: what of its spline, or which other one, lies under the pen. */
 #include "base/vec.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <math.h>
@@ -20,8 +20,8 @@ typedef struct place {
 } place;
 
 static place place_at(const bat_context *c, const double pixel[2], bat_device device) {
-    place p = {.pixel = bat_view_pixel(c->view), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
-    bat_view_to_document(c->view, pixel, p.point);
+    place p = {.pixel = bat_stage_pixel(c->stage), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
+    bat_stage_seen(c->stage, pixel, p.point);
     return p;
 }
 
@@ -101,7 +101,7 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
         if (s->near >= 0 && on_ring(&p, spline, s->near))
             return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
     }
-    bat_stage_sync(c);
+    bat_seen_sync(c);
     bat_pick pick = bat_pick_nearest(c->scene, p.point, CURVE_REACH * p.reach * p.pixel);
     const bat_object *object = pick.object ? bat_document_at(c->session->document, pick.index) : NULL;
     const bat_spline *found = object ? bat_object_spline(object) : NULL;

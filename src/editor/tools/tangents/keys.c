@@ -7,7 +7,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
                 s->draft.tension[2 * i + k] = bat_splining_tension(
                     y < 0 ? s->draft.tension[2 * i + k] * factor : s->draft.tension[2 * i + k] / factor);
     } else {
-        double way = (far ? 10 : 1) * bat_view_pixel(c->view);
+        double way = (far ? 10 : 1) * bat_stage_pixel(c->stage);
         s->draft.points[2 * i] += x * way;
         s->draft.points[2 * i + 1] += y * way;
     }

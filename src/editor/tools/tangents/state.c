@@ -2,7 +2,7 @@
 #include "base/vec.h"
 #include "curve/frames_walk.h"
 #include "editor/scene/path.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -12,7 +12,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <batten/bezier.h>
 #include <math.h>
@@ -36,7 +36,7 @@ void bat_splining_free(bat_splining *s) {
 const bat_spline *bat_splining_spline(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     int at = s->object ? bat_document_find(c->session->document, s->object) : -1;
-    const bat_object *object = at < 0 || bat_stage_out_of_reach(c, at)
+    const bat_object *object = at < 0 || bat_seen_out_of_reach(c, at)
                                    ? NULL
                                    : bat_document_at(c->session->document, at);
     const bat_spline *spline = object ? bat_object_spline(object) : NULL;
@@ -281,11 +281,11 @@ static void values(bat_context *c, bat_overlay *list, const bat_spline *spline, 
 /* A spline of one point: nothing of it is in the document yet. */
 static void first_point(bat_context *c, bat_overlay *list) {
     const bat_splining *s = bat_splining_of(c);
-    double pixel = bat_view_pixel(c->view), hover[2];
+    double pixel = bat_stage_pixel(c->stage), hover[2];
     bool given = s->first_direction[0] != 0 || s->first_direction[1] != 0;
     if (s->hovering) {
         double points[4] = {s->first[0], s->first[1], 0, 0}, tangents[4] = {0}, tension[4] = {1, 1, 1, 1};
-        bat_view_to_document(c->view, s->hover, hover);
+        bat_stage_seen(c->stage, s->hover, hover);
         memcpy(points + 2, hover, sizeof hover);
         memcpy(tangents, s->first_direction, sizeof s->first_direction);
         bat_draft two = {2, 2, false, points, tangents, tension};
@@ -305,7 +305,7 @@ static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spli
     double hover[2];
     if (!s->hovering || (s->over.part != BAT_PART_NOTHING && s->over.part != BAT_PART_FIRST)) return;
     if (spline->count > GHOST_POINTS_MAX || bat_draft_load(&s->draft, spline) != BAT_OK) return;
-    bat_view_to_document(c->view, s->hover, hover);
+    bat_stage_seen(c->stage, s->hover, hover);
     bool closes = s->over.part == BAT_PART_FIRST;
     s->draft.closed = closes;
     if (!closes && bat_draft_insert(&s->draft, s->draft.count, hover) != BAT_OK) return;
@@ -315,7 +315,7 @@ static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spli
 
 static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
     const bat_splining *s = bat_splining_of(c);
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_FILLED | BAT_ITEM_STROKED, 1.5F);
     for (int i = 0; i < spline->count && i < MARKS_MAX; i++)
         if (i != s->point) bat_overlay_circle(list, spline->points + 2 * i, POINT_RADIUS * pixel);
@@ -327,13 +327,13 @@ static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
 static void prompt(bat_context *c, bat_overlay *list, const bat_spline *spline, const bat_joint *joints,
                    int point) {
     const bat_splining *s = bat_splining_of(c);
-    double pixel = bat_view_pixel(c->view), direction[2], radius = BAT_PROMPT_RADIUS * pixel;
+    double pixel = bat_stage_pixel(c->stage), direction[2], radius = BAT_PROMPT_RADIUS * pixel;
     const double *at = spline->points + 2 * point, *given = spline->tangents + 2 * point;
     bool turning = s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_DIRECTION;
     circle(list, at, radius);
     if (turning) {
         double pen[2], away;
-        bat_view_to_document(c->view, s->at, pen);
+        bat_stage_seen(c->stage, s->at, pen);
         away = bat_hypot(pen[0] - at[0], pen[1] - at[1]);
         if (s->travelled > 0 && away > BAT_TENSION_RADIUS * pixel) {
             bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
@@ -346,7 +346,7 @@ static void prompt(bat_context *c, bat_overlay *list, const bat_spline *spline, 
 
 static void guide(bat_context *c, bat_overlay *list, const double at[2]) {
     const bat_splining *s = bat_splining_of(c);
-    double reach = 3 * BAT_PROMPT_RADIUS * bat_view_pixel(c->view);
+    double reach = 3 * BAT_PROMPT_RADIUS * bat_stage_pixel(c->stage);
     bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     bat_path_move(&list->path, at[0] - reach * s->guide[0], at[1] - reach * s->guide[1]);
     bat_path_line(&list->path, at[0] + reach * s->guide[0], at[1] + reach * s->guide[1]);
@@ -371,7 +371,7 @@ void bat_splining_overlay(bat_context *c, bat_overlay *list) {
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, s->object));
     const bat_tangents_options *options = bat_object_spline_options(object);
-    double pixel = bat_view_pixel(c->view);
+    double pixel = bat_stage_pixel(c->stage);
     int point = dragging ? s->press.point : s->point;
     bool turning = point >= 0 &&
                    (dragging ? s->press.part != BAT_PART_POINT : s->on_direction && !s->placing);

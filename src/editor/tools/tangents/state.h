@@ -3,7 +3,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
@@ -60,7 +60,7 @@ typedef struct bat_splining {
     bat_spline_hit over;
     int near; /* the point whose circle is shown because the pen is near; -1: none */
     uint64_t over_revision;
-    bat_view over_view;
+    bat_stage over_stage;
 
     bat_joint *joints; /* of the chosen spline as it was at joints_revision */
     bat_id joints_object;

@@ -13,7 +13,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/pick/snap.h"
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -23,7 +23,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -104,7 +104,7 @@ static void pull(bat_context *c, double direction[2], double length) {
     double *tangent = s->draft.tangents + 2 * i, *tension = s->draft.tension + 2 * i, natural[2];
     tangent[0] = direction[0], tangent[1] = direction[1];
     if (part == BAT_PART_DIRECTION) {
-        double further = fmax(length * c->view->zoom / BAT_TENSION_RADIUS, 1);
+        double further = fmax(length * bat_stage_scale(c->stage) / BAT_TENSION_RADIUS, 1);
         for (int k = 0; k < 2; k++)
             tension[k] = further > 1 ? bat_splining_tension(s->base_tension[k] * further)
                                      : s->base_tension[k];
@@ -121,8 +121,8 @@ static void apply(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     s->due = false;
     double point[2], start[2];
-    bat_view_to_document(c->view, s->at, point);
-    bat_view_to_document(c->view, s->start, start);
+    bat_stage_seen(c->stage, s->at, point);
+    bat_stage_seen(c->stage, s->start, start);
     if (!s->object) { /* the first point of all has nothing but a direction */
         s->first_direction[0] = s->travelled > TAP ? point[0] - s->first[0] : 0;
         s->first_direction[1] = s->travelled > TAP ? point[1] - s->first[1] : 0;
@@ -303,7 +303,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     memcpy(s->at, pixel, sizeof pixel);
     bat_notice(c, BAT_STRING_COUNT);
     if (s->press.part != BAT_PART_NOTHING) return;
-    bat_view_to_document(c->view, pixel, point);
+    bat_stage_seen(c->stage, pixel, point);
     place_to_snap(c, point);
     if (!s->placing) {
         s->placing = true;
@@ -413,22 +413,22 @@ static bool busy(const bat_context *c, const void *state) {
 static void update(bat_context *c, void *state) {
     (void)state;
     bat_splining *s = bat_splining_of(c);
-    const bat_view *view = c->view;
+    const bat_stage *stage = c->stage;
     if (s->state != BAT_SPLINING_IDLE) {
         if (s->state == BAT_SPLINING_DRAGGING && s->due) {
             apply(c);
-            bat_stage_sync(c); /* the still list shows the drag */
+            bat_seen_sync(c); /* the still list shows the drag */
         }
         return;
     }
     if (!s->hover_changed && s->over_revision == c->session->revision &&
-        !memcmp(view, &s->over_view, sizeof *view))
+        bat_stage_same(stage, &s->over_stage))
         return;
     s->over = s->hovering ? bat_splining_find(c, s->hover, s->device) : (bat_spline_hit){0};
     if (!s->hovering) s->near = -1;
     s->hover_changed = false;
     s->over_revision = c->session->revision;
-    s->over_view = *view;
+    s->over_stage = *stage;
 }
 
 /* ---- words ---- */

@@ -1,23 +1,23 @@
-#include "editor/scene/stage.h"
+#include "editor/scene/seen.h"
 #include "editor/choice/choice.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include <string.h>
 
-void bat_stage_sync(bat_context *c) {
+void bat_seen_sync(bat_context *c) {
     bat_scene_look(c->scene, c->settings->values[BAT_PROPERTY_OUTLINE] != 0, &c->choice->isolation);
     if (bat_scene_sync(c->scene, c->session->document, c->session->revision) != BAT_OK)
         bat_notice(c, BAT_STRING_NOTICE_MEMORY);
 }
 
-bool bat_stage_out_of_reach(const bat_context *c, int at) {
+bool bat_seen_out_of_reach(const bat_context *c, int at) {
     const bat_scene *scene = c->scene;
     if (scene->revision != c->session->revision || at >= scene->count) return false;
     return scene->entries[at].hidden || scene->entries[at].locked;
 }
 
-bool bat_stage_fit(bat_context *c) {
+bool bat_seen_fit(bat_context *c) {
     double page[4], box[4];
     bat_document_page(c->session->document, page);
     if (page[2] > 0 && page[3] > 0) {
@@ -26,5 +26,5 @@ bool bat_stage_fit(bat_context *c) {
     } else {
         bat_document_bounds(c->session->document, box);
     }
-    return bat_view_fit(c->view, box, BAT_FIT_MARGIN);
+    return bat_view_fit(&c->stage->view, box, BAT_FIT_MARGIN);
 }

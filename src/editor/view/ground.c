@@ -1,0 +1,73 @@
+#include "editor/view/ground.h"
+#include <math.h>
+#include <string.h>
+
+static const double EDGE_ON = 0.0871557427476581736; /* sine of 5 degrees */
+
+static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* ---- the page: z = 0 ---- */
+
+static bat_status hit_page(const bat_ground *ground, const bat_ray *ray, bat_hit *out) {
+    (void)ground;
+    /* Views of a page begin on it; a far place is kept as far as it is. */
+    for (int k = 0; k < 2; k++) out->at[k] = out->own[k] = ray->from[k];
+    out->at[2] = 0;
+    return BAT_OK;
+}
+
+/* ---- a plane in space: origin, x axis, y axis ---- */
+
+static bool good_plane(const double *frame) {
+    const double *x = frame + 3, *y = frame + 6;
+    for (int k = 0; k < 9; k++)
+        if (!(fabs(frame[k]) <= BAT_COORDINATE_MAX)) return false;
+    return fabs(dot(x, x) - 1) <= 1e-9 && fabs(dot(y, y) - 1) <= 1e-9 && fabs(dot(x, y)) <= 1e-9;
+}
+
+static bat_status hit_plane(const bat_ground *ground, const bat_ray *ray, bat_hit *out) {
+    const double *origin = ground->numbers, *x = origin + 3, *y = origin + 6;
+    const double normal[3] = {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
+                              x[0] * y[1] - x[1] * y[0]};
+    double away[3], towards = dot(ray->along, normal);
+    for (int k = 0; k < 3; k++) away[k] = origin[k] - ray->from[k];
+    if (!(fabs(towards) >= EDGE_ON)) return BAT_SINGULAR;
+    double far = dot(away, normal) / towards;
+    for (int k = 0; k < 3; k++) {
+        out->at[k] = ray->from[k] + far * ray->along[k];
+        if (!(fabs(out->at[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+        away[k] = out->at[k] - origin[k];
+    }
+    out->own[0] = dot(away, x);
+    out->own[1] = dot(away, y);
+    return BAT_OK;
+}
+
+static const bat_ground_type GROUNDS[] = {{"page", 2, 0, NULL, hit_page},
+                                          {"plane", 3, 9, good_plane, hit_plane}};
+
+bat_ground bat_ground_page(void) { return (bat_ground){.type = &GROUNDS[0]}; }
+
+bat_ground bat_ground_plane(const double frame[9], bat_id object) {
+    bat_ground ground = {.type = &GROUNDS[1], .object = object};
+    memcpy(ground.numbers, frame, sizeof ground.numbers);
+    return ground;
+}
+
+bool bat_ground_named(const char *name, int count, const double *numbers, bat_ground *out) {
+    for (size_t i = 0; i < sizeof GROUNDS / sizeof *GROUNDS; i++) {
+        const bat_ground_type *type = &GROUNDS[i];
+        if (strcmp(type->name, name) || type->numbers != count || (type->good && !type->good(numbers)))
+            continue;
+        *out = (bat_ground){.type = type};
+        memcpy(out->numbers, numbers, (size_t)count * sizeof *numbers);
+        return true;
+    }
+    return false;
+}
+
+bool bat_ground_same(const bat_ground *a, const bat_ground *b) {
+    bool same = a->type == b->type;
+    for (int k = 0; k < BAT_GROUND_NUMBERS; k++) same = same && a->numbers[k] == b->numbers[k];
+    return same;
+}
