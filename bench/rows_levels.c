@@ -14,7 +14,7 @@ static bat_curve *wave(int n, int dimension) {
     bat_curve *curve = NULL;
     if (knots && points) {
         bench_curve(n, dimension, knots, points);
-        if (bat_curve_create(3, dimension, false, n, knots, points, &curve) != BAT_OK) curve = NULL;
+        if (bat_curve_create(dimension, 3, false, n, points, n + 4, knots, &curve) != BAT_OK) curve = NULL;
     }
     free(knots), free(points);
     return curve;
@@ -57,7 +57,7 @@ static void run_bulk(void *context) {
 
 static void run_structs(void *context) {
     framing *f = context;
-    if (bat_frames(f->curve, NULL, FRAMES, f->u, f->frames, NULL) != BAT_OK) abort();
+    if (bat_frames(f->curve, FRAMES, f->u, NULL, f->frames, NULL) != BAT_OK) abort();
 }
 
 static void run_serial(void *context) {

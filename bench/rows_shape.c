@@ -22,7 +22,7 @@ static bat_curve *wave(int n) {
     bat_curve *curve = NULL;
     if (knots && points) {
         bench_curve(n, 2, knots, points);
-        if (bat_curve_create(3, 2, false, n, knots, points, &curve) != BAT_OK) curve = NULL;
+        if (bat_curve_create(2, 3, false, n, points, n + 4, knots, &curve) != BAT_OK) curve = NULL;
     }
     free(knots), free(points);
     return curve;
@@ -97,7 +97,8 @@ static void *begin_sketch(int variant) { /* a stroke over the middle fifth of a 
     bench_curve(REDRAWN, 2, knots, points);
     for (int i = 0; i < REDRAWN; i++) points[2 * i] = 20.0 * i, points[2 * i + 1] = 40 * sin(i * 0.2);
     r->points = malloc(sizeof(double) * 2 * (size_t)variant);
-    if (!r->points || bat_curve_create(3, 2, false, REDRAWN, knots, points, &r->curve) != BAT_OK) return NULL;
+    if (!r->points || bat_curve_create(2, 3, false, REDRAWN, points, REDRAWN + 4, knots, &r->curve) != BAT_OK)
+        return NULL;
     uint64_t state = 8;
     for (int i = 0; i < variant; i++) {
         const double t = (double)i / (variant - 1), x = 800 + 400 * t;

@@ -7,7 +7,7 @@ int main(void) {
     const double knots[] = {0, 0, 0, 0, 1, 2, 2, 2, 2};
     const double points[] = {0, 0, 20, 60, 60, 80, 110, 70, 130, 10};
     bat_curve *curve = NULL, *finer = NULL;
-    bat_status status = bat_curve_create(3, 2, false, 5, knots, points, &curve);
+    bat_status status = bat_curve_create(2, 3, false, 5, points, 9, knots, &curve);
     if (status == BAT_OK) status = bat_curve_insert_knot(curve, 1.5, 1, &finer);
     if (status != BAT_OK) {
         fprintf(stderr, "%s\n", bat_status_message(status));

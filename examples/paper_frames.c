@@ -134,7 +134,7 @@ static void must(bat_status status) {
 static void set_up(task *k, const double *points) {
     bat_curve *base;
     memset(k, 0, sizeof *k);
-    must(bat_curve_create(3, 3, false, 4, KNOTS, points, &base));
+    must(bat_curve_create(3, 3, false, 4, points, 8, KNOTS, &base));
     must(bat_shape_create(base, NULL, &k->shape));
     for (int j = 1; j <= LEVELS; j++) must(bat_shape_add_level(k->shape, 0, NULL, NULL, NULL));
     bat_curve_free(base);
@@ -176,7 +176,7 @@ static void run_rmf(task *k) {
 }
 
 static void run_own(task *k) {
-    must(bat_frames(bat_shape_curve(k->shape, k->level - 1), &k->options, (size_t)k->count, k->nodes, k->own,
+    must(bat_frames(bat_shape_curve(k->shape, k->level - 1), (size_t)k->count, k->nodes, &k->options, k->own,
                     NULL));
 }
 

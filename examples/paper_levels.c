@@ -81,7 +81,7 @@ static void draw(picture *p, const bat_curve *curve, const char *style) {
     double *cubics = NULL;
     int count = 0, dimension = bat_curve_dimension(curve), last[2], next[2];
     if (!p->file) return;
-    must(bat_curve_to_cubics(curve, 1e-3, &cubics, &count));
+    must(bat_curve_to_cubics(curve, 1e-3, &count, &cubics));
     place(p, cubics, dimension, last);
     say(p, "<path stroke='%s' d='M%d %d", style, last[0], last[1]);
     for (int i = 0; i < count; i++) {
@@ -118,7 +118,7 @@ static void draw_normals(picture *p, const bat_shape *shape, int level, bat_fram
     const bat_curve *below = bat_shape_curve(shape, level - 1);
     int n = bat_curve_count(bat_shape_curve(shape, level));
     options.rule = rule;
-    must(bat_frames(below, &options, (size_t)n, bat_shape_nodes(shape, level), frames, NULL));
+    must(bat_frames(below, (size_t)n, bat_shape_nodes(shape, level), &options, frames, NULL));
     for (int i = 0; i < n; i++) {
         double tip[3];
         for (int d = 0; d < 3; d++) tip[d] = frames[i].point[d] + length * frames[i].s[d];
@@ -132,7 +132,8 @@ static bat_curve *curve_of(int dimension, bool closed, int count, const double *
     double knots[POINTS_MAX];
     bat_curve *curve;
     for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : i < 4 ? 0 : i >= count ? count - 3 : i - 3;
-    must(bat_curve_create(3, dimension, closed, count, knots, points, &curve));
+    must(
+        bat_curve_create(dimension, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve));
     return curve;
 }
 
@@ -313,17 +314,17 @@ static void figure_5(void) {
     bat_curve *base, *field;
     picture p;
     for (int i = 2; i < COUNT - 2; i++) h[i] = .8 * (i % 3 != 0);
-    must(bat_curve_create(3, 2, false, 4, KNOTS, POINTS, &base));
+    must(bat_curve_create(2, 3, false, 4, POINTS, 8, KNOTS, &base));
     for (int i = 0; i < COUNT + 4; i++) knots[i] = i < 4 ? 0 : i >= COUNT ? 1 : (i - 3) / (double)SPANS;
     for (int i = 0; i < COUNT; i++)
         graph[2 * i] = (knots[i + 1] + knots[i + 2] + knots[i + 3]) / 3, graph[2 * i + 1] = h[i];
-    must(bat_curve_create(3, 2, false, COUNT, knots, graph, &field));
+    must(bat_curve_create(2, 3, false, COUNT, graph, COUNT + 4, knots, &field));
 
     begin(&p, "fig5", 760, 520);
     panel(&p, 40, 160, 0, 40, 245, "(a) h, drawn twice as high as in the others");
     for (int i = 0; i < COUNT; i++) graph[2 * i] *= 5.4, graph[2 * i + 1] *= 2;
     bat_curve *wide;
-    must(bat_curve_create(3, 2, false, COUNT, knots, graph, &wide));
+    must(bat_curve_create(2, 3, false, COUNT, graph, COUNT + 4, knots, &wide));
     p.scale = 550;
     line(&p, 2, (double[]){-.1, 0}, (double[]){5.6, 0}, FAINT);
     line(&p, 2, (double[]){0, -.1}, (double[]){0, 1.8}, FAINT);
@@ -361,7 +362,7 @@ static void figure_5(void) {
 
     double inflections[4];
     claim("Fig. 5: C'' vanishes at the origin, and only there",
-          bat_curve_inflections(base, inflections, 4) == 1 && fabs(inflections[0] - .5) < 1e-9);
+          bat_curve_inflections(base, 4, inflections) == 1 && fabs(inflections[0] - .5) < 1e-9);
     printf("Frames at the nodes alone: distance from the offset curve, Greville and argmax nodes\n");
     double before[2] = {0, 0}, now[2] = {0, 0};
     for (int spans = 8; spans <= 512; spans *= 2) {
@@ -501,7 +502,7 @@ static double spin(const bat_curve *curve, bat_frame_rule rule) {
     double most = 0;
     options.rule = rule;
     bat_curve_spread(curve, SAMPLES, u);
-    must(bat_frames(curve, &options, SAMPLES, u, frames, NULL));
+    must(bat_frames(curve, SAMPLES, u, &options, frames, NULL));
     for (int i = 1; i < SAMPLES; i++) {
         double turn[2] = {0, 0};
         for (int d = 0; d < 3; d++) {

@@ -76,7 +76,7 @@ static void draw(FILE *file, double x, double y, const double *points, double as
     bat_spline spline = {2, false, POINTS, points, tangents, NULL};
     double *bezier = NULL;
     int segments = 0;
-    if (!file || bat_tangents(&spline, NULL, NULL, &bezier, &segments, NULL) != BAT_OK) return;
+    if (!file || bat_tangents(&spline, NULL, NULL, &segments, &bezier, NULL) != BAT_OK) return;
     fprintf(file, "<g transform='translate(%g %g) scale(62)' fill='none' stroke-width='.03'>\n<path d='", x,
             y);
     for (int i = 0; i < POINTS; i++)

@@ -14,7 +14,7 @@ int main(void) {
     const double knots[] = {0, 0, 0, 0, 75, 150, 225, 300, 300, 300, 300};
     const double points[] = {0, 0, 25, 8, 75, 22, 150, 30, 225, 22, 275, 8, 300, 0};
     bat_curve *arc = NULL, *redrawn = NULL;
-    bat_status status = bat_curve_create(3, 2, false, 7, knots, points, &arc);
+    bat_status status = bat_curve_create(2, 3, false, 7, points, 11, knots, &arc);
 
     /* A stroke with a bump of 10 units over its middle third. */
     enum { COUNT = 60 };

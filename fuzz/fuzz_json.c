@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void add_guide(bat_document *document, bat_id id) {
     bat_object *guide;
     if (bat_object_create_guide(id, 0, 1, &guide) != BAT_OK) return;
-    bat_document_put(document, 0, guide);
+    bat_document_insert(document, 0, guide);
     bat_object_release(guide);
 }
 
@@ -22,7 +22,7 @@ static void add_plane(bat_document *document, const double *numbers) {
         BAT_OK)
         return;
     if (!bat_object_plane(plane)) abort();
-    bat_document_put(document, 0, plane);
+    bat_document_insert(document, 0, plane);
     bat_object_release(plane);
 }
 
@@ -60,7 +60,7 @@ static void check_curve(const char *text, size_t size) {
     char *written;
     if (bat_curve_read(text, size, &curve, &problem) != BAT_OK) return;
     if (bat_curve_write(curve, &written, &size) == BAT_OK) {
-        if (bat_curve_read(written, size, &back, &problem) != BAT_OK || !bat_curve_equal(curve, back))
+        if (bat_curve_read(written, size, &back, &problem) != BAT_OK || !bat_curve_is_equal(curve, back))
             abort();
         bat_curve_free(back);
         bat_free(written);

@@ -50,7 +50,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             points[i] = (double)*data - 128, data++, size--;
     }
     bat_curve *curve;
-    if (bat_curve_create(p, m, closed, n, knots, points, &curve) != BAT_OK) return 0;
+    if (bat_curve_create(m, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve) != BAT_OK)
+        return 0;
     bat_near near, all[8];
     int found;
     double domain[2], at[3], u[8], low[3], high[3];
@@ -74,7 +75,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const double length = bat_curve_length(curve, domain[0], domain[1], 1e-6);
     if (!(length >= 0)) abort();
     (void)bat_curve_at_length(curve, domain[0], 0.5 * length, 1e-6);
-    (void)bat_curve_inflections(curve, u, 8);
+    (void)bat_curve_inflections(curve, 8, u);
     if (!isfinite(bat_curve_curvature(curve, near.u))) abort();
     find(curve, point, &near);
     bat_curve_free(curve);

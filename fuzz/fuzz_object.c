@@ -45,7 +45,10 @@ static bat_curve *curve(source *s) {
     for (int i = 0; i <= n + degree; i++)
         knots[i] = closed || (i > degree && i <= n) ? i : i > n ? n : degree;
     bat_curve *made = NULL;
-    return bat_curve_create(degree, 2, closed, n, knots, points, &made) == BAT_OK ? made : NULL;
+    return bat_curve_create(2, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots, &made) ==
+                   BAT_OK
+               ? made
+               : NULL;
 }
 
 static bat_shape *levels(source *s) {
@@ -163,7 +166,7 @@ static void ask(const bat_object *object) {
     bool drawn = bat_object_is_drawn(object), group = bat_object_is_group(object);
     demand(bat_object_id(object) > 0 && bat_object_name(object) && bat_object_style(object));
     demand(bat_object_parent(object) != bat_object_id(object));
-    (void)(bat_object_hidden(object) && bat_object_locked(object));
+    (void)(bat_object_is_hidden(object) && bat_object_is_locked(object));
     demand(group == (kind == BAT_KIND_GROUP || kind == BAT_KIND_LAYER) &&
            drawn == (!group && kind != BAT_KIND_GUIDE));
     demand((bat_object_guide(object, &at) >= 0) == (kind == BAT_KIND_GUIDE));
@@ -173,8 +176,8 @@ static void ask(const bat_object *object) {
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_shape *shape = bat_object_shape(object, i);
         demand(bat_object_curve(object, i) != NULL);
-        demand(!shape ||
-               bat_curve_equal(bat_shape_curve(shape, bat_shape_levels(shape)), bat_object_curve(object, i)));
+        demand(!shape || bat_curve_is_equal(bat_shape_curve(shape, bat_shape_levels(shape)),
+                                            bat_object_curve(object, i)));
     }
     const bat_picture *picture = bat_object_picture(object);
     demand((picture != NULL) == (kind == BAT_KIND_IMAGE));
@@ -195,7 +198,7 @@ static void step(source *s, bat_document *document) {
     bat_status status = BAT_OK;
     if (way % 8 < 3 || !there) {
         status = make(s, document, &made);
-        if (status == BAT_OK) status = bat_document_put(document, at, made);
+        if (status == BAT_OK) status = bat_document_insert(document, at, made);
     } else if (way % 8 < 7) {
         status = alter(s, there, &made);
         demand((status == BAT_OK) == (made != NULL));

@@ -25,7 +25,7 @@ static bool same(const bat_shape *a, const bat_shape *b) {
     if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
     for (int l = 0; l <= bat_shape_levels(a); l++) {
         const bat_curve *c = bat_shape_curve(a, l);
-        if (!bat_curve_equal(c, bat_shape_curve(b, l))) return false;
+        if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
         for (int i = 0; l > 0 && i < 3 * bat_curve_count(c); i++)
             if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
     }
@@ -83,7 +83,8 @@ static bat_shape *make(source *s) {
     for (int i = 0; i < count * dimension; i++)
         points[i] = extent * ((i % dimension ? 0 : 20 * i) + coordinate(s));
     bat_curve *curve;
-    if (bat_curve_create(degree, dimension, closed, count, knots, points, &curve) != BAT_OK) return NULL;
+    if (bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve) != BAT_OK)
+        return NULL;
     bat_shape_options options = bat_shape_defaults();
     int rules = byte(s);
     options.frame = (bat_frame_rule)(rules % 8 < 3 ? rules % 8 : 0);
@@ -154,7 +155,7 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     options.pixel = fmax(bat_curve_size(base) / 8, 0.5); /* fine fits are those of fuzz_sketch */
     bat_shape *before, *out = NULL;
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
-    bat_status status = bat_shape_redraw(shape, &stroke, &options, way % 2, &out, NULL);
+    bat_status status = bat_shape_redraw(shape, &stroke, way % 2, &options, &out, NULL);
     if (!same(before, shape)) abort();
     bat_shape_free(before);
     if (status != BAT_OK && status != BAT_TOLERANCE) {
@@ -224,7 +225,7 @@ static void frames(source *s, const bat_shape *shape) {
     if (bat_frame_chain_create(curve, &options, &chain) != BAT_OK) abort();
     bat_frame3 each[MOST];
     double holonomy;
-    if (bat_frames(curve, &options, MOST, u, each, &holonomy) != BAT_OK || !isfinite(holonomy)) abort();
+    if (bat_frames(curve, MOST, u, &options, each, &holonomy) != BAT_OK || !isfinite(holonomy)) abort();
     bat_frame_chain_follow(chain, &options);
     if (!isfinite(options.holonomy_near)) abort();
     const bat_frame_arrays out = {x, t, n, NULL};
@@ -264,7 +265,7 @@ static void edit(source *s, bat_shape *shape) {
     case 2: status = bat_shape_set_muted(shape, level, index & 1); break;
     case 3: status = bat_shape_transform(shape, matrix); break;
     case 4:
-        status = bat_shape_reframe(shape, (bat_frame_rule)(byte(s) % 3), index & 1 ? matrix : NULL);
+        status = bat_shape_reframe(shape, index & 1 ? matrix : NULL, (bat_frame_rule)(byte(s) % 3));
         break;
     case 5: status = bat_shape_sketch_stroke(shape, level, &stroke, NULL); break;
     case 6: /* of a curve that has no levels yet */
@@ -295,7 +296,7 @@ static void edit(source *s, bat_shape *shape) {
 static void ask(const bat_shape *shape) {
     bat_curve *flat;
     if (bat_shape_flatten(shape, &flat) != BAT_OK) abort();
-    if (!bat_curve_equal(flat, bat_shape_curve(shape, bat_shape_levels(shape)))) abort();
+    if (!bat_curve_is_equal(flat, bat_shape_curve(shape, bat_shape_levels(shape)))) abort();
     bat_curve_free(flat);
     for (int l = 1; l <= bat_shape_levels(shape); l++) {
         const double *nodes = bat_shape_nodes(shape, l);
@@ -304,7 +305,7 @@ static void ask(const bat_shape *shape) {
                 bat_shape_source(shape, l)[i] >= l)
                 abort();
         if (!(fabs(bat_shape_gain(shape, l)) <= 1e6)) abort();
-        (void)bat_shape_muted(shape, l);
+        (void)bat_shape_is_muted(shape, l);
     }
 }
 

@@ -43,7 +43,8 @@ static bat_curve *read_curve(bytes *in, int dimension, bool wild) {
     }
     for (int i = 0; i < n * dimension; i++) points[i] = number(in, wild);
     bat_curve *curve = NULL;
-    (void)bat_curve_create(degree, dimension, closed, n, knots, points, &curve);
+    (void)bat_curve_create(dimension, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots,
+                           &curve);
     return curve;
 }
 
@@ -51,11 +52,11 @@ static void check(bat_status status, bat_curve *curve) {
     if ((status == BAT_OK || status == BAT_TOLERANCE) != (curve != NULL)) abort();
     if (!curve) return;
     bat_curve *again = NULL;
-    if (bat_curve_create(bat_curve_degree(curve), bat_curve_dimension(curve), bat_curve_closed(curve),
-                         bat_curve_count(curve), bat_curve_knots(curve), bat_curve_points(curve),
-                         &again) != BAT_OK)
+    if (bat_curve_create(bat_curve_dimension(curve), bat_curve_degree(curve), bat_curve_is_closed(curve),
+                         bat_curve_count(curve), bat_curve_points(curve), bat_curve_knot_count(curve),
+                         bat_curve_knots(curve), &again) != BAT_OK)
         abort();
-    if (!bat_curve_equal(curve, again)) abort();
+    if (!bat_curve_is_equal(curve, again)) abort();
     bat_curve_free(again);
 }
 
@@ -64,7 +65,7 @@ static void check_kept(const bat_curve *old, const bat_curve *now, const bat_ske
     if (report->replaced || report->extended[0]) return;
     double domain[2];
     bat_curve_domain(old, domain);
-    const double from = bat_curve_closed(old) ? report->changed[1] - (domain[1] - domain[0]) : domain[0];
+    const double from = bat_curve_is_closed(old) ? report->changed[1] - (domain[1] - domain[0]) : domain[0];
     for (int i = 0; i <= 16 && report->changed[0] > from; i++) {
         const double u = from + (report->changed[0] - from) * (i + 0.5) / 17;
         double a[3] = {0}, b[3] = {0};
@@ -89,23 +90,24 @@ static void draw_live(const scene *s, bat_status status, const bat_curve *expect
     const size_t size = (size_t)s->stroke.dimension;
     bat_sketch_live *live;
     bat_curve *made = NULL;
-    if (bat_sketch_begin(s->a, BAT_SKETCH_REDRAW, &s->options, s->stroke.dimension, &live) != BAT_OK) return;
+    if (bat_sketch_live_begin(s->a, s->stroke.dimension, BAT_SKETCH_REDRAW, &s->options, &live) != BAT_OK)
+        return;
     for (size_t i = 0; i < s->stroke.count; i += PART) {
         const bat_stroke part = {.dimension = s->stroke.dimension,
                                  .count = i + PART < s->stroke.count ? PART : s->stroke.count - i,
                                  .points = s->stroke.points + i * size};
-        if (bat_sketch_add(live, &part) != BAT_OK) abort();
+        if (bat_sketch_live_add(live, &part) != BAT_OK) abort();
         bat_curve *shown = NULL;
-        const bat_status previewed = bat_sketch_preview(live, &shown, NULL);
+        const bat_status previewed = bat_sketch_live_preview(live, &shown, NULL);
         check(previewed, shown);
         bat_curve_free(shown);
     }
     if (cancel) {
-        bat_sketch_cancel(live);
+        bat_sketch_live_cancel(live);
         return;
     }
-    const bat_status committed = bat_sketch_commit(live, &made, NULL);
-    if (committed != status || (expected && !bat_curve_equal(expected, made))) abort();
+    const bat_status committed = bat_sketch_live_commit(live, &made, NULL);
+    if (committed != status || (expected && !bat_curve_is_equal(expected, made))) abort();
     bat_curve_free(made);
 }
 
@@ -133,7 +135,7 @@ static void perform(const scene *s, int what) {
     bat_sketch_report report;
     bat_status status;
     if (what < 2 || !s->a) {
-        status = bat_sketch_new(&s->stroke, &s->options, what == 1, &made, &report);
+        status = bat_sketch_new(&s->stroke, what == 1, &s->options, &made, &report);
     } else if (what < 4) {
         redraw(s, what == 2);
         return;

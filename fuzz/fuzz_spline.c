@@ -14,7 +14,7 @@ static void check_insert(const bat_spline *spline, const bat_tangents_options *o
     void *block = NULL;
     int index;
     double deviation;
-    bat_status status = bat_tangents_insert(spline, options, segments / 2, 0.375, &longer, &block, &index,
+    bat_status status = bat_tangents_insert(spline, segments / 2, 0.375, options, &longer, &block, &index,
                                             &deviation);
     if (status != BAT_OK) return;
     if (longer.count != spline->count + 1 || index <= 0 || index >= longer.count || !(deviation >= 0))
@@ -47,7 +47,7 @@ static void check_spline(const bat_spline *spline) {
         double *bezier = NULL;
         int segments = 0, size = spline->dimension;
         bat_curve *curve = NULL;
-        if (joints && bat_tangents(spline, &options, joints, &bezier, &segments, &curve) == BAT_OK) {
+        if (joints && bat_tangents(spline, &options, joints, &segments, &bezier, &curve) == BAT_OK) {
             for (int i = 0; i < 4 * segments * size; i++)
                 if (!isfinite(bezier[i])) abort();
             for (int i = 0; i < spline->count; i++)

@@ -15,7 +15,7 @@ static int run(const cli_arguments *arguments) {
     bat_curve *curve = NULL;
     bat_sketch_report report = {0};
     bool closed = arguments_value(arguments, "--closed");
-    bat_status status = bat_sketch_new(&stroke, &options, closed, &curve, &report);
+    bat_status status = bat_sketch_new(&stroke, closed, &options, &curve, &report);
     failed = status == BAT_OK ? write_sketch(curve, &report) : fail_sketch(name, status, &report, &options);
     bat_curve_free(curve);
     bat_free(block);

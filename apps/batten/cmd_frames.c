@@ -23,7 +23,7 @@ static int print(const bat_curve *curve, const bat_frame3 *frames, size_t count,
     put_points(&text, frames[0].s, count, 3, STRIDE);
     bat_text_string(&text, ",\n\"r\":");
     put_points(&text, frames[0].r, count, 3, STRIDE);
-    if (bat_curve_closed(curve)) {
+    if (bat_curve_is_closed(curve)) {
         bat_text_string(&text, ",\n\"holonomy\":");
         bat_text_number(&text, holonomy);
     }
@@ -70,7 +70,7 @@ static int run(const cli_arguments *arguments) {
     failed = parameters_read(arguments, curve, &u, &count);
     if (!failed) {
         bat_frame3 *frames = malloc(count * sizeof *frames);
-        bat_status status = frames ? bat_frames(curve, &options, count, u, frames, &holonomy) : BAT_MEMORY;
+        bat_status status = frames ? bat_frames(curve, count, u, &options, frames, &holonomy) : BAT_MEMORY;
         if (status == BAT_OK)
             failed = print(curve, frames, count, holonomy);
         else

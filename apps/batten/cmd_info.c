@@ -29,7 +29,7 @@ static void put_curve(bat_text *text, const bat_curve *curve) {
     bat_text_string(text, "{\"degree\":");
     bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
     put_member(text, "dimension", (uint64_t)bat_curve_dimension(curve));
-    bat_text_string(text, bat_curve_closed(curve) ? ",\"closed\":true" : ",\"closed\":false");
+    bat_text_string(text, bat_curve_is_closed(curve) ? ",\"closed\":true" : ",\"closed\":false");
     put_member(text, "points", (uint64_t)bat_curve_count(curve));
     put_member(text, "knots", (uint64_t)bat_curve_knot_count(curve));
     bat_text_string(text, ",\"length\":");
@@ -130,8 +130,8 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *curve = bat_object_curve(object, i);
         snprintf(line, sizeof line, "    %s, degree %d, %d points, %d knots, length %.6g%s\n",
-                 bat_curve_closed(curve) ? "closed" : "open", bat_curve_degree(curve), bat_curve_count(curve),
-                 bat_curve_knot_count(curve), length_of(curve),
+                 bat_curve_is_closed(curve) ? "closed" : "open", bat_curve_degree(curve),
+                 bat_curve_count(curve), bat_curve_knot_count(curve), length_of(curve),
                  bat_curve_dimension(curve) == 3 ? ", in space" : "");
         bat_text_string(text, line);
     }

@@ -72,7 +72,7 @@ static int run(const cli_arguments *arguments) {
     double *bezier = NULL;
     int segments = 0;
     bat_curve *curve = NULL;
-    status = joints ? bat_tangents(&spline, &options, joints, &bezier, &segments, &curve) : BAT_MEMORY;
+    status = joints ? bat_tangents(&spline, &options, joints, &segments, &bezier, &curve) : BAT_MEMORY;
     if (status == BAT_OK)
         failed = print(curve, joints, spline.count, bezier, segments);
     else if (status == BAT_MEMORY)

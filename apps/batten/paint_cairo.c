@@ -58,7 +58,7 @@ static void set_colour(cairo_t *cairo, uint32_t colour) {
 static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance) {
     double *cubics;
     int count;
-    bat_status status = bat_curve_to_cubics(curve, tolerance, &cubics, &count);
+    bat_status status = bat_curve_to_cubics(curve, tolerance, &count, &cubics);
     if (status != BAT_OK) return status;
     int dimension = bat_curve_dimension(curve);
     for (int i = 0; i < count; i++) {
@@ -67,7 +67,7 @@ static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance
         cairo_curve_to(cairo, p[dimension], p[dimension + 1], p[2 * dimension], p[2 * dimension + 1],
                        p[3 * dimension], p[3 * dimension + 1]);
     }
-    if (bat_curve_closed(curve)) cairo_close_path(cairo);
+    if (bat_curve_is_closed(curve)) cairo_close_path(cairo);
     bat_free(cubics);
     return BAT_OK;
 }

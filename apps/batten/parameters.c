@@ -20,7 +20,7 @@ int parameters_read(const cli_arguments *arguments, const bat_curve *curve, doub
     if (*u) {
         double domain[2];
         bat_curve_domain(curve, domain);
-        for (size_t i = 0; i < *count && !bat_curve_closed(curve); i++) {
+        for (size_t i = 0; i < *count && !bat_curve_is_closed(curve); i++) {
             if ((*u)[i] >= domain[0] && (*u)[i] <= domain[1]) continue;
             char found[BAT_NUMBER_ROOM], low[BAT_NUMBER_ROOM], high[BAT_NUMBER_ROOM];
             bat_number_print((*u)[i], found);

@@ -56,6 +56,11 @@ typedef enum bat_status {
     BAT_STATE = 15        /* a call out of order (no stroke begun, nothing to undo) */
 } bat_status;
 
+/*
+ * Arguments come in one order everywhere: what the call is about, dimension, degree and closedness, how many, the data,
+ * options, results. Text and bytes are a pointer and their size.
+ */
+
 /* One short English line, without a final stop; never NULL, static storage. */
 BAT_API const char *bat_status_message(bat_status status);
 

@@ -14,9 +14,9 @@ BAT_API int bat_curve_segment_count(const bat_curve *curve);
  * be NULL. Exact to rounding. */
 BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
 /* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
- * BAT_TOLERANCE with the best cubics after twelve halvings. *points is malloc'ed, freed by bat_free: *count *
- * 4 * dimension doubles, shared ends repeated. */
-BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, double **points, int *count);
+ * BAT_TOLERANCE with the best cubics after twelve halvings. *count segments in *points, which is malloc'ed and freed
+ * by bat_free: *count * 4 * dimension doubles, shared ends repeated. */
+BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *count, double **points);
 
 /* Releases an array that the library handed over. */
 BAT_API void bat_free(void *memory);
@@ -31,9 +31,9 @@ BAT_API void bat_free(void *memory);
  * after a round keeps multiplicity p at one joint; so do joints with a handle of no length, and where the
  * speed would leave 1e-5..1e5 of the run's. BAT_ARGUMENT when a closed path does not end where it starts.
  */
-BAT_API bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points,
-                                         bool closed, double corner, double tolerance, bat_curve **out,
-                                         double *error);
+BAT_API bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int count,
+                                         const double *points, double corner, double tolerance,
+                                         bat_curve **out, double *error);
 
 #ifdef __cplusplus
 }

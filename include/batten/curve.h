@@ -28,16 +28,21 @@ extern "C" {
 
 typedef struct bat_curve bat_curve;
 
-/* Makes a curve after checking everything said above. points: count * dimension doubles, x y [z] each;
- * knots: count + degree + 1 (open) or count + 1 (closed). Both are copied. Cost O(count). */
-BAT_API bat_status bat_curve_create(int degree, int dimension, bool closed, int count, const double *knots,
-                                    const double *points, bat_curve **out);
+/* Makes a curve after checking everything said above. points: count * dimension doubles, x y [z] each; knots:
+ * knot_count of them, which must be count + degree + 1 (open) or count + 1 (closed), else BAT_KNOTS. Both are copied.
+ * Cost O(count). */
+BAT_API bat_status bat_curve_create(int dimension, int degree, bool closed, int count, const double *points,
+                                    int knot_count, const double *knots, bat_curve **out);
+/* The same, open and clamped, with uniform knots: one span a unit, domain [0, count - degree], so that the curve begins
+ * at the first point and ends at the last. */
+BAT_API bat_status bat_curve_create_clamped(int dimension, int degree, int count, const double *points,
+                                            bat_curve **out);
 BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
 BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
 
 BAT_API int bat_curve_degree(const bat_curve *curve);
 BAT_API int bat_curve_dimension(const bat_curve *curve);
-BAT_API bool bat_curve_closed(const bat_curve *curve);
+BAT_API bool bat_curve_is_closed(const bat_curve *curve);
 BAT_API int bat_curve_count(const bat_curve *curve);            /* control points, n */
 BAT_API int bat_curve_knot_count(const bat_curve *curve);       /* n + p + 1, or n + 1 when closed */
 BAT_API const double *bat_curve_knots(const bat_curve *curve);  /* owned by the curve */
@@ -46,7 +51,7 @@ BAT_API void bat_curve_domain(const bat_curve *curve, double domain[2]);
 /* Length of the diagonal of the control points' box: the "size" that relative bounds refer to. */
 BAT_API double bat_curve_size(const bat_curve *curve);
 /* Bitwise equality of shape and representation. */
-BAT_API bool bat_curve_equal(const bat_curve *a, const bat_curve *b);
+BAT_API bool bat_curve_is_equal(const bat_curve *a, const bat_curve *b);
 
 /*
  * Position and derivatives up to `order` at u: out[(order + 1) * dimension], position first. Orders above
@@ -68,7 +73,7 @@ BAT_API void bat_curve_spread(const bat_curve *curve, size_t count, double *u);
 
 /* Blossom (polar form) of the polynomial piece that is in force just right of u (left: just left of it),
  * at p arguments. P&T 5, Ramshaw 1987. out: dimension doubles. */
-BAT_API void bat_curve_blossom(const bat_curve *curve, double u, bool left, const double *arguments,
+BAT_API void bat_curve_blossom(const bat_curve *curve, double u, const double *arguments, bool left,
                                double *out);
 
 /* Greville abscissae: count doubles. */

@@ -141,8 +141,8 @@ BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis 
 BAT_API const double *bat_object_plane(const bat_object *object);
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* Its own: what is in a hidden or locked group is so too. */
-BAT_API bool bat_object_hidden(const bat_object *object);
-BAT_API bool bat_object_locked(const bat_object *object);
+BAT_API bool bat_object_is_hidden(const bat_object *object);
+BAT_API bool bat_object_is_locked(const bat_object *object);
 /* Exact box of the outline, without stroke width: low x, low y, high x, high y. Groups: empty, low > high. */
 BAT_API void bat_object_bounds(const bat_object *object, double box[4]);
 
@@ -157,7 +157,7 @@ BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index
 BAT_API bat_id bat_document_new_id(bat_document *document);             /* 0: all are used up */
 /* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
  * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
-BAT_API bat_status bat_document_put(bat_document *document, int index, const bat_object *after); /* insert */
+BAT_API bat_status bat_document_insert(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_remove(bat_document *document, int index);
 

@@ -51,7 +51,7 @@ typedef struct bat_pointer {
 } bat_pointer;
 
 /* Events in order of time; coalesced ones are simply all there. Bad numbers are dropped. */
-BAT_API void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count);
+BAT_API void bat_editor_pointer(bat_editor *editor, size_t count, const bat_pointer *events);
 /* dx, dy in pixels; zoom: Ctrl or a pinch on a trackpad. */
 BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy,
                               uint32_t modifiers, double time);

@@ -45,8 +45,8 @@ BAT_API bat_frame_options bat_frame_defaults(void);
  * the angle of s, transported once round, from s(0), signed about t(0), in (-pi, pi], before it is spread by
  * arc length (math 2.3); 0 on open ones. Never NaN for a valid curve. Cost: spans * substeps + count.
  */
-BAT_API bat_status bat_frames(const bat_curve *curve, const bat_frame_options *options, size_t count,
-                              const double *u, bat_frame3 *out, double *holonomy);
+BAT_API bat_status bat_frames(const bat_curve *curve, size_t count, const double *u,
+                              const bat_frame_options *options, bat_frame3 *out, double *holonomy);
 
 /*
  * The same chain, kept: built once in O(spans * substeps), then any frame in O(log) for animation, levels and

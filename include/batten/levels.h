@@ -71,7 +71,7 @@ BAT_API const double *bat_shape_details(const bat_shape *shape, int level);
 BAT_API const double *bat_shape_nodes(const bat_shape *shape, int level);
 BAT_API const int *bat_shape_source(const bat_shape *shape, int level);
 BAT_API double bat_shape_gain(const bat_shape *shape, int level);
-BAT_API bool bat_shape_muted(const bat_shape *shape, int level);
+BAT_API bool bat_shape_is_muted(const bat_shape *shape, int level);
 BAT_API const bat_shape_options *bat_shape_options_of(const bat_shape *shape);
 
 /*
@@ -110,15 +110,15 @@ BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const ba
  * change there. Details ride along; beyond the interval that was replaced they stay where they were, on it they are
  * kept, spread evenly, or dropped. Bases of degree 1 and 2 become cubics, and details are then taken at the nodes.
  * report may be NULL. BAT_DOT, BAT_FAR, BAT_TOLERANCE (*out is handed over) as bat_sketch. */
-BAT_API bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke,
-                                    const bat_sketch_options *options, bool drop, bat_shape **out,
+BAT_API bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke, bool drop,
+                                    const bat_sketch_options *options, bat_shape **out,
                                     bat_sketch_report *report);
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
  */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
 /* Another frame rule, an affine image (matrix NULL: none), or both at once: the details are expressed anew, so
  * that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR: it flattens. */
-BAT_API bat_status bat_shape_reframe(bat_shape *shape, bat_frame_rule rule, const double *matrix);
+BAT_API bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_rule rule);
 /* Ends an edit. Edits in space may have left details in frames that the curves alone would not give: they turn
  * back into those, and the persistent pair is taken anew when the start tangent has turned far from it (math 2.2);
  * nothing moves by more than rounding. A committed shape is what its file reads as, bit for bit. */

@@ -59,8 +59,9 @@ BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, 
 BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke,
                               const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);
 /* A new curve from a stroke (math 5.8): closed when its ends meet (or force_closed), corners kept. */
-BAT_API bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *options,
-                                  bool force_closed, bat_curve **out, bat_sketch_report *report);
+BAT_API bat_status bat_sketch_new(const bat_stroke *stroke, bool force_closed,
+                                  const bat_sketch_options *options, bat_curve **out,
+                                  bat_sketch_report *report);
 /* Fairs the stretch that the stroke passes over (math 5.8). */
 BAT_API bat_status bat_sketch_smooth(const bat_curve *curve, const bat_stroke *stroke,
                                      const bat_sketch_options *options, bat_curve **out,
@@ -88,22 +89,23 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;
-BAT_API bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind,
-                                    const bat_sketch_options *options, int dimension, bat_sketch_live **out);
-BAT_API bat_status bat_sketch_add(bat_sketch_live *live, const bat_stroke *samples);
+BAT_API bat_status bat_sketch_live_begin(const bat_curve *curve, int dimension, bat_sketch_kind kind,
+                                         const bat_sketch_options *options, bat_sketch_live **out);
+BAT_API bat_status bat_sketch_live_add(bat_sketch_live *live, const bat_stroke *samples);
 
-typedef struct bat_sketch_preview_info {
+typedef struct bat_sketch_live_info {
     bat_sketch_report report;
     size_t target_count;  /* the smoothed target: stroke and transitions joined, as ink to be shown */
     const double *target; /* target_count points; owned by the session, valid until the next call */
     size_t stroke_first;  /* target[stroke_first..stroke_last] is the stroke proper */
     size_t stroke_last;
-} bat_sketch_preview_info;
+} bat_sketch_live_info;
 /* BAT_DOT while too short. *out is a new curve the caller frees; may be NULL when only info is wanted. */
-BAT_API bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch_preview_info *info);
+BAT_API bat_status bat_sketch_live_preview(bat_sketch_live *live, bat_curve **out,
+                                           bat_sketch_live_info *info);
 /* Ends the session whatever it returns. */
-BAT_API bat_status bat_sketch_commit(bat_sketch_live *live, bat_curve **out, bat_sketch_report *report);
-BAT_API void bat_sketch_cancel(bat_sketch_live *live); /* NULL is fine */
+BAT_API bat_status bat_sketch_live_commit(bat_sketch_live *live, bat_curve **out, bat_sketch_report *report);
+BAT_API void bat_sketch_live_cancel(bat_sketch_live *live); /* NULL is fine */
 
 #ifdef __cplusplus
 }

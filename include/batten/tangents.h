@@ -63,7 +63,7 @@ BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1,
  * a loop whose widths do not close). BAT_COUNT: fewer than two distinct points. Cost O(count).
  */
 BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
-                                bat_joint *joints, double **bezier, int *segments, bat_curve **out);
+                                bat_joint *joints, int *segments, double **bezier, bat_curve **out);
 
 /*
  * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The
@@ -71,9 +71,9 @@ BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_opt
  * rounding. *out: the new spline, all its arrays in *block (bat_free); *index: the new point. *deviation (may be
  * NULL): a bound on how far the curve has moved. BAT_ARGUMENT: no such segment or t.
  */
-BAT_API bat_status bat_tangents_insert(const bat_spline *spline, const bat_tangents_options *options,
-                                       int segment, double t, bat_spline *out, void **block, int *index,
-                                       double *deviation);
+BAT_API bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
+                                       const bat_tangents_options *options, bat_spline *out, void **block,
+                                       int *index, double *deviation);
 
 #ifdef __cplusplus
 }

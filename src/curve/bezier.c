@@ -119,7 +119,7 @@ static bat_status reduce(const double *b, int p, int size, double tolerance, lis
     return BAT_OK;
 }
 
-bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, double **points, int *count) {
+bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *count, double **points) {
     if (!curve || !points || !count) return BAT_ARGUMENT;
     int p = curve->degree, size = curve->dimension;
     if (p > 3 && !(tolerance > 0)) return BAT_ARGUMENT;

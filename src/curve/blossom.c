@@ -34,7 +34,7 @@ void bat_curve_blossom_span(const bat_curve *curve, int span, const double *argu
     memcpy(out, d, (size_t)size * sizeof(double));
 }
 
-void bat_curve_blossom(const bat_curve *curve, double u, bool left, const double *arguments, double *out) {
+void bat_curve_blossom(const bat_curve *curve, double u, const double *arguments, bool left, double *out) {
     double v = left ? bat_curve_reduce_left(curve, u) : bat_curve_reduce(curve, u);
     if (isnan(v)) {
         for (int c = 0; c < curve->dimension; c++) out[c] = v;

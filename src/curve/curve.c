@@ -71,14 +71,30 @@ double *bat_curve_own_points(bat_curve *curve) {
     return curve->points + (curve->closed ? (size_t)curve->degree * (size_t)curve->dimension : 0);
 }
 
-bat_status bat_curve_create(int degree, int dimension, bool closed, int count, const double *knots,
-                            const double *points, bat_curve **out) {
+bat_status bat_curve_create(int dimension, int degree, bool closed, int count, const double *points,
+                            int knot_count, const double *knots, bat_curve **out) {
     if (!knots || !points || !out) return BAT_ARGUMENT;
     bat_curve *curve;
     bat_status status = bat_curve_allocate(degree, dimension, closed, count, &curve);
     if (status != BAT_OK) return status;
-    memcpy(bat_curve_own_knots(curve), knots, (size_t)bat_curve_knot_count(curve) * sizeof(double));
+    if (knot_count != bat_curve_knot_count(curve)) {
+        free(curve);
+        return BAT_KNOTS;
+    }
+    memcpy(bat_curve_own_knots(curve), knots, (size_t)knot_count * sizeof(double));
     memcpy(bat_curve_own_points(curve), points, (size_t)count * (size_t)dimension * sizeof(double));
+    return bat_curve_finish(curve, out);
+}
+
+bat_status bat_curve_create_clamped(int dimension, int degree, int count, const double *points,
+                                    bat_curve **out) {
+    if (!points || !out) return BAT_ARGUMENT;
+    bat_curve *curve;
+    bat_status status = bat_curve_allocate(degree, dimension, false, count, &curve);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i <= count + degree; i++)
+        curve->knots[i] = i <= degree ? 0 : i < count ? i - degree : count - degree;
+    memcpy(curve->points, points, (size_t)count * (size_t)dimension * sizeof(double));
     return bat_curve_finish(curve, out);
 }
 
@@ -98,11 +114,11 @@ void bat_curve_free(bat_curve *curve) { free(curve); }
 
 int bat_curve_degree(const bat_curve *curve) { return curve->degree; }
 int bat_curve_dimension(const bat_curve *curve) { return curve->dimension; }
-bool bat_curve_closed(const bat_curve *curve) { return curve->closed; }
+bool bat_curve_is_closed(const bat_curve *curve) { return curve->closed; }
 int bat_curve_count(const bat_curve *curve) { return curve->count; }
 
 int bat_curve_knot_count(const bat_curve *curve) {
-    return curve->closed ? curve->count + 1 : curve->count + curve->degree + 1;
+    return bat_knot_total(curve->degree, curve->closed, curve->count);
 }
 
 const double *bat_curve_knots(const bat_curve *curve) {
@@ -132,7 +148,7 @@ double bat_curve_size(const bat_curve *curve) {
     return sum;
 }
 
-bool bat_curve_equal(const bat_curve *a, const bat_curve *b) {
+bool bat_curve_is_equal(const bat_curve *a, const bat_curve *b) {
     return a->degree == b->degree && a->dimension == b->dimension && a->closed == b->closed &&
            a->count == b->count &&
            memcmp(bat_curve_knots(a), bat_curve_knots(b), (size_t)bat_curve_knot_count(a) * sizeof(double)) ==

@@ -32,6 +32,10 @@ bat_status bat_curve_finish(bat_curve *curve, bat_curve **out);
 double *bat_curve_own_knots(bat_curve *curve);
 double *bat_curve_own_points(bat_curve *curve);
 
+/* How many knots a curve of so many points has. */
+static inline int bat_knot_total(int degree, bool closed, int count) {
+    return closed ? count + 1 : count + degree + 1;
+}
 /* Checks `count` points' worth of knots: count + degree + 1, or count + 1 when closed. */
 bat_status bat_knots_check(int degree, bool closed, int count, const double *knots);
 /* How often u is a knot (exact equality; closed: within one period, the seam counted as one knot). */

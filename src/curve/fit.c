@@ -483,7 +483,8 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
-    const bat_status status = bat_curve_create(f->degree, m, f->closed, n, knots, f->points, out);
+    const bat_status status = bat_curve_create(m, f->degree, f->closed, n, f->points,
+                                               bat_knot_total(f->degree, f->closed, n), knots, out);
     if (status != BAT_OK) return status;
     if (report) {
         /* Where a round failed by far it did not measure every sample (bat_lsq_measure). */

@@ -290,7 +290,7 @@ bat_status bat_frame_chain_many(const bat_frame_chain *chain, size_t count, cons
     return BAT_OK;
 }
 
-bat_status bat_frames(const bat_curve *curve, const bat_frame_options *options, size_t count, const double *u,
+bat_status bat_frames(const bat_curve *curve, size_t count, const double *u, const bat_frame_options *options,
                       bat_frame3 *out, double *holonomy) {
     if (!curve || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
     if (!finite_all(count, u)) return BAT_NUMBER;

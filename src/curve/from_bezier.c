@@ -94,7 +94,7 @@ static bat_status assemble(int degree, int size, int count, const double *points
     return bat_curve_finish(curve, out);
 }
 
-bat_status bat_curve_from_bezier(int degree, int dimension, int count, const double *points, bool closed,
+bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int count, const double *points,
                                  double corner, double tolerance, bat_curve **out, double *error) {
     if (!points || !out || !(corner >= 0) || !(tolerance >= 0)) return BAT_ARGUMENT;
     if (degree < 1 || degree > BAT_DEGREE_MAX) return BAT_DEGREE;

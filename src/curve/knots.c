@@ -58,7 +58,7 @@ BAT_CLONES static bat_status check_steps(int total, const double *knots) {
 }
 
 bat_status bat_knots_check(int degree, bool closed, int count, const double *knots) {
-    int total = closed ? count + 1 : count + degree + 1;
+    int total = bat_knot_total(degree, closed, count);
     bat_status status = check_steps(total, knots);
     if (status != BAT_OK) return status;
     return closed ? check_closed(degree, count, knots) : check_open(degree, count, knots);

@@ -263,7 +263,7 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
     return isfinite(k) ? k : 0;
 }
 
-int bat_curve_inflections(const bat_curve *curve, double *u, int room) {
+int bat_curve_inflections(const bat_curve *curve, int room, double *u) {
     static const double binomial[7][7] = {{1},
                                           {1, 1},
                                           {1, 2, 1},

@@ -29,7 +29,7 @@ uint64_t bat_digest_text(uint64_t digest, const char *text) {
 uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve) {
     digest = bat_digest_number(digest, (uint64_t)bat_curve_degree(curve));
     digest = bat_digest_number(digest, (uint64_t)bat_curve_dimension(curve));
-    digest = bat_digest_number(digest, bat_curve_closed(curve));
+    digest = bat_digest_number(digest, bat_curve_is_closed(curve));
     digest = bat_digest_number(digest, (uint64_t)bat_curve_count(curve));
     const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
     size_t knot_count = (size_t)bat_curve_knot_count(curve);

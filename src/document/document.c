@@ -69,7 +69,7 @@ void bat_document_raise_next(bat_document *document, bat_id next) {
     if (next > document->next) document->next = next;
 }
 
-bat_status bat_document_put(bat_document *document, int index, const bat_object *after) {
+bat_status bat_document_insert(bat_document *document, int index, const bat_object *after) {
     if (!document || !after || index < 0 || index > document->list.count) return BAT_ARGUMENT;
     bat_id id = bat_object_id(after);
     if (bat_list_find(&document->list, id) >= 0) return BAT_ARGUMENT;
@@ -173,8 +173,8 @@ bat_nesting_level bat_document_level(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
     bat_nesting_level level = {bat_object_id(object), bat_object_is(object, BAT_LAYER), false, false};
     for (int depth = 0; object && depth <= BAT_NESTING_MAX; depth++) {
-        level.hidden = level.hidden || bat_object_hidden(object);
-        level.locked = level.locked || bat_object_locked(object);
+        level.hidden = level.hidden || bat_object_is_hidden(object);
+        level.locked = level.locked || bat_object_is_locked(object);
         object = outside(document, object);
     }
     return level;

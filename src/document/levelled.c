@@ -31,7 +31,7 @@ uint64_t bat_digest_shape(uint64_t digest, const bat_shape *shape) {
         for (int i = 0; i < count; i++)
             digest = bat_digest_number(digest, (uint64_t)bat_shape_source(shape, l)[i]);
         digest = bat_digest_double(digest, bat_shape_gain(shape, l));
-        digest = bat_digest_number(digest, bat_shape_muted(shape, l));
+        digest = bat_digest_number(digest, bat_shape_is_muted(shape, l));
     }
     return digest;
 }
@@ -44,7 +44,7 @@ static bat_status again(const bat_shape *shape, bat_shape **out) {
                                      bat_shape_details(shape, l), bat_shape_source(shape, l));
         if (status == BAT_OK && bat_shape_gain(shape, l) != 1)
             status = bat_shape_set_gain(*out, l, bat_shape_gain(shape, l));
-        if (status == BAT_OK && bat_shape_muted(shape, l)) status = bat_shape_set_muted(*out, l, true);
+        if (status == BAT_OK && bat_shape_is_muted(shape, l)) status = bat_shape_set_muted(*out, l, true);
     }
     return status;
 }

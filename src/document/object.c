@@ -253,8 +253,8 @@ bat_kind bat_object_kind(const bat_object *object) { return object->type->number
 const char *bat_object_name(const bat_object *object) { return object->name; }
 const bat_style *bat_object_style(const bat_object *object) { return &object->head.style; }
 bat_id bat_object_parent(const bat_object *object) { return object->head.parent; }
-bool bat_object_hidden(const bat_object *object) { return object->head.hidden; }
-bool bat_object_locked(const bat_object *object) { return object->head.locked; }
+bool bat_object_is_hidden(const bat_object *object) { return object->head.hidden; }
+bool bat_object_is_locked(const bat_object *object) { return object->head.locked; }
 bool bat_object_is_group(const bat_object *object) { return bat_object_is(object, BAT_HOLDS); }
 bool bat_object_is_drawn(const bat_object *object) { return bat_object_is(object, BAT_DRAWN); }
 int bat_object_curve_count(const bat_object *object) { return object->count; }

@@ -254,7 +254,7 @@ static void one(bat_context *c, bat_pointer event) {
     }
 }
 
-void bat_editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
+void bat_editor_pointer(bat_editor *editor, size_t count, const bat_pointer *events) {
     bat_context *c = &editor->context;
     for (size_t i = 0; i < count; i++) {
         one(c, events[i]);

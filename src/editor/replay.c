@@ -137,7 +137,7 @@ static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem 
                          .time = number(json, "time", editor->context.time),
                          .predicted = bat_json_type_of(json, bat_json_member(json, 1, "predicted")) ==
                                       BAT_JSON_TRUE};
-    bat_editor_pointer(editor, &event, 1);
+    bat_editor_pointer(editor, 1, &event);
     return BAT_OK;
 }
 

@@ -64,7 +64,7 @@ bat_status bat_document_of_curves(int count, bat_curve *const *curves, const cha
             status = bat_object_create_path(bat_document_new_id(document), names ? names[i] : NULL, &style, 1,
                                             &curves[i], &object);
         if (!object) bat_curve_free(curves[i]);
-        if (status == BAT_OK) status = bat_document_put(document, i, object);
+        if (status == BAT_OK) status = bat_document_insert(document, i, object);
         bat_object_release(object);
     }
     if (status != BAT_OK)
@@ -118,7 +118,7 @@ static bat_status image_shapes(const bat_object *object, const double *m, bat_ob
         bat_status status = bat_shape_copy(bat_object_shape(object, i), &shape);
         if (status == BAT_OK)
             status = similar ? bat_shape_transform(shape, matrix)
-                             : bat_shape_reframe(shape, bat_shape_options_of(shape)->frame, matrix);
+                             : bat_shape_reframe(shape, matrix, bat_shape_options_of(shape)->frame);
         if (status == BAT_OK) status = bat_object_with_shape(*path, i, shape, &next);
         if (status == BAT_OK) {
             bat_object_release(*path);

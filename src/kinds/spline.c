@@ -130,7 +130,7 @@ static const char *check(const bat_object *object) {
     bat_status status = bat_tangents(&kept->spline, &kept->options, NULL, NULL, NULL, &again);
     if (status == BAT_MEMORY) return NULL;
     if (status != BAT_OK) return "a spline is not valid";
-    bool same = bat_object_curve_count(object) == 1 && bat_curve_equal(bat_object_curve(object, 0), again);
+    bool same = bat_object_curve_count(object) == 1 && bat_curve_is_equal(bat_object_curve(object, 0), again);
     bat_curve_free(again);
     return same ? NULL : "the curve of a spline is not the one its points give";
 }
@@ -140,7 +140,7 @@ static const char *check(const bat_object *object) {
 /* Same knots and points, but for rounding. */
 static bool alike(const bat_curve *a, const bat_curve *b) {
     if (bat_curve_count(a) != bat_curve_count(b) || bat_curve_knot_count(a) != bat_curve_knot_count(b) ||
-        bat_curve_closed(a) != bat_curve_closed(b))
+        bat_curve_is_closed(a) != bat_curve_is_closed(b))
         return false;
     double near = 1e-9 * bat_curve_size(b);
     for (int i = 0; i < 2 * bat_curve_count(a); i++)

@@ -6,7 +6,7 @@
 int main(void) {
     const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 2, 4};
     bat_curve *line = NULL;
-    bat_status status = bat_curve_create(1, 2, false, 2, knots, points, &line);
+    bat_status status = bat_curve_create(2, 1, false, 2, points, 4, knots, &line);
     if (status != BAT_OK) {
         fprintf(stderr, "%s\n", bat_status_message(status));
         return 1;

@@ -12,7 +12,7 @@ struct Free {
 int main() {
     const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 2, 4};
     bat_curve *raw = nullptr;
-    if (bat_curve_create(1, 2, false, 2, knots, points, &raw) != BAT_OK) return 1;
+    if (bat_curve_create(2, 1, false, 2, points, 4, knots, &raw) != BAT_OK) return 1;
     std::unique_ptr<bat_curve, Free> line(raw);
     double middle[2];
     bat_curve_eval(line.get(), 0.5, 0, middle);

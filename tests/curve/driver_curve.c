@@ -32,7 +32,9 @@ int main(void) {
         numbers(closed ? n + 1 : n + degree + 1, knots);
         numbers(n * size, points);
         bat_curve *curve, *other;
-        if (bat_curve_create(degree, size, closed, n, knots, points, &curve) != BAT_OK) return 4;
+        if (bat_curve_create(size, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots,
+                             &curve) != BAT_OK)
+            return 4;
         if (scanf("%15s", task) != 1) return 3;
         if (strcmp(task, "insert") == 0) {
             numbers(1, u);

@@ -33,8 +33,8 @@ typedef bat_status operation(bat_curve **a, bat_curve **b);
 
 static bat_status create(bat_curve **a, bat_curve **b) {
     (void)b;
-    return bat_curve_create(3, 2, false, bat_curve_count(open_curve), bat_curve_knots(open_curve),
-                            bat_curve_points(open_curve), a);
+    return bat_curve_create(2, 3, false, bat_curve_count(open_curve), bat_curve_points(open_curve),
+                            bat_curve_knot_count(open_curve), bat_curve_knots(open_curve), a);
 }
 static bat_status copy(bat_curve **a, bat_curve **b) { return (void)b, bat_curve_copy(open_curve, a); }
 static bat_status transform(bat_curve **a, bat_curve **b) {
@@ -93,11 +93,11 @@ static bat_status join(bat_curve **a, bat_curve **b) {
 static bat_status to_cubics(bat_curve **a, bat_curve **b) {
     (void)a, (void)b;
     int count;
-    return bat_curve_to_cubics(quintic, 1e-6, &cubics, &count);
+    return bat_curve_to_cubics(quintic, 1e-6, &count, &cubics);
 }
 static bat_status from_bezier(bat_curve **a, bat_curve **b) {
     const double path[] = {0, 0, 1, 1, 2, 1, 3, 0, 4, -1, 5, -1, 6, 0, 3, -9, 1, -9, 0, 0};
-    return (void)b, bat_curve_from_bezier(3, 2, 3, path, true, 0.1, 0.1, a, NULL);
+    return (void)b, bat_curve_from_bezier(2, 3, true, 3, path, 0.1, 0.1, a, NULL);
 }
 
 static void every_allocation(void **state) {

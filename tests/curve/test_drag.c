@@ -20,7 +20,9 @@ static bat_curve *make(int degree, bool closed, int count) {
         for (int i = 0; i < count + degree + 1; i++)
             knots[i] = i <= degree ? 0 : i >= count ? count - degree : i - degree + 0.25 * sin(i);
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(degree, 2, closed, count, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, degree, closed, count, points,
+                                      closed ? count + 1 : count + degree + 1, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -76,7 +78,7 @@ static void several_points_least_change(void **state) {
         double points[28], zero[28] = {0};
         for (int i = 0; i < 28; i++) points[i] = sin(1.7 * i);
         bat_curve *any = NULL, *null = NULL;
-        bat_curve_create(3, 2, closed, 14, bat_curve_knots(curve), points, &any);
+        bat_curve_create(2, 3, closed, 14, points, bat_curve_knot_count(curve), bat_curve_knots(curve), &any);
         for (int k = 0; k < 3; k++) {
             bat_curve_eval(any, u[k], 0, zero + 2 * k);
             zero[2 * k] *= -1, zero[2 * k + 1] *= -1;

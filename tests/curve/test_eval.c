@@ -37,7 +37,7 @@ static void polynomials_are_reproduced(void **state) {
             points[2 * i] = monomial_blossom(t + i + 1, p, p);
             points[2 * i + 1] = 1 - monomial_blossom(t + i + 1, p, 1) + monomial_blossom(t + i + 1, p, k);
         }
-        assert_int_equal(bat_curve_create(p, 2, false, n, t, points, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, p, false, n, points, n + p + 1, t, &curve), BAT_OK);
         for (int i = 0; i <= 40; i++) {
             double u = -1 + i / 20.0, out[2 * 9];
             bat_curve_eval(curve, u, 8, out);
@@ -141,20 +141,20 @@ static void blossoms(void **state) {
         int span = bat_span(curve, random_between(&r, d[0], d[1]), -1);
         double low = curve->knots[span], h = curve->knots[span + 1] - low, u = low + h / 2;
         for (int i = 0; i < p; i++) x[i] = u;
-        bat_curve_blossom(curve, u, false, x, a);
+        bat_curve_blossom(curve, u, x, false, a);
         bat_curve_eval(curve, u, 0, b);
         for (int i = 0; i < size; i++) assert_true(fabs(a[i] - b[i]) < 1e-12);
         for (int i = 0; i < p; i++) x[i] = random_between(&r, low - 0.2 * h, low + 1.2 * h);
         for (int i = 0; i < p; i++) y[i] = x[p - 1 - i];
-        bat_curve_blossom(curve, u, round % 2, x, a);
-        bat_curve_blossom(curve, u, round % 2, y, b);
+        bat_curve_blossom(curve, u, x, round % 2, a);
+        bat_curve_blossom(curve, u, y, round % 2, b);
         assert_memory_equal(a, b, (size_t)size * sizeof(double)); /* to the bit */
         int k = random_int(&r, 0, p - 1);
         memcpy(y, x, sizeof x), memcpy(z, x, sizeof x);
         y[k] = low, z[k] = low + h, x[k] = low + 0.25 * h;
-        bat_curve_blossom(curve, u, false, x, a);
-        bat_curve_blossom(curve, u, false, y, b);
-        bat_curve_blossom(curve, u, false, z, c);
+        bat_curve_blossom(curve, u, x, false, a);
+        bat_curve_blossom(curve, u, y, false, b);
+        bat_curve_blossom(curve, u, z, false, c);
         for (int i = 0; i < size; i++) assert_true(fabs(a[i] - (0.75 * b[i] + 0.25 * c[i])) < 1e-10);
         for (int j = 0; j <= p; j++) {
             bat_curve_blossom_span(curve, span, curve->knots + span - p + j + 1, a);
@@ -214,7 +214,7 @@ static void no_knot_tolerance(void **state) {
             points[2 * i] = ((knots[i + 1] + knots[i + 2]) + knots[i + 3]) / 3 / scales[s];
             points[2 * i + 1] = i % 2;
         }
-        assert_int_equal(bat_curve_create(3, 2, false, N, knots, points, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, 3, false, N, points, N + 4, knots, &curve), BAT_OK);
         bat_curve_spread(curve, N, u);
         assert_int_equal(bat_curve_eval_many(curve, N, u, 0, out), BAT_OK);
         for (int i = 0; i < N; i++) {
@@ -268,22 +268,29 @@ static void validation(void **state) {
         {3, 3, 1, 3, {0, 2, 1, 3}, BAT_KNOTS},
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        assert_int_equal(bat_curve_create(table[i].degree, table[i].dimension, table[i].closed,
-                                          table[i].count, table[i].knots, points, &out),
-                         table[i].want);
+        assert_int_equal(
+            bat_curve_create(table[i].dimension, table[i].degree, table[i].closed, table[i].count, points,
+                             table[i].closed ? table[i].count + 1 : table[i].count + table[i].degree + 1,
+                             table[i].knots, &out),
+            table[i].want);
         assert_ptr_equal(out, mark);
     }
-    assert_int_equal(bat_curve_create(3, 3, false, 5, NULL, points, &out), BAT_ARGUMENT);
-    assert_int_equal(bat_curve_create(3, 3, false, 5, good, NULL, &out), BAT_ARGUMENT);
-    assert_int_equal(bat_curve_create(3, 3, false, 5, good, points, NULL), BAT_ARGUMENT);
+    for (int given = -1; given < 20; given++) { /* one knot too few, too many, or those of a closed curve */
+        if (given == 9) continue;
+        assert_int_equal(bat_curve_create(3, 3, false, 5, points, given, good, &out), BAT_KNOTS);
+        assert_ptr_equal(out, mark);
+    }
+    assert_int_equal(bat_curve_create(3, 3, false, 5, points, 9, NULL, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_create(3, 3, false, 5, NULL, 9, good, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_create(3, 3, false, 5, points, 9, good, NULL), BAT_ARGUMENT);
     const double bad[] = {NAN, INFINITY, -INFINITY, 1.1e75};
     for (int i = 0; i < 4; i++) {
         points[7] = bad[i];
-        assert_int_equal(bat_curve_create(3, 3, false, 5, good, points, &out), BAT_NUMBER);
+        assert_int_equal(bat_curve_create(3, 3, false, 5, points, 9, good, &out), BAT_NUMBER);
         assert_ptr_equal(out, mark);
     }
     points[7] = 1e75; /* the limit itself is fine, and nothing overflows */
-    assert_int_equal(bat_curve_create(3, 3, false, 5, good, points, &out), BAT_OK);
+    assert_int_equal(bat_curve_create(3, 3, false, 5, points, 9, good, &out), BAT_OK);
     double x[24], u[3] = {0, 0.5, 1.5}, matrix[12] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0};
     for (int i = 0; i <= 20; i++) {
         bat_curve_eval(out, i / 10.0, 3, x);
@@ -304,7 +311,7 @@ static void validation(void **state) {
     assert_int_equal(bat_curve_eval_many(out, 0, NULL, 0, NULL), BAT_OK);
     assert_true(x[0] == 77 && other == mark);
     bat_curve_free(out);
-    assert_int_equal(bat_curve_create(3, 3, true, 3, ring, points, &out), BAT_OK);
+    assert_int_equal(bat_curve_create(3, 3, true, 3, points, 4, ring, &out), BAT_OK);
     for (int i = -40; i < 40; i++) { /* far over the ends, and at infinity: no endless loop, no crash */
         double far = ldexp(1.1, 25 * i);
         bat_curve_eval(out, i % 2 ? far : -far, 0, x);
@@ -342,10 +349,39 @@ static void affine_invariance(void **state) {
         bat_curve_eval(again, d[0], 0, b);
         assert_true(a[0] == b[0] && a[1] == b[1] && b[2] == 0);
         assert_int_equal(bat_curve_copy(curve, &copy), BAT_OK);
-        assert_true(bat_curve_equal(copy, curve) && !bat_curve_equal(curve, again));
+        assert_true(bat_curve_is_equal(copy, curve) && !bat_curve_is_equal(curve, again));
         bat_curve_free(copy), bat_curve_free(flat), bat_curve_free(again);
         bat_curve_free(image), bat_curve_free(curve);
     }
+}
+
+/* Against the knots written out, of every degree; the ends are the first and the last point. */
+static void clamped(void **state) {
+    (void)state;
+    for (int p = 1; p <= BAT_DEGREE_MAX; p++)
+        for (int n = p + 1; n <= p + 6; n++) {
+            double knots[32], points[3 * 16], at[3];
+            for (int i = 0; i <= n + p; i++) knots[i] = fmin(fmax(i - p, 0), n - p);
+            for (int i = 0; i < 3 * n; i++) points[i] = cos(i * 1.7) * 100;
+            bat_curve *expected, *curve;
+            assert_int_equal(bat_curve_create(3, p, false, n, points, n + p + 1, knots, &expected), BAT_OK);
+            assert_int_equal(bat_curve_create_clamped(3, p, n, points, &curve), BAT_OK);
+            assert_true(bat_curve_is_equal(curve, expected));
+            bat_curve_eval(curve, 0, 0, at);
+            assert_memory_equal(at, points, sizeof at);
+            bat_curve_eval(curve, n - p, 0, at);
+            assert_memory_equal(at, points + 3 * (n - 1), sizeof at);
+            bat_curve_free(curve), bat_curve_free(expected);
+        }
+    const double some[] = {0, 0, 1, 1, 2, NAN};
+    bat_curve *mark = (bat_curve *)(void *)&some, *out = mark;
+    assert_int_equal(bat_curve_create_clamped(2, 2, 2, some, &out), BAT_COUNT);
+    assert_int_equal(bat_curve_create_clamped(2, 2, 3, some, &out), BAT_NUMBER);
+    assert_int_equal(bat_curve_create_clamped(2, 8, 3, some, &out), BAT_DEGREE);
+    assert_int_equal(bat_curve_create_clamped(4, 1, 3, some, &out), BAT_DIMENSION);
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, NULL, &out), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, some, NULL), BAT_ARGUMENT);
+    assert_ptr_equal(out, mark);
 }
 
 int main(void) {
@@ -356,6 +392,7 @@ int main(void) {
                                        cmocka_unit_test(bulk_is_single),
                                        cmocka_unit_test(no_knot_tolerance),
                                        cmocka_unit_test(validation),
+                                       cmocka_unit_test(clamped),
                                        cmocka_unit_test(affine_invariance)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

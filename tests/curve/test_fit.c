@@ -52,7 +52,7 @@ static void tolerance_holds(void **state) {
                 const double truth = true_error(curve, m, count, x);
                 assert_true(truth <= report.max_error + 1e-12 && report.max_error <= 0.6);
                 assert_int_equal(bat_curve_degree(curve), p);
-                assert_true(bat_curve_closed(curve) == closed);
+                assert_true(bat_curve_is_closed(curve) == closed);
                 assert_true(bat_curve_count(curve) < (p == 1 ? 110 : 45));
                 assert_int_equal(report.knots,
                                  closed ? bat_curve_count(curve) : bat_curve_count(curve) - p - 1);

@@ -40,7 +40,7 @@ static void searches(void **state) {
     (void)state;
     const double knots[] = {0, 0, 1, 2, 2}, points[] = {0, 0, 1, 1, 2, 0}, point[] = {1, 0};
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(1, 2, false, 3, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 3, points, 5, knots, &curve), BAT_OK);
     const long live = alloc_live();
     for (int what = 0; what < 3; what++)
         for (int n = 1;; n++) {

@@ -30,7 +30,9 @@ static bat_curve *random_curve(int p, int dimension, bool closed) {
     }
     for (int i = 0; i < COUNT * dimension; i++) points[i] = 10 * uniform();
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(p, dimension, closed, COUNT, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, p, closed, COUNT, points, closed ? COUNT + 1 : COUNT + p + 1,
+                                      knots, &curve),
+                     BAT_OK);
     return curve;
 }
 

@@ -78,7 +78,8 @@ static void nothing_is_nearer(void **state) {
 
 static bat_curve *make(int p, int m, bool closed, int n, const double *knots, const double *points) {
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(p, m, closed, n, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(m, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -208,7 +209,7 @@ static void degenerate_curves(void **state) {
     assert_true(near.distance < 1e-9 && fabs(near.u - 0.5) < 1e-4);
     bat_curve_free(curve);
     const double great[] = {0, 0, 1e300, 1e300, -1e300, 1e300, 1e300, -1e300};
-    if (bat_curve_create(3, 2, false, 4, knots, great, &curve) == BAT_OK) {
+    if (bat_curve_create(2, 3, false, 4, great, 8, knots, &curve) == BAT_OK) {
         assert_int_equal(bat_curve_nearest(curve, point, &near), BAT_OK);
         bat_curve_free(curve);
     }

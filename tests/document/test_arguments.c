@@ -20,7 +20,7 @@ static void refused(bat_status wanted, bat_status status, const char *call, int 
 static bat_curve *closed_curve(void) {
     const double knots[] = {0, 1, 2, 3, 4, 5}, points[] = {0, 0, 9, 0, 9, 9, 4, 12, 0, 9};
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(3, 2, true, 5, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, true, 5, points, 6, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -83,13 +83,13 @@ static void of_refinement(void **state) {
     NUMBER(bat_curve_move_seam(closed, NAN, &out));
     ARGUMENT(bat_curve_to_bezier(NULL, NULL, NULL));
     double *points = NULL;
-    ARGUMENT(bat_curve_to_cubics(NULL, 1, &points, &count));
-    ARGUMENT(bat_curve_to_cubics(open, 1, NULL, &count));
-    ARGUMENT(bat_curve_to_cubics(open, 1, &points, NULL));
-    ARGUMENT(bat_curve_from_bezier(3, 2, 1, NULL, false, 0, 0, &out, NULL));
-    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, 0, 0, NULL, NULL));
-    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, -1, 0, &out, NULL));
-    ARGUMENT(bat_curve_from_bezier(3, 2, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, false, 0, NAN, &out, NULL));
+    ARGUMENT(bat_curve_to_cubics(NULL, 1, &count, &points));
+    ARGUMENT(bat_curve_to_cubics(open, 1, &count, NULL));
+    ARGUMENT(bat_curve_to_cubics(open, 1, NULL, &points));
+    ARGUMENT(bat_curve_from_bezier(2, 3, false, 1, NULL, 0, 0, &out, NULL));
+    ARGUMENT(bat_curve_from_bezier(2, 3, false, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, 0, 0, NULL, NULL));
+    ARGUMENT(bat_curve_from_bezier(2, 3, false, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, -1, 0, &out, NULL));
+    ARGUMENT(bat_curve_from_bezier(2, 3, false, 1, (double[]){0, 0, 1, 0, 2, 0, 3, 0}, 0, NAN, &out, NULL));
     bat_curve_free(open);
     bat_curve_free(closed);
 }
@@ -138,9 +138,9 @@ static void of_measures_and_drags(void **state) {
     ARGUMENT(bat_curve_move_point(open, 7, at, &out));
     bat_curve *space = NULL;
     assert_int_equal(bat_curve_to_dimension(open, 3, &space), BAT_OK);
-    ARGUMENT(bat_frames(NULL, NULL, 2, u, frames, NULL));
-    ARGUMENT(bat_frames(space, NULL, 2, NULL, frames, NULL));
-    ARGUMENT(bat_frames(space, NULL, 2, u, NULL, NULL));
+    ARGUMENT(bat_frames(NULL, 2, u, NULL, frames, NULL));
+    ARGUMENT(bat_frames(space, 2, NULL, NULL, frames, NULL));
+    ARGUMENT(bat_frames(space, 2, u, NULL, NULL, NULL));
     ARGUMENT(bat_frame_chain_create(NULL, NULL, &chain));
     ARGUMENT(bat_frame_chain_create(space, NULL, NULL));
     bat_frame_options options = {.substeps = -1};
@@ -172,8 +172,8 @@ static void of_strokes(void **state) {
     ARGUMENT(bat_sketch(open, NULL, &options, &out, &report));
     ARGUMENT(bat_sketch(open, &none, &options, &out, &report));
     ARGUMENT(bat_sketch(open, &stroke, &options, NULL, &report));
-    ARGUMENT(bat_sketch_new(NULL, &options, false, &out, &report));
-    ARGUMENT(bat_sketch_new(&stroke, &options, false, NULL, &report));
+    ARGUMENT(bat_sketch_new(NULL, false, &options, &out, &report));
+    ARGUMENT(bat_sketch_new(&stroke, false, &options, NULL, &report));
     ARGUMENT(bat_sketch_smooth(NULL, &stroke, &options, &out, &report));
     ARGUMENT(bat_sketch_smooth(open, &stroke, &options, NULL, &report));
     ARGUMENT(bat_sketch_join(NULL, open, &stroke, &options, &out, &report));
@@ -181,15 +181,15 @@ static void of_strokes(void **state) {
     ARGUMENT(bat_sketch_join(open, open, &stroke, &options, NULL, &report));
     ARGUMENT(bat_sketch_join(open, closed, &stroke, &options, &out, &report));
     ARGUMENT(bat_sketch_join(closed, open, &stroke, &options, &out, &report));
-    ARGUMENT(bat_sketch_begin(open, (bat_sketch_kind)9, &options, 2, &live));
+    ARGUMENT(bat_sketch_live_begin(open, 2, (bat_sketch_kind)9, &options, &live));
     assert_null(live);
-    ARGUMENT(bat_sketch_add(NULL, &stroke));
-    ARGUMENT(bat_sketch_preview(NULL, &out, NULL));
-    ARGUMENT(bat_sketch_commit(NULL, &out, &report));
-    assert_int_equal(bat_sketch_begin(open, BAT_SKETCH_REDRAW, &options, 2, &live), BAT_OK);
-    ARGUMENT(bat_sketch_add(live, NULL));
-    ARGUMENT(bat_sketch_add(live, &none));
-    ARGUMENT(bat_sketch_commit(live, NULL, &report)); /* which ends it */
+    ARGUMENT(bat_sketch_live_add(NULL, &stroke));
+    ARGUMENT(bat_sketch_live_preview(NULL, &out, NULL));
+    ARGUMENT(bat_sketch_live_commit(NULL, &out, &report));
+    assert_int_equal(bat_sketch_live_begin(open, 2, BAT_SKETCH_REDRAW, &options, &live), BAT_OK);
+    ARGUMENT(bat_sketch_live_add(live, NULL));
+    ARGUMENT(bat_sketch_live_add(live, &none));
+    ARGUMENT(bat_sketch_live_commit(live, NULL, &report)); /* which ends it */
     options.width = 101;
     ARGUMENT(bat_sketch(open, &stroke, &options, &out, &report));
     options.width = -1;
@@ -247,8 +247,8 @@ static void of_levels(void **state) {
     ARGUMENT(bat_shape_sketch(shape, 0, 1, delta, NULL));
     NUMBER(bat_shape_sketch(shape, 0, 1, delta, bad + 4));
     NUMBER(bat_shape_sketch(shape, 0, 1, bad + 4, delta));
-    ARGUMENT(bat_shape_redraw(NULL, NULL, NULL, false, &made, NULL));
-    ARGUMENT(bat_shape_redraw(shape, NULL, NULL, false, NULL, NULL));
+    ARGUMENT(bat_shape_redraw(NULL, NULL, false, NULL, &made, NULL));
+    ARGUMENT(bat_shape_redraw(shape, NULL, false, NULL, NULL, NULL));
     ARGUMENT(bat_shape_redraw_level(NULL, 0, NULL, NULL, NULL));
     ARGUMENT(bat_shape_redraw_level(shape, -1, NULL, NULL, NULL));
     ARGUMENT(bat_shape_redraw_level(shape, 2, NULL, NULL, NULL));
@@ -286,11 +286,11 @@ static void of_objects_and_documents(void **state) {
     const uint64_t before = bat_document_digest(document);
     ARGUMENT(bat_document_copy(NULL, &document));
     ARGUMENT(bat_document_copy(document, NULL));
-    ARGUMENT(bat_document_put(NULL, 0, object));
-    ARGUMENT(bat_document_put(document, 0, NULL));
-    ARGUMENT(bat_document_put(document, -1, object));
-    ARGUMENT(bat_document_put(document, 2, object));
-    ARGUMENT(bat_document_put(document, 1, object)); /* it is there already */
+    ARGUMENT(bat_document_insert(NULL, 0, object));
+    ARGUMENT(bat_document_insert(document, 0, NULL));
+    ARGUMENT(bat_document_insert(document, -1, object));
+    ARGUMENT(bat_document_insert(document, 2, object));
+    ARGUMENT(bat_document_insert(document, 1, object)); /* it is there already */
     ARGUMENT(bat_document_replace(NULL, 0, object));
     ARGUMENT(bat_document_replace(document, 0, NULL));
     ARGUMENT(bat_document_replace(document, -1, object));

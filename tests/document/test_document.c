@@ -77,7 +77,7 @@ static void bounds_hold_the_curve(void **state) {
     }
     double knots[] = {0, 0, 1, 2, 2}, points[] = {3, -1, -4, 8, 2, 2};
     bat_curve *line;
-    assert_int_equal(bat_curve_create(1, 2, false, 3, knots, points, &line), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 3, points, 5, knots, &line), BAT_OK);
     bat_style style = bat_style_defaults();
     bat_object *object;
     assert_int_equal(bat_object_create_path(1, NULL, &style, 1, &line, &object), BAT_OK);
@@ -120,10 +120,10 @@ static void changes_and_refusals(void **state) {
     bat_object *b = make_object(&r, bat_document_new_id(document), "b", 2);
     bat_object *b2 = make_object(&r, bat_object_id(b), "b2", 1);
     uint64_t empty = bat_document_digest(document);
-    assert_int_equal(bat_document_put(document, 1, a), BAT_ARGUMENT);
-    assert_int_equal(bat_document_put(document, 0, a), BAT_OK);
-    assert_int_equal(bat_document_put(document, 0, a), BAT_ARGUMENT); /* the id is there */
-    assert_int_equal(bat_document_put(document, 0, b), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 1, a), BAT_ARGUMENT);
+    assert_int_equal(bat_document_insert(document, 0, a), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, a), BAT_ARGUMENT); /* the id is there */
+    assert_int_equal(bat_document_insert(document, 0, b), BAT_OK);
     uint64_t two = bat_document_digest(document);
     assert_int_equal(bat_document_find(document, bat_object_id(a)), 1);
     assert_int_equal(bat_document_find(document, 77), -1);
@@ -150,7 +150,7 @@ static void a_foreign_id_raises_the_next(void **state) {
     bat_document *document;
     assert_int_equal(bat_document_create(&document), BAT_OK);
     bat_object *object = make_object(&r, 41, "", 1);
-    assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
     assert_true(bat_document_new_id(document) == 42);
     assert_null(bat_document_check(document));
     bat_object_release(object);
@@ -164,7 +164,7 @@ static void copy_is_apart(void **state) {
     assert_int_equal(bat_document_create(&document), BAT_OK);
     for (int i = 0; i < 20; i++) {
         bat_object *object = make_object(&r, bat_document_new_id(document), "", 1);
-        assert_int_equal(bat_document_put(document, i / 2, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, i / 2, object), BAT_OK);
         bat_object_release(object);
     }
     assert_int_equal(bat_document_copy(document, &copy), BAT_OK);
@@ -210,13 +210,13 @@ static void digest_sees_every_bit(void **state) {
         if (i == 2) p[0] = -0.0;
         if (i == 3) k[0] = nextafter(0, -1) * 1e300 * 1e20;
         bat_curve *curve;
-        assert_int_equal(bat_curve_create(1, 2, false, 2, k, p, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, 1, false, 2, p, 4, k, &curve), BAT_OK);
         bat_document *document;
         bat_object *object;
         bat_style style = bat_style_defaults();
         assert_int_equal(bat_document_create(&document), BAT_OK);
         assert_int_equal(bat_object_create_path(1, i == 4 ? "x" : "", &style, 1, &curve, &object), BAT_OK);
-        assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
         bat_object_release(object);
         seen[i] = bat_document_digest(document);
         bat_document_free(document);

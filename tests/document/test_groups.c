@@ -13,7 +13,7 @@
 static void put(bat_document *document, int index, bat_object *object, bat_id parent) {
     bat_object *placed = NULL;
     assert_int_equal(bat_object_with_parent(object, parent, &placed), BAT_OK);
-    assert_int_equal(bat_document_put(document, index, placed), BAT_OK);
+    assert_int_equal(bat_document_insert(document, index, placed), BAT_OK);
     bat_object_release(placed);
     bat_object_release(object);
 }
@@ -67,7 +67,7 @@ static void ends_and_invariants(void **unused) {
     assert_true(box[0] == 20 && box[2] == 120);
     /* A line between a group and its members: they are no longer together. */
     bat_object *stranger = line(9);
-    bat_document_put(document, 3, stranger);
+    bat_document_insert(document, 3, stranger);
     assert_non_null(bat_document_check(document));
     bat_document_remove(document, 3);
     bat_object_release(stranger);
@@ -181,7 +181,7 @@ static void svg_groups_come_in(void **unused) {
     const bat_object *layer = bat_document_at(document, 0), *inner = bat_document_at(document, 1);
     assert_int_equal(bat_object_kind(layer), BAT_KIND_LAYER);
     assert_string_equal(bat_object_name(layer), "Ink");
-    assert_true(bat_object_hidden(layer) && !bat_object_hidden(inner));
+    assert_true(bat_object_is_hidden(layer) && !bat_object_is_hidden(inner));
     assert_int_equal(bat_object_parent(inner), bat_object_id(layer));
     assert_int_equal(bat_object_parent(bat_document_at(document, 3)), bat_object_id(inner));
     assert_int_equal(bat_object_parent(bat_document_at(document, 4)), 0);

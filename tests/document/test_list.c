@@ -26,7 +26,7 @@ static int random_below(random_source *r, int limit) { return (int)(random_unit(
 
 static void put(bat_document *document, int index, bat_id id) {
     bat_object *object = group(id, "");
-    assert_int_equal(bat_document_put(document, index, object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, index, object), BAT_OK);
     bat_object_release(object);
 }
 
@@ -162,7 +162,7 @@ static void memory_fails(void **state) {
         bat_status status = BAT_MEMORY;
         for (int n = 1; status == BAT_MEMORY; n++) {
             alloc_fail_at(n);
-            status = bat_document_put(document, i / 2, list[i]);
+            status = bat_document_insert(document, i / 2, list[i]);
             bool failed = alloc_fail_reached();
             assert_int_equal(status, failed ? BAT_MEMORY : BAT_OK);
             assert_int_equal(bat_document_count(document), failed ? i : i + 1);
@@ -172,7 +172,7 @@ static void memory_fails(void **state) {
     for (int i = 0; i < 20; i++) assert_int_equal(bat_document_remove(document, 0), BAT_OK);
     for (int i = 0; i < 20; i++) { /* it keeps the room it had */
         alloc_fail_at(1);
-        assert_int_equal(bat_document_put(document, 0, list[i]), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, list[i]), BAT_OK);
         alloc_fail_reached();
     }
     for (int i = 0; i < 20; i++) bat_object_release(list[i]);

@@ -100,8 +100,8 @@ static void same_head(const bat_object *a, const bat_object *b, bat_id id, bat_i
     assert_int_equal(bat_object_id(a), id);
     assert_int_equal(bat_object_parent(a), parent);
     assert_string_equal(bat_object_name(a), bat_object_name(b));
-    assert_int_equal(bat_object_hidden(a), bat_object_hidden(b));
-    assert_int_equal(bat_object_locked(a), bat_object_locked(b));
+    assert_int_equal(bat_object_is_hidden(a), bat_object_is_hidden(b));
+    assert_int_equal(bat_object_is_locked(a), bat_object_is_locked(b));
     const bat_style *s = bat_object_style(a), *o = bat_object_style(b); /* member by member: there are gaps */
     assert_true(s->stroked == o->stroked && s->filled == o->filled && s->even_odd == o->even_odd);
     assert_true(s->stroke == o->stroke && s->fill == o->fill && s->width == o->width &&
@@ -181,11 +181,11 @@ static void both_formats_keep_it(void **state) {
     assert_int_equal(bat_document_create(&document), BAT_OK);
     int count = 0;
     bat_object *layer = make(BAT_KIND_LAYER, PARENT, 0);
-    assert_int_equal(bat_document_put(document, count++, layer), BAT_OK);
+    assert_int_equal(bat_document_insert(document, count++, layer), BAT_OK);
     become(&layer, NULL);
     for (int k = 0; k < KINDS; k++) {
         bat_object *object = make(kinds[k], ID + (bat_id)k, PARENT);
-        assert_int_equal(bat_document_put(document, count++, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, count++, object), BAT_OK);
         become(&object, NULL);
     }
     assert_null(bat_document_check(document));

@@ -131,7 +131,7 @@ static bat_document *drawing(void) {
                                                  i == 1 ? SLANTED : plain, i == 1 ? 0.4 : 1, &object),
                          BAT_OK);
         assert_int_equal(bat_object_with_state(object, i == 1, i == 2, &hidden), BAT_OK);
-        assert_int_equal(bat_document_put(document, i, hidden), BAT_OK);
+        assert_int_equal(bat_document_insert(document, i, hidden), BAT_OK);
         bat_object_release(object);
         bat_object_release(hidden);
     }
@@ -274,8 +274,8 @@ static void svg_files(void **unused) {
     for (int i = 0; i < 3; i++) {
         const bat_object *a = bat_document_at(document, i), *b = bat_document_at(back, i);
         assert_int_equal(bat_object_kind(b), BAT_KIND_IMAGE);
-        assert_int_equal(bat_object_hidden(a), bat_object_hidden(b));
-        assert_int_equal(bat_object_locked(a), bat_object_locked(b));
+        assert_int_equal(bat_object_is_hidden(a), bat_object_is_hidden(b));
+        assert_int_equal(bat_object_is_locked(a), bat_object_is_locked(b));
         assert_memory_equal(bat_object_matrix(a), bat_object_matrix(b), 6 * sizeof(double));
         assert_true(bat_object_style(a)->opacity == bat_object_style(b)->opacity);
         assert_int_equal(bat_picture_digest(bat_object_picture(a)),

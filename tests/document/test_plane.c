@@ -82,7 +82,7 @@ static void files(void **unused) {
     size_t size;
     assert_int_equal(bat_document_create(&document), BAT_OK);
     assert_int_equal(bat_object_create_plane(4, "tilted", origin, axes, &object), BAT_OK);
-    assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
     assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
     assert_int_equal(bat_document_read(text, size, &back, &problem), BAT_OK);
     assert_memory_equal(bat_object_plane(bat_document_at(back, 0)), bat_object_plane(object),

@@ -53,7 +53,7 @@ static void its_curve_is_what_the_hand_makes(void **state) {
         assert_int_equal(bat_tangents(&s.spline, &s.options, NULL, NULL, NULL, &expected), BAT_OK);
         assert_int_equal(bat_object_kind(object), BAT_KIND_SPLINE);
         assert_int_equal(bat_object_curve_count(object), 1);
-        assert_true(bat_curve_equal(bat_object_curve(object, 0), expected));
+        assert_true(bat_curve_is_equal(bat_object_curve(object, 0), expected));
         const bat_spline *kept = bat_object_spline(object);
         size_t size = (size_t)(s.spline.count * s.spline.dimension) * sizeof(double);
         assert_memory_equal(kept->points, s.points, size);
@@ -84,7 +84,7 @@ static void another_hand_makes_it_a_path(void **state) {
     assert_non_null(bat_object_spline(restyled));
     assert_int_equal(bat_object_to_path(object, &freed), BAT_OK);
     assert_int_equal(bat_object_kind(freed), BAT_KIND_PATH);
-    assert_true(bat_curve_equal(bat_object_curve(freed, 0), bat_object_curve(object, 0)));
+    assert_true(bat_curve_is_equal(bat_object_curve(freed, 0), bat_object_curve(object, 0)));
     assert_string_equal(bat_object_name(freed), "belly");
     assert_int_equal(bat_object_with_spline(object, &s.spline, &same), BAT_OK);
     assert_int_equal(bat_object_spline_options(same)->mode, s.options.mode);
@@ -99,7 +99,7 @@ static void another_hand_makes_it_a_path(void **state) {
 static bat_document *of_one(bat_object *object) {
     bat_document *document = NULL;
     assert_int_equal(bat_document_create(&document), BAT_OK);
-    assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
     bat_object_release(object);
     return document;
 }

@@ -28,7 +28,7 @@ static bat_curve *ring(void) {
     }
     for (int i = 0; i <= 12; i++) knots[i] = i;
     bat_curve *curve = NULL;
-    bat_curve_create(3, 2, true, 12, knots, points, &curve);
+    bat_curve_create(2, 3, true, 12, points, 13, knots, &curve);
     return curve;
 }
 
@@ -137,7 +137,7 @@ static void eraser_opens_a_closed_curve_and_takes_all(void **state) {
     bat_curve_copy(curve_at(editor, 1), &old);
     pen_line(&p, 640, 420, 660, 420, 0);
     assert_int_equal(count(editor), 2);
-    assert_false(bat_curve_closed(curve_at(editor, 1)));
+    assert_false(bat_curve_is_closed(curve_at(editor, 1)));
     is_what_remains(curve_at(editor, 1), old, 640, 420, 660, 420, 10);
     bat_editor_set(editor, "eraser-size", 200);
     pen_line(&p, 480, 390, 520, 410, 0); /* all of the ring */
@@ -160,7 +160,7 @@ static void eraser_over_the_seam(void **state) {
     length = bat_curve_length(old, 0, 12, 1e-9);
     pen_line(&p, at[0] - 1, at[1], at[0] + 1, at[1], 0);
     assert_int_equal(count(editor), 2);
-    assert_false(bat_curve_closed(curve_at(editor, 1)));
+    assert_false(bat_curve_is_closed(curve_at(editor, 1)));
     bat_curve_domain(curve_at(editor, 1), domain);
     double rest = bat_curve_length(curve_at(editor, 1), domain[0], domain[1], 1e-9);
     assert_true(rest < length - 18 && rest > length - 26);
@@ -334,7 +334,7 @@ static void comb_is_readable(void **state) {
     bat_editor_command(editor, "view-fit");
     bat_editor_command(editor, "show-comb");
     double u[64];
-    int inflections = bat_curve_inflections(curve_at(editor, 0), u, 64);
+    int inflections = bat_curve_inflections(curve_at(editor, 0), 64, u);
     assert_true(inflections > 0 && inflections < 64);
     const double *view = bat_editor_frame(editor)->view;
     double at[2];

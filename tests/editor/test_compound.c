@@ -23,7 +23,7 @@ static bat_curve *ring(double x, double y) {
     }
     for (int i = 0; i <= 8; i++) knots[i] = i;
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(3, 2, true, 8, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, true, 8, points, 9, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -32,7 +32,7 @@ static void add(bat_document *document, int count, bat_curve **curves) {
     bat_object *object = NULL;
     bat_id id = bat_document_new_id(document);
     assert_int_equal(bat_object_create_path(id, "compound", &style, count, curves, &object), BAT_OK);
-    assert_int_equal(bat_document_put(document, bat_document_count(document), object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
     bat_object_release(object);
 }
 
@@ -56,7 +56,7 @@ static bat_editor *compound_editor(void) {
 }
 
 static bool same(const bat_curve *a, const bat_curve *b) {
-    return bat_curve_count(a) == bat_curve_count(b) && bat_curve_closed(a) == bat_curve_closed(b) &&
+    return bat_curve_count(a) == bat_curve_count(b) && bat_curve_is_closed(a) == bat_curve_is_closed(b) &&
            memcmp(bat_curve_points(a), bat_curve_points(b),
                   2 * (size_t)bat_curve_count(a) * sizeof(double)) == 0;
 }
@@ -137,7 +137,7 @@ static void the_rest_stays(void **state) {
     assert_int_equal(objects(editor), 2);
     assert_int_equal(bat_object_curve_count(object_at(editor, 0)), 1);
     assert_int_equal(bat_object_curve_count(object_at(editor, 1)), 1);
-    assert_true(bat_curve_closed(bat_object_curve(object_at(editor, 1), 0)));
+    assert_true(bat_curve_is_closed(bat_object_curve(object_at(editor, 1), 0)));
     settle(editor, before);
 }
 
@@ -172,7 +172,7 @@ static void all_at_once(void **state) {
         const bat_object *now = object_at(editor, 0);
         assert_int_equal(bat_object_curve_count(now), 3);
         int closed = 0;
-        for (int k = 0; k < 3; k++) closed += bat_curve_closed(bat_object_curve(now, k));
+        for (int k = 0; k < 3; k++) closed += bat_curve_is_closed(bat_object_curve(now, k));
         assert_int_equal(closed, rows[i].closed);
         settle(editor, before);
     }

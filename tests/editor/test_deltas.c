@@ -81,7 +81,7 @@ static void too_deep(void **state) {
         bat_object *group = NULL, *placed = NULL;
         bat_object_create_group(id, "", false, &group);
         bat_object_with_parent(group, id - 1, &placed);
-        bat_document_put(document, (int)id - 1, placed);
+        bat_document_insert(document, (int)id - 1, placed);
         bat_object_release(group);
         bat_object_release(placed);
         assert_int_equal(bat_document_fits(document, (int)id - 1), id <= 64);

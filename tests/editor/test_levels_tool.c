@@ -38,7 +38,7 @@ static bat_editor *levels_editor(void) {
     bat_curve *curve = NULL;
     bat_document *document = NULL;
     bat_editor *editor = NULL;
-    bat_curve_create(3, 2, false, 60, knots, points, &curve);
+    bat_curve_create(2, 3, false, 60, points, 64, knots, &curve);
     bat_document_create(&document);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, curve);
@@ -218,7 +218,8 @@ static void a_level_is_dragged(void **state) {
             else
                 assert_int_equal(changed, 0);
         }
-        assert_int_equal(bat_curve_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0)), level > 0);
+        assert_int_equal(bat_curve_is_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0)),
+                         level > 0);
         bat_shape_free(before);
         round_trip(editor, plain, 2);
     }
@@ -280,13 +281,14 @@ static void faders(void **state) {
     check(editor);
     assert_int_equal(bat_editor_level(editor, BAT_LEVEL_SOLO, 1, 1, true), BAT_OK);
     const bat_shape *shape = shape_at(editor, 0);
-    assert_true(!bat_shape_muted(shape, 1) && bat_shape_muted(shape, 2) && bat_shape_muted(shape, 3));
+    assert_true(!bat_shape_is_muted(shape, 1) && bat_shape_is_muted(shape, 2) &&
+                bat_shape_is_muted(shape, 3));
     assert_true(bat_shape_gain(shape, 2) == 0.5);
     assert_non_null(strstr(bat_editor_levels(editor), "\"solo\":1"));
     assert_int_equal(bat_editor_level(editor, BAT_LEVEL_SOLO, 1, 1, true), BAT_OK); /* again: all sound */
     assert_null(strstr(bat_editor_levels(editor), "\"muted\":1"));
     assert_int_equal(bat_editor_level(editor, BAT_LEVEL_MUTE, 3, 1, true), BAT_OK);
-    assert_true(bat_shape_muted(shape_at(editor, 0), 3));
+    assert_true(bat_shape_is_muted(shape_at(editor, 0), 3));
     round_trip(editor, plain_digest(), 5); /* apart, gain, solo, all, mute */
 }
 
@@ -343,7 +345,8 @@ static void a_level_is_redrawn(void **state) {
         check(editor);
         const bat_shape *after = shape_at(editor, 0);
         assert_non_null(after);
-        int changed[4] = {!bat_curve_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0))}, all = 0;
+        int changed[4] = {!bat_curve_is_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0))},
+            all = 0;
         for (int l = 1; l <= 3; l++)
             for (int i = 0; i < 3 * bat_curve_count(bat_shape_curve(after, l)); i++)
                 changed[l] |= bat_shape_details(before, l)[i] != bat_shape_details(after, l)[i];
@@ -416,7 +419,7 @@ static void short_strokes_mean_finer_levels(void **state) {
         pen_line(&p, from[0], from[1], to[0], to[1], -25);
         check(editor);
         const bat_shape *after = shape_at(editor, 0);
-        bool base_stays = bat_curve_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0));
+        bool base_stays = bat_curve_is_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0));
         assert_true(base_stays != (bool)chosen);
         const char *notice = bat_editor_frame(editor)->notice;
         assert_true(!strncmp(notice, "A short stroke for this level: it follows within ", 49) ==
@@ -471,7 +474,7 @@ static void rules_copies_and_flattening(void **state) {
     bat_curve_copy(bat_object_curve(object_at(editor, 1), 0), &before);
     assert_int_equal(bat_editor_command(editor, "levels-flatten"), BAT_OK);
     assert_int_equal(bat_object_kind(object_at(editor, 1)), BAT_KIND_PATH);
-    assert_true(bat_curve_equal(before, bat_object_curve(object_at(editor, 1), 0)));
+    assert_true(bat_curve_is_equal(before, bat_object_curve(object_at(editor, 1), 0)));
     assert_int_equal(bat_editor_command(editor, "levels-flatten"), BAT_STATE);
     /* A level on a plain curve, and another on that. */
     assert_int_equal(bat_editor_command(editor, "level-add"), BAT_OK);
@@ -496,7 +499,7 @@ static void a_spline_becomes_a_base(void **state) {
     bat_editor *editor = NULL;
     bat_document_create(&document);
     bat_object_create_spline(bat_document_new_id(document), "s", &style, &spline, NULL, &object);
-    bat_document_put(document, 0, object);
+    bat_document_insert(document, 0, object);
     bat_editor_create(&editor);
     bat_editor_resize(editor, 1000, 800, 1);
     bat_editor_open(editor, document, "test");
@@ -505,7 +508,7 @@ static void a_spline_becomes_a_base(void **state) {
     assert_int_equal(bat_editor_command(editor, "level-add"), BAT_OK); /* from any tool */
     assert_int_equal(bat_object_kind(object_at(editor, 0)), BAT_KIND_SHAPE);
     assert_null(bat_object_spline(object_at(editor, 0)));
-    assert_true(bat_curve_equal(bat_shape_curve(shape_at(editor, 0), 0), bat_object_curve(object, 0)));
+    assert_true(bat_curve_is_equal(bat_shape_curve(shape_at(editor, 0), 0), bat_object_curve(object, 0)));
     bat_object_release(object);
     round_trip(editor, first, 1);
 }

@@ -49,7 +49,7 @@ static bat_editor *lines_editor(int lines, const double (*ends)[4]) {
         for (int k = 0; k < 4; k++)
             for (int d = 0; d < 2; d++)
                 points[2 * k + d] = ends[i][d] + (ends[i][2 + d] - ends[i][d]) * k / 3;
-        assert_int_equal(bat_curve_create(3, 2, false, 4, knots, points, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, 3, false, 4, points, 8, knots, &curve), BAT_OK);
         pen_add(document, curve);
     }
     bat_editor_create(&editor);
@@ -90,7 +90,7 @@ static void own_ends_close(void **state) {
                  points[] = {400, 300, 300, 250, 250, 450, 500, 500, 500, 300};
     bat_curve *cup = NULL;
     bat_editor *editor = lines_editor(0, NULL);
-    assert_int_equal(bat_curve_create(3, 2, false, 5, knots, points, &cup), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, false, 5, points, 9, knots, &cup), BAT_OK);
     bat_document *document = NULL;
     bat_document_create(&document);
     pen_add(document, cup);
@@ -101,7 +101,7 @@ static void own_ends_close(void **state) {
     pen p = pen_for(editor);
     pen_line(&p, 500 - view[0], 300 - view[1], 400 - view[0], 300 - view[1], -12);
     assert_int_equal(count(editor), 1);
-    assert_true(bat_curve_closed(curve(editor, 0)));
+    assert_true(bat_curve_is_closed(curve(editor, 0)));
     round_trip(editor, first);
 }
 

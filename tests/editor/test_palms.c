@@ -24,7 +24,7 @@ static void touch(bat_editor *editor, bat_pointer_phase phase, uint32_t contact,
                          .width = size,
                          .height = size / 2,
                          .time = time};
-    bat_editor_pointer(editor, &event, 1);
+    bat_editor_pointer(editor, 1, &event);
     const char *wrong = bat_editor_check(editor);
     if (wrong) fail_msg("%s", wrong);
 }
@@ -362,7 +362,7 @@ static void guess(bat_editor *editor, double x, double y, double time) {
                          .pressure = 0.5,
                          .time = time,
                          .predicted = true};
-    bat_editor_pointer(editor, &event, 1);
+    bat_editor_pointer(editor, 1, &event);
 }
 
 /* How far the painted guess reaches from the place. */
@@ -395,27 +395,27 @@ static void guesses_stay_near_the_pen(void **state) {
                                  .x = 100,
                                  .y = 400,
                                  .time = 1000};
-            bat_editor_pointer(editor, &event, 1);
+            bat_editor_pointer(editor, 1, &event);
             guess(editor, 600, 100, 1020);
             assert_true(guessed(editor, (double[]){100, 400}) < 1e-3);
             event.phase = BAT_POINTER_MOVE;
             for (int i = 0; i < 200 && event.x < 900; i++) {
                 event.x += speeds[v] * periods[r];
                 event.time += periods[r];
-                bat_editor_pointer(editor, &event, 1);
+                bat_editor_pointer(editor, 1, &event);
                 double from[2] = {editor->input.pen[0], editor->input.pen[1]};
                 double way = speeds[v] * fmin(30, event.time - 1000);
                 guess(editor, event.x + 300, event.y - 400, event.time + 16);
                 guess(editor, 0, 0, event.time + 32);
                 assert_true(guessed(editor, from) <= way + 0.02);
-                bat_editor_pointer(editor, &event, 1);
+                bat_editor_pointer(editor, 1, &event);
                 if (event.time < 1040) continue;
                 guess(editor, event.x + 10 * speeds[v], event.y, event.time + 10);
                 assert_true(fabs(guessed(editor, from) - 10 * speeds[v]) < 0.03);
             }
             for (int i = 0; i < 40; i++) { /* it rests */
                 event.time += 1;
-                bat_editor_pointer(editor, &event, 1);
+                bat_editor_pointer(editor, 1, &event);
             }
             guess(editor, event.x + 300, event.y, event.time + 16);
             assert_true(guessed(editor, (double[]){event.x, event.y}) < 0.02);

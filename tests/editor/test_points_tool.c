@@ -147,7 +147,7 @@ static void joints_that_look_smooth_stay_so(void **state) {
     bat_document *document = NULL;
     bat_editor *editor = NULL;
     bat_curve *curve = NULL;
-    bat_curve_create(3, 2, false, 7, knots, points, &curve);
+    bat_curve_create(2, 3, false, 7, points, 11, knots, &curve);
     bat_document_create(&document);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, curve);

@@ -21,7 +21,7 @@ static bat_curve *polyline(int count, const double *points) {
     double knots[16];
     bat_curve *curve = NULL;
     for (int i = 0; i < count + 2; i++) knots[i] = i == 0 ? 0 : i > count ? count - 1 : i - 1;
-    assert_int_equal(bat_curve_create(1, 2, false, count, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, count, points, count + 2, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -61,12 +61,12 @@ static void snaps_to_known_places(void **state) {
     (void)state;
     /* y = 300 - (x - 500)^2 / 100 for x in 400..600: the control points of a parabola in Bézier form. */
     bat_curve *parabola = NULL, *loop = NULL;
-    bat_curve_create(2, 2, false, 3, (double[]){0, 0, 0, 1, 1, 1}, (double[]){400, 200, 500, 400, 600, 200},
-                     &parabola);
+    bat_curve_create(2, 2, false, 3, (double[]){400, 200, 500, 400, 600, 200}, 6,
+                     (double[]){0, 0, 0, 1, 1, 1}, &parabola);
     /* Symmetric about x = 800, so it meets itself there: x(t) - 800 = 600 (t - 1/2) (1 - 6 t (1 - t)) ... solved
      * below by halving. */
-    bat_curve_create(3, 2, false, 4, (double[]){0, 0, 0, 0, 1, 1, 1, 1},
-                     (double[]){700, 600, 1000, 300, 600, 300, 900, 600}, &loop);
+    bat_curve_create(2, 3, false, 4, (double[]){700, 600, 1000, 300, 600, 300, 900, 600}, 8,
+                     (double[]){0, 0, 0, 0, 1, 1, 1, 1}, &loop);
     bat_curve *curves[] = {segment(100, 100, 300, 300), segment(100, 300, 300, 100), parabola,
                            segment(350, 250, 650, 250), loop};
     bat_editor *editor = editor_with(5, curves);
@@ -281,7 +281,7 @@ static void put(bat_document *document, bat_object *object, bat_id parent, bool 
     bat_object *made = NULL, *placed = NULL;
     assert_int_equal(bat_object_with_parent(object, parent, &made), BAT_OK);
     assert_int_equal(bat_object_with_state(made, hidden, locked, &placed), BAT_OK);
-    assert_int_equal(bat_document_put(document, bat_document_count(document), placed), BAT_OK);
+    assert_int_equal(bat_document_insert(document, bat_document_count(document), placed), BAT_OK);
     bat_object_release(object);
     bat_object_release(made);
     bat_object_release(placed);
@@ -328,7 +328,7 @@ static void a_layer_moves_with_its_guides(void **state) {
         const bat_object *now = bat_document_at(editor->session.document, 1);
         assert_string_equal(bat_object_name(now), "axle");
         assert_true(bat_object_id(now) == 2 && bat_object_parent(now) == 1);
-        assert_true(bat_object_hidden(now) == flags[i][0] && bat_object_locked(now) == flags[i][1]);
+        assert_true(bat_object_is_hidden(now) == flags[i][0] && bat_object_is_locked(now) == flags[i][1]);
         replays(editor);
         while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
         assert_true(digest(editor) == first);

@@ -37,7 +37,7 @@ static void event(bat_editor *editor, bat_device device, bat_pointer_phase phase
                        .x = x,
                        .y = y,
                        .pressure = pressure};
-    bat_editor_pointer(editor, &one, 1);
+    bat_editor_pointer(editor, 1, &one);
     assert_null(bat_editor_check(editor));
 }
 

@@ -75,7 +75,7 @@ static void an_end_that_is_pulled_moves(void **state) {
     bat_curve_free(curve);
     const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 10, 0};
     double middle = 0.5, after[2];
-    assert_int_equal(bat_curve_create(1, 2, false, 2, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 2, points, 4, knots, &curve), BAT_OK);
     assert_int_equal(bat_pull(curve, 1, &middle, delta, &moved), BAT_OK);
     place(moved, 0.5, after);
     assert_true(fabs(after[0] - 7) < 1e-12 && fabs(after[1] - 7) < 1e-12);
@@ -112,14 +112,16 @@ static bat_curve *chain(random_source *r, int degree, bool closed, int segments,
     }
     for (int i = 0; i < (closed ? 1 : degree + 1); i++) knots[knot++] = t;
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(degree, 2, closed, n, knots, points, &curve), BAT_OK);
+    assert_int_equal(
+        bat_curve_create(2, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots, &curve),
+        BAT_OK);
     return curve;
 }
 
 /* The sine of the greatest turn at a node; 2 when a handle has turned back. */
 static double greatest_turn(const bat_curve *curve, int segments) {
     int p = bat_curve_degree(curve), n = bat_curve_count(curve);
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     double worst = 0;
     for (int k = 0; k < (closed ? segments : segments - 1); k++) {
         int on = (closed ? p - 1 : p) + p * k;
@@ -285,7 +287,7 @@ static void the_tool_keeps_nodes_smooth(void **state) {
     const double knots[] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
     for (int alt = 0; alt < 3; alt++) { /* 2: let go before the end */
         bat_curve *curve = NULL;
-        bat_curve_create(3, 2, false, 7, knots, points, &curve);
+        bat_curve_create(2, 3, false, 7, points, 11, knots, &curve);
         bat_editor *editor = editor_with(curve);
         pen p = pen_for(editor);
         double on[2] = {240, 273};

@@ -156,8 +156,8 @@ static void fills_are_picked(void **state) {
         editor = select_editor();
         p = mouse(editor);
         bat_curve *curves[2] = {NULL, NULL};
-        bat_curve_create(1, 2, false, 5, knots, square, &curves[0]);
-        bat_curve_create(1, 2, false, 5, knots, hole, &curves[1]);
+        bat_curve_create(2, 1, false, 5, square, 7, knots, &curves[0]);
+        bat_curve_create(2, 1, false, 5, hole, 7, knots, &curves[1]);
         bat_style style = bat_style_defaults();
         style.filled = true;
         style.even_odd = even_odd;
@@ -276,7 +276,7 @@ static void transforms_are_of_the_curves(void **state) {
                                                  (double[]){m[0], m[2], m[4], m[1], m[3], m[5]}, &expected),
                              BAT_OK);
             const bat_object *after = object(editor, bat_object_id(before[i]));
-            assert_true(bat_curve_equal(bat_object_curve(after, 0), expected));
+            assert_true(bat_curve_is_equal(bat_object_curve(after, 0), expected));
             assert_int_equal(bat_object_parent(after), 3);
             bat_curve_free(expected);
             bat_object_release(before[i]);
@@ -450,16 +450,16 @@ static void curves_are_cut_and_mended(void **state) {
     assert_int_equal(bat_editor_command(editor, "curve-join"), BAT_OK);
     assert_int_equal(bat_document_count(editor->session.document), 1);
     expect_box(editor, 1, 200, 200, 800, 600);
-    assert_false(bat_curve_closed(curve(editor, 1)));
+    assert_false(bat_curve_is_closed(curve(editor, 1)));
     /* one curve: joining closes it */
     assert_int_equal(bat_editor_command(editor, "curve-join"), BAT_OK);
-    assert_true(bat_curve_closed(curve(editor, 1)));
+    assert_true(bat_curve_is_closed(curve(editor, 1)));
     expect_box(editor, 1, 200, 200, 800, 600);
     assert_int_equal(bat_editor_command(editor, "curve-close"), BAT_STATE);
     /* a closed curve is opened at the place that was clicked */
     click(&p, 700, 200, 0);
     assert_int_equal(bat_editor_command(editor, "curve-split"), BAT_OK);
-    assert_false(bat_curve_closed(curve(editor, 1)));
+    assert_false(bat_curve_is_closed(curve(editor, 1)));
     bat_curve_domain(curve(editor, 1), domain);
     for (int k = 0; k < 2; k++) {
         bat_curve_eval(curve(editor, 1), domain[k], 0, at);
@@ -469,7 +469,7 @@ static void curves_are_cut_and_mended(void **state) {
     bat_editor_command(editor, "undo");
     only(editor, 1, 0);
     assert_int_equal(bat_editor_command(editor, "curve-open"), BAT_OK);
-    assert_false(bat_curve_closed(curve(editor, 1)));
+    assert_false(bat_curve_is_closed(curve(editor, 1)));
     only(editor, 0, 0);
     assert_int_equal(bat_editor_command(editor, "curve-join"), BAT_STATE);
     assert_int_equal(bat_editor_command(editor, "curve-split"), BAT_STATE);

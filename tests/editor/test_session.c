@@ -35,7 +35,7 @@ static bat_editor *scarce_editor(void) {
     bat_object *guide = NULL;
     assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
     assert_int_equal(bat_object_create_guide(BAT_ID_MAX - 2, 0, 1, &guide), BAT_OK);
-    assert_int_equal(bat_document_put(document, 0, guide), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, guide), BAT_OK);
     bat_object_release(guide);
     assert_int_equal(bat_editor_open(editor, document, "scarce"), BAT_OK);
     bat_editor_command(editor, "zoom-100");

@@ -168,7 +168,7 @@ static void into_a_closed_curve_a_new_one(void **state) {
         points[2 * i + 1] = 400 + 200 * sin(i * 0.39269908169872414);
     }
     bat_curve *ring = NULL, *before = NULL;
-    assert_int_equal(bat_curve_create(3, 2, true, 16, knots, points, &ring), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, true, 16, points, 17, knots, &ring), BAT_OK);
     bat_curve_copy(ring, &before);
     bat_document *drawing = NULL;
     bat_editor *editor = pen_editor();
@@ -182,7 +182,7 @@ static void into_a_closed_curve_a_new_one(void **state) {
     check(editor);
     const bat_document *document = bat_editor_document(editor);
     assert_int_equal(bat_document_count(document), 2);
-    assert_true(bat_curve_equal(before, bat_object_curve(bat_document_at(document, 0), 0)));
+    assert_true(bat_curve_is_equal(before, bat_object_curve(bat_document_at(document, 0), 0)));
     bat_curve_free(before);
     bat_editor_free(editor);
 }
@@ -393,7 +393,7 @@ static void predicted_samples_are_not_part_of_it(void **state) {
                                  .y = 700,
                                  .time = p.time,
                                  .predicted = true};
-            bat_editor_pointer(editor, &ahead, 1);
+            bat_editor_pointer(editor, 1, &ahead);
             assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_PREDICTED));
         }
         pen_event(&p, BAT_POINTER_UP, 650, 200);

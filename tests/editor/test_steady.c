@@ -123,7 +123,7 @@ static void off_is_the_pen_itself_and_the_end_is_always(void **state) {
     wave(events);
     for (int strength = 0; strength <= 10; strength++) {
         bat_editor *editor = steadied(strength);
-        bat_editor_pointer(editor, events, EVENTS - 1);
+        bat_editor_pointer(editor, EVENTS - 1, events);
         const bat_samples *samples = &bat_sketching_of(&editor->context)->edit.samples;
         for (size_t i = 0; i < samples->count && strength == 0; i++) {
             double x = round(events[i].x * 100) / 100, y = round(events[i].y * 100) / 100;
@@ -138,7 +138,7 @@ static void off_is_the_pen_itself_and_the_end_is_always(void **state) {
             double shown = ahead->path[ahead->path_count - 2] + frame->origin[0];
             assert_true(fabs(shown - events[EVENTS - 2].x) < 0.02);
         }
-        bat_editor_pointer(editor, events + EVENTS - 1, 1);
+        bat_editor_pointer(editor, 1, events + EVENTS - 1);
         assert_int_equal(bat_document_count(bat_editor_document(editor)), 3);
         char last[80]; /* the stroke as the journal has it ends where the pen was lifted */
         snprintf(last, sizeof last, "[%.10g,%.10g]],\"pressure\"", round(events[EVENTS - 1].x * 100) / 100,
@@ -160,12 +160,12 @@ static void frames_and_batches_do_not_matter(void **state) {
             bat_editor *editor = steadied(strength);
             size_t batch = way == 0 ? 1 : way == 1 ? 7 : EVENTS;
             for (size_t i = 0; i < EVENTS; i += batch) {
-                bat_editor_pointer(editor, events + i, i + batch < EVENTS ? batch : EVENTS - i);
+                bat_editor_pointer(editor, i + batch < EVENTS ? batch : EVENTS - i, events + i);
                 if (way == 0 && i > 0 && i < EVENTS - 1) {
                     bat_pointer guess = events[i];
                     guess.predicted = true;
                     guess.x += 9;
-                    bat_editor_pointer(editor, &guess, 1);
+                    bat_editor_pointer(editor, 1, &guess);
                 }
                 if (way < 2) bat_editor_frame(editor);
             }

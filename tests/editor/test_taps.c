@@ -21,7 +21,7 @@ static void touch(bat_editor *editor, bat_device device, bat_pointer_phase phase
                          .y = y,
                          .pressure = 0.5,
                          .time = time};
-    bat_editor_pointer(editor, &event, 1);
+    bat_editor_pointer(editor, 1, &event);
     const char *wrong = bat_editor_check(editor);
     if (wrong) fail_msg("%s", wrong);
 }
@@ -129,7 +129,7 @@ static void fingers_leave_the_selection(void **state) {
                                     .x = 400,
                                     .y = first[i].y,
                                     .time = 5000};
-                bat_editor_pointer(editor, &down, 1);
+                bat_editor_pointer(editor, 1, &down);
                 touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_MOVE, 1, 400 + first[i].travel, first[i].y, 5010);
                 bat_editor_frame(editor);
                 uint32_t version = editor->choice.selection.version;

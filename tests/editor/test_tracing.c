@@ -164,7 +164,7 @@ static void scaled_by_two_points(void **unused) {
     double before[6], now, pixel = bat_view_pixel(&editor->stage.view), first[2], second[2];
     assert_int_equal(add(editor, 200, 100), BAT_OK);
     assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
-    assert_true(bat_object_locked(last(editor)));
+    assert_true(bat_object_is_locked(last(editor)));
     memcpy(before, bat_object_matrix(last(editor)), sizeof before);
     assert_int_equal(bat_editor_set(editor, "picture-span", 250), BAT_STATE); /* no places yet */
     assert_int_equal(bat_editor_command(editor, "tool-span"), BAT_OK);
@@ -196,7 +196,7 @@ static void scaled_by_two_points(void **unused) {
     assert_true(fabs(hypot(second[0], second[1]) - 250) < 1e-9);
     bat_editor_get(editor, "picture-span", &now);
     assert_true(fabs(now - 250) < 1e-9);
-    assert_true(bat_object_locked(last(editor)));
+    assert_true(bat_object_is_locked(last(editor)));
     for (int i = 0; i < 3; i++) { /* 96 units an inch */
         assert_int_equal(bat_editor_set(editor, "unit", i), BAT_OK);
         frame = bat_editor_frame(editor);
@@ -229,16 +229,16 @@ static void opacity_lock_and_hide(void **unused) {
     assert_int_equal(bat_editor_set(editor, "picture-opacity", 0.25), BAT_OK); /* locked ones, too */
     for (int i = 0; i < 2; i++) {
         const bat_object *object = bat_document_at(bat_editor_document(editor), i);
-        assert_true(bat_object_locked(object) && bat_object_style(object)->opacity == 0.25);
+        assert_true(bat_object_is_locked(object) && bat_object_style(object)->opacity == 0.25);
     }
     assert_int_equal(bat_editor_command(editor, "picture-hide"), BAT_OK);
     for (int i = 0; i < 2; i++)
-        assert_true(bat_object_hidden(bat_document_at(bat_editor_document(editor), i)));
+        assert_true(bat_object_is_hidden(bat_document_at(bat_editor_document(editor), i)));
     assert_int_equal(bat_editor_command(editor, "picture-hide"), BAT_OK);
     assert_int_equal(bat_editor_command(editor, "picture-lock"), BAT_OK);
     for (int i = 0; i < 2; i++) {
         const bat_object *object = bat_document_at(bat_editor_document(editor), i);
-        assert_true(!bat_object_hidden(object) && !bat_object_locked(object));
+        assert_true(!bat_object_is_hidden(object) && !bat_object_is_locked(object));
     }
     assert_null(bat_editor_check(editor));
     replays(editor);

@@ -196,7 +196,7 @@ static void curves_survive(void **state) {
         size_t size;
         assert_int_equal(bat_curve_write(curve, &text, &size), BAT_OK);
         assert_int_equal(bat_curve_read(text, size, &back, NULL), BAT_OK);
-        assert_true(bat_curve_equal(curve, back));
+        assert_true(bat_curve_is_equal(curve, back));
         bat_free(text);
         bat_curve_free(back);
         bat_curve_free(curve);
@@ -263,7 +263,7 @@ static bat_document *random_document(random_source *r, int objects) {
         bat_id id = bat_document_new_id(document);
         if (i % 5 == 1) bat_document_new_id(document);
         assert_int_equal(bat_object_create_path(id, names[i % 4], &style, count, curves, &object), BAT_OK);
-        assert_int_equal(bat_document_put(document, i / 2, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, i / 2, object), BAT_OK);
         bat_object_release(object);
     }
     return document;

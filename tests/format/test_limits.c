@@ -15,14 +15,14 @@
 
 /* Takes the object over. */
 static void put(bat_document *document, bat_object *object) {
-    assert_int_equal(bat_document_put(document, bat_document_count(document), object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
     bat_object_release(object);
 }
 
 static bat_curve *line(double from, double to, double knot) {
     const double knots[] = {-knot, -knot, knot, knot}, points[] = {from, from, to, to};
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(1, 2, false, 2, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 2, points, 4, knots, &curve), BAT_OK);
     return curve;
 }
 

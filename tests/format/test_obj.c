@@ -38,13 +38,13 @@ static void there_and_back(void **unused) {
         assert_int_equal(bat_document_create(&document), BAT_OK);
         assert_int_equal(
             bat_object_create_path(1, run % 2 ? "a name" : "a\nname \\", &style, 1, &copy, &object), BAT_OK);
-        assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
         bat_object_release(object);
         assert_int_equal(obj->write(document, &text, &size, &problem), BAT_OK);
         assert_int_equal(read(text, &back, &report, &problem), BAT_OK);
         assert_int_equal(bat_document_count(back), 1);
         assert_string_equal(bat_object_name(bat_document_at(back, 0)), run % 2 ? "a name" : "a name /");
-        assert_true(bat_curve_equal(bat_object_curve(bat_document_at(back, 0), 0), curve));
+        assert_true(bat_curve_is_equal(bat_object_curve(bat_document_at(back, 0), 0), curve));
         assert_int_equal(bat_losses_total(&report.lost), 0);
         bat_free(text);
         bat_document_free(document);

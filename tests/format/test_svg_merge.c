@@ -82,7 +82,7 @@ static void nodes_of_a_smooth_outline_merge(void **state) {
         bat_document *plain = read_with(path, NULL), *merged = read_with(path, &merging);
         int before = bat_curve_count(curve_of(plain)), after = bat_curve_count(curve_of(merged));
         if (!(after * 5 <= before * 2)) fail_msg("%d points, %d before", after, before);
-        assert_int_equal(bat_curve_closed(curve_of(merged)), closed);
+        assert_int_equal(bat_curve_is_closed(curve_of(merged)), closed);
         assert_true(apart(curve_of(plain), curve_of(merged)) <= 1.001e-3);
         bat_document_free(plain);
         bat_document_free(merged);
@@ -110,7 +110,7 @@ static int corners(const bat_curve *curve, double angle) {
     int found = 0;
     bat_curve_domain(curve, domain);
     for (int i = 0; i < bat_curve_knot_count(curve); i++) {
-        bool closed = bat_curve_closed(curve);
+        bool closed = bat_curve_is_closed(curve);
         if (i && knots[i] == knots[i - 1]) continue;
         if (closed ? knots[i] < domain[0] || knots[i] >= domain[1]
                    : knots[i] <= domain[0] || knots[i] >= domain[1])
@@ -163,7 +163,7 @@ static void never_further_off(void **state) {
         bat_problem problem;
         bat_document_create(&document);
         assert_int_equal(bat_object_create_path(1, "c", &style, 1, &curve, &object), BAT_OK);
-        assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
         bat_object_release(object);
         assert_int_equal(bat_svg_write(document, false, &text, &size), BAT_OK);
         assert_int_equal(xml_read(text, NULL, &plain, &report, &problem), BAT_OK);

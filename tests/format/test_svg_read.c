@@ -72,8 +72,8 @@ static void paths_become_curves(void **state) {
     const bat_object *o = bat_document_at(d, 0);
     assert_string_equal(bat_object_name(o), "o");
     assert_int_equal(bat_object_curve_count(o), 2);
-    assert_true(bat_curve_closed(bat_object_curve(o, 0)));
-    assert_false(bat_curve_closed(bat_object_curve(o, 1)));
+    assert_true(bat_curve_is_closed(bat_object_curve(o, 0)));
+    assert_false(bat_curve_is_closed(bat_object_curve(o, 1)));
     assert_int_equal(report.paths, 2);
     assert_int_equal(report.curves, 3);
     /* The curve runs through the Bézier's middle: (5, 3.75). */
@@ -195,7 +195,7 @@ static bat_document *random_document(random_source *r, int objects) {
         assert_int_equal(bat_object_create_path(bat_document_new_id(document), names[i % 6], &style, count,
                                                 curves, &object),
                          BAT_OK);
-        assert_int_equal(bat_document_put(document, i / 2, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, i / 2, object), BAT_OK);
         bat_object_release(object);
     }
     return document;
@@ -237,7 +237,7 @@ static void visible_paths_are_the_curves(void **state) {
         bat_object *object;
         assert_int_equal(bat_document_create(&document), BAT_OK);
         assert_int_equal(bat_object_create_path(1, "c", &style, 1, &curve, &object), BAT_OK);
-        assert_int_equal(bat_document_put(document, 0, object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
         bat_object_release(object);
         char *text;
         size_t size;
@@ -247,7 +247,7 @@ static void visible_paths_are_the_curves(void **state) {
         assert_int_equal(bat_losses_total(&report.lost), 0);
         assert_int_equal(bat_document_count(back), 1);
         const bat_curve *read = bat_object_curve(bat_document_at(back, 0), 0);
-        assert_int_equal(bat_curve_closed(read), bat_curve_closed(curve));
+        assert_int_equal(bat_curve_is_closed(read), bat_curve_is_closed(curve));
         double a_box[4], b_box[4];
         bat_object_bounds(bat_document_at(document, 0), a_box);
         bat_object_bounds(bat_document_at(back, 0), b_box);

@@ -41,7 +41,7 @@ static look look_at(const char *inner) {
         const bat_object *object = bat_document_at(document, i);
         if (bat_object_is_group(object)) continue;
         seen.there = true;
-        seen.hidden = bat_object_hidden(object);
+        seen.hidden = bat_object_is_hidden(object);
         seen.style = *bat_object_style(object);
         bat_object_bounds(object, seen.box);
     }

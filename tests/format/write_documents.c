@@ -23,7 +23,7 @@ static void write_one(random_source *r, int objects) {
         if (bat_object_create_path(bat_document_new_id(document), i % 2 ? "n\"\n" : "", &style, 1, &curve,
                                    &object))
             abort();
-        if (bat_document_put(document, 0, object)) abort();
+        if (bat_document_insert(document, 0, object)) abort();
         bat_object_release(object);
     }
     const double points[] = {0, 0, 1, 2, 3, 1, 4, 4}, tangents[] = {0, 0, 1, 0, 0, 0, 0, 0};
@@ -31,7 +31,7 @@ static void write_one(random_source *r, int objects) {
     bat_style plain = bat_style_defaults();
     bat_object *made;
     if (bat_object_create_spline(bat_document_new_id(document), "s", &plain, &spline, NULL, &made)) abort();
-    if (bat_document_put(document, 0, made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
     bat_shape *shape;
     bat_object *shaped;
     if (bat_shape_decompose(bat_object_curve(made, 0), 1, NULL, &shape)) abort();
@@ -40,20 +40,20 @@ static void write_one(random_source *r, int objects) {
     bat_object_release(made);
     if (bat_object_with_shape(shaped, 0, shape, &made)) abort();
     bat_object_release(shaped);
-    if (bat_document_put(document, 0, made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);
     bat_picture *picture = make_picture(20, 10, (unsigned)objects);
     const double matrix[6] = {random_unit(r) + 1,      0, 0, random_unit(r) + 1, random_between(r, -9, 9),
                               random_between(r, -9, 9)};
     if (bat_object_create_image(bat_document_new_id(document), "p", picture, matrix, random_unit(r), &made))
         abort();
-    if (bat_document_put(document, 0, made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);
     bat_picture_release(picture);
     if (bat_object_create_plane(bat_document_new_id(document), "plane", matrix + 3,
                                 (double[]){1, 2, 3, -1, 0, 5}, &made))
         abort();
-    if (bat_document_put(document, 0, made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);
     char *text;
     size_t size;

@@ -164,7 +164,7 @@ static bat_id named(const char *name) {
 }
 
 static void hand_over(void) {
-    if (waiting) bat_editor_pointer(editor, events, waiting);
+    if (waiting) bat_editor_pointer(editor, waiting, events);
     waiting = 0;
 }
 
@@ -221,7 +221,7 @@ static void put_places(const bat_curve *curve, int each) {
     const double *knots = bat_curve_knots(curve);
     int degree = bat_curve_degree(curve), count = bat_curve_count(curve),
         dimension = bat_curve_dimension(curve);
-    int first = bat_curve_closed(curve) ? 0 : degree, last = count, spans = 0;
+    int first = bat_curve_is_closed(curve) ? 0 : degree, last = count, spans = 0;
     double at[BAT_DIMENSION_MAX];
     for (int i = first; i < last; i++) spans += knots[i + 1] > knots[i];
     if (spans * each < 64) each = 64 / spans + 1;
@@ -236,7 +236,7 @@ static void put_places(const bat_curve *curve, int each) {
         }
     }
     bat_curve_eval(curve, knots[last], 0, at);
-    if (!bat_curve_closed(curve)) printf(",[%.7g,%.7g]", at[0], at[1]);
+    if (!bat_curve_is_closed(curve)) printf(",[%.7g,%.7g]", at[0], at[1]);
     putchar(']');
 }
 
@@ -247,7 +247,7 @@ static void put_object(const bat_object *object, int each) {
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *curve = bat_object_curve(object, i);
         printf("%s{\"degree\":%d,\"closed\":%s,\"levels\":%d,\"knots\":", i ? "," : "",
-               bat_curve_degree(curve), bat_curve_closed(curve) ? "true" : "false",
+               bat_curve_degree(curve), bat_curve_is_closed(curve) ? "true" : "false",
                bat_object_shape(object, i) ? bat_shape_levels(bat_object_shape(object, i)) : -1);
         put_numbers(bat_curve_knots(curve), bat_curve_knot_count(curve), 1, 1);
         printf(",\"points\":");
@@ -262,8 +262,8 @@ static void put_object(const bat_object *object, int each) {
 static bool same(const bat_object *a, const bat_object *b) {
     if (bat_object_curve_count(a) != bat_object_curve_count(b)) return false;
     for (int i = 0; i < bat_object_curve_count(a); i++)
-        if (!bat_curve_equal(bat_object_curve(a, i), bat_object_curve(b, i))) return false;
-    return bat_object_hidden(a) == bat_object_hidden(b);
+        if (!bat_curve_is_equal(bat_object_curve(a, i), bat_object_curve(b, i))) return false;
+    return bat_object_is_hidden(a) == bat_object_is_hidden(b);
 }
 
 static const bat_object *find(const bat_document *document, bat_id id) {

@@ -218,7 +218,7 @@ static void native(bat_text *text, int n, bool grouped) {
         if (grouped) {
             parent = bat_document_new_id(document);
             if (bat_object_create_group(parent, "group", false, &object) != BAT_OK) abort();
-            bat_document_put(document, bat_document_count(document), object);
+            bat_document_insert(document, bat_document_count(document), object);
             bat_object_release(object);
         }
         bat_id id = pen_add(document, pen_curve(i + 0.1234567, i % 50, 7, 20, 5));
@@ -431,7 +431,8 @@ static bat_curve *odd_curve(uint64_t *state) {
         if (i >= degree && i < n) t += next_random(state) % 3 ? ldexp(1, -(int)(next_random(state) % 40)) : 1;
     }
     bat_curve *made = NULL;
-    return bat_curve_create(degree, 2, false, n, knots, points, &made) == BAT_OK ? made : NULL;
+    return bat_curve_create(2, degree, false, n, points, n + degree + 1, knots, &made) == BAT_OK ? made
+                                                                                                 : NULL;
 }
 static void measure(unsigned seed) {
     uint64_t state = seed;
@@ -446,7 +447,7 @@ static void measure(unsigned seed) {
     (void)bat_curve_nearest_all(odd, point, INFINITY, 8, all, &count);
     double length = bat_curve_length(odd, domain[0], domain[1], 1e-9);
     (void)bat_curve_at_length(odd, domain[0], length / 2, 1e-9);
-    (void)bat_curve_inflections(odd, u, 8);
+    (void)bat_curve_inflections(odd, 8, u);
     bat_curve_free(odd);
 }
 
@@ -466,7 +467,7 @@ static void sketch(unsigned seed) {
     bat_status status = bat_sketch(base, &samples, &options, &made, NULL);
     if (status == BAT_OK || status == BAT_TOLERANCE) bat_curve_free(made);
     made = NULL;
-    status = bat_sketch_new(&samples, &options, false, &made, NULL);
+    status = bat_sketch_new(&samples, false, &options, &made, NULL);
     if (status == BAT_OK || status == BAT_TOLERANCE) bat_curve_free(made);
     bat_curve_free(base);
 }

@@ -40,7 +40,9 @@ static bat_curve *wave(double x, double y, double step, int count, bool closed) 
         points[2 * i + 1] = closed ? y + radius * sin(angle) : y + 20 * sin(points[2 * i] / 25 + y);
     }
     for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : i < 4 ? 0 : i >= count ? count - 3 : i - 3;
-    if (bat_curve_create(3, 2, closed, count, knots, points, &curve) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve) !=
+        BAT_OK)
+        abort();
     free(points);
     free(knots);
     return curve;
@@ -51,7 +53,7 @@ static bat_id append(bat_document *to, bat_object *object, bat_id parent) {
     bat_object *placed = NULL;
     bat_id id = bat_object_id(object);
     if (bat_object_with_parent(object, parent, &placed) != BAT_OK) abort();
-    if (bat_document_put(to, bat_document_count(to), placed) != BAT_OK) abort();
+    if (bat_document_insert(to, bat_document_count(to), placed) != BAT_OK) abort();
     bat_object_release(placed);
     bat_object_release(object);
     return id;
@@ -103,7 +105,7 @@ static bat_editor *reversed(int n) {
         add_small(made, i, n, RINGS, 0);
         bat_object *last = bat_object_retain(bat_document_at(made, i));
         bat_document_remove(made, i);
-        bat_document_put(made, 0, last);
+        bat_document_insert(made, 0, last);
         bat_object_release(last);
     }
     bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
@@ -248,7 +250,9 @@ static bat_editor *trembling(int n) {
     double *points = malloc(sizeof(double) * 2 * (size_t)n);
     if (!points) abort();
     for (int i = 0; i < 2 * n; i++) points[i] = bat_curve_points(smooth)[i] + sin(1e4 * sin(i));
-    if (bat_curve_create(3, 2, false, n, bat_curve_knots(smooth), points, &rough) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, false, n, points, bat_curve_knot_count(smooth), bat_curve_knots(smooth),
+                         &rough) != BAT_OK)
+        abort();
     free(points);
     bat_curve_free(smooth);
     add_curve(made, rough, 0);

@@ -19,7 +19,7 @@ static bat_curve *eight(void) {
     }
     for (int i = 0; i < 25; i++) knots[i] = i;
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(3, 2, true, 24, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, true, 24, points, 25, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -32,7 +32,7 @@ static bat_curve *hairpin(void) {
     }
     for (int i = 0; i < 27; i++) knots[i] = i < 4 ? 0 : i > 22 ? 20 : i - 3;
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(3, 2, false, 23, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, false, 23, points, 27, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -44,7 +44,7 @@ static int right_ones(const bat_curve *curve, uint64_t seed, int cases, double h
     int right = 0;
     for (int n = 0; n < cases; n++) {
         const double T = track.end - track.start, part = T * random_between(&r, 0.1, 0.5);
-        const double u0 = track.start + random_unit(&r) * (bat_curve_closed(curve) ? T : T - part);
+        const double u0 = track.start + random_unit(&r) * (bat_curve_is_closed(curve) ? T : T - part);
         const bool back = random_unit(&r) < 0.5;
         drawn d = draw_along(&r, curve, back ? u0 + part : u0, back ? u0 : u0 + part, 150, height, 0.5);
         const double origin[2] = {0, 0};
@@ -54,7 +54,7 @@ static int right_ones(const bat_curve *curve, uint64_t seed, int cases, double h
         const bat_correspondence found = bat_correspond(&track, &clean, 0);
         const double from = bat_track_s(&track, u0), to = bat_track_s(&track, u0 + part);
         double off0 = fabs(found.start - from), off1 = fabs(found.end - to);
-        if (bat_curve_closed(curve)) {
+        if (bat_curve_is_closed(curve)) {
             off0 = fabs(remainder(off0, track.length)), off1 = fabs(remainder(off1, track.length));
             if (fabs(found.end - found.start - (to - from)) > 0.3 * track.length) off0 = INFINITY;
         }

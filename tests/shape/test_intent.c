@@ -23,7 +23,7 @@ static bat_curve *line(double x0, double y0, double x1, double y1) {
     bat_curve *curve = NULL;
     for (int i = 0; i < 7; i++)
         points[2 * i] = x0 + (x1 - x0) * at[i], points[2 * i + 1] = y0 + (y1 - y0) * at[i];
-    assert_int_equal(bat_curve_create(3, 2, false, 7, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, false, 7, points, 11, knots, &curve), BAT_OK);
     return curve;
 }
 

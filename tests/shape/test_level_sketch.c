@@ -38,21 +38,22 @@ static bat_curve *base(random_source *r, int degree, int dimension, bool closed,
                                   : exp(random_between(r, -3, 3));
     }
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(degree, dimension, closed, count, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
 /* Spans between the start of the domain and u (closed: unrolled). */
 static double spans_to(const bat_curve *curve, double u) {
     const double *t = bat_curve_knots(curve);
-    int p = bat_curve_degree(curve), n = bat_curve_count(curve), first = bat_curve_closed(curve) ? 0 : p;
+    int p = bat_curve_degree(curve), n = bat_curve_count(curve), first = bat_curve_is_closed(curve) ? 0 : p;
     double place = 0, turns = 0;
-    if (bat_curve_closed(curve)) turns = floor((u - t[0]) / (t[n] - t[0]));
+    if (bat_curve_is_closed(curve)) turns = floor((u - t[0]) / (t[n] - t[0]));
     u -= turns * (t[n] - t[0]);
     for (int i = first; i < n; i++) {
         if (!(t[i + 1] > t[i])) continue;
         place += fmin(fmax((u - t[i]) / (t[i + 1] - t[i]), 0), 1);
-        if (bat_curve_closed(curve)) place += turns;
+        if (bat_curve_is_closed(curve)) place += turns;
     }
     return place;
 }
@@ -93,7 +94,7 @@ static found compare(const bat_curve *before, const bat_curve *after, double u0,
     found w = {0, 0};
     double domain[2], a[3], b[3], from = spans_to(before, u0), to = spans_to(before, u1);
     int size = bat_curve_dimension(before);
-    bool closed = bat_curve_closed(before);
+    bool closed = bat_curve_is_closed(before);
     bat_curve_domain(before, domain);
     double all = spans_to(before, domain[1]);
     for (int i = 0; i <= PLACES; i++) {
@@ -119,7 +120,7 @@ static found compare(const bat_curve *before, const bat_curve *after, double u0,
 static void assert_supports(const bat_curve *before, const bat_curve *after, double u0, double u1) {
     const double *t = bat_curve_knots(before);
     int p = bat_curve_degree(before), n = bat_curve_count(before), size = bat_curve_dimension(before);
-    if (bat_curve_closed(before)) return;
+    if (bat_curve_is_closed(before)) return;
     for (int i = 0; i < n; i++)
         if (t[i + p + 1] <= u0 || t[i] >= u1)
             for (int d = 0; d < size; d++)
@@ -177,7 +178,7 @@ static double draw(const bat_curve *curve, double u0, double u1, const course *c
     bat_curve_domain(curve, domain);
     for (int i = 0; i < SAMPLES; i++) {
         double f = i / (SAMPLES - 1.0), moved = lift * height(c, f), u = u0 + (u1 - u0) * f;
-        bat_curve_eval(curve, bat_curve_closed(curve) ? u : fmin(u, domain[1]), 1, jet);
+        bat_curve_eval(curve, bat_curve_is_closed(curve) ? u : fmin(u, domain[1]), 1, jet);
         double speed = hypot(jet[size], jet[size + 1]);
         for (int d = 0; d < size; d++) out[i * size + d] = jet[d];
         out[i * size] -= moved * jet[size + 1] / speed, out[i * size + 1] += moved * jet[size] / speed;
@@ -267,7 +268,7 @@ static void far_ends(void **state) {
     for (int i = 0; i < SAMPLES; i++) q[2 * i] = 150 - 148.0 * i / SAMPLES, q[2 * i + 1] = 5;
     bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = q};
     assert_int_equal(bat_shape_sketch_stroke(shape, 0, &stroke, NULL), BAT_FAR);
-    assert_true(bat_curve_equal(ring, bat_shape_curve(shape, 0)));
+    assert_true(bat_curve_is_equal(ring, bat_shape_curve(shape, 0)));
     bat_shape_free(shape);
     bat_curve_free(ring);
 }
@@ -286,7 +287,7 @@ static void edge_cases(void **state) {
         for (int i = 0; i < count * size; i++) points[i] = scale * random_between(&r, -1, 1);
         for (int i = 0; i < total; i++) knots[i] = closed ? i : fmin(fmax(i - degree, 0), count - degree);
         bat_curve *curve;
-        assert_int_equal(bat_curve_create(degree, size, closed, count, knots, points, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(size, degree, closed, count, points, total, knots, &curve), BAT_OK);
         bat_curve_domain(curve, domain);
         for (int many = 1; many <= 3; many++) {
             bat_shape *shape;
@@ -305,7 +306,7 @@ static void edge_cases(void **state) {
             assert_int_equal(bat_curve_copy(after, &same), BAT_OK);
             for (int i = 0; i < 3; i++) bat_curve_eval(same, u[i], 0, q + i * size);
             assert_int_equal(bat_shape_sketch(shape, 0, (size_t)many, u, q), BAT_OK);
-            assert_true(bat_curve_equal(same, bat_shape_curve(shape, 0))); /* it lies there already */
+            assert_true(bat_curve_is_equal(same, bat_shape_curve(shape, 0))); /* it lies there already */
             bat_curve_free(same);
             bat_shape_free(shape);
         }

@@ -32,7 +32,8 @@ static bat_curve *random_curve(int round, int degree, int dimension, bool closed
         if ((closed || (i >= degree && i < count)) && !twice) t += round % 2 ? 1 : uniform(0.01, 3);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(degree, dimension, closed, count, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -40,7 +41,7 @@ static bat_curve *random_curve(int round, int degree, int dimension, bool closed
 static long double knot(const bat_curve *curve, int i) {
     const double *t = bat_curve_knots(curve);
     int n = bat_curve_count(curve), turns = 0;
-    if (!bat_curve_closed(curve)) return t[i];
+    if (!bat_curve_is_closed(curve)) return t[i];
     while (i < 0) i += n, turns--;
     while (i >= n) i -= n, turns++;
     return (long double)t[i] + turns * ((long double)t[n] - t[0]);
@@ -81,11 +82,11 @@ static void nodes(void **state) {
                 if (rule == BAT_NODES_GREVILLE) {
                     for (int k = 1; k <= p; k++) mean += knot(curve, i + k) / p;
                     long double miss = mean - u;
-                    if (bat_curve_closed(curve)) miss = remainderl(miss, period);
+                    if (bat_curve_is_closed(curve)) miss = remainderl(miss, period);
                     assert_true(fabsl(miss) < near);
                     continue;
                 }
-                if (bat_curve_closed(curve)) /* the turn in which the support lies */
+                if (bat_curve_is_closed(curve)) /* the turn in which the support lies */
                     while (u < low) u += period;
                 else
                     low = fmaxl(low, domain[0]), high = fminl(high, domain[1]);
@@ -119,7 +120,7 @@ static void least_norm_weights(void **state) {
         int n = bat_curve_count(curve);
         for (int i = 0; i < n; i++) {
             long double v = u;
-            if (bat_curve_closed(curve))
+            if (bat_curve_is_closed(curve))
                 while (v < knot(curve, i)) v += domain[1] - domain[0];
             weight[i] = basis(curve, i, p, v);
             square += weight[i] * weight[i];
@@ -168,7 +169,7 @@ typedef struct dense {
 static void basis_row(const bat_curve *curve, double u, long double *row) {
     for (int i = 0; i < bat_curve_count(curve); i++) {
         long double v = u, from = knot(curve, i);
-        if (bat_curve_closed(curve)) {
+        if (bat_curve_is_closed(curve)) {
             long double width = knot(curve, bat_curve_count(curve)) - knot(curve, 0);
             while (v < from) v += width;
             while (v - width >= from) v -= width;
@@ -186,7 +187,7 @@ static void add_row(dense *m, const long double *row, long double weight) {
 /* Spans from a to b (closed: forwards, over the seam where b < a). */
 static double spans_between(const bat_curve *curve, double a, double b) {
     int n = bat_curve_count(curve), p = bat_curve_degree(curve);
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     double spans = 0;
     if (closed && b < a) b += (double)(knot(curve, n) - knot(curve, 0));
     for (int i = closed ? 0 : p; i < (closed ? 2 * n : n); i++) {
@@ -201,12 +202,14 @@ static double walk(const bat_curve *curve, double u, double sign, double away) {
     double domain[2], middle;
     bat_curve_domain(curve, domain);
     double low = 0, high = 1; /* of the way to the end of the domain, or once round */
-    double all = bat_curve_closed(curve) ? domain[1] - domain[0] : sign < 0 ? u - domain[0] : domain[1] - u;
+    double all = bat_curve_is_closed(curve) ? domain[1] - domain[0]
+                 : sign < 0                 ? u - domain[0]
+                                            : domain[1] - u;
     for (int k = 0; k < 200 && high - low > 0; k++) {
         middle = (low + high) / 2;
         double spans = 0, to = all * middle;
         for (int i = -3 * bat_curve_count(curve); i < 3 * bat_curve_count(curve); i++) {
-            if (!bat_curve_closed(curve) && (i < bat_curve_degree(curve) || i >= bat_curve_count(curve)))
+            if (!bat_curve_is_closed(curve) && (i < bat_curve_degree(curve) || i >= bat_curve_count(curve)))
                 continue;
             long double t0 = knot(curve, i), t1 = knot(curve, i + 1), a = sign < 0 ? u - to : u,
                         b = sign < 0 ? u : u + to;
@@ -231,9 +234,9 @@ static void add_still(dense *m, double u, double sign, double length, double den
     for (int k = 1; k <= rows; k++) {
         double away = length * k / rows, at = walk(m->curve, u, sign, away), domain[2];
         bat_curve_domain(m->curve, domain);
-        if (bat_curve_closed(m->curve)) /* into the domain */
+        if (bat_curve_is_closed(m->curve)) /* into the domain */
             at -= floor((at - domain[0]) / (domain[1] - domain[0])) * (domain[1] - domain[0]);
-        if (!bat_curve_closed(m->curve)) at = fmin(fmax(at, domain[0]), nextafter(domain[1], domain[0]));
+        if (!bat_curve_is_closed(m->curve)) at = fmin(fmax(at, domain[0]), nextafter(domain[1], domain[0]));
         basis_row(m->curve, at, row);
         double weight = away < 1 ? away : 1 + 999 * fmin(away - 1, 1);
         add_row(m, row, (long double)(firmness * weight * density * length / rows));

@@ -35,7 +35,8 @@ static bat_curve *random_curve(int degree, int dimension, bool closed, int count
         if (closed || (i >= degree && i < count)) t += even > 0 ? 1 : uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(degree, dimension, closed, count, knots, points, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -70,7 +71,7 @@ static bool same(const bat_shape *a, const bat_shape *b) {
     if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
     for (int l = 0; l <= bat_shape_levels(a); l++) {
         const bat_curve *c = bat_shape_curve(a, l);
-        if (!bat_curve_equal(c, bat_shape_curve(b, l))) return false;
+        if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
         for (int i = 0; l > 0 && i < 3 * bat_curve_count(c); i++)
             if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
     }
@@ -133,7 +134,9 @@ static bat_curve *next_level(const bat_shape *before, const bat_curve *below, in
         }
     }
     touched[0] = low, touched[1] = high;
-    assert_int_equal(bat_curve_create(p, size, false, n, bat_curve_knots(old), points, &out), BAT_OK);
+    assert_int_equal(
+        bat_curve_create(size, p, false, n, points, bat_curve_knot_count(old), bat_curve_knots(old), &out),
+        BAT_OK);
     free(points);
     bat_curve_free(refined);
     bat_frame_chain_free(chain[0]);
@@ -174,7 +177,8 @@ static void edits_equal_the_whole_formula(void **state) {
         double *points = malloc((size_t)(n * size) * sizeof(double));
         memcpy(points, bat_curve_points(base), (size_t)(n * size) * sizeof(double));
         for (int i = 0; i < 3 * size; i++) points[first * size + i] += deltas[i];
-        assert_int_equal(bat_curve_create(degree, size, false, n, bat_curve_knots(base), points, &expected),
+        assert_int_equal(bat_curve_create(size, degree, false, n, points, bat_curve_knot_count(base),
+                                          bat_curve_knots(base), &expected),
                          BAT_OK);
         free(points);
         for (int l = 1; l <= bat_shape_levels(shape); l++) {

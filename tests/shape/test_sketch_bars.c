@@ -26,13 +26,13 @@ static int fresh_knots(const bat_curve *curve) {
     static double points[2 * COUNT];
     double domain[2];
     bat_curve_domain(curve, domain);
-    const bool closed = bat_curve_closed(curve);
+    const bool closed = bat_curve_is_closed(curve);
     for (int i = 0; i < COUNT; i++)
         bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * i / (closed ? COUNT : COUNT - 1), 0,
                        points + 2 * i);
     bat_curve *fresh = NULL;
     const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = points};
-    const bat_status status = bat_sketch_new(&stroke, NULL, closed, &fresh, NULL);
+    const bat_status status = bat_sketch_new(&stroke, closed, NULL, &fresh, NULL);
     assert_true(status == BAT_OK);
     const int count = bat_curve_knot_count(fresh);
     bat_curve_free(fresh);
@@ -44,7 +44,7 @@ static drawn random_stroke(random_source *r, const bat_curve *curve, double heig
     double domain[2];
     bat_curve_domain(curve, domain);
     const double T = domain[1] - domain[0], part = T * random_between(r, 0.1, 0.35);
-    const double u0 = domain[0] + random_unit(r) * (bat_curve_closed(curve) ? T : T - part);
+    const double u0 = domain[0] + random_unit(r) * (bat_curve_is_closed(curve) ? T : T - part);
     const bool back = random_unit(r) < 0.5;
     const double length = bat_curve_length(curve, u0, u0 + part, 1e-3);
     return draw_calmly(r, curve, back ? u0 + part : u0, back ? u0 : u0 + part, 150,
@@ -97,7 +97,7 @@ static void one_stretch_twenty_times(void **state) {
                 bat_near a, b;
                 assert_int_equal(bat_curve_nearest(curve, from, &a), BAT_OK);
                 assert_int_equal(bat_curve_nearest(curve, to, &b), BAT_OK);
-                if (!(b.u > a.u)) b.u += bat_curve_closed(curve) ? T : 0;
+                if (!(b.u > a.u)) b.u += bat_curve_is_closed(curve) ? T : 0;
                 drawn d = draw_calmly(&r, curve, a.u, b.u, 150, 25, 0.5);
                 redraw(&curve, &d);
                 drawn_free(&d);

@@ -127,7 +127,7 @@ static void strokes_become_fair(void **state) {
         draw(&r, &p, n % 2 ? 0.12 : 0.3, &s);
         const bat_stroke stroke = {.dimension = 2, .count = s.count, .points = s.points, .time = s.time};
         bat_curve *curve = NULL;
-        assert_int_equal(bat_sketch_new(&stroke, NULL, false, &curve, NULL), BAT_OK);
+        assert_int_equal(bat_sketch_new(&stroke, false, NULL, &curve, NULL), BAT_OK);
         double range[2];
         bat_curve_domain(curve, range);
         curvatures(curve, range, k);
@@ -155,7 +155,7 @@ static void strokes_become_fair(void **state) {
 static void feed(bat_sketch_live *live, const sample_set *s, size_t from, size_t count) {
     const bat_stroke part = {
         .dimension = 2, .count = count, .points = s->points + 2 * from, .time = s->time + from};
-    assert_int_equal(bat_sketch_add(live, &part), BAT_OK);
+    assert_int_equal(bat_sketch_live_add(live, &part), BAT_OK);
 }
 
 /* A line that runs beside the stroke and beyond both of its ends. */
@@ -179,7 +179,7 @@ static bat_curve *line_beside(random_source *r, const sample_set *s) {
     }
     bat_curve *curve = NULL;
     const bat_stroke stroke = {.dimension = 2, .count = n, .points = x};
-    assert_int_equal(bat_sketch_new(&stroke, NULL, false, &curve, NULL), BAT_OK);
+    assert_int_equal(bat_sketch_new(&stroke, false, NULL, &curve, NULL), BAT_OK);
     return curve;
 }
 
@@ -203,13 +203,13 @@ static void watch(const sample_set *s, const bat_curve *base, size_t batch, show
     size_t count = 0, next = 24;
     bat_sketch_live *live;
     bat_curve *last = NULL, *committed = NULL;
-    assert_int_equal(bat_sketch_begin(base, base ? BAT_SKETCH_REDRAW : BAT_SKETCH_NEW, NULL, 2, &live),
+    assert_int_equal(bat_sketch_live_begin(base, 2, base ? BAT_SKETCH_REDRAW : BAT_SKETCH_NEW, NULL, &live),
                      BAT_OK);
     for (size_t i = 0; i < s->count; i += batch) {
         const size_t now = i + batch < s->count ? i + batch : s->count;
         feed(live, s, i, now - i);
         bat_curve *fit = NULL;
-        if (bat_sketch_preview(live, &fit, NULL) != BAT_OK) continue;
+        if (bat_sketch_live_preview(live, &fit, NULL) != BAT_OK) continue;
         if (!last && out->first < now) out->first = now;
         if (count > 0) out->drift = fmax(out->drift, farthest(fit, kept, 0, count - 1));
         for (; next + SETTLED < now; next += 3) {
@@ -221,7 +221,7 @@ static void watch(const sample_set *s, const bat_curve *base, size_t batch, show
         last = fit;
     }
     assert_non_null(last);
-    assert_int_equal(bat_sketch_commit(live, &committed, NULL), BAT_OK);
+    assert_int_equal(bat_sketch_live_commit(live, &committed, NULL), BAT_OK);
     out->commit = fmax(out->commit, apart(committed, last));
     bat_curve_free(last);
     bat_curve_free(committed);
@@ -273,7 +273,7 @@ static void transitions_have_no_more_than_they_need(void **state) {
         }
         bat_curve *base = NULL, *now = NULL;
         bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = x};
-        assert_int_equal(bat_sketch_new(&stroke, NULL, false, &base, NULL), BAT_OK);
+        assert_int_equal(bat_sketch_new(&stroke, false, NULL, &base, NULL), BAT_OK);
         stroke.count = (size_t)(length / SPEED * RATE) + 1, stroke.time = time;
         for (size_t i = 0; i < stroke.count; i++) {
             const double a = -pi / 2 + length / R * ((double)i / (double)(stroke.count - 1) - 0.5);

@@ -15,7 +15,7 @@ static void feed(bat_sketch_live *live, const drawn *d, size_t from, size_t to) 
     bat_stroke part = d->stroke;
     part.points += from * (size_t)part.dimension;
     part.count = to - from;
-    assert_int_equal(bat_sketch_add(live, &part), BAT_OK);
+    assert_int_equal(bat_sketch_live_add(live, &part), BAT_OK);
 }
 
 static void commit_is_the_one_shot_call(void **state) {
@@ -30,12 +30,12 @@ static void commit_is_the_one_shot_call(void **state) {
         drawn d = draw_along(&r, curve, back ? u0 + 0.4 * T : u0, back ? u0 : u0 + 0.4 * T, 160, 40, 0.5);
         for (int kind = BAT_SKETCH_REDRAW; kind <= BAT_SKETCH_SMOOTH; kind++) {
             bat_sketch_live *live;
-            assert_int_equal(bat_sketch_begin(curve, (bat_sketch_kind)kind, NULL, 2, &live), BAT_OK);
+            assert_int_equal(bat_sketch_live_begin(curve, 2, (bat_sketch_kind)kind, NULL, &live), BAT_OK);
             for (size_t i = 0; i < d.stroke.count; i += BATCH) {
                 const size_t to = i + BATCH < d.stroke.count ? i + BATCH : d.stroke.count;
                 feed(live, &d, i, to);
                 bat_curve *shown = NULL;
-                const bat_status status = bat_sketch_preview(live, &shown, NULL);
+                const bat_status status = bat_sketch_live_preview(live, &shown, NULL);
                 assert_true(status == BAT_OK || status == BAT_DOT || status == BAT_FAR ||
                             status == BAT_TOLERANCE);
                 bat_curve_free(shown);
@@ -43,16 +43,16 @@ static void commit_is_the_one_shot_call(void **state) {
             bat_curve *committed, *at_once;
             bat_sketch_report a, b;
             memset(&a, 0, sizeof a), memset(&b, 0, sizeof b);
-            assert_int_equal(bat_sketch_commit(live, &committed, &a), BAT_OK);
+            assert_int_equal(bat_sketch_live_commit(live, &committed, &a), BAT_OK);
             bat_status status;
             if (kind == BAT_SKETCH_NEW)
-                status = bat_sketch_new(&d.stroke, NULL, false, &at_once, &b);
+                status = bat_sketch_new(&d.stroke, false, NULL, &at_once, &b);
             else if (kind == BAT_SKETCH_SMOOTH)
                 status = bat_sketch_smooth(curve, &d.stroke, NULL, &at_once, &b);
             else
                 status = bat_sketch(curve, &d.stroke, NULL, &at_once, &b);
             assert_int_equal(status, BAT_OK);
-            assert_true(bat_curve_equal(committed, at_once));
+            assert_true(bat_curve_is_equal(committed, at_once));
             assert_int_equal(a.solves, b.solves);
             assert_true(a.max_error == b.max_error);
             bat_curve_free(committed);
@@ -91,13 +91,13 @@ static void shown_ink_stays(void **state) {
         drawn d = draw_along(&r, curve, back ? u0 + 0.4 * T : u0, back ? u0 : u0 + 0.4 * T, 240, 40,
                              random_between(&r, 0.3, 1));
         bat_sketch_live *live;
-        assert_int_equal(bat_sketch_begin(curve, BAT_SKETCH_REDRAW, NULL, 2, &live), BAT_OK);
+        assert_int_equal(bat_sketch_live_begin(curve, 2, BAT_SKETCH_REDRAW, NULL, &live), BAT_OK);
         double *shown = NULL; /* the first target that showed a place older than 100 ms keeps it */
         size_t shown_count = 0;
         for (size_t i = 0; i < d.stroke.count; i += BATCH) {
             feed(live, &d, i, i + BATCH);
-            bat_sketch_preview_info info;
-            const bat_status status = bat_sketch_preview(live, NULL, &info);
+            bat_sketch_live_info info;
+            const bat_status status = bat_sketch_live_preview(live, NULL, &info);
             if (status != BAT_OK && status != BAT_TOLERANCE) continue;
             if (shown_count > 0)
                 for (size_t j = 0; j < shown_count; j++)
@@ -121,7 +121,7 @@ static void shown_ink_stays(void **state) {
             memcpy(shown, info.target + 2 * first, shown_count * 2 * sizeof *shown);
         }
         free(shown);
-        bat_sketch_cancel(live);
+        bat_sketch_live_cancel(live);
         bat_curve_free(curve);
         drawn_free(&d);
     }
@@ -145,13 +145,13 @@ static void long_strokes(void **state) {
         angle += 1.5 / radius;
     }
     bat_sketch_live *live;
-    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_NEW, NULL, 2, &live), BAT_OK);
+    assert_int_equal(bat_sketch_live_begin(NULL, 2, BAT_SKETCH_NEW, NULL, &live), BAT_OK);
     double middle[2] = {0, 0}, moved = 0;
-    bat_sketch_preview_info info = {0};
+    bat_sketch_live_info info = {0};
     for (int i = 0; i < LONG; i += STEP) {
         const bat_stroke part = {.dimension = 2, .count = STEP, .points = points + 2 * i};
-        assert_int_equal(bat_sketch_add(live, &part), BAT_OK);
-        assert_int_equal(bat_sketch_preview(live, NULL, &info), BAT_OK);
+        assert_int_equal(bat_sketch_live_add(live, &part), BAT_OK);
+        assert_int_equal(bat_sketch_live_preview(live, NULL, &info), BAT_OK);
         assert_true(info.target_count <= 2000);
         if (i == LONG / 2) memcpy(middle, info.target + 2 * (info.target_count / 2), sizeof middle);
         if (i > LONG / 2) moved = fmax(moved, to_polyline(middle, info.target, info.target_count));
@@ -165,7 +165,7 @@ static void long_strokes(void **state) {
     assert_non_null(ink);
     memcpy(ink, info.target, 2 * count * sizeof *ink);
     bat_curve *committed;
-    assert_int_equal(bat_sketch_commit(live, &committed, NULL), BAT_OK);
+    assert_int_equal(bat_sketch_live_commit(live, &committed, NULL), BAT_OK);
     for (size_t i = 0; i < count; i++) {
         bat_near near;
         assert_int_equal(bat_curve_nearest(committed, ink + 2 * i, &near), BAT_OK);
@@ -182,18 +182,18 @@ static void long_strokes(void **state) {
 static void calls_out_of_order(void **state) {
     (void)state;
     bat_sketch_live *live;
-    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_REDRAW, NULL, 2, &live), BAT_ARGUMENT);
-    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_NEW, NULL, 2, NULL), BAT_ARGUMENT);
-    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_NEW, NULL, 4, &live), BAT_DIMENSION);
-    assert_int_equal(bat_sketch_begin(NULL, BAT_SKETCH_NEW, NULL, 2, &live), BAT_OK);
+    assert_int_equal(bat_sketch_live_begin(NULL, 2, BAT_SKETCH_REDRAW, NULL, &live), BAT_ARGUMENT);
+    assert_int_equal(bat_sketch_live_begin(NULL, 2, BAT_SKETCH_NEW, NULL, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_sketch_live_begin(NULL, 4, BAT_SKETCH_NEW, NULL, &live), BAT_DIMENSION);
+    assert_int_equal(bat_sketch_live_begin(NULL, 2, BAT_SKETCH_NEW, NULL, &live), BAT_OK);
     bat_curve *out = NULL;
-    assert_int_equal(bat_sketch_preview(live, &out, NULL), BAT_DOT);
+    assert_int_equal(bat_sketch_live_preview(live, &out, NULL), BAT_DOT);
     const double space[3] = {0};
-    assert_int_equal(bat_sketch_add(live, &(bat_stroke){.dimension = 3, .count = 1, .points = space}),
+    assert_int_equal(bat_sketch_live_add(live, &(bat_stroke){.dimension = 3, .count = 1, .points = space}),
                      BAT_DIMENSION);
-    assert_int_equal(bat_sketch_commit(live, &out, NULL), BAT_DOT);
+    assert_int_equal(bat_sketch_live_commit(live, &out, NULL), BAT_DOT);
     assert_null(out);
-    bat_sketch_cancel(NULL);
+    bat_sketch_live_cancel(NULL);
 }
 
 int main(void) {

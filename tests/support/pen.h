@@ -36,7 +36,7 @@ static inline void pen_event(pen *p, bat_pointer_phase phase, double x, double y
                          .tilt_x = 20,
                          .tilt_y = -5,
                          .time = p->time};
-    bat_editor_pointer(p->editor, &event, 1);
+    bat_editor_pointer(p->editor, 1, &event);
 }
 
 /* A point of a stroke for t in 0..1. */
@@ -83,7 +83,7 @@ static inline bat_curve *pen_curve(double x, double y, double step, double wave,
     }
     for (int i = 0; i < count + 4; i++) knots[i] = i < 4 ? 0 : i >= count ? count - 3 : i - 3;
     bat_curve *curve = NULL;
-    bat_curve_create(3, 2, false, count, knots, points, &curve);
+    bat_curve_create(2, 3, false, count, points, count + 4, knots, &curve);
     return curve;
 }
 
@@ -93,7 +93,7 @@ static inline bat_id pen_add(bat_document *document, bat_curve *curve) {
     bat_object *object = NULL;
     bat_id id = bat_document_new_id(document);
     bat_object_create_path(id, "line", &style, 1, &curve, &object);
-    bat_document_put(document, bat_document_count(document), object);
+    bat_document_insert(document, bat_document_count(document), object);
     bat_object_release(object);
     return id;
 }

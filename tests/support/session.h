@@ -73,7 +73,7 @@ static inline void session_event(bat_editor *editor, session_bytes *bytes, doubl
         event.y = session_place(bytes);
         event.pressure = session_place(bytes) / 900;
         event.width = more & 128 ? event.pressure * 200 : 0;
-        bat_editor_pointer(editor, &event, 1);
+        bat_editor_pointer(editor, 1, &event);
     } else if (what < 200) {
         session_stroke(editor, bytes, time);
     } else if (what < 210) {

@@ -31,7 +31,7 @@ static inline bat_curve *wavy_curve(random_source *r, int count, double strength
     for (int i = 1; i < count - 3; i++) knots[n++] = i;
     for (int i = 0; i < 4; i++) knots[n++] = count - 3;
     bat_curve *curve = NULL;
-    if (bat_curve_create(3, 2, false, count, knots, points, &curve) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, false, count, points, count + 4, knots, &curve) != BAT_OK) abort();
     return curve;
 }
 
@@ -44,7 +44,7 @@ static inline bat_curve *ring_curve(random_source *r, int count, double strength
     }
     for (int i = 0; i <= count; i++) knots[i] = i;
     bat_curve *curve = NULL;
-    if (bat_curve_create(3, 2, true, count, knots, points, &curve) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, true, count, points, count + 1, knots, &curve) != BAT_OK) abort();
     return curve;
 }
 
@@ -129,7 +129,7 @@ static inline double kept_moves(const bat_curve *old, const bat_curve *now, cons
     double shift[2] = {0, report->changed_new[1] - report->changed[1]};
     if (report->extended[0]) to[0] = from[0] - 1;
     if (report->extended[1]) to[1] = from[1] - 1;
-    if (bat_curve_closed(old)) from[0] = report->changed[1] - period, to[1] = from[1] - 1;
+    if (bat_curve_is_closed(old)) from[0] = report->changed[1] - period, to[1] = from[1] - 1;
     for (int part = 0; part < 2; part++)
         for (int i = 0; i <= PLACES && to[part] > from[part]; i++) {
             const double u = from[part] + (to[part] - from[part]) * i / PLACES;
@@ -150,7 +150,7 @@ static inline double worst_jump(const bat_curve *curve) {
     bat_curve_domain(curve, domain);
     for (int i = 1; i + 1 < n; i++) {
         if (t[i] == t[i - 1] || t[i] == t[i + 1]) continue;
-        if (!bat_curve_closed(curve) && (t[i] <= domain[0] || t[i] >= domain[1])) continue;
+        if (!bat_curve_is_closed(curve) && (t[i] <= domain[0] || t[i] >= domain[1])) continue;
         double a[3 * BAT_DIMENSION_MAX], b[3 * BAT_DIMENSION_MAX], zero[BAT_DIMENSION_MAX] = {0};
         bat_curve_eval_left(curve, t[i], 2, a);
         bat_curve_eval(curve, t[i], 2, b);

@@ -120,7 +120,7 @@ static uint64_t evaluate_curve(const void *shared, int seed) {
     int first = 0, n = bat_curve_count(curve), knots = bat_curve_knot_count(curve);
     uint64_t digest = add_doubles(bat_digest_begin(), bat_curve_knots(curve), knots);
     digest = add_doubles(digest, bat_curve_points(curve), n * bat_curve_dimension(curve));
-    digest = add(add(digest, bat_curve_closed(curve)), (uint64_t)bat_curve_degree(curve));
+    digest = add(add(digest, bat_curve_is_closed(curve)), (uint64_t)bat_curve_degree(curve));
     digest = bat_digest_double(digest, bat_curve_size(curve));
     bat_curve_eval(curve, at, 2, out);
     bat_curve_eval_left(curve, at, 2, out + 6);
@@ -129,7 +129,7 @@ static uint64_t evaluate_curve(const void *shared, int seed) {
     bat_curve_greville(curve, out);
     digest = add_doubles(add_doubles(digest, more, 32), out, n);
     bat_curve_basis(curve, at, &first, out);
-    bat_curve_blossom(curve, at, false, u, more);
+    bat_curve_blossom(curve, at, u, false, more);
     return add(add_doubles(add_doubles(digest, out, 4), more, 2), (uint64_t)first);
 }
 
@@ -144,7 +144,7 @@ static uint64_t measure_curve(const void *shared, int seed) {
     digest = bat_digest_double(digest, bat_curve_length(curve, somewhere(curve, 0), at, 1e-9));
     digest = bat_digest_double(digest, bat_curve_at_length(curve, at, 1, 1e-9));
     digest = bat_digest_double(digest, bat_curve_curvature(curve, at));
-    digest = add_doubles(add(digest, (uint64_t)bat_curve_inflections(curve, u, 16)), u, 16);
+    digest = add_doubles(add(digest, (uint64_t)bat_curve_inflections(curve, 16, u)), u, 16);
     digest = add(digest, (uint64_t)bat_curve_distance(curve, curve, 4, &a, &b));
     bat_near near[4] = {{0}};
     digest = add(digest, (uint64_t)bat_curve_nearest(curve, point, near));
@@ -153,7 +153,7 @@ static uint64_t measure_curve(const void *shared, int seed) {
     digest = bat_digest_double(digest, bat_curve_project_near(curve, point, at, 3));
     bat_frame3 frames[2] = {{0}};
     double ends[2] = {somewhere(curve, 0), at};
-    digest = add(digest, (uint64_t)bat_frames(curve, NULL, 2, ends, frames, NULL));
+    digest = add(digest, (uint64_t)bat_frames(curve, 2, ends, NULL, frames, NULL));
     return add_doubles(add(digest, (uint64_t)count), frames[1].s, 3);
 }
 
@@ -185,7 +185,7 @@ static uint64_t rework_curve(const void *shared, int seed) {
     d = add_curve(d, bat_curve_move_point(curve, 1, delta, &m), &m);
     bat_status status = bat_curve_insert_knot(curve, at, 1, &m);
     if (status != BAT_OK) return add(d, (uint64_t)status);
-    d = add(d, bat_curve_equal(curve, m));
+    d = add(d, bat_curve_is_equal(curve, m));
     status = bat_curve_refine(curve, bat_curve_knot_count(m), bat_curve_knots(m), &other);
     return add_curve(add_curve(d, BAT_OK, &m), status, &other);
 }
@@ -201,7 +201,7 @@ static uint64_t convert_curve(const void *shared, int seed) {
     bat_shape *shape = NULL;
     uint64_t d = add(bat_digest_begin(), (uint64_t)count);
     if (count <= SEGMENTS) d = add(d, (uint64_t)bat_curve_to_bezier(curve, points, breaks));
-    bat_status status = bat_curve_to_cubics(curve, 0.01, &cubics, &count);
+    bat_status status = bat_curve_to_cubics(curve, 0.01, &count, &cubics);
     d = add_doubles(add_doubles(add(d, (uint64_t)status), points, SEGMENTS * 8), cubics, 8 * count);
     bat_free(cubics);
     d = add_text(d, bat_curve_write(curve, &text, &size), &text, &size);
@@ -222,10 +222,10 @@ static uint64_t draw_over_curve(const void *shared, int seed) {
     d = add_curve(d, bat_sketch_smooth(shared, &stroke, NULL, &made, &report), &made);
     d = add_curve(d, bat_sketch_calm(shared, (double[2]){0.2, 0.6}, 2, 1, &made), &made);
     d = add_curve(d, bat_sketch_join(shared, shared, &stroke, NULL, &made, &report), &made);
-    bat_status status = bat_sketch_begin(shared, BAT_SKETCH_REDRAW, NULL, 2, &live);
+    bat_status status = bat_sketch_live_begin(shared, 2, BAT_SKETCH_REDRAW, NULL, &live);
     if (status != BAT_OK) return add(d, (uint64_t)status);
-    bat_sketch_add(live, &stroke);
-    d = add_curve(d, bat_sketch_commit(live, &made, &report), &made);
+    bat_sketch_live_add(live, &stroke);
+    d = add_curve(d, bat_sketch_live_commit(live, &made, &report), &made);
     return bat_digest_double(d, report.max_error);
 }
 
@@ -290,7 +290,7 @@ static uint64_t look_at_shape(const void *shared, int seed) {
     for (int l = 1; l <= top; l++) {
         const int n = bat_curve_count(bat_shape_curve(shape, l));
         d = add_doubles(add_doubles(d, bat_shape_details(shape, l), 3 * n), bat_shape_nodes(shape, l), n);
-        d = add(add(d, (uint64_t)bat_shape_source(shape, l)[0]), bat_shape_muted(shape, l));
+        d = add(add(d, (uint64_t)bat_shape_source(shape, l)[0]), bat_shape_is_muted(shape, l));
         d = bat_digest_double(d, bat_shape_gain(shape, l));
     }
     d = add(d, (uint64_t)bat_shape_options_of(shape)->frame);
@@ -300,7 +300,7 @@ static uint64_t look_at_shape(const void *shared, int seed) {
     const double delta[3] = {0, seed, 0}, points[] = {300, seed, 350, 5, 400, 9, 450, 5, 500, 0};
     bat_stroke stroke = {.dimension = 2, .count = 5, .points = points};
     bat_sketch_report report = {0};
-    d = add_shape(d, bat_shape_redraw(shape, &stroke, NULL, false, &made, &report), &made);
+    d = add_shape(d, bat_shape_redraw(shape, &stroke, false, NULL, &made, &report), &made);
     bat_shape_live *live = NULL;
     bat_status status = bat_shape_live_begin(shape, 1, &live);
     if (status != BAT_OK) return add(d, (uint64_t)status);
@@ -324,7 +324,7 @@ static void const_calls_on_a_shape(void **state) {
 
 /* Takes the object over. */
 static void put(bat_document *document, bat_object *object) {
-    assert_int_equal(bat_document_put(document, bat_document_count(document), object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
     bat_object_release(object);
 }
 
@@ -373,7 +373,7 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     d = add(add(d, bat_object_id(object)), (uint64_t)bat_object_kind(object));
     d = add(add(d, bat_object_is_group(object)), bat_object_is_drawn(object));
     d = add(add(d, bat_object_parent(object)), (uint64_t)(bat_object_guide(object, &at) + 1));
-    d = add(add(d, bat_object_hidden(object)), bat_object_locked(object));
+    d = add(add(d, bat_object_is_hidden(object)), bat_object_is_locked(object));
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         d = bat_digest_curve(d, bat_object_curve(object, i));
         const bat_shape *shape = bat_object_shape(object, i);
@@ -479,7 +479,7 @@ static uint64_t edit_copy(bat_document *own, int seed) {
             bat_object_release(other);
         }
         if (bat_object_with_id(bat_document_at(own, at), bat_document_new_id(own), &twin) == BAT_OK)
-            bat_document_put(own, round % 2 ? at : 0, twin);
+            bat_document_insert(own, round % 2 ? at : 0, twin);
         bat_object_release(twin);
         if (round % 3 == 2) bat_document_remove(own, at);
         digest = add(add(digest, (uint64_t)status), bat_document_digest(own));

@@ -109,7 +109,7 @@ static void measure_one(parity_sink *sink, random_source *r, bat_curve *curve) {
     }
     bat_curve_bounds(curve, box, box + bat_curve_dimension(curve));
     put_many(sink, 2 * (size_t)bat_curve_dimension(curve), box);
-    int count = bat_curve_dimension(curve) == 2 ? bat_curve_inflections(curve, turns, 32) : 0;
+    int count = bat_curve_dimension(curve) == 2 ? bat_curve_inflections(curve, 32, turns) : 0;
     put(sink, count), put_many(sink, (size_t)(count < 32 ? count : 32), turns);
 }
 static void measure(parity_sink *sink) { each_curve(sink, 6, measure_one); }
@@ -179,7 +179,7 @@ static void sketch(parity_sink *sink) {
         bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = points};
         bat_curve *first = NULL, *second = NULL;
         arc_stroke(&r, COUNT, 300, 2.5, points);
-        bat_status status = bat_sketch_new(&stroke, &options, false, &first, &report);
+        bat_status status = bat_sketch_new(&stroke, false, &options, &first, &report);
         put(sink, status);
         if (status != BAT_OK) return;
         arc_stroke(&r, COUNT, 310 + k, 1.2 + 0.1 * k, points);
@@ -258,7 +258,7 @@ static void session(parity_sink *sink) {
     if (status == BAT_OK) {
         status = bat_object_create_path(bat_document_new_id(document), "line", &style, 1, &large, &object);
     }
-    if (status == BAT_OK) status = bat_document_put(document, 0, object);
+    if (status == BAT_OK) status = bat_document_insert(document, 0, object);
     bat_object_release(object);
     if (status == BAT_OK) status = bat_editor_create(&editor);
     if (status == BAT_OK) bat_editor_resize(editor, 1280, 800, 1);
@@ -276,7 +276,7 @@ static void session(parity_sink *sink) {
                                  .y = y + bend * i * (100 - i) + random_between(&r, -0.3, 0.3),
                                  .pressure = 0.5,
                                  .time = time + 4 * i};
-            bat_editor_pointer(editor, &event, 1);
+            bat_editor_pointer(editor, 1, &event);
             if (i % 10 == 0) put(sink, bat_editor_frame(editor)->error);
         }
         if (stroke == 2) bat_editor_wheel(editor, 640, 400, 0, -120, BAT_CTRL, time + 500);
@@ -317,7 +317,7 @@ static void tangents(parity_sink *sink) {
                 put_many(sink, 3, joints[i].left), put_many(sink, 3, joints[i].right);
             }
         put_curve(sink, status, curve);
-        status = bat_tangents_insert(&spline, &options, k % 7, 0.3, &longer, &block, &index, &deviation);
+        status = bat_tangents_insert(&spline, k % 7, 0.3, &options, &longer, &block, &index, &deviation);
         put(sink, status), put(sink, deviation);
         if (status == BAT_OK) put_many(sink, (size_t)(2 * longer.count), longer.tension);
         bat_free(block);

@@ -85,7 +85,7 @@ int read_text(const uint8_t *data, size_t size) {
     note_read(status, &problem);
     if (status != BAT_OK) return 0;
     const bat_sketch_options options = bat_sketch_defaults();
-    if (bat_sketch_new(&stroke, &options, false, &curve, NULL) == BAT_OK) bat_curve_free(curve);
+    if (bat_sketch_new(&stroke, false, &options, &curve, NULL) == BAT_OK) bat_curve_free(curve);
     bat_free(block);
     return 0;
 }

@@ -76,7 +76,7 @@ WRAP(bat_status, bat_curve_allocate, int degree, int dimension, bool closed, int
 WRAP(void, bat_curve_free, bat_curve *curve) {
     if (curve) {
         size_t points = (size_t)bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
-        uint64_t hash = mix((uint64_t)bat_curve_degree(curve), points * 2 + bat_curve_closed(curve));
+        uint64_t hash = mix((uint64_t)bat_curve_degree(curve), points * 2 + bat_curve_is_closed(curve));
         hash = mix_numbers(hash, (size_t)bat_curve_knot_count(curve), bat_curve_knots(curve));
         note(CURVE, mix_numbers(hash, points, bat_curve_points(curve)));
     }
@@ -172,9 +172,9 @@ WRAP(void, bat_curve_bounds, const bat_curve *curve, double *low, double *high) 
     note_numbers(MEASURE, (size_t)bat_curve_dimension(curve), high);
 }
 
-WRAP(bat_status, bat_frames, const bat_curve *curve, const bat_frame_options *options, size_t count,
-     const double *u, bat_frame3 *out, double *holonomy) {
-    bat_status status = __real_bat_frames(curve, options, count, u, out, holonomy);
+WRAP(bat_status, bat_frames, const bat_curve *curve, size_t count, const double *u,
+     const bat_frame_options *options, bat_frame3 *out, double *holonomy) {
+    bat_status status = __real_bat_frames(curve, count, u, options, out, holonomy);
     for (size_t i = 0; i < count && status == BAT_OK; i++) note_numbers(TRIAD, 13, &out[i].u);
     return status;
 }

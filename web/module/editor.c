@@ -69,7 +69,7 @@ bat_editor *editor_create(void) {
 
 void editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count) {
     MODULE_CHECK(editor);
-    bat_editor_pointer(editor, events, count);
+    bat_editor_pointer(editor, count, events);
 }
 
 void editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,

@@ -58,7 +58,7 @@ static bat_status calm(const bat_context *c, const bat_curve *curve, const doubl
     double period = domain[1] - domain[0];
     *out = NULL;
     bat_status status = bat_sketch_calm(curve, range, limit, pixel, out);
-    if (!bat_curve_closed(curve) || range[1] - range[0] < 0.9 * period) return status;
+    if (!bat_curve_is_closed(curve) || range[1] - range[0] < 0.9 * period) return status;
     if (status != BAT_OK && status != BAT_STATE) return status;
     bat_curve *all = NULL;
     const double rest[2] = {range[0] + period / 2, range[1] + period / 2};

@@ -45,7 +45,7 @@ static bat_status lead_to(bat_curve *curve, const double *to, bat_curve **out) {
         return BAT_OK;
     }
     bat_curve *line = NULL;
-    bat_status status = bat_curve_create(1, dimension, false, 2, (double[]){0, 0, 1, 1}, points, &line);
+    bat_status status = bat_curve_create(dimension, 1, false, 2, points, 4, (double[]){0, 0, 1, 1}, &line);
     if (status == BAT_OK) status = bat_curve_join(curve, line, 0, 1e-9 * bat_curve_size(curve), out, NULL);
     bat_curve_free(line);
     bat_curve_free(curve);
@@ -53,7 +53,7 @@ static bat_status lead_to(bat_curve *curve, const double *to, bat_curve **out) {
 }
 
 static bat_status closed(const bat_curve *curve, bat_curve **out) {
-    if (bat_curve_closed(curve)) return BAT_STATE;
+    if (bat_curve_is_closed(curve)) return BAT_STATE;
     bat_curve *copy = NULL, *whole = NULL;
     double start[3];
     bat_status status = bat_curve_copy(curve, &copy);
@@ -68,7 +68,7 @@ static bat_status closed(const bat_curve *curve, bat_curve **out) {
 
 static bat_status opened(const bat_curve *curve, bat_curve **out) {
     double domain[2];
-    if (!bat_curve_closed(curve)) return BAT_STATE;
+    if (!bat_curve_is_closed(curve)) return BAT_STATE;
     bat_curve_domain(curve, domain);
     return bat_curve_open_at(curve, domain[0], out);
 }
@@ -155,7 +155,7 @@ static int find_open(const bat_context *c, const int *members, int count, open_c
         const bat_object *object = bat_document_at(c->session->document, members[i]);
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);
-            if (bat_curve_closed(curve) || bat_curve_dimension(curve) != 2) continue;
+            if (bat_curve_is_closed(curve) || bat_curve_dimension(curve) != 2) continue;
             if (found < room) out[found] = (open_curve){members[i], j};
             found++;
         }
@@ -246,8 +246,8 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
     const bat_curve *whole = bat_object_curve(object, curve);
     bat_curve *left = NULL, *right = NULL;
     bat_object *after = NULL, *other = NULL, *placed = NULL;
-    bat_status status = bat_curve_closed(whole) ? bat_curve_open_at(whole, u, &left)
-                                                : bat_curve_split(whole, u, &left, &right);
+    bat_status status = bat_curve_is_closed(whole) ? bat_curve_open_at(whole, u, &left)
+                                                   : bat_curve_split(whole, u, &left, &right);
     if (status != BAT_OK) return status;
     if (right) {
         status = bat_object_with_curves(object, 1, &right, &other);
@@ -300,7 +300,7 @@ bat_status bat_command_curve_split(bat_context *c, bat_command_id id) {
         double domain[2];
         const bat_curve *curve = bat_object_curve(bat_document_at(c->session->document, index), which);
         bat_curve_domain(curve, domain);
-        if (!bat_curve_closed(curve) && !(best.u > domain[0] && best.u < domain[1]))
+        if (!bat_curve_is_closed(curve) && !(best.u > domain[0] && best.u < domain[1]))
             index = -1; /* there is nothing beyond an end */
         else
             status = split_at(c, index, which, best.u);

@@ -220,7 +220,7 @@ bat_status bat_layer_set_state(bat_context *c, bat_id id, bool hidden, bool lock
     if (at < 0) return BAT_ARGUMENT;
     if (bat_toolbox_busy(c)) return BAT_STATE;
     const bat_object *before = bat_document_at(c->session->document, at);
-    if (bat_object_hidden(before) == hidden && bat_object_locked(before) == locked) return BAT_OK;
+    if (bat_object_is_hidden(before) == hidden && bat_object_is_locked(before) == locked) return BAT_OK;
     bat_status status = bat_object_with_state(before, hidden, locked, &after);
     return replace(c, at, after, status, BAT_STRING_STEP_LAYER);
 }

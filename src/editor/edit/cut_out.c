@@ -119,7 +119,7 @@ bat_status bat_spans_erase(bat_spans *spans, const bat_curve *curve, const doubl
 
 bat_status bat_spans_rest(const bat_spans *spans, const bat_curve *curve, double least, bat_curve ***pieces,
                           int *count) {
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     double domain[2];
     bat_curve_domain(curve, domain);
     int gaps = spans->count + 1, made = 0;

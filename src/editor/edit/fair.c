@@ -10,7 +10,7 @@ void bat_fair_range(const bat_curve *curve, double u, double reach, double range
     double domain[2];
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0];
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     if (closed && bat_curve_length(curve, domain[0], domain[1], 1e-3) <= 2 * reach) {
         range[0] = u - period / 2;
         range[1] = u + period / 2;

@@ -138,8 +138,8 @@ static bat_status transform(const bat_object *object, const double *matrix, bat_
 }
 
 static bat_status state(const bat_object *object, const double *numbers, bat_object **out) {
-    return bat_object_with_state(object, numbers[0] < 0 ? bat_object_hidden(object) : numbers[0] != 0,
-                                 numbers[1] < 0 ? bat_object_locked(object) : numbers[1] != 0, out);
+    return bat_object_with_state(object, numbers[0] < 0 ? bat_object_is_hidden(object) : numbers[0] != 0,
+                                 numbers[1] < 0 ? bat_object_is_locked(object) : numbers[1] != 0, out);
 }
 
 bat_status bat_tracing_fade(bat_context *c, double opacity) {
@@ -163,7 +163,8 @@ static bat_status turn_over(bat_context *c, int which) {
     bool so = true;
     for (int i = 0; i < bat_document_count(c->session->document); i++) {
         const bat_object *object = bat_document_at(c->session->document, i);
-        if (is_picture(object)) so = so && (which ? bat_object_locked(object) : bat_object_hidden(object));
+        if (is_picture(object))
+            so = so && (which ? bat_object_is_locked(object) : bat_object_is_hidden(object));
     }
     numbers[which] = !so;
     bat_selection_clear(&c->choice->selection); /* all are meant */

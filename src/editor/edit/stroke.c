@@ -69,7 +69,8 @@ bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sket
                             bat_curve **out, bat_sketch_report *report) {
     bat_curve *curve = NULL;
     *report = (bat_sketch_report){0};
-    bat_status status = live ? bat_sketch_commit(live, &curve, report) : compute(c, edit, &curve, report);
+    bat_status status = live ? bat_sketch_live_commit(live, &curve, report)
+                             : compute(c, edit, &curve, report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     if (!curve) return BAT_SINGULAR;
     *out = curve;

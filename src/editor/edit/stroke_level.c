@@ -42,7 +42,7 @@ static bat_status freely(const bat_shape *from, const bat_edit *edit, bat_shape 
                          bat_sketch_report *report) {
     bat_shape *shape = NULL;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
-    bat_status status = bat_shape_redraw(from, &stroke, &edit->options, edit->level == BAT_LEVEL_BARE, &shape,
+    bat_status status = bat_shape_redraw(from, &stroke, edit->level == BAT_LEVEL_BARE, &edit->options, &shape,
                                          report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     bat_status done = bat_shape_commit(shape);

@@ -120,8 +120,8 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
     }
     if (curves == 1)
         add(c, text,
-            bat_curve_closed(bat_object_curve(object, 0)) ? BAT_STRING_OUTLINE_CLOSED
-                                                          : BAT_STRING_OUTLINE_OPEN);
+            bat_curve_is_closed(bat_object_curve(object, 0)) ? BAT_STRING_OUTLINE_CLOSED
+                                                             : BAT_STRING_OUTLINE_OPEN);
     if (curves > 1) {
         bat_text_string(text, ", ");
         fill_number(c, text, BAT_STRING_OUTLINE_CURVES, curves);
@@ -130,8 +130,8 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
         bat_text_string(text, ", ");
         fill_number(c, text, BAT_STRING_OUTLINE_POINTS, points);
     }
-    if (bat_object_hidden(object)) add(c, text, BAT_STRING_OUTLINE_HIDDEN);
-    if (bat_object_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
+    if (bat_object_is_hidden(object)) add(c, text, BAT_STRING_OUTLINE_HIDDEN);
+    if (bat_object_is_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
 }
 
 /* As a JSON string; frees the words. */

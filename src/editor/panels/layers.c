@@ -40,8 +40,8 @@ const char *bat_panel_layers(bat_context *c) {
         bat_text_integer(&text, bat_object_id(object));
         bat_text_string(&text, ",\"name\":");
         bat_text_json_string(&text, bat_object_name(object));
-        bat_text_string(&text, bat_object_hidden(object) ? ",\"hidden\":true" : ",\"hidden\":false");
-        bat_text_string(&text, bat_object_locked(object) ? ",\"locked\":true" : ",\"locked\":false");
+        bat_text_string(&text, bat_object_is_hidden(object) ? ",\"hidden\":true" : ",\"hidden\":false");
+        bat_text_string(&text, bat_object_is_locked(object) ? ",\"locked\":true" : ",\"locked\":false");
         bat_text_string(&text, ",\"depth\":");
         bat_text_integer(&text, (uint64_t)(nesting.depth - 1));
         bat_text_string(&text, ",\"members\":");

@@ -16,7 +16,7 @@
 
 static bool any_muted(const bat_shape *shape, int from, int to) {
     for (int l = from; l <= to; l++)
-        if (bat_shape_muted(shape, l)) return true;
+        if (bat_shape_is_muted(shape, l)) return true;
     return false;
 }
 
@@ -25,7 +25,7 @@ static bool solo(const bat_shape *shape, int level) {
     int top = bat_shape_levels(shape);
     if (level >= top || any_muted(shape, 1, level)) return false;
     for (int l = level + 1; l <= top; l++)
-        if (!bat_shape_muted(shape, l)) return false;
+        if (!bat_shape_is_muted(shape, l)) return false;
     return true;
 }
 
@@ -38,7 +38,7 @@ static void row(const bat_context *c, const bat_shape *shape, int level, bat_tex
     bat_text_string(text, level ? ",{" : "{");
     number(text, "\"points\":", bat_curve_count(bat_shape_curve(shape, level)));
     number(text, ",\"gain\":", level ? bat_shape_gain(shape, level) : 1);
-    number(text, ",\"muted\":", level && bat_shape_muted(shape, level));
+    number(text, ",\"muted\":", level && bat_shape_is_muted(shape, level));
     number(text, ",\"solo\":", solo(shape, level));
     number(text, ",\"active\":", level == bat_leveling_of(c)->level);
     bat_text_string(text, "}");
@@ -113,7 +113,7 @@ static bat_status silence(bat_context *c, const bat_shape *shape, bat_level_act 
     bat_shape *edited = NULL;
     bat_status status = bat_shape_copy(shape, &edited);
     for (int l = 1; l <= top && status == BAT_OK; l++) {
-        bool now = bat_shape_muted(edited, l), then = now;
+        bool now = bat_shape_is_muted(edited, l), then = now;
         if (act == BAT_LEVEL_SOLO)
             then = !alone && l > level;
         else if (l == level)

@@ -34,7 +34,7 @@ static bat_status find(const bat_context *c, facts *f) {
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             for (int j = 0; j < bat_object_curve_count(object); j++)
-                ++*(bat_curve_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);
+                ++*(bat_curve_is_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);
         }
     }
     free(roots);

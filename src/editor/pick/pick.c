@@ -39,7 +39,7 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
         if (!box_near(scene->entries[i].box, point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);
-            if (bat_curve_dimension(curve) != 2 || bat_curve_closed(curve)) continue;
+            if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) continue;
             if (bat_object_id(object) == but_object && j == but_curve) continue;
             double domain[2];
             bat_curve_domain(curve, domain);

@@ -65,7 +65,7 @@ static bool left_aside(const search *s, int index) {
 
 static void try_ends(search *s, const bat_curve *curve) {
     double domain[2], end[2];
-    if (bat_curve_closed(curve)) return;
+    if (bat_curve_is_closed(curve)) return;
     bat_curve_domain(curve, domain);
     for (int k = 0; k < 2; k++) {
         bat_curve_eval(curve, domain[k], 0, end);
@@ -111,7 +111,7 @@ static double inside(const bat_curve *curve, double u) {
     double domain[2];
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0];
-    if (bat_curve_closed(curve)) return u - period * floor((u - domain[0]) / period);
+    if (bat_curve_is_closed(curve)) return u - period * floor((u - domain[0]) / period);
     return fmin(fmax(u, domain[0]), domain[1]);
 }
 
@@ -135,7 +135,7 @@ static void cross(search *s, branch a, branch b) {
         double domain[2];
         bat_curve_domain(a.curve, domain);
         double period = domain[1] - domain[0], gap = fabs(a.u - b.u);
-        if (bat_curve_closed(a.curve)) gap = fmin(gap, period - gap);
+        if (bat_curve_is_closed(a.curve)) gap = fmin(gap, period - gap);
         if (gap <= 1e-6 * period) return; /* the two have become one */
     }
     offer(s, BAT_SNAP_CROSSING, p);

@@ -48,7 +48,7 @@ void bat_path_curve(bat_path *path, const bat_curve *curve) {
     int count = 0, dimension = bat_curve_dimension(curve);
     if (path->failed) return;
     double tolerance = fmax(bat_curve_size(curve) * 1e-7, 1e-300);
-    bat_status status = bat_curve_to_cubics(curve, tolerance, &points, &count);
+    bat_status status = bat_curve_to_cubics(curve, tolerance, &count, &points);
     if (status != BAT_OK) {
         if (status == BAT_MEMORY) path->failed = true;
         return;
@@ -63,7 +63,7 @@ void bat_path_curve(bat_path *path, const bat_curve *curve) {
         if (i == 0) bat_path_move(path, planar[0], planar[1]);
         bat_path_cubic(path, planar + 2);
     }
-    if (count && bat_curve_closed(curve)) bat_path_close(path);
+    if (count && bat_curve_is_closed(curve)) bat_path_close(path);
     bat_free(points);
 }
 

@@ -6,7 +6,7 @@
 bat_status bat_delta_apply(const bat_delta *delta, bat_document *document, bool forwards) {
     const bat_object *from = forwards ? delta->before : delta->after;
     const bat_object *to = forwards ? delta->after : delta->before;
-    if (!from) return bat_document_put(document, delta->index, to);
+    if (!from) return bat_document_insert(document, delta->index, to);
     if (!to) return bat_document_remove(document, delta->index);
     return bat_document_replace(document, delta->index, to);
 }

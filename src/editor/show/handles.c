@@ -19,7 +19,7 @@ bool bat_knot_next(const bat_curve *curve, double after, double *u, int *multipl
         else
             high = middle;
     }
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     while (low < count && (closed ? knots[low] < domain[0] : knots[low] <= domain[0])) low++;
     if (low == count || !(knots[low] < domain[1])) return false;
     *u = knots[low];
@@ -30,7 +30,8 @@ bool bat_knot_next(const bat_curve *curve, double after, double *u, int *multipl
 int bat_knot_held(const bat_curve *curve, double u) {
     double domain[2];
     bat_curve_domain(curve, domain);
-    bool inside = bat_curve_closed(curve) ? u >= domain[0] && u < domain[1] : u > domain[0] && u < domain[1];
+    bool inside = bat_curve_is_closed(curve) ? u >= domain[0] && u < domain[1]
+                                             : u > domain[0] && u < domain[1];
     return inside ? bat_knot_multiplicity(curve, u) : 0;
 }
 
@@ -136,7 +137,7 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
             bat_overlay_mark(overlay, at, (KNOT_RADIUS + RING_STEP * i) * pixel);
         marks++;
     }
-    if (bat_curve_closed(curve)) return;
+    if (bat_curve_is_closed(curve)) return;
     double domain[2], frame[4];
     bat_curve_domain(curve, domain);
     for (int k = 0; k < 2; k++) {
@@ -155,7 +156,7 @@ void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const
     double pixel = bat_stage_pixel(stage);
     bat_overlay_item(overlay, BAT_ROLE_POLYGON, BAT_ITEM_STROKED, POLYGON_WIDTH);
     bat_overlay_polyline(overlay, (size_t)count, points);
-    if (bat_curve_closed(curve)) bat_path_close(&overlay->path);
+    if (bat_curve_is_closed(curve)) bat_path_close(&overlay->path);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     for (int i = 0; i < count && marks < MARKS_MAX; i++) {
         if (!in_sight(stage, points + 2 * i)) continue;

@@ -117,7 +117,7 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage
     }
     free(teeth);
     double u[INFLECTIONS_MAX], at[2];
-    int found = bat_curve_inflections(curve, u, INFLECTIONS_MAX);
+    int found = bat_curve_inflections(curve, INFLECTIONS_MAX, u);
     if (found > INFLECTIONS_MAX) found = INFLECTIONS_MAX;
     bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_FILLED, 0);
     for (int i = 0; i < found && scale > 0; i++) {

@@ -36,7 +36,7 @@ typedef struct lining {
 static const bat_curve *settle(const bat_context *c, lining *l) {
     if (!l->object) return NULL;
     const bat_curve *curve = bat_edit_target(c->session->document, l->object, 0);
-    bool good = curve && !bat_curve_closed(curve) && bat_curve_degree(curve) == 3;
+    bool good = curve && !bat_curve_is_closed(curve) && bat_curve_degree(curve) == 3;
     if (good)
         good = !memcmp(bat_curve_points(curve) + 2 * (bat_curve_count(curve) - 1), l->from, sizeof l->from);
     if (good) return curve;
@@ -104,7 +104,7 @@ static bat_status straight(const bat_curve *before, const double from[2], const 
             for (int k = 0; k < 2; k++) points[2 * (old - 1 + i) + k] = from[k] + (to[k] - from[k]) * i / 3;
         memcpy(points + 2 * (count - 1), to, 2 * sizeof *points);
         for (int i = 0; i < 4; i++) knots[count + i] = last + length;
-        status = bat_curve_create(3, 2, false, count, knots, points, out);
+        status = bat_curve_create(2, 3, false, count, points, count + 4, knots, out);
     }
     free(points);
     free(knots);

@@ -100,7 +100,7 @@ static void choose_curve(bat_context *c, bat_pointing *p, bat_id object, int cur
 /* The last control points of an open curve, which hold its ends. */
 static bool is_end(const bat_curve *curve, const bat_handle *handle) {
     bool last = handle->index == 0 || handle->index == bat_curve_count(curve) - 1;
-    return handle->kind == BAT_HANDLE_POINT && last && !bat_curve_closed(curve);
+    return handle->kind == BAT_HANDLE_POINT && last && !bat_curve_is_closed(curve);
 }
 
 /* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
@@ -381,7 +381,8 @@ static void measure_to(bat_context *c, bat_pointing *p, double u) {
     p->stretch[0] = fmin(p->chosen.u, u);
     p->stretch[1] = fmax(p->chosen.u, u);
     double period = domain[1] - domain[0];
-    if (bat_curve_closed(curve) && p->stretch[1] - p->stretch[0] > period / 2) { /* the shorter way round */
+    if (bat_curve_is_closed(curve) &&
+        p->stretch[1] - p->stretch[0] > period / 2) { /* the shorter way round */
         double from = p->stretch[0];
         p->stretch[0] = p->stretch[1];
         p->stretch[1] = from + period;

@@ -166,7 +166,7 @@ static void find_sources(bat_context *c, bat_selecting *s) {
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
             const bat_curve *curve = bat_object_curve(s->before[i], k);
-            if (bat_curve_dimension(curve) != 2 || bat_curve_closed(curve)) continue;
+            if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) continue;
             bat_curve_domain(curve, domain);
             for (int side = 0; side < 2; side++) {
                 bat_curve_eval(curve, domain[side], 0, end);

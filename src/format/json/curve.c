@@ -130,7 +130,8 @@ static bat_status make_curve(const bat_json *json, uint32_t node, double degree,
                  closed ? " of a closed curve" : "", knot_count);
         return bat_json_say(json, knot_list, BAT_KNOTS, message, problem);
     }
-    bat_status status = bat_curve_create((int)degree, dimension, closed, (int)count, knots, points, out);
+    bat_status status = bat_curve_create(dimension, (int)degree, closed, (int)count, points, (int)knot_count,
+                                         knots, out);
     if (status == BAT_OK) return BAT_OK;
     if (status == BAT_KNOTS)
         return complain_of_knots(json, knot_list, (int)degree, closed, knot_count, knots, problem);
@@ -188,7 +189,7 @@ void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text) {
     const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
     bat_text_string(text, "{\"degree\":");
     bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
-    bat_text_string(text, bat_curve_closed(curve) ? ",\"closed\":true," : ",\"closed\":false,");
+    bat_text_string(text, bat_curve_is_closed(curve) ? ",\"closed\":true," : ",\"closed\":false,");
     new_line(text, indent);
     bat_text_string(text, "\"knots\":[");
     for (int i = 0; i < bat_curve_knot_count(curve); i++) {

@@ -134,7 +134,7 @@ static bat_status read_level(const bat_json *json, uint32_t object, bat_shape *s
     if (status == BAT_OK && detail_list)
         status = read_details(json, detail_list, &details, &detail_count, problem);
     if (status == BAT_OK && details && knots) {
-        size_t points = knot_count - (bat_curve_closed(below) ? 1 : (size_t)bat_curve_degree(below) + 1);
+        size_t points = knot_count - (bat_curve_is_closed(below) ? 1 : (size_t)bat_curve_degree(below) + 1);
         if (points != detail_count)
             status = bat_json_complain(json, detail_list, BAT_COUNT, "details",
                                        "one a control point of the level's knots", problem);
@@ -255,7 +255,7 @@ static void put_level(bat_text *text, const bat_shape *shape, int level) {
         bat_text_string(text, ",\"gain\":");
         bat_text_number(text, bat_shape_gain(shape, level));
     }
-    if (bat_shape_muted(shape, level)) bat_text_string(text, ",\"muted\":true");
+    if (bat_shape_is_muted(shape, level)) bat_text_string(text, ",\"muted\":true");
     bat_text_string(text, "}");
 }
 

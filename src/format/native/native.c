@@ -220,8 +220,8 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
         bat_text_string(text, ",\"parent\":");
         bat_text_integer(text, bat_object_parent(object));
     }
-    if (bat_object_hidden(object)) bat_text_string(text, ",\"hidden\":true");
-    if (bat_object_locked(object)) bat_text_string(text, ",\"locked\":true");
+    if (bat_object_is_hidden(object)) bat_text_string(text, ",\"hidden\":true");
+    if (bat_object_is_locked(object)) bat_text_string(text, ",\"locked\":true");
     if (type->write) type->write(object, text);
     bat_text_string(text, "}");
 }

@@ -335,7 +335,7 @@ static int make_curves(walk *w, uint32_t element, const bat_style *style, bat_cu
         double error;
         bat_status status = BAT_NUMBER;
         if (good)
-            status = bat_curve_from_bezier(3, 2, path->segments, points, path->closed, w->options->corner,
+            status = bat_curve_from_bezier(2, 3, path->closed, path->segments, points, w->options->corner,
                                            tolerance_for(w->options, path->segments, points), &curves[count],
                                            &error);
         if (status == BAT_MEMORY)
@@ -374,7 +374,7 @@ static void put_object(walk *w, uint32_t element, bool shown, bat_object *object
         bat_object_release(object);
         object = placed;
     }
-    if (status == BAT_OK) status = bat_document_put(w->document, bat_document_count(w->document), object);
+    if (status == BAT_OK) status = bat_document_insert(w->document, bat_document_count(w->document), object);
     if (status == BAT_OK && bat_object_is_drawn(object)) w->put++;
     bat_object_release(object);
     if (status == BAT_OK) w->members++;
@@ -477,7 +477,8 @@ static void draw_group(walk *w, uint32_t element, const scope *s) {
     w->groups--;
     w->group = above;
     const bat_object *made = bat_document_at(w->document, index);
-    bool plain = !layer && !*bat_object_name(made) && !bat_object_hidden(made) && !bat_object_locked(made);
+    bool plain = !layer && !*bat_object_name(made) && !bat_object_is_hidden(made) &&
+                 !bat_object_is_locked(made);
     if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
         members = members - 1 + w->members;
         bat_document_remove(w->document, index);

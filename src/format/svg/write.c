@@ -29,7 +29,7 @@ static void write_pair(bat_text *text, const double *p) {
 static bat_status write_curve(bat_text *text, const bat_curve *curve) {
     double *points, tolerance = CUBICS * bat_curve_size(curve);
     int count, dimension = bat_curve_dimension(curve);
-    bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &points, &count);
+    bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &count, &points);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     const double *p = points;
     bat_text_string(text, "M");
@@ -39,12 +39,13 @@ static bat_status write_curve(bat_text *text, const bat_curve *curve) {
         bat_text_string(text, line ? "L" : "C");
         for (int k = line ? 3 : 1; k < 4; k++) {
             const double *q = p + k * dimension;
-            if (i == count - 1 && k == 3 && bat_curve_closed(curve)) q = points; /* closed to the last bit */
+            if (i == count - 1 && k == 3 && bat_curve_is_closed(curve))
+                q = points; /* closed to the last bit */
             write_pair(text, q);
             if (k < 3) bat_text_string(text, " ");
         }
     }
-    if (bat_curve_closed(curve)) bat_text_string(text, "Z");
+    if (bat_curve_is_closed(curve)) bat_text_string(text, "Z");
     bat_free(points);
     return BAT_OK;
 }
@@ -134,8 +135,8 @@ static void write_name(bat_text *text, const char *attribute, const char *name) 
 }
 
 static void write_state(bat_text *text, const bat_object *object) {
-    if (bat_object_hidden(object)) bat_text_string(text, " display=\"none\"");
-    if (bat_object_locked(object)) bat_text_string(text, " data-locked=\"true\"");
+    if (bat_object_is_hidden(object)) bat_text_string(text, " display=\"none\"");
+    if (bat_object_is_locked(object)) bat_text_string(text, " data-locked=\"true\"");
 }
 
 static void open_group(bat_text *text, const bat_object *object, bool as_id) {

@@ -30,9 +30,8 @@ static bat_knot_map map_of(const bat_curve *old, const bat_curve *fresh, const b
     return map;
 }
 
-bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke,
-                            const bat_sketch_options *options, bool drop, bat_shape **out,
-                            bat_sketch_report *report) {
+bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke, bool drop,
+                            const bat_sketch_options *options, bat_shape **out, bat_sketch_report *report) {
     if (!shape || !out) return BAT_ARGUMENT;
     bat_curve *base;
     bat_sketch_report facts;

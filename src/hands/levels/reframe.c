@@ -34,7 +34,7 @@ static bat_status reframe_level(bat_shape *shape, int l, const double *matrix) {
     return bat_level_build(level, bat_shape_curve(shape, l - 1));
 }
 
-bat_status bat_shape_reframe(bat_shape *shape, bat_frame_rule rule, const double *matrix) {
+bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_rule rule) {
     if (!shape || (unsigned)rule > BAT_FRAMES_FIXED) return BAT_ARGUMENT;
     int size = shape->base->dimension;
     for (int i = 0; matrix && i < size * (size + 1); i++)

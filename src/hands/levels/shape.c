@@ -100,7 +100,7 @@ bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *opti
     double start[2];
     bat_frame3 first;
     bat_curve_domain(base, start);
-    status = bat_frames(base, &frames, 1, start, &first, NULL);
+    status = bat_frames(base, 1, start, &frames, &first, NULL);
     if (status != BAT_OK) return status;
     if (!chosen.has_reference && !chosen.has_first) {
         chosen.has_reference = true;
@@ -145,7 +145,7 @@ const double *bat_shape_details(const bat_shape *shape, int level) {
 const double *bat_shape_nodes(const bat_shape *shape, int level) { return shape->levels[level - 1].nodes; }
 const int *bat_shape_source(const bat_shape *shape, int level) { return shape->levels[level - 1].source; }
 double bat_shape_gain(const bat_shape *shape, int level) { return shape->levels[level - 1].gain; }
-bool bat_shape_muted(const bat_shape *shape, int level) { return shape->levels[level - 1].muted; }
+bool bat_shape_is_muted(const bat_shape *shape, int level) { return shape->levels[level - 1].muted; }
 const bat_shape_options *bat_shape_options_of(const bat_shape *shape) { return &shape->options; }
 
 /* ---- how the curves follow ---- */

@@ -21,8 +21,8 @@ struct bat_sketch_live {
     double *target;          /* of the last preview */
 };
 
-bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind, const bat_sketch_options *options,
-                            int dimension, bat_sketch_live **out) {
+bat_status bat_sketch_live_begin(const bat_curve *curve, int dimension, bat_sketch_kind kind,
+                                 const bat_sketch_options *options, bat_sketch_live **out) {
     if (!out || (kind != BAT_SKETCH_NEW && !curve)) return BAT_ARGUMENT;
     if (kind != BAT_SKETCH_REDRAW && kind != BAT_SKETCH_NEW && kind != BAT_SKETCH_SMOOTH) return BAT_ARGUMENT;
     const double nothing[BAT_DIMENSION_MAX] = {0};
@@ -45,7 +45,7 @@ bat_status bat_sketch_begin(const bat_curve *curve, bat_sketch_kind kind, const 
 
 void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning) { live->meaning = *meaning; }
 
-bat_status bat_sketch_add(bat_sketch_live *live, const bat_stroke *samples) {
+bat_status bat_sketch_live_add(bat_sketch_live *live, const bat_stroke *samples) {
     if (!live || !samples || (!samples->points && samples->count > 0)) return BAT_ARGUMENT;
     if (samples->dimension != live->dimension) return BAT_DIMENSION;
     if (samples->count > BAT_POINTS_MAX - live->count) return BAT_COUNT;
@@ -92,7 +92,7 @@ static bat_status run(const bat_sketch_live *live, bat_sketch_hints *hints, bat_
     return bat_sketch_with(live->curve, &stroke, &live->options, &live->meaning, hints, out, report);
 }
 
-bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch_preview_info *info) {
+bat_status bat_sketch_live_preview(bat_sketch_live *live, bat_curve **out, bat_sketch_live_info *info) {
     if (!live) return BAT_ARGUMENT;
     live->memory.fresh = fresh_samples(live);
     bat_sketch_hints hints = {.memory = &live->memory};
@@ -106,11 +106,11 @@ bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch
     free(live->target);
     live->target = hints.target;
     if (info)
-        *info = (bat_sketch_preview_info){.report = report,
-                                          .target_count = hints.target_count,
-                                          .target = hints.target,
-                                          .stroke_first = hints.stroke_first,
-                                          .stroke_last = hints.stroke_last};
+        *info = (bat_sketch_live_info){.report = report,
+                                       .target_count = hints.target_count,
+                                       .target = hints.target,
+                                       .stroke_first = hints.stroke_first,
+                                       .stroke_last = hints.stroke_last};
     if (out)
         *out = curve;
     else
@@ -118,14 +118,14 @@ bat_status bat_sketch_preview(bat_sketch_live *live, bat_curve **out, bat_sketch
     return status;
 }
 
-bat_status bat_sketch_commit(bat_sketch_live *live, bat_curve **out, bat_sketch_report *report) {
+bat_status bat_sketch_live_commit(bat_sketch_live *live, bat_curve **out, bat_sketch_report *report) {
     if (!live) return BAT_ARGUMENT;
     const bat_status status = out ? run(live, NULL, out, report) : BAT_ARGUMENT;
-    bat_sketch_cancel(live);
+    bat_sketch_live_cancel(live);
     return status;
 }
 
-void bat_sketch_cancel(bat_sketch_live *live) {
+void bat_sketch_live_cancel(bat_sketch_live *live) {
     if (!live) return;
     bat_curve_free(live->curve);
     free(live->points);

@@ -59,7 +59,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     return status;
 }
 
-bat_status bat_sketch_new(const bat_stroke *stroke, const bat_sketch_options *options, bool force_closed,
+bat_status bat_sketch_new(const bat_stroke *stroke, bool force_closed, const bat_sketch_options *options,
                           bat_curve **out, bat_sketch_report *report) {
     const bat_sketch_meaning meaning = {.closing = force_closed ? BAT_CLOSING_YES : BAT_CLOSING_AUTO};
     return bat_sketch_new_with(stroke, options, &meaning, NULL, out, report);

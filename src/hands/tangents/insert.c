@@ -158,15 +158,16 @@ static bat_status fulfil(draft *d, const bat_tangents_options *options, const wi
     return status;
 }
 
-bat_status bat_tangents_insert(const bat_spline *spline, const bat_tangents_options *options, int segment,
-                               double t, bat_spline *out, void **block, int *index, double *deviation) {
+bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
+                               const bat_tangents_options *options, bat_spline *out, void **block, int *index,
+                               double *deviation) {
     if (!spline || !out || !block || !index || !(t > 0 && t < 1) || segment < 0) return BAT_ARGUMENT;
     if (spline->count < 2 || spline->count > BAT_POINTS_MAX / 4) return BAT_COUNT;
     bat_joint *joints = malloc((size_t)spline->count * sizeof *joints);
     double *before = NULL, *after = NULL, *room = NULL;
     int segments = 0, more = 0, at = 0, size = spline->dimension;
     draft d;
-    bat_status status = joints ? bat_tangents(spline, options, joints, &before, &segments, NULL) : BAT_MEMORY;
+    bat_status status = joints ? bat_tangents(spline, options, joints, &segments, &before, NULL) : BAT_MEMORY;
     if (status == BAT_OK && segment >= segments) status = BAT_ARGUMENT;
     if (status == BAT_OK) {
         vec cubic[4], halves[7];
@@ -180,7 +181,7 @@ bat_status bat_tangents_insert(const bat_spline *spline, const bat_tangents_opti
             store(halves[3], size, d.points + at * size);
             status = fulfil(&d, options, wishes, count);
         }
-        if (status == BAT_OK) status = bat_tangents(&d.spline, options, NULL, &after, &more, NULL);
+        if (status == BAT_OK) status = bat_tangents(&d.spline, options, NULL, &more, &after, NULL);
         if (status == BAT_OK && more != segments + 1) status = BAT_ARGUMENT;
         if (status == BAT_OK && deviation) *deviation = moved(before, segments, after, segment, halves, size);
     }

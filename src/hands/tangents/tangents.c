@@ -309,7 +309,7 @@ bat_tangents_options bat_tangents_defaults(void) {
 }
 
 bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options, bat_joint *joints,
-                        double **bezier, int *segments, bat_curve **out) {
+                        int *segments, double **bezier, bat_curve **out) {
     if (!spline || (bezier && !segments)) return BAT_ARGUMENT;
     bat_tangents_options chosen = options ? *options : bat_tangents_defaults();
     if ((unsigned)chosen.mode > BAT_TANGENTS_PAPER || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)

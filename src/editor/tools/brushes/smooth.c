@@ -91,7 +91,7 @@ static void paint(bat_context *c, smoothing *b) {
     if (bat_curve_nearest(curve, point, &near) != BAT_OK || near.distance > r) return;
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0], turns = 0;
-    if (bat_curve_closed(curve)) turns = floor((b->u - near.u) / period + 0.5) * period;
+    if (bat_curve_is_closed(curve)) turns = floor((b->u - near.u) / period + 0.5) * period;
     bat_fair_range(curve, near.u, half(pressed(c, b), near.distance), range);
     b->u = near.u + turns;
     b->range[0] = fmin(b->range[0], range[0] + turns);

@@ -43,10 +43,10 @@ static double period_of(const bat_curve *curve) {
 static double along(const bat_curve *curve, double u, double s) {
     double domain[2], period = period_of(curve), turns = 0;
     bat_curve_domain(curve, domain);
-    if (bat_curve_closed(curve)) turns = floor((u - domain[0]) / period) * period;
+    if (bat_curve_is_closed(curve)) turns = floor((u - domain[0]) / period) * period;
     double v = bat_curve_at_length(curve, u - turns, s, 1e-9);
-    if (bat_curve_closed(curve) && s > 0 && v < u - turns) v += period;
-    if (bat_curve_closed(curve) && s < 0 && v > u - turns) v -= period;
+    if (bat_curve_is_closed(curve) && s > 0 && v < u - turns) v += period;
+    if (bat_curve_is_closed(curve) && s < 0 && v > u - turns) v -= period;
     return v + turns;
 }
 
@@ -70,7 +70,7 @@ static const bat_curve *settle(bat_context *c, bat_range *r) {
         return NULL;
     }
     bat_curve_domain(curve, domain);
-    double last = bat_curve_closed(curve) ? domain[1] + period_of(curve) : domain[1];
+    double last = bat_curve_is_closed(curve) ? domain[1] + period_of(curve) : domain[1];
     if (!(r->u[0] >= domain[0] && r->u[0] < r->u[1] && r->u[1] <= last)) reset(r, curve);
     return curve;
 }
@@ -137,7 +137,7 @@ void bat_range_end(bat_context *c) {
 /* The end goes along the curve, but not past the other one. */
 static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, double u) {
     double domain[2], period = period_of(curve), pixel = bat_stage_pixel(c->stage);
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     bat_curve_domain(curve, domain);
     double near = along(curve, r->u[1 - r->end], (r->end ? 1 : -1) * LEAST * pixel);
     double far = r->u[1 - r->end] + (r->end ? period : -period);
@@ -162,7 +162,7 @@ static bat_status step_knot(bat_context *c, bat_range *r, const bat_curve *curve
     double u = r->u[r->end], domain[2], period = period_of(curve), knot, best = NAN;
     bat_curve_domain(curve, domain);
     for (int turn = -1; turn <= 2; turn++) {
-        if (turn && !bat_curve_closed(curve)) continue;
+        if (turn && !bat_curve_is_closed(curve)) continue;
         double ends[2] = {domain[0] + turn * period, domain[1] + turn * period};
         for (int i = 0; i < 2; i++)
             if (direction > 0 ? ends[i] > u && !(best <= ends[i]) : ends[i] < u && !(best >= ends[i]))

@@ -111,7 +111,7 @@ static bat_status sample(const bat_context *c, const bat_waypoints *w, double **
     double tangents[2 * BAT_WAYPOINTS_MAX], *bezier = NULL;
     bat_spline spline = spline_of(c, w, tangents);
     int segments = 0;
-    bat_status status = bat_tangents(&spline, NULL, NULL, &bezier, &segments, NULL);
+    bat_status status = bat_tangents(&spline, NULL, NULL, &segments, &bezier, NULL);
     if (status != BAT_OK) return status;
     double *points = malloc(((size_t)segments * SAMPLES_MAX + 1) * 2 * sizeof *points);
     size_t made = 0;

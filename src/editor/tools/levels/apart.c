@@ -16,11 +16,13 @@
 #include <stdio.h>
 
 /* The fewest points that a base has. */
-static int least(const bat_curve *curve) { return bat_curve_closed(curve) ? 3 : bat_curve_degree(curve) + 1; }
+static int least(const bat_curve *curve) {
+    return bat_curve_is_closed(curve) ? 3 : bat_curve_degree(curve) + 1;
+}
 
 /* As many as are left when every other knot goes, `levels` times. */
 int bat_apart_halved(const bat_curve *curve, int levels) {
-    int fixed = bat_curve_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_curve_count(curve);
+    int fixed = bat_curve_is_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_curve_count(curve);
     for (; levels > 0; levels--) count = (count - fixed) / 2 + fixed;
     return count < least(curve) ? least(curve) : count;
 }

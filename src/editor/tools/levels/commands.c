@@ -143,7 +143,7 @@ static bat_status set_rule(bat_context *c, bat_frame_rule rule) {
     if (!before || bat_shape_options_of(before)->frame == rule) return BAT_OK;
     if (bat_toolbox_busy(c)) return BAT_STATE;
     bat_status status = bat_shape_copy(before, &shape);
-    if (status == BAT_OK) status = bat_shape_reframe(shape, rule, NULL);
+    if (status == BAT_OK) status = bat_shape_reframe(shape, NULL, rule);
     if (status != BAT_OK) {
         bat_shape_free(shape);
         return told(c, status, BAT_STRING_NOTICE_FAILED);

@@ -363,7 +363,7 @@ static void show_frames(const bat_context *c, bat_overlay *list, const bat_shape
     double *u = malloc(AXES_MAX * sizeof *u);
     bat_frame3 *frames = malloc(AXES_MAX * sizeof *frames);
     for (int i = 0; u && i < AXES_MAX; i++) u[i] = domain[0] + (domain[1] - domain[0]) * i / AXES_MAX;
-    if (u && frames && bat_frames(curve, &options, AXES_MAX, u, frames, NULL) == BAT_OK) {
+    if (u && frames && bat_frames(curve, AXES_MAX, u, &options, frames, NULL) == BAT_OK) {
         show_axis(c, list, BAT_ROLE_ARROW, AXES_MAX, frames, false);
         show_axis(c, list, BAT_ROLE_GUIDE, AXES_MAX, frames, true);
     }

@@ -110,7 +110,7 @@ static bat_id guide_at(const bat_context *c, const double pixel[2], bat_device d
         const bat_object *object = bat_document_at(c->session->document, i);
         double at;
         int k = bat_object_guide(object, &at);
-        if (k < 0 || bat_object_hidden(object) || bat_object_locked(object)) continue;
+        if (k < 0 || bat_object_is_hidden(object) || bat_object_is_locked(object)) continue;
         if (fabs(at - point[k]) > best) continue;
         best = fabs(at - point[k]);
         found = bat_object_id(object);
@@ -265,7 +265,7 @@ void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
         for (int i = 0; i < bat_document_count(c->session->document); i++) {
             const bat_object *object = bat_document_at(c->session->document, i);
             double at;
-            int axis = bat_object_hidden(object) ? -1 : bat_object_guide(object, &at);
+            int axis = bat_object_is_hidden(object) ? -1 : bat_object_guide(object, &at);
             bat_id id = bat_object_id(object);
             if (axis < 0 || (id == g->chosen) != chosen || (g->on && g->moved && id == g->id)) continue;
             line(overlay, box, axis, at);

@@ -61,7 +61,7 @@ static void drop_preview(bat_sketching *s) {
 }
 
 static void drop_session(bat_sketching *s) {
-    bat_sketch_cancel(s->live);
+    bat_sketch_live_cancel(s->live);
     s->live = NULL;
     s->fed = 0;
 }
@@ -89,19 +89,19 @@ static bat_status feed(bat_context *c, bat_sketching *s) {
             target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
         if (kind != BAT_SKETCH_NEW && !target) return BAT_STATE;
         s->fed = 0;
-        bat_status status = bat_sketch_begin(target, kind, &s->edit.options, 2, &s->live);
+        bat_status status = bat_sketch_live_begin(target, 2, kind, &s->edit.options, &s->live);
         if (status != BAT_OK) return status;
     }
     if (s->edit.kind != BAT_EDIT_SMOOTH) bat_sketch_mean(s->live, &s->edit.meaning);
     if (s->fed == s->edit.samples.count) return BAT_OK;
     bat_stroke more = bat_samples_stroke(&s->edit.samples, s->fed);
-    bat_status status = bat_sketch_add(s->live, &more);
+    bat_status status = bat_sketch_live_add(s->live, &more);
     if (status == BAT_OK) s->fed = s->edit.samples.count;
     return status;
 }
 
 /* The points before and after the stroke proper: where the fit blends into the old curve. */
-static void keep_blends(bat_sketching_preview *preview, const bat_sketch_preview_info *info) {
+static void keep_blends(bat_sketching_preview *preview, const bat_sketch_live_info *info) {
     if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
         return;
     size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
@@ -116,14 +116,14 @@ static void keep_blends(bat_sketching_preview *preview, const bat_sketch_preview
 static void refresh_preview(bat_context *c, bat_sketching *s) {
     s->preview_due = false;
     drop_preview(s);
-    bat_sketch_preview_info info = {0};
+    bat_sketch_live_info info = {0};
     bat_curve *curve = NULL;
     bat_status status;
     if (s->edit.kind == BAT_EDIT_LEVEL) {
         status = bat_edit_compute(c, &s->edit, NULL, &curve, &info.report);
     } else {
         status = feed(c, s);
-        if (status == BAT_OK) status = bat_sketch_preview(s->live, &curve, &info);
+        if (status == BAT_OK) status = bat_sketch_live_preview(s->live, &curve, &info);
     }
     s->preview.status = status;
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
@@ -359,7 +359,7 @@ static bool accept(bat_context *c, void *state) {
     s->pending_curve = NULL;
     drop_pending(s);
     end_stroke(s);
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     bat_status status = bat_edit_commit(c, &s->pending, curve);
     if (status != BAT_OK)
         bat_notice_failure(c, status);
@@ -371,7 +371,7 @@ static bool accept(bat_context *c, void *state) {
 /* And keeps what else the stroke could mean. */
 static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
                    bool strayed) {
-    bool closed = bat_curve_closed(curve), choice = !s->forced && !s->smoothing;
+    bool closed = bat_curve_is_closed(curve), choice = !s->forced && !s->smoothing;
     if (choice) bat_again_gather(c, &s->meaning, &s->edit, &s->again);
     bat_status status = bat_edit_commit(c, &s->edit, curve);
     if (status != BAT_OK) {
@@ -531,7 +531,7 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
     double domain[2];
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0];
-    bool closed = bat_curve_closed(curve);
+    bool closed = bat_curve_is_closed(curve);
     for (int i = 0; i < count && marks < 2000; i++) {
         if (i && knots[i] == knots[i - 1]) continue;
         for (int k = closed ? -1 : 0; k <= (closed ? 1 : 0); k++) {

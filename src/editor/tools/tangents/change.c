@@ -123,8 +123,9 @@ bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int 
     if (!spline) return BAT_STATE;
     bat_spline longer;
     void *block = NULL;
-    bat_status status = bat_tangents_insert(spline, bat_object_spline_options(bat_splining_object(c)),
-                                            segment, t, &longer, &block, index, deviation);
+    bat_status status = bat_tangents_insert(spline, segment, t,
+                                            bat_object_spline_options(bat_splining_object(c)), &longer,
+                                            &block, index, deviation);
     if (status != BAT_OK) return status;
     status = bat_draft_load(&bat_splining_of(c)->draft, &longer);
     bat_free(block);

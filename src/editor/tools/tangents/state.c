@@ -179,7 +179,7 @@ static void beside(bat_overlay *list, const bat_draft *draft, int point,
     bat_joint *joints = malloc((size_t)draft->count * sizeof *joints);
     double *bezier = NULL;
     int segments = 0;
-    if (joints && bat_tangents(&spline, options, joints, &bezier, &segments, NULL) == BAT_OK &&
+    if (joints && bat_tangents(&spline, options, joints, &segments, &bezier, NULL) == BAT_OK &&
         !joints[point].dropped) {
         int after = -1;
         for (int i = 0; i <= point; i++) after += !joints[i].dropped;
