@@ -25,7 +25,8 @@ static bat_curve *wave(int n, int dimension) {
     bat_curve *curve = NULL;
     if (knots && points) {
         bench_curve(n, dimension, knots, points);
-        if (bat_curve_create(dimension, 3, false, n, points, n + 4, knots, &curve) != BAT_OK) curve = NULL;
+        if (bat_curve_create(dimension, 3, false, (size_t)n, points, n + 4, knots, &curve) != BAT_OK)
+            curve = NULL;
     }
     free(knots), free(points);
     return curve;

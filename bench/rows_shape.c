@@ -22,7 +22,7 @@ static bat_curve *wave(int n) {
     bat_curve *curve = NULL;
     if (knots && points) {
         bench_curve(n, 2, knots, points);
-        if (bat_curve_create(2, 3, false, n, points, n + 4, knots, &curve) != BAT_OK) curve = NULL;
+        if (bat_curve_create(2, 3, false, (size_t)n, points, n + 4, knots, &curve) != BAT_OK) curve = NULL;
     }
     free(knots), free(points);
     return curve;
@@ -73,7 +73,7 @@ static void run_fit(void *context) {
     bat_curve *curve;
     options.tolerance = 0.5;
     if (bat_fit(2, SAMPLES, f->x, &options, &curve, &f->report) != BAT_OK) abort();
-    f->count = bat_curve_count(curve);
+    f->count = (int)bat_curve_count(curve);
     bat_curve_free(curve);
 }
 

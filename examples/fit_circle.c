@@ -30,8 +30,8 @@ int main(void) {
         bat_curve_eval(circle, domain[0] + (domain[1] - domain[0]) * i / 1000, 0, p);
         worst = fmax(worst, fabs(hypot(p[0], p[1]) - radius));
     }
-    int count = bat_curve_count(circle);
-    printf("%d control points, radius off by %.4f at most\n", count, worst);
+    size_t count = bat_curve_count(circle);
+    printf("%zu control points, radius off by %.4f at most\n", count, worst);
     bat_curve_free(circle);
     return worst <= 0.02 && count < 40 ? 0 : 1;
 }

@@ -22,7 +22,7 @@ int main(void) {
         bat_curve_eval(finer, i / 50.0, 0, after);
         worst = fmax(worst, hypot(after[0] - before[0], after[1] - before[1]));
     }
-    printf("%d control points, then %d; the shape moved by %.1e\n", bat_curve_count(curve),
+    printf("%zu control points, then %zu; the shape moved by %.1e\n", bat_curve_count(curve),
            bat_curve_count(finer), worst);
     int right = bat_curve_count(finer) == 6 && worst <= 1e-12 * bat_curve_size(curve);
     bat_curve_free(curve);

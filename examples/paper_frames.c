@@ -155,7 +155,7 @@ static void set_up(task *k, const double *points) {
 
 static void set_level(task *k, int level) {
     k->level = level;
-    k->count = bat_curve_count(bat_shape_curve(k->shape, level));
+    k->count = (int)bat_curve_count(bat_shape_curve(k->shape, level));
     k->nodes = bat_shape_nodes(k->shape, level);
 }
 

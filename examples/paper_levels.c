@@ -101,8 +101,10 @@ static void line(picture *p, int dimension, const double *a, const double *b, co
     say(p, "<path stroke='%s' d='M%d %dL%d %d'/>\n", style, from[0], from[1], to[0], to[1]);
 }
 
+static int points_of(const bat_curve *curve) { return (int)bat_curve_count(curve); }
+
 static void draw_points(picture *p, const bat_curve *curve) {
-    int n = bat_curve_count(curve), dimension = bat_curve_dimension(curve), at[2];
+    int n = points_of(curve), dimension = bat_curve_dimension(curve), at[2];
     const double *points = bat_curve_points(curve);
     for (int i = 0; i < n; i++) {
         if (i > 0) line(p, dimension, points + (i - 1) * dimension, points + i * dimension, FAINT);
@@ -116,7 +118,7 @@ static void draw_normals(picture *p, const bat_shape *shape, int level, bat_fram
     bat_frame3 frames[POINTS_MAX];
     bat_frame_options options = bat_frame_defaults();
     const bat_curve *below = bat_shape_curve(shape, level - 1);
-    int n = bat_curve_count(bat_shape_curve(shape, level));
+    int n = points_of(bat_shape_curve(shape, level));
     options.rule = rule;
     must(bat_frames(below, (size_t)n, bat_shape_nodes(shape, level), &options, frames, NULL));
     for (int i = 0; i < n; i++) {
@@ -132,8 +134,8 @@ static bat_curve *curve_of(int dimension, bool closed, int count, const double *
     double knots[POINTS_MAX];
     bat_curve *curve;
     for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : i < 4 ? 0 : i >= count ? count - 3 : i - 3;
-    must(
-        bat_curve_create(dimension, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve));
+    must(bat_curve_create(dimension, 3, closed, (size_t)count, points, closed ? count + 1 : count + 4, knots,
+                          &curve));
     return curve;
 }
 
@@ -151,7 +153,7 @@ static bat_shape *shape_of(const bat_curve *base, bat_frame_rule rule, int level
 /* The base goes to other control points. */
 static void repose(bat_shape *shape, const double *points) {
     const bat_curve *base = bat_shape_curve(shape, 0);
-    int n = bat_curve_count(base) * bat_curve_dimension(base);
+    int n = points_of(base) * bat_curve_dimension(base);
     double deltas[POINTS_MAX];
     for (int i = 0; i < n; i++) deltas[i] = points[i] - bat_curve_points(base)[i];
     must(bat_shape_move_many(shape, 0, 0, bat_curve_count(base), deltas));
@@ -179,7 +181,7 @@ static void measure(const bat_shape *shape, int level, measured *m) {
     int dimension = bat_curve_dimension(curve);
     bat_curve *refined;
     must(bat_curve_refine(below, bat_curve_knot_count(curve), bat_curve_knots(curve), &refined));
-    m->count = bat_curve_count(curve);
+    m->count = points_of(curve);
     for (int i = 0; i < m->count; i++) {
         double d[6] = {0}, *v = m->world[i], u = bat_shape_nodes(shape, level)[i], length = 0, square = 0;
         bat_curve_eval(below, u, 1, d);
@@ -207,7 +209,7 @@ static double apart(const double *a, const double *b, int count) {
 }
 
 static double curves_apart(const bat_curve *a, const bat_curve *b) {
-    return apart(bat_curve_points(a), bat_curve_points(b), bat_curve_count(a) * bat_curve_dimension(a));
+    return apart(bat_curve_points(a), bat_curve_points(b), points_of(a) * bat_curve_dimension(a));
 }
 
 /* Details are as long as they were, and lie to the same side. */
@@ -390,7 +392,7 @@ static void figure_6(void) {
     picture p;
     for (int j = 1; j <= LEVEL; j++)
         claim("Fig. 6, Table 2: 3 + 2^j frames at level j",
-              bat_curve_count(bat_shape_curve(shape, j)) == 3 + (1 << j));
+              points_of(bat_shape_curve(shape, j)) == 3 + (1 << j));
     for (int i = 4; i < 31; i += 2) bump(shape, LEVEL, i, .25 + .5 * sin(i * .1));
     measure(shape, LEVEL, &before);
     memcpy(details, bat_shape_details(shape, LEVEL), sizeof(double) * 3 * (size_t)before.count);

@@ -1,6 +1,8 @@
 /* Bytes become a curve and a run of public calls on it. Whatever the numbers are, there is a status, never a
  * crash, and what comes out is a valid curve. */
 #include <batten/bezier.h>
+
+#include "curve/curve.h"
 #include <batten/drag.h>
 #include <batten/refine.h>
 
@@ -46,8 +48,10 @@ static bat_curve *read_curve(bytes *in) {
     for (int i = 0; i < n * dimension; i++) points[i] = number(in);
     bat_curve *curve = NULL;
     if (small(in, 15) == 0) {
-        if (bat_curve_create_clamped(dimension, degree, n, points, &curve) != BAT_OK && curve) abort();
-    } else if (bat_curve_create(dimension, degree, closed, n, points, knot_count, knots, &curve) != BAT_OK &&
+        if (bat_curve_create_clamped(dimension, degree, (size_t)n, points, &curve) != BAT_OK && curve)
+            abort();
+    } else if (bat_curve_create(dimension, degree, closed, (size_t)n, points, knot_count, knots, &curve) !=
+                   BAT_OK &&
                curve)
         abort();
     return curve;
@@ -82,8 +86,8 @@ static void evaluate(bytes *in, const bat_curve *curve) {
     u[0] = number(in);
     bat_curve_blossom(curve, u[0], arguments, small(in, 1), out);
     bat_curve_basis(curve, number(in), &first, values);
-    if (first < 0 || first >= bat_curve_count(curve)) abort();
-    double *greville = malloc((size_t)bat_curve_count(curve) * sizeof(double));
+    if (first < 0 || first >= bat_point_count(curve)) abort();
+    double *greville = malloc((size_t)bat_point_count(curve) * sizeof(double));
     if (greville) bat_curve_greville(curve, greville);
     free(greville);
 }
@@ -112,7 +116,7 @@ static bat_status drag(bytes *in, const bat_curve *curve, bat_curve **out) {
     for (int i = 0; i < 12; i++) delta[i] = number(in);
     if (count == 0) return bat_curve_move_point(curve, small(in, 40) - 1, delta, out);
     for (int i = 0; i < count; i++) u[i] = number(in);
-    return bat_curve_drag(curve, count, u, delta, out);
+    return bat_curve_drag(curve, (size_t)count, u, delta, out);
 }
 
 static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *other, bat_curve **out,

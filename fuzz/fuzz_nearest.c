@@ -50,14 +50,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             points[i] = (double)*data - 128, data++, size--;
     }
     bat_curve *curve;
-    if (bat_curve_create(m, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve) != BAT_OK)
+    if (bat_curve_create(m, p, closed, (size_t)n, points, closed ? n + 1 : n + p + 1, knots, &curve) !=
+        BAT_OK)
         return 0;
     bat_near near, all[8];
-    int found;
+    size_t found;
     double domain[2], at[3], u[8], low[3], high[3];
     if (bat_curve_nearest(curve, point, &near) != BAT_OK) abort();
     if (bat_curve_nearest_all(curve, point, INFINITY, 8, all, &found) != BAT_OK) abort();
-    for (int i = 1; i < found && i < 8; i++)
+    for (size_t i = 1; i < found && i < 8; i++)
         if (all[i].distance < all[i - 1].distance) abort();
     bat_curve_domain(curve, domain);
     bat_curve_bounds(curve, low, high); /* rounding is relative to where the curve lies, too */

@@ -45,8 +45,8 @@ static bat_curve *curve(source *s) {
     for (int i = 0; i <= n + degree; i++)
         knots[i] = closed || (i > degree && i <= n) ? i : i > n ? n : degree;
     bat_curve *made = NULL;
-    return bat_curve_create(2, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots, &made) ==
-                   BAT_OK
+    return bat_curve_create(2, degree, closed, (size_t)n, points, closed ? n + 1 : n + degree + 1, knots,
+                            &made) == BAT_OK
                ? made
                : NULL;
 }
@@ -66,7 +66,7 @@ static bat_shape *levels(source *s) {
 static bat_spline spline(source *s, double points[16], double tangents[16]) {
     bat_spline made = {.dimension = 2,
                        .closed = byte(s) % 2,
-                       .count = 2 + byte(s) % 7,
+                       .count = 2 + (size_t)byte(s) % 7,
                        .points = points,
                        .tangents = tangents};
     for (int i = 0; i < 16; i++) points[i] = number(s), tangents[i] = i % 3 ? 0 : number(s);

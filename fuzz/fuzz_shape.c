@@ -2,6 +2,8 @@
  * changes; a session and one shot agree bit for bit; a cancelled or failed edit leaves no trace; a committed
  * shape reads back bit for bit, and so does its finest curve, taken apart and put together. */
 #include <batten/bezier.h>
+
+#include "curve/curve.h"
 #include <batten/format.h>
 
 #include <math.h>
@@ -26,7 +28,7 @@ static bool same(const bat_shape *a, const bat_shape *b) {
     for (int l = 0; l <= bat_shape_levels(a); l++) {
         const bat_curve *c = bat_shape_curve(a, l);
         if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
-        for (int i = 0; l > 0 && i < 3 * bat_curve_count(c); i++)
+        for (int i = 0; l > 0 && i < 3 * bat_point_count(c); i++)
             if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
     }
     return true;
@@ -35,7 +37,7 @@ static bool same(const bat_shape *a, const bat_shape *b) {
 static void check_finite(const bat_shape *shape) {
     for (int l = 0; l <= bat_shape_levels(shape); l++) {
         const bat_curve *c = bat_shape_curve(shape, l);
-        for (int i = 0; i < bat_curve_count(c) * bat_curve_dimension(c); i++)
+        for (int i = 0; i < bat_point_count(c) * bat_curve_dimension(c); i++)
             if (!isfinite(bat_curve_points(c)[i])) abort();
     }
 }
@@ -44,11 +46,12 @@ static void check_touched(const bat_shape *before, const bat_shape_live *live) {
     const bat_shape *after = bat_shape_live_shape(live);
     for (int l = 0; l <= bat_shape_levels(before); l++) {
         const bat_curve *a = bat_shape_curve(before, l), *b = bat_shape_curve(after, l);
-        int first, count, n = bat_curve_count(a);
+        int first, n = bat_point_count(a);
+        size_t touched;
         size_t size = (size_t)bat_curve_dimension(a);
-        bat_shape_live_touched(live, l, &first, &count);
-        if (count < 0 || count > n) abort();
-        for (int k = count; k < n; k++) {
+        bat_shape_live_touched(live, l, &first, &touched);
+        if (touched > (size_t)n) abort();
+        for (int k = (int)touched; k < n; k++) {
             size_t i = (size_t)((first + k) % n);
             if (memcmp(bat_curve_points(a) + i * size, bat_curve_points(b) + i * size,
                        size * sizeof(double)) != 0)
@@ -83,7 +86,7 @@ static bat_shape *make(source *s) {
     for (int i = 0; i < count * dimension; i++)
         points[i] = extent * ((i % dimension ? 0 : 20 * i) + coordinate(s));
     bat_curve *curve;
-    if (bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve) != BAT_OK)
+    if (bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve) != BAT_OK)
         return NULL;
     bat_shape_options options = bat_shape_defaults();
     int rules = byte(s);
@@ -164,7 +167,7 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     }
     if (bat_shape_commit(out) != BAT_OK) abort();
     check_finite(out);
-    if (bat_curve_count(bat_shape_curve(out, bat_shape_levels(out))) > 300) { /* large ones are slow */
+    if (bat_point_count(bat_shape_curve(out, bat_shape_levels(out))) > 300) { /* large ones are slow */
         bat_shape_free(out);
         return shape;
     }
@@ -177,7 +180,7 @@ static void sketch(source *s, bat_shape *shape) {
     enum { MOST = 16 };
     int level = byte(s) % (bat_shape_levels(shape) + 1), count = 1 + byte(s) % MOST, way = byte(s);
     const bat_curve *curve = bat_shape_curve(shape, level);
-    int dimension = bat_curve_dimension(curve), n = bat_curve_count(curve);
+    int dimension = bat_curve_dimension(curve), n = bat_point_count(curve);
     double domain[2], u[MOST], q[3 * MOST], size = bat_curve_size(curve);
     bool *met = calloc((size_t)n, sizeof *met);
     bat_curve *old;
@@ -274,8 +277,8 @@ static void edit(source *s, bat_shape *shape) {
             abort();
         break;
     case 7:
-        (void)bat_shape_decompose_to(bat_shape_curve(shape, bat_shape_levels(shape)), 1, 3 + byte(s) % 6,
-                                     bat_shape_options_of(shape), &made);
+        (void)bat_shape_decompose_to(bat_shape_curve(shape, bat_shape_levels(shape)), 1,
+                                     (size_t)(3 + byte(s) % 6), bat_shape_options_of(shape), &made);
         break;
     default:
         if (bat_shape_live_begin(shape, level, &live) != BAT_OK) break;
@@ -300,7 +303,7 @@ static void ask(const bat_shape *shape) {
     bat_curve_free(flat);
     for (int l = 1; l <= bat_shape_levels(shape); l++) {
         const double *nodes = bat_shape_nodes(shape, l);
-        for (int i = 0; i < bat_curve_count(bat_shape_curve(shape, l)); i++)
+        for (int i = 0; i < bat_point_count(bat_shape_curve(shape, l)); i++)
             if (!isfinite(nodes[i]) || bat_shape_source(shape, l)[i] < 0 ||
                 bat_shape_source(shape, l)[i] >= l)
                 abort();
@@ -323,7 +326,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;
         case 1: {
-            int n = bat_curve_count(bat_shape_curve(shape, 0));
+            int n = bat_point_count(bat_shape_curve(shape, 0));
             double left, delta[3] = {coordinate(&s), coordinate(&s), coordinate(&s)};
             bat_shape *before;
             if (bat_shape_copy(shape, &before) != BAT_OK) abort();

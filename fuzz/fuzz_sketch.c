@@ -3,6 +3,8 @@
  * commit is the one-shot call. */
 #include <batten/sketch.h>
 
+#include "curve/curve.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -43,8 +45,8 @@ static bat_curve *read_curve(bytes *in, int dimension, bool wild) {
     }
     for (int i = 0; i < n * dimension; i++) points[i] = number(in, wild);
     bat_curve *curve = NULL;
-    (void)bat_curve_create(dimension, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots,
-                           &curve);
+    (void)bat_curve_create(dimension, degree, closed, (size_t)n, points, closed ? n + 1 : n + degree + 1,
+                           knots, &curve);
     return curve;
 }
 

@@ -17,7 +17,7 @@ static void check_insert(const bat_spline *spline, const bat_tangents_options *o
     bat_status status = bat_tangents_insert(spline, segments / 2, 0.375, options, &longer, &block, &index,
                                             &deviation);
     if (status != BAT_OK) return;
-    if (longer.count != spline->count + 1 || index <= 0 || index >= longer.count || !(deviation >= 0))
+    if (longer.count != spline->count + 1 || index <= 0 || (size_t)index >= longer.count || !(deviation >= 0))
         abort();
     if (bat_tangents(&longer, options, NULL, NULL, NULL, NULL) != BAT_OK) abort();
     bat_free(block);
@@ -28,7 +28,7 @@ static void check_base(const bat_spline *spline) {
     bat_tangents_options options = bat_tangents_defaults();
     bat_shape *shape = NULL;
     const int size = spline->dimension;
-    for (int i = 1; i + 1 < spline->count; i++) {
+    for (int i = 1; (size_t)i + 1 < spline->count; i++) {
         double c0[3], c1[3];
         const double *p = spline->points + i * size;
         for (int d = 0; d < size; d++) c0[d] = p[d] - p[d - size], c1[d] = p[d + size] - p[d];
@@ -43,14 +43,14 @@ static void check_base(const bat_spline *spline) {
 static void check_spline(const bat_spline *spline) {
     for (int choice = 0; choice < 6; choice++) {
         bat_tangents_options options = {(bat_tangents_mode)(choice % 2), (bat_tangents_default)(choice / 2)};
-        bat_joint *joints = malloc((size_t)(spline->count + 1) * sizeof *joints);
+        bat_joint *joints = malloc((spline->count + 1) * sizeof *joints);
         double *bezier = NULL;
         int segments = 0, size = spline->dimension;
         bat_curve *curve = NULL;
         if (joints && bat_tangents(spline, &options, joints, &segments, &bezier, &curve) == BAT_OK) {
             for (int i = 0; i < 4 * segments * size; i++)
                 if (!isfinite(bezier[i])) abort();
-            for (int i = 0; i < spline->count; i++)
+            for (size_t i = 0; i < spline->count; i++)
                 if (!joints[i].dropped && !isnan(joints[i].k) && !(joints[i].k >= 0 && joints[i].k <= 1))
                     abort();
             for (int i = 0; i + 1 < segments; i++)

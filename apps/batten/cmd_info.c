@@ -51,7 +51,8 @@ static void put_object(bat_text *text, const bat_object *object) {
 }
 
 typedef struct curve_totals {
-    int curves, points, knots;
+    int curves, knots;
+    size_t points;
 } curve_totals;
 
 static curve_totals count(const bat_document *document) {
@@ -129,7 +130,7 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     bat_text_string(text, "\n");
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *curve = bat_object_curve(object, i);
-        snprintf(line, sizeof line, "    %s, degree %d, %d points, %d knots, length %.6g%s\n",
+        snprintf(line, sizeof line, "    %s, degree %d, %zu points, %d knots, length %.6g%s\n",
                  bat_curve_is_closed(curve) ? "closed" : "open", bat_curve_degree(curve),
                  bat_curve_count(curve), bat_curve_knot_count(curve), length_of(curve),
                  bat_curve_dimension(curve) == 3 ? ", in space" : "");
@@ -166,7 +167,7 @@ static int print_text(const char *name, const drawing_file *drawing) {
     if (page[2] > 0) snprintf(line, sizeof line, "%g %g, %g x %g", page[0], page[1], page[2], page[3]);
     put_line(&text, "page", page[2] > 0 ? line : "none");
     curve_totals totals = count(document);
-    snprintf(line, sizeof line, "%d objects, %d curves, %d points, %d knots", bat_document_count(document),
+    snprintf(line, sizeof line, "%d objects, %d curves, %zu points, %d knots", bat_document_count(document),
              totals.curves, totals.points, totals.knots);
     put_line(&text, "holds", line);
     put_losses(&text, drawing);

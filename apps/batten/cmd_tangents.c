@@ -68,13 +68,13 @@ static int run(const cli_arguments *arguments) {
     free(data);
     if (status != BAT_OK) return fail_problem(name, status, &problem);
     bat_tangents_options options = {(bat_tangents_mode)mode, (bat_tangents_default)missing};
-    bat_joint *joints = malloc(((size_t)spline.count + 1) * sizeof *joints);
+    bat_joint *joints = malloc((spline.count + 1) * sizeof *joints);
     double *bezier = NULL;
     int segments = 0;
     bat_curve *curve = NULL;
     status = joints ? bat_tangents(&spline, &options, joints, &segments, &bezier, &curve) : BAT_MEMORY;
     if (status == BAT_OK)
-        failed = print(curve, joints, spline.count, bezier, segments);
+        failed = print(curve, joints, (int)spline.count, bezier, segments);
     else if (status == BAT_MEMORY)
         failed = fail_memory();
     else

@@ -57,6 +57,8 @@ typedef enum bat_status {
 } bat_status;
 
 /*
+ * Counts of points and samples are size_t, and more than BAT_POINTS_MAX points of a curve, a spline or a stroke are
+ * BAT_COUNT; degrees, dimensions, knots, segments, levels and indices are int.
  * Arguments come in one order everywhere: what the call is about, dimension, degree and closedness, how many, the data,
  * options, results. Text and bytes are a pointer and their size.
  */

@@ -14,16 +14,17 @@ BAT_API int bat_curve_segment_count(const bat_curve *curve);
  * be NULL. Exact to rounding. */
 BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
 /* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
- * BAT_TOLERANCE with the best cubics after twelve halvings. *count segments in *points, which is malloc'ed and freed
- * by bat_free: *count * 4 * dimension doubles, shared ends repeated. */
-BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *count, double **points);
+ * BAT_TOLERANCE with the best cubics after twelve halvings. *segments of them in *points, which is malloc'ed and freed
+ * by bat_free: *segments * 4 * dimension doubles, shared ends repeated. */
+BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *segments,
+                                       double **points);
 
 /* Releases an array that the library handed over. */
 BAT_API void bat_free(void *memory);
 
 /*
- * One B-spline from `count` Bézier segments of one degree that follow each other (the start of each is the
- * end of the one before; points: count * degree + 1 points, shared ends once; closed: the last point equals
+ * One B-spline from `segments` Bézier segments of one degree that follow each other (the start of each is the
+ * end of the one before; points: segments * degree + 1 points, shared ends once; closed: the last point equals
  * the first). Knot spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1;
  * joints that are not are corners: knots of multiplicity p. Closed paths become periodic. Zero-length
  * segments are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
@@ -31,7 +32,7 @@ BAT_API void bat_free(void *memory);
  * after a round keeps multiplicity p at one joint; so do joints with a handle of no length, and where the
  * speed would leave 1e-5..1e5 of the run's. BAT_ARGUMENT when a closed path does not end where it starts.
  */
-BAT_API bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int count,
+BAT_API bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments,
                                          const double *points, double corner, double tolerance,
                                          bat_curve **out, double *error);
 

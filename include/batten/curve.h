@@ -31,11 +31,12 @@ typedef struct bat_curve bat_curve;
 /* Makes a curve after checking everything said above. points: count * dimension doubles, x y [z] each; knots:
  * knot_count of them, which must be count + degree + 1 (open) or count + 1 (closed), else BAT_KNOTS. Both are copied.
  * Cost O(count). */
-BAT_API bat_status bat_curve_create(int dimension, int degree, bool closed, int count, const double *points,
-                                    int knot_count, const double *knots, bat_curve **out);
+BAT_API bat_status bat_curve_create(int dimension, int degree, bool closed, size_t count,
+                                    const double *points, int knot_count, const double *knots,
+                                    bat_curve **out);
 /* The same, open and clamped, with uniform knots: one span a unit, domain [0, count - degree], so that the curve begins
  * at the first point and ends at the last. */
-BAT_API bat_status bat_curve_create_clamped(int dimension, int degree, int count, const double *points,
+BAT_API bat_status bat_curve_create_clamped(int dimension, int degree, size_t count, const double *points,
                                             bat_curve **out);
 BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
 BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
@@ -43,7 +44,7 @@ BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
 BAT_API int bat_curve_degree(const bat_curve *curve);
 BAT_API int bat_curve_dimension(const bat_curve *curve);
 BAT_API bool bat_curve_is_closed(const bat_curve *curve);
-BAT_API int bat_curve_count(const bat_curve *curve);            /* control points, n */
+BAT_API size_t bat_curve_count(const bat_curve *curve);         /* control points, n */
 BAT_API int bat_curve_knot_count(const bat_curve *curve);       /* n + p + 1, or n + 1 when closed */
 BAT_API const double *bat_curve_knots(const bat_curve *curve);  /* owned by the curve */
 BAT_API const double *bat_curve_points(const bat_curve *curve); /* owned by the curve */

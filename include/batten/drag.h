@@ -16,7 +16,7 @@ enum { BAT_DRAG_MAX = 32 };
  * delta holds its point. Knots stay; what no u's basis reaches stays bitwise. BAT_PARAMETER: a u outside an open
  * domain; BAT_SINGULAR: the points cannot move apart (two of one parameter). Cost O(n + count^3).
  */
-BAT_API bat_status bat_curve_drag(const bat_curve *curve, int count, const double *u, const double *delta,
+BAT_API bat_status bat_curve_drag(const bat_curve *curve, size_t count, const double *u, const double *delta,
                                   bat_curve **out);
 /* Moves control point `index` by delta (dimension doubles). */
 BAT_API bat_status bat_curve_move_point(const bat_curve *curve, int index, const double *delta,

@@ -13,7 +13,7 @@ typedef struct bat_fit_options {
     double smoothing; /* shortest wavelength that may bend, document units; 0: none (math-sketch 5.7) */
     int degree;       /* 3 by default */
     bool closed;
-    int corner_count; /* corners[i]: indices into the points, ascending, kept as multiplicity-p knots */
+    size_t corner_count; /* corners[i]: indices into the points, ascending, kept as multiplicity-p knots */
     const int *corners;
     int solves_max; /* 0: the default budget */
 } bat_fit_options;

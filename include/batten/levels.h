@@ -86,7 +86,7 @@ BAT_API bat_status bat_shape_drag(bat_shape *shape, int level, double u, const d
 BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta,
                                          double tolerance, double *left);
 /* Moves control points first..first+count-1 (closed: modulo n) at once. */
-BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count,
+BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, size_t count,
                                        const double *deltas);
 /* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6. */
 BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
@@ -135,14 +135,14 @@ BAT_API bat_status bat_shape_commit(bat_shape *shape);
  */
 typedef struct bat_shape_live bat_shape_live;
 BAT_API bat_status bat_shape_live_begin(const bat_shape *shape, int level, bat_shape_live **out);
-BAT_API bat_status bat_shape_live_move(bat_shape_live *live, int first, int count, const double *deltas);
+BAT_API bat_status bat_shape_live_move(bat_shape_live *live, int first, size_t count, const double *deltas);
 BAT_API bat_status bat_shape_live_drag(bat_shape_live *live, double u, const double *delta);
 BAT_API bat_status bat_shape_live_drag_finest(bat_shape_live *live, double u, const double *delta,
                                               double tolerance, double *left);
 /* The shape as it stands; owned by the session, its curves valid until the next call. */
 BAT_API const bat_shape *bat_shape_live_shape(const bat_shape_live *live);
 /* The control points of C^level that differ from those at the beginning: *count from *first on (closed: modulo n). */
-BAT_API void bat_shape_live_touched(const bat_shape_live *live, int level, int *first, int *count);
+BAT_API void bat_shape_live_touched(const bat_shape_live *live, int level, int *first, size_t *count);
 /* Ends the session whatever it returns. *out: the edited shape, committed. */
 BAT_API bat_status bat_shape_live_commit(bat_shape_live *live, bat_shape **out);
 BAT_API void bat_shape_live_cancel(bat_shape_live *live); /* NULL is fine */
@@ -154,7 +154,7 @@ BAT_API bat_status bat_shape_decompose(const bat_curve *curve, int levels, const
                                        bat_shape **out);
 /* The same down to a base of `coarsest` control points (open: at least degree + 1, closed: 3), the numbers of
  * points between in geometric progression. */
-BAT_API bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, int coarsest,
+BAT_API bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t coarsest,
                                           const bat_shape_options *options, bat_shape **out);
 
 /* The levels of `from`, with their gains, over another base: domains are mapped onto each other, details stay as

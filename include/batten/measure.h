@@ -18,7 +18,7 @@ BAT_API void bat_curve_bounds(const bat_curve *curve, double *low, double *high)
 /* Signed curvature in the plane, non-negative in space; 0 where the curve stops. */
 BAT_API double bat_curve_curvature(const bat_curve *curve, double u);
 /* Inflections of a planar curve: parameters ascending, at most `room` written; returns how many there are. */
-BAT_API int bat_curve_inflections(const bat_curve *curve, int room, double *u);
+BAT_API size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u);
 /* Greatest distance from each curve to the other is bounded by sampling `per_span` points and refining. */
 BAT_API bat_status bat_curve_distance(const bat_curve *a, const bat_curve *b, int per_span, double *a_to_b,
                                       double *b_to_a);

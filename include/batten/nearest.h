@@ -18,8 +18,8 @@ typedef struct bat_near {
 BAT_API bat_status bat_curve_nearest(const bat_curve *curve, const double *point, bat_near *out);
 /* All local minima of distance within `within` (document units, may be INFINITY), nearest first; at most
  * `room` written, *count says how many there are. Ends of open curves count where distance grows inwards. */
-BAT_API bat_status bat_curve_nearest_all(const bat_curve *curve, const double *point, double within, int room,
-                                         bat_near *out, int *count);
+BAT_API bat_status bat_curve_nearest_all(const bat_curve *curve, const double *point, double within,
+                                         size_t room, bat_near *out, size_t *count);
 /* Newton re-projection from u, `steps` steps, never farther than the start: cheap, local. */
 BAT_API double bat_curve_project_near(const bat_curve *curve, const double *point, double u, int steps);
 

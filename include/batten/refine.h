@@ -13,7 +13,7 @@ extern "C" {
  * up to p + 1; an unclamped end lets go of its outermost knot and point then, so that the domain stays. */
 BAT_API bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, bat_curve **out);
 /* Inserts many at once, sorted ascending, repeats allowed: one blossom a new point, untouched points copied. */
-BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u,
+BAT_API bat_status bat_curve_insert_knots(const bat_curve *curve, int knot_count, const double *knots,
                                           bat_curve **out);
 /* Refinement to a superset: knots are all the knots of the result (open: the domain's ends as in the curve). */
 BAT_API bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots,

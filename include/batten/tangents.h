@@ -32,7 +32,7 @@ typedef struct bat_tangents_options {
 typedef struct bat_spline {
     int dimension;
     bool closed;
-    int count;
+    size_t count;
     const double *points;   /* count * dimension */
     const double *tangents; /* count * dimension, any length; a zero vector: none given. NULL: none at all */
     const double *tension; /* count * 2: factors on the incoming and the outgoing handle, >= 0. NULL: all 1 */

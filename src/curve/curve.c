@@ -71,30 +71,30 @@ double *bat_curve_own_points(bat_curve *curve) {
     return curve->points + (curve->closed ? (size_t)curve->degree * (size_t)curve->dimension : 0);
 }
 
-bat_status bat_curve_create(int dimension, int degree, bool closed, int count, const double *points,
+bat_status bat_curve_create(int dimension, int degree, bool closed, size_t count, const double *points,
                             int knot_count, const double *knots, bat_curve **out) {
     if (!knots || !points || !out) return BAT_ARGUMENT;
     bat_curve *curve;
-    bat_status status = bat_curve_allocate(degree, dimension, closed, count, &curve);
+    bat_status status = bat_curve_allocate(degree, dimension, closed, bat_count_inside(count), &curve);
     if (status != BAT_OK) return status;
     if (knot_count != bat_curve_knot_count(curve)) {
         free(curve);
         return BAT_KNOTS;
     }
     memcpy(bat_curve_own_knots(curve), knots, (size_t)knot_count * sizeof(double));
-    memcpy(bat_curve_own_points(curve), points, (size_t)count * (size_t)dimension * sizeof(double));
+    memcpy(bat_curve_own_points(curve), points, count * (size_t)dimension * sizeof(double));
     return bat_curve_finish(curve, out);
 }
 
-bat_status bat_curve_create_clamped(int dimension, int degree, int count, const double *points,
+bat_status bat_curve_create_clamped(int dimension, int degree, size_t count, const double *points,
                                     bat_curve **out) {
     if (!points || !out) return BAT_ARGUMENT;
     bat_curve *curve;
-    bat_status status = bat_curve_allocate(degree, dimension, false, count, &curve);
+    bat_status status = bat_curve_allocate(degree, dimension, false, bat_count_inside(count), &curve);
     if (status != BAT_OK) return status;
-    for (int i = 0; i <= count + degree; i++)
-        curve->knots[i] = i <= degree ? 0 : i < count ? i - degree : count - degree;
-    memcpy(curve->points, points, (size_t)count * (size_t)dimension * sizeof(double));
+    int n = curve->count;
+    for (int i = 0; i <= n + degree; i++) curve->knots[i] = i <= degree ? 0 : i < n ? i - degree : n - degree;
+    memcpy(curve->points, points, count * (size_t)dimension * sizeof(double));
     return bat_curve_finish(curve, out);
 }
 
@@ -115,7 +115,7 @@ void bat_curve_free(bat_curve *curve) { free(curve); }
 int bat_curve_degree(const bat_curve *curve) { return curve->degree; }
 int bat_curve_dimension(const bat_curve *curve) { return curve->dimension; }
 bool bat_curve_is_closed(const bat_curve *curve) { return curve->closed; }
-int bat_curve_count(const bat_curve *curve) { return curve->count; }
+size_t bat_curve_count(const bat_curve *curve) { return (size_t)curve->count; }
 
 int bat_curve_knot_count(const bat_curve *curve) {
     return bat_knot_total(curve->degree, curve->closed, curve->count);

@@ -3,6 +3,7 @@
 #ifndef BATTEN_SRC_CURVE_H
 #define BATTEN_SRC_CURVE_H
 
+#include "base/count.h"
 #include <batten/curve.h>
 
 struct bat_curve {
@@ -32,6 +33,8 @@ bat_status bat_curve_finish(bat_curve *curve, bat_curve **out);
 double *bat_curve_own_knots(bat_curve *curve);
 double *bat_curve_own_points(bat_curve *curve);
 
+/* bat_curve_count, as it is counted inside. */
+static inline int bat_point_count(const bat_curve *curve) { return curve->count; }
 /* How many knots a curve of so many points has. */
 static inline int bat_knot_total(int degree, bool closed, int count) {
     return closed ? count + 1 : count + degree + 1;

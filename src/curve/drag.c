@@ -11,7 +11,7 @@ typedef struct pull {
 
 static pull pull_at(const bat_curve *curve, double u) {
     pull out;
-    int first, n = bat_curve_count(curve);
+    int first, n = bat_point_count(curve);
     bat_curve_basis(curve, u, &first, out.weights);
     for (int i = 0; i <= curve->degree; i++) out.points[i] = (first + i) % n;
     return out;
@@ -71,10 +71,11 @@ static bat_status begin(const bat_curve *curve, bat_curve **out) {
     return BAT_OK;
 }
 
-bat_status bat_curve_drag(const bat_curve *curve, int count, const double *u, const double *delta,
+bat_status bat_curve_drag(const bat_curve *curve, size_t many, const double *u, const double *delta,
                           bat_curve **out) {
-    if (!u || !out || count < 1) return BAT_ARGUMENT;
-    if (count > BAT_DRAG_MAX) return BAT_COUNT;
+    if (!u || !out || many < 1) return BAT_ARGUMENT;
+    if (many > BAT_DRAG_MAX) return BAT_COUNT;
+    int count = (int)many;
     bat_status status = check(curve, count, delta);
     if (status != BAT_OK) return status;
     pull pulls[BAT_DRAG_MAX];

@@ -394,9 +394,10 @@ static bat_status check(int dimension, size_t count, const double *points, const
     if (options->degree < 1 || options->degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (!(options->tolerance > 0) || !(options->smoothing >= 0) || !isfinite(options->smoothing))
         return BAT_ARGUMENT;
-    if (options->solves_max < 0 || options->corner_count < 0) return BAT_ARGUMENT;
+    if (options->solves_max < 0) return BAT_ARGUMENT;
+    if (options->corner_count > count) return BAT_COUNT;
     if (options->corner_count > 0 && !options->corners) return BAT_ARGUMENT;
-    for (int i = 0; i < options->corner_count; i++)
+    for (size_t i = 0; i < options->corner_count; i++)
         if (options->corners[i] < 0 || (size_t)options->corners[i] >= count ||
             (i > 0 && options->corners[i] <= options->corners[i - 1]))
             return BAT_ARGUMENT;
@@ -418,7 +419,8 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
     const int m = f->dimension;
     const size_t first = f->closed && o->corner_count > 0 ? (size_t)o->corners[0] : 0;
     size_t n = 0;
-    int corner = 0, corners = 0;
+    size_t corner = 0;
+    int corners = 0;
     double length = 0;
     for (size_t i = 0; i < count; i++) {
         const size_t j = (first + i) % count;
@@ -483,7 +485,7 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
-    const bat_status status = bat_curve_create(m, f->degree, f->closed, n, f->points,
+    const bat_status status = bat_curve_create(m, f->degree, f->closed, (size_t)n, f->points,
                                                bat_knot_total(f->degree, f->closed, n), knots, out);
     if (status != BAT_OK) return status;
     if (report) {
@@ -505,7 +507,7 @@ static void *part(char *base, size_t *used, size_t count, size_t size) {
 static size_t lay_out(fitting *f, char *base, size_t count) {
     size_t used = 0;
     const size_t p = (size_t)f->degree, m = (size_t)f->dimension, room = (size_t)f->room;
-    const size_t unknowns = room + (size_t)f->options->corner_count * p + 2 * p + 2,
+    const size_t unknowns = room + f->options->corner_count * p + 2 * p + 2,
                  wide = count > room ? count : room;
     f->x = part(base, &used, count * m, sizeof(double));
     f->u = part(base, &used, count, sizeof(double));
@@ -550,7 +552,7 @@ bat_status bat_fit(int dimension, size_t count, const double *points, const bat_
         .options = options, .degree = options->degree, .dimension = dimension, .closed = options->closed};
     f.tolerance = options->tolerance, f.budget = options->solves_max > 0 ? options->solves_max : 120;
     f.worst = INFINITY;
-    f.room = (int)count + options->corner_count + 8;
+    f.room = (int)(count + options->corner_count) + 8;
     char *block = malloc(lay_out(&f, NULL, count));
     if (!block) return BAT_MEMORY;
     lay_out(&f, block, count);

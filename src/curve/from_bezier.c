@@ -94,13 +94,13 @@ static bat_status assemble(int degree, int size, int count, const double *points
     return bat_curve_finish(curve, out);
 }
 
-bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int count, const double *points,
+bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments, const double *points,
                                  double corner, double tolerance, bat_curve **out, double *error) {
     if (!points || !out || !(corner >= 0) || !(tolerance >= 0)) return BAT_ARGUMENT;
     if (degree < 1 || degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (dimension < 2 || dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
-    if (count < 1 || count > BAT_POINTS_MAX / degree - 1) return BAT_COUNT;
-    size_t total = ((size_t)count * (size_t)degree + 1) * (size_t)dimension;
+    if (segments < 1 || segments > BAT_POINTS_MAX / degree - 1) return BAT_COUNT;
+    size_t total = ((size_t)segments * (size_t)degree + 1) * (size_t)dimension;
     double greatest = 0, moved = 0, removal = 0;
     for (size_t i = 0; i < total; i++) {
         if (!(fabs(points[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
@@ -108,12 +108,12 @@ bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int cou
     }
     for (int c = 0; closed && c < dimension; c++)
         if (points[c] != points[total - (size_t)dimension + (size_t)c]) return BAT_ARGUMENT;
-    double *copy = malloc((total + (size_t)count) * sizeof(double));
+    double *copy = malloc((total + (size_t)segments) * sizeof(double));
     if (!copy) return BAT_MEMORY;
     double *spans = copy + total;
     memcpy(copy, points, total * sizeof(double));
     bat_status status = BAT_OK;
-    int kept = drop_points(degree, dimension, count, copy, &moved);
+    int kept = drop_points(degree, dimension, segments, copy, &moved);
     if (kept < 1 || (closed && kept * degree < 2)) status = BAT_COUNT;
     bat_curve *exact, *simple;
     if (status == BAT_OK) {

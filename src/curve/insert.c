@@ -117,15 +117,16 @@ static bat_status trim(bat_curve *fresh, int front, int back, bat_curve **out) {
     return status;
 }
 
-bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const double *u, bat_curve **out) {
-    if (!curve || !out || count < 0 || (count > 0 && !u)) return BAT_ARGUMENT;
-    if (count > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
+bat_status bat_curve_insert_knots(const bat_curve *curve, int knot_count, const double *knots,
+                                  bat_curve **out) {
+    if (!curve || !out || knot_count < 0 || (knot_count > 0 && !knots)) return BAT_ARGUMENT;
+    if (knot_count > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
     double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
     int front = 0, back = 0;
-    for (int i = 0; i < count; i++) {
-        if (isnan(u[i])) return BAT_NUMBER;
-        if (u[i] < start || u[i] > end || (i > 0 && u[i] < u[i - 1])) return BAT_PARAMETER;
-        front += u[i] == start, back += u[i] == end;
+    for (int i = 0; i < knot_count; i++) {
+        if (isnan(knots[i])) return BAT_NUMBER;
+        if (knots[i] < start || knots[i] > end || (i > 0 && knots[i] < knots[i - 1])) return BAT_PARAMETER;
+        front += knots[i] == start, back += knots[i] == end;
     }
     if (curve->closed) front = back = 0;
     int p = curve->degree;
@@ -134,14 +135,15 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int count, const doubl
         return BAT_KNOTS;
 
     bat_curve *fresh;
-    bat_status status = bat_curve_allocate(p, curve->dimension, curve->closed, curve->count + count, &fresh);
+    bat_status status = bat_curve_allocate(p, curve->dimension, curve->closed, curve->count + knot_count,
+                                           &fresh);
     if (status != BAT_OK) return status;
     int *rank = malloc(((size_t)fresh->spread + (size_t)p + 1) * sizeof(int));
     if (!rank) {
         bat_curve_free(fresh);
         return BAT_MEMORY;
     }
-    merge(curve, count, u, bat_curve_own_knots(fresh), rank + (curve->closed ? p : 0));
+    merge(curve, knot_count, knots, bat_curve_own_knots(fresh), rank + (curve->closed ? p : 0));
     if (front + back == 0) status = bat_knots_check(p, curve->closed, fresh->count, bat_curve_knots(fresh));
     if (status == BAT_OK) {
         if (curve->closed) unroll_rank(curve, fresh, rank);

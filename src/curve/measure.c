@@ -263,7 +263,7 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
     return isfinite(k) ? k : 0;
 }
 
-int bat_curve_inflections(const bat_curve *curve, int room, double *u) {
+size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
     static const double binomial[7][7] = {{1},
                                           {1, 1},
                                           {1, 2, 1},
@@ -273,7 +273,7 @@ int bat_curve_inflections(const bat_curve *curve, int room, double *u) {
                                           {1, 6, 15, 20, 15, 6, 1}};
     const int p = curve->degree;
     if (curve->dimension != 2 || p < 2) return 0;
-    int count = 0;
+    size_t count = 0;
     bat_signs signs = {0, 0};
     for (int i = p; i < curve->spread; i++) {
         const double t0 = curve->knots[i], t1 = curve->knots[i + 1];
@@ -304,8 +304,10 @@ int bat_curve_inflections(const bat_curve *curve, int room, double *u) {
     /* The seam: where the last sign and the first differ, the start is an inflection too. */
     if (curve->closed && signs.before == -signs.opening && signs.before != 0) {
         const double start = curve->knots[p];
-        for (int k = count < room ? count : room - 1; k > 0; k--) u[k] = u[k - 1];
-        if (room > 0) u[0] = start;
+        if (room > 0) {
+            for (size_t k = count < room ? count : room - 1; k > 0; k--) u[k] = u[k - 1];
+            u[0] = start;
+        }
         count++;
     }
     return count;

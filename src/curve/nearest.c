@@ -415,7 +415,7 @@ typedef struct collector {
     const bat_finder *finder;
     const double *point;
     double within;
-    int room, count;
+    size_t room, count;
     bat_near *out;
     bool waiting;
     bat_near last, first; /* last waits for its twin; first is for the seam */
@@ -423,7 +423,7 @@ typedef struct collector {
 
 static void store(collector *all, const bat_near *near) {
     if (!(near->distance <= all->within)) return;
-    int at = all->count < all->room ? all->count : all->room;
+    size_t at = all->count < all->room ? all->count : all->room;
     all->count++;
     if (at == all->room) {
         if (at == 0 || !(near->distance < all->out[at - 1].distance)) return;
@@ -507,9 +507,9 @@ static void minima_of_span(collector *all, const span *on, int *before, int *ope
     }
 }
 
-bat_status bat_curve_nearest_all(const bat_curve *curve, const double *point, double within, int room,
-                                 bat_near *out, int *count) {
-    if (!curve || !point || !count || room < 0 || (room > 0 && !out) || !(within >= 0)) return BAT_ARGUMENT;
+bat_status bat_curve_nearest_all(const bat_curve *curve, const double *point, double within, size_t room,
+                                 bat_near *out, size_t *count) {
+    if (!curve || !point || !count || (room > 0 && !out) || !(within >= 0)) return BAT_ARGUMENT;
     if (!finite_point(point, curve->dimension)) return BAT_NUMBER;
     bat_finder *finder;
     const bat_status status = bat_finder_create(curve, &finder);

@@ -1,4 +1,5 @@
 #include "document/digest.h"
+#include "curve/curve.h"
 
 #include <string.h>
 
@@ -30,10 +31,10 @@ uint64_t bat_digest_curve(uint64_t digest, const bat_curve *curve) {
     digest = bat_digest_number(digest, (uint64_t)bat_curve_degree(curve));
     digest = bat_digest_number(digest, (uint64_t)bat_curve_dimension(curve));
     digest = bat_digest_number(digest, bat_curve_is_closed(curve));
-    digest = bat_digest_number(digest, (uint64_t)bat_curve_count(curve));
+    digest = bat_digest_number(digest, (uint64_t)bat_point_count(curve));
     const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
     size_t knot_count = (size_t)bat_curve_knot_count(curve);
-    size_t numbers = (size_t)bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+    size_t numbers = (size_t)bat_point_count(curve) * (size_t)bat_curve_dimension(curve);
     for (size_t i = 0; i < knot_count; i++) digest = bat_digest_double(digest, knots[i]);
     for (size_t i = 0; i < numbers; i++) digest = bat_digest_double(digest, points[i]);
     return digest;

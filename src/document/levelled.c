@@ -1,4 +1,5 @@
 #include "document/levelled.h"
+#include "curve/curve.h"
 
 #include "document/digest.h"
 
@@ -24,7 +25,7 @@ uint64_t bat_digest_shape(uint64_t digest, const bat_shape *shape) {
     digest = bat_digest_number(digest, (uint64_t)bat_shape_levels(shape));
     for (int l = 1; l <= bat_shape_levels(shape); l++) {
         const bat_curve *curve = bat_shape_curve(shape, l);
-        int count = bat_curve_count(curve), knots = bat_curve_knot_count(curve);
+        int count = bat_point_count(curve), knots = bat_curve_knot_count(curve);
         digest = bat_digest_number(digest, (uint64_t)knots);
         digest = digest_doubles(digest, bat_curve_knots(curve), knots);
         digest = digest_doubles(digest, bat_shape_details(shape, l), 3 * count);
@@ -58,8 +59,8 @@ const char *bat_shape_check_kept(const bat_shape *shape) {
         const bat_curve *a = bat_shape_curve(shape, bat_shape_levels(shape)),
                         *b = bat_shape_curve(made, bat_shape_levels(made));
         double near = 1e-9 * bat_curve_size(b);
-        bool same = bat_curve_count(a) == bat_curve_count(b);
-        for (int i = 0; same && i < bat_curve_count(a) * bat_curve_dimension(a); i++)
+        bool same = bat_point_count(a) == bat_point_count(b);
+        for (int i = 0; same && i < bat_point_count(a) * bat_curve_dimension(a); i++)
             same = fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]) <= near;
         if (!same) wrong = "the curve of a shape is not the one its levels give";
     }

@@ -1,5 +1,7 @@
 /* A spline of the tangents hand: its points and directions stay editable and give its one curve. */
 #include "base/matrix.h"
+#include "hands/tangents/spline.h"
+#include "curve/curve.h"
 #include "base/users.h"
 #include "document/digest.h"
 #include "format/json/spline.h"
@@ -31,12 +33,12 @@ static bool zero(const double *v, int size) {
 }
 
 static kept_spline *copy(const bat_spline *spline, const bat_tangents_options *options) {
-    size_t count = (size_t)spline->count, size = count * (size_t)spline->dimension;
+    size_t count = spline->count, size = count * (size_t)spline->dimension;
     kept_spline *kept = malloc(sizeof *kept + (2 * size + 2 * count) * sizeof(double));
     if (!kept) return NULL;
     double *points = (double *)(void *)(kept + 1), *tangents = points + size, *tension = tangents + size;
     memcpy(points, spline->points, size * sizeof(double));
-    for (int i = 0; i < spline->count; i++) {
+    for (int i = 0; i < bat_spline_count(spline); i++) {
         int at = i * spline->dimension;
         bool given = spline->tangents && !zero(spline->tangents + at, spline->dimension);
         for (int d = 0; d < spline->dimension; d++) tangents[at + d] = given ? spline->tangents[at + d] : 0;
@@ -112,7 +114,7 @@ const bat_tangents_options *bat_object_spline_options(const bat_object *object) 
 static uint64_t digest_spline(uint64_t digest, const void *own) {
     const kept_spline *kept = kept_of(own);
     const bat_spline *s = &kept->spline;
-    size_t count = (size_t)s->count, size = count * (size_t)s->dimension;
+    size_t count = s->count, size = count * (size_t)s->dimension;
     digest = bat_digest_number(digest, (uint64_t)kept->options.mode);
     digest = bat_digest_number(digest, (uint64_t)kept->options.missing);
     digest = bat_digest_number(digest, s->closed);
@@ -139,11 +141,11 @@ static const char *check(const bat_object *object) {
 
 /* Same knots and points, but for rounding. */
 static bool alike(const bat_curve *a, const bat_curve *b) {
-    if (bat_curve_count(a) != bat_curve_count(b) || bat_curve_knot_count(a) != bat_curve_knot_count(b) ||
+    if (bat_point_count(a) != bat_point_count(b) || bat_curve_knot_count(a) != bat_curve_knot_count(b) ||
         bat_curve_is_closed(a) != bat_curve_is_closed(b))
         return false;
     double near = 1e-9 * bat_curve_size(b);
-    for (int i = 0; i < 2 * bat_curve_count(a); i++)
+    for (int i = 0; i < 2 * bat_point_count(a); i++)
         if (!(fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]) <= near)) return false;
     return true;
 }
@@ -164,7 +166,7 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     bool gives = false;
     *out = NULL;
     if (spline.dimension != 2) return BAT_OK;
-    size_t n = (size_t)spline.count;
+    size_t n = spline.count;
     double *numbers = malloc(4 * n * sizeof *numbers);
     if (!numbers) return BAT_MEMORY;
     for (size_t i = 0; i < n; i++) {

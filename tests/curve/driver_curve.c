@@ -32,7 +32,7 @@ int main(void) {
         numbers(closed ? n + 1 : n + degree + 1, knots);
         numbers(n * size, points);
         bat_curve *curve, *other;
-        if (bat_curve_create(size, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots,
+        if (bat_curve_create(size, degree, closed, (size_t)n, points, closed ? n + 1 : n + degree + 1, knots,
                              &curve) != BAT_OK)
             return 4;
         if (scanf("%15s", task) != 1) return 3;
@@ -40,7 +40,7 @@ int main(void) {
             numbers(1, u);
             if (bat_curve_insert_knot(curve, u[0], 1, &other) != BAT_OK) return 5;
             print(bat_curve_knot_count(other), bat_curve_knots(other));
-            print(bat_curve_count(other) * size, bat_curve_points(other));
+            print((int)bat_curve_count(other) * size, bat_curve_points(other));
         } else {
             int order = whole(), count = whole();
             numbers(count, u);

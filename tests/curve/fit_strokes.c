@@ -15,7 +15,7 @@ int main(int argc, char **argv) {
     bat_curve *curve = NULL;
     if (bat_fit(2, COUNT, x, &options, &curve, NULL) != BAT_OK) return 1;
     for (int i = 0; i < COUNT; i++) printf("%.17g %.17g\n", x[2 * i], x[2 * i + 1]);
-    printf("fit %d %g\n", bat_curve_count(curve), options.tolerance);
+    printf("fit %d %g\n", (int)bat_curve_count(curve), options.tolerance);
     bat_curve_free(curve);
     return 0;
 }

@@ -75,7 +75,8 @@ static void out_and_in(void **state) {
         for (int i = 0; i < n * size; i++) points[i] = random_between(&r, -10, 10);
         bat_curve *curve = NULL, *again = NULL;
         assert_int_equal(
-            bat_curve_create(size, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve), BAT_OK);
+            bat_curve_create(size, p, closed, (size_t)n, points, closed ? n + 1 : n + p + 1, knots, &curve),
+            BAT_OK);
         double segments[64 * 4 * 3], path[64 * 4 * 3], error = -1;
         int count = bat_curve_segment_count(curve);
         bat_curve_to_bezier(curve, segments, NULL);

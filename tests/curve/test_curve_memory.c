@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/refine.h>
+#include "curve/curve.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 

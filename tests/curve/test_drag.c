@@ -20,7 +20,7 @@ static bat_curve *make(int degree, bool closed, int count) {
         for (int i = 0; i < count + degree + 1; i++)
             knots[i] = i <= degree ? 0 : i >= count ? count - degree : i - degree + 0.25 * sin(i);
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(2, degree, closed, count, points,
+    assert_int_equal(bat_curve_create(2, degree, closed, (size_t)count, points,
                                       closed ? count + 1 : count + degree + 1, knots, &curve),
                      BAT_OK);
     return curve;

@@ -30,14 +30,14 @@ static void polynomials_are_reproduced(void **state) {
         bat_curve *shape = random_curve(&r, p, 2, round % 2, random_int(&r, 0, 9)), *scaled = NULL,
                   *curve = NULL;
         assert_int_equal(bat_curve_reparametrise(shape, -1, 1, &scaled), BAT_OK);
-        int n = bat_curve_count(scaled);
+        int n = bat_point_count(scaled);
         const double *t = bat_curve_knots(scaled);
         double points[64];
         for (int i = 0; i < n; i++) {
             points[2 * i] = monomial_blossom(t + i + 1, p, p);
             points[2 * i + 1] = 1 - monomial_blossom(t + i + 1, p, 1) + monomial_blossom(t + i + 1, p, k);
         }
-        assert_int_equal(bat_curve_create(2, p, false, n, points, n + p + 1, t, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, p, false, (size_t)n, points, n + p + 1, t, &curve), BAT_OK);
         for (int i = 0; i <= 40; i++) {
             double u = -1 + i / 20.0, out[2 * 9];
             bat_curve_eval(curve, u, 8, out);
@@ -65,7 +65,7 @@ static void basis_functions(void **state) {
         bat_curve *curve = random_curve(&r, p, 2, round % 3, random_int(&r, 0, 9));
         double d[2], values[8], x[2], all[64], greville[32];
         bat_curve_domain(curve, d);
-        n = bat_curve_count(curve);
+        n = bat_point_count(curve);
         double u = random_between(&r, d[0], d[1]);
         int first = -1;
         bat_curve_basis(curve, u, &first, values);
@@ -269,10 +269,19 @@ static void validation(void **state) {
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         assert_int_equal(
-            bat_curve_create(table[i].dimension, table[i].degree, table[i].closed, table[i].count, points,
+            bat_curve_create(table[i].dimension, table[i].degree, table[i].closed, (size_t)table[i].count,
+                             points,
                              table[i].closed ? table[i].count + 1 : table[i].count + table[i].degree + 1,
                              table[i].knots, &out),
             table[i].want);
+        assert_ptr_equal(out, mark);
+    }
+    const size_t many[] = {BAT_POINTS_MAX + (size_t)1, SIZE_MAX, SIZE_MAX / 2 + 5,
+                           sizeof(size_t) > 4 ? (size_t)0x100000005 : SIZE_MAX};
+    for (int i = 0; i < 4; i++) { /* none of them is five when it is cut short */
+        assert_int_equal(bat_curve_create(3, 3, false, many[i], points, 9, good, &out), BAT_COUNT);
+        assert_int_equal(bat_curve_create(3, 3, true, many[i], points, 6, good, &out), BAT_COUNT);
+        assert_int_equal(bat_curve_create_clamped(3, 3, many[i], points, &out), BAT_COUNT);
         assert_ptr_equal(out, mark);
     }
     for (int given = -1; given < 20; given++) { /* one knot too few, too many, or those of a closed curve */
@@ -364,8 +373,9 @@ static void clamped(void **state) {
             for (int i = 0; i <= n + p; i++) knots[i] = fmin(fmax(i - p, 0), n - p);
             for (int i = 0; i < 3 * n; i++) points[i] = cos(i * 1.7) * 100;
             bat_curve *expected, *curve;
-            assert_int_equal(bat_curve_create(3, p, false, n, points, n + p + 1, knots, &expected), BAT_OK);
-            assert_int_equal(bat_curve_create_clamped(3, p, n, points, &curve), BAT_OK);
+            assert_int_equal(bat_curve_create(3, p, false, (size_t)n, points, n + p + 1, knots, &expected),
+                             BAT_OK);
+            assert_int_equal(bat_curve_create_clamped(3, p, (size_t)n, points, &curve), BAT_OK);
             assert_true(bat_curve_is_equal(curve, expected));
             bat_curve_eval(curve, 0, 0, at);
             assert_memory_equal(at, points, sizeof at);

@@ -10,6 +10,7 @@
 #include <batten/fit.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
+#include "curve/curve.h"
 #include "support/random_curve.h"
 
 enum { MOST = 1200 };
@@ -53,9 +54,9 @@ static void tolerance_holds(void **state) {
                 assert_true(truth <= report.max_error + 1e-12 && report.max_error <= 0.6);
                 assert_int_equal(bat_curve_degree(curve), p);
                 assert_true(bat_curve_is_closed(curve) == closed);
-                assert_true(bat_curve_count(curve) < (p == 1 ? 110 : 45));
+                assert_true(bat_point_count(curve) < (p == 1 ? 110 : 45));
                 assert_int_equal(report.knots,
-                                 closed ? bat_curve_count(curve) : bat_curve_count(curve) - p - 1);
+                                 closed ? bat_point_count(curve) : bat_point_count(curve) - p - 1);
                 bat_curve_free(curve);
             }
 }
@@ -80,7 +81,7 @@ static void exact_shapes(void **state) {
     assert_true(report.knots <= 6);
     bat_curve_free(curve);
     assert_int_equal(bat_fit(2, 2, x, &options, &curve, &report), BAT_OK); /* two points: a line */
-    assert_true(report.max_error < 1e-6 && bat_curve_count(curve) == 4);
+    assert_true(report.max_error < 1e-6 && bat_point_count(curve) == 4);
     bat_curve_free(curve);
     for (size_t count = 3; count < 12; count++)
         for (int p = 1; p <= 7; p++) { /* few points, any degree */
@@ -152,7 +153,7 @@ static void invariance(void **state) {
     options.tolerance = 1;
     assert_int_equal(bat_fit(2, 200, y, &options, &two, &b), BAT_OK);
     assert_int_equal(a.knots, b.knots);
-    for (int i = 0; i < 2 * bat_curve_count(one); i++)
+    for (int i = 0; i < 2 * bat_point_count(one); i++)
         assert_true(fabs(4 * bat_curve_points(one)[i] + 4096 - bat_curve_points(two)[i]) < 1e-6);
     bat_curve_free(one), bat_curve_free(two);
 }

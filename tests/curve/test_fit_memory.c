@@ -45,7 +45,7 @@ static void searches(void **state) {
     for (int what = 0; what < 3; what++)
         for (int n = 1;; n++) {
             bat_near near = {.u = 77};
-            int count = 77;
+            size_t count = 77;
             double there = 77, back = 77;
             alloc_fail_at(n);
             const bat_status status = what == 0 ? bat_curve_nearest(curve, point, &near)

@@ -33,7 +33,8 @@ static bat_curve *random_curve(int dimension, bool closed, int count) {
         if (closed || (i >= p && i < count)) t += uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(dimension, p, closed, count, points, total, knots, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, p, closed, (size_t)count, points, total, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -269,7 +270,7 @@ static bat_curve *osculating(void (*at)(double t, double d[4][3]), double end, i
     int n = P * spans + 1;
     for (int i = 0; i < n + P + 1; i++) knots[i] = i == 0 ? 0 : fmin((i - 1) / P, spans) * h;
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(3, P, false, n, points, n + P + 1, knots, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(3, P, false, (size_t)n, points, n + P + 1, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -286,8 +287,8 @@ static void tiny_and_huge(void **state) {
         bat_curve *curve = random_curve(dimension, closed, count), *scaled;
         double points[64], least = ldexp(1, -1074);
         for (int i = 0; i < count * dimension; i++) points[i] = ldexp(bat_curve_points(curve)[i], power);
-        assert_int_equal(bat_curve_create(dimension, 3, closed, count, points, bat_curve_knot_count(curve),
-                                          bat_curve_knots(curve), &scaled),
+        assert_int_equal(bat_curve_create(dimension, 3, closed, (size_t)count, points,
+                                          bat_curve_knot_count(curve), bat_curve_knots(curve), &scaled),
                          BAT_OK);
         /* what a unit of the smallest number is of the curve */
         double blur = least / ldexp(100, power), near = 1e-11 + 1e6 * blur, domain[2];
@@ -361,8 +362,8 @@ static void all_ways_give_the_same_bits(void **state) {
             points[i] = round % 3 ? uniform(-2, 2) : i % dimension == 0 ? 3 - i : round % 4 ? 0.0 : -0.0;
         for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : fmin(fmax(i - 3, 0), count - 3);
         bat_curve *curve;
-        assert_int_equal(bat_curve_create(dimension, 3, closed, count, points, closed ? count + 1 : count + 4,
-                                          knots, &curve),
+        assert_int_equal(bat_curve_create(dimension, 3, closed, (size_t)count, points,
+                                          closed ? count + 1 : count + 4, knots, &curve),
                          BAT_OK);
         for (int rule = 0; rule < 3; rule++) {
             bat_frame_options options = bat_frame_defaults();

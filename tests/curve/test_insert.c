@@ -37,7 +37,7 @@ static void shape_is_kept(void **state) {
             u[count++] = again;
         qsort(u, (size_t)count, sizeof(double), ascending);
         assert_int_equal(bat_curve_insert_knots(curve, count, u, &fine), BAT_OK);
-        assert_int_equal(bat_curve_count(fine), bat_curve_count(curve) + count);
+        assert_int_equal(bat_curve_count(fine), bat_point_count(curve) + count);
         bat_curve_domain(fine, after);
         assert_true(after[0] == domain[0] && after[1] == domain[1]);
         assert_true(curve_gap(curve, fine, 1, 0, 150) < 1e-13 * 40);
@@ -67,7 +67,7 @@ static void untouched_points_are_copied(void **state) {
     const double *after = bat_curve_points(fine);
     assert_memory_equal(before, after, (size_t)(span - 2) * 2 * sizeof(double));
     assert_memory_equal(before + span * 2, after + (span + 1) * 2,
-                        (size_t)(bat_curve_count(curve) - span) * 2 * sizeof(double));
+                        (size_t)(bat_point_count(curve) - span) * 2 * sizeof(double));
     bat_curve_free(fine);
     bat_curve_free(curve);
 }
@@ -83,11 +83,11 @@ static void ends_can_be_clamped(void **state) {
         int m = bat_knot_multiplicity(curve, domain[0]), e = bat_knot_multiplicity(curve, domain[1]);
         assert_int_equal(bat_curve_insert_knot(curve, domain[0], degree + 1 - m, &fine), BAT_OK);
         assert_int_equal(bat_curve_insert_knot(fine, domain[1], degree + 1 - e, &both), BAT_OK);
-        assert_int_equal(bat_curve_count(both), bat_curve_count(curve));
+        assert_int_equal(bat_curve_count(both), bat_point_count(curve));
         assert_true(curve_gap(curve, both, 1, 0, 100) < 1e-12);
         bat_curve_eval(curve, domain[0], 0, p);
         bat_curve_eval(curve, domain[1], 0, q);
-        const double *points = bat_curve_points(both), *last = points + (bat_curve_count(both) - 1) * 3;
+        const double *points = bat_curve_points(both), *last = points + (bat_point_count(both) - 1) * 3;
         for (int c = 0; c < 3; c++) {
             assert_true(fabs(points[c] - p[c]) < 1e-12);
             assert_true(fabs(last[c] - q[c]) < 1e-12);

@@ -7,12 +7,13 @@
 #include <math.h>
 #include <cmocka.h>
 #include <batten/measure.h>
+#include "curve/curve.h"
 #include "support/random_curve.h"
 
 static bat_curve *make(int p, int m, bool closed, int n, const double *knots, const double *points) {
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(m, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve),
-                     BAT_OK);
+    assert_int_equal(
+        bat_curve_create(m, p, closed, (size_t)n, points, closed ? n + 1 : n + p + 1, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -76,7 +77,7 @@ static void length_at_every_scale(void **state) {
     for (uint64_t seed = 1; seed <= 20; seed++) {
         random_source r = {seed};
         bat_curve *curve = random_curve(&r, 1 + (int)(seed % 7), 2 + (int)(seed % 2), seed % 3 == 0, 6);
-        const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve), n = bat_curve_count(curve);
+        const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve), n = bat_point_count(curve);
         double domain[2], *points = malloc(sizeof(double) * (size_t)(n * m));
         assert_non_null(points);
         bat_curve_domain(curve, domain);
@@ -221,7 +222,7 @@ static void inflections(void **state) {
     int total = 0;
     for (int round = 0; round < 60; round++) {
         curve = random_curve(&r, 2 + round % 6, 2, round % 3, 6);
-        const int count = bat_curve_inflections(curve, 64, u);
+        const int count = (int)bat_curve_inflections(curve, 64, u);
         double domain[2];
         bat_curve_domain(curve, domain);
         for (int k = 1; k < count; k++) assert_true(u[k] >= u[k - 1]);

@@ -78,8 +78,8 @@ static void nothing_is_nearer(void **state) {
 
 static bat_curve *make(int p, int m, bool closed, int n, const double *knots, const double *points) {
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(m, p, closed, n, points, closed ? n + 1 : n + p + 1, knots, &curve),
-                     BAT_OK);
+    assert_int_equal(
+        bat_curve_create(m, p, closed, (size_t)n, points, closed ? n + 1 : n + p + 1, knots, &curve), BAT_OK);
     return curve;
 }
 
@@ -92,7 +92,7 @@ static void parabola(void **state) {
     for (double c = -1; c < 3; c += 0.0625) {
         const double point[2] = {0, c};
         bat_near near, all[4];
-        int count;
+        size_t count;
         assert_int_equal(bat_curve_nearest(curve, point, &near), BAT_OK);
         const double want = c <= 0.5 ? fabs(c) : sqrt(c - 0.25);
         assert_true(fabs(near.distance - want) < 1e-13);
@@ -117,7 +117,7 @@ static void square_has_four(void **state) {
     const double knots[] = {0, 1, 2, 3, 4}, points[] = {0, 0, 1, 0, 1, 1, 0, 1};
     bat_curve *curve = make(1, 2, true, 4, knots, points);
     bat_near all[2];
-    int count;
+    size_t count;
     const double inside[] = {0.4, 0.3}, outside[] = {-0.5, -0.25}, centre[] = {0.5, 0.5};
     assert_int_equal(bat_curve_nearest_all(curve, inside, INFINITY, 2, all, &count), BAT_OK);
     assert_int_equal(count, 4);
@@ -147,9 +147,10 @@ static void all_minima_are_found(void **state) {
         for (int query = 0; query < 5; query++) {
             const double point[2] = {random_between(&r, -8, 8), random_between(&r, -8, 8)};
             bat_near all[64];
-            int count;
+            size_t count;
             assert_int_equal(bat_curve_nearest_all(curve, point, INFINITY, 64, all, &count), BAT_OK);
             assert_true(count >= 1 && count <= 64);
+            const int found = (int)count;
             for (int i = 0; i < DENSE; i++) d[i] = distance_of(x + 2 * i, point, 2);
             for (int i = 0; i < DENSE; i++) {
                 const int before = kind == 2 ? (i + DENSE - 1) % DENSE : i - 1;
@@ -157,14 +158,14 @@ static void all_minima_are_found(void **state) {
                 if ((before >= 0 && d[before] <= d[i]) || (after < DENSE && d[after] <= d[i])) continue;
                 double nearest = INFINITY; /* a sampled minimum: one of ours must lie beside it */
                 const double step = u[1] - u[0], period = DENSE * step;
-                for (int k = 0; k < count; k++) {
+                for (int k = 0; k < found; k++) {
                     const double gap = fabs(all[k].u - u[i]);
                     nearest = fmin(nearest, kind == 2 ? fmin(gap, fabs(gap - period)) : gap);
                 }
                 assert_true(nearest <= 1.001 * step);
                 total++;
             }
-            for (int k = 1; k < count; k++) assert_true(all[k].distance >= all[k - 1].distance);
+            for (int k = 1; k < found; k++) assert_true(all[k].distance >= all[k - 1].distance);
             bat_near best;
             assert_int_equal(bat_curve_nearest(curve, point, &best), BAT_OK);
             assert_true(fabs(best.distance - all[0].distance) < 1e-12);
@@ -184,7 +185,7 @@ static void degenerate_curves(void **state) {
         bat_curve *open = make(p, 2, false, 20, knots, points), *closed = make(p, 2, true, 20, knots, points);
         const double far[] = {3.1, 4.7}, on[] = {0.1, 0.7};
         bat_near near, all[3];
-        int count;
+        size_t count;
         for (int k = 0; k < 2; k++) {
             const bat_curve *curve = k ? closed : open;
             double domain[2];
@@ -221,7 +222,7 @@ static void bad_input(void **state) {
     bat_curve *curve = make(1, 2, false, 2, knots, points);
     const double bad[] = {NAN, 0}, far[] = {INFINITY, 0}, good[] = {0, 1};
     bat_near near;
-    int count;
+    size_t count;
     assert_int_equal(bat_curve_nearest(curve, bad, &near), BAT_NUMBER);
     assert_int_equal(bat_curve_nearest(curve, far, &near), BAT_NUMBER);
     assert_int_equal(bat_curve_nearest(NULL, good, &near), BAT_ARGUMENT);

@@ -74,7 +74,7 @@ static void split_and_join(void **state) {
         double d[2], moved = -1;
         bat_curve_domain(curve, d);
         double u = random_between(&r, d[0], d[1]);
-        if (round % 4 == 0) u = bat_curve_knots(curve)[bat_curve_count(curve) / 2];
+        if (round % 4 == 0) u = bat_curve_knots(curve)[bat_point_count(curve) / 2];
         if (!(u > d[0] && u < d[1])) u = 0.5 * (d[0] + d[1]);
         assert_int_equal(bat_curve_split(curve, u, &left, &right), BAT_OK);
         assert_int_equal(bat_curve_join(left, right, 0, 1e-12, &both, &moved), BAT_OK);
@@ -86,9 +86,9 @@ static void split_and_join(void **state) {
                        1; /* points without u in their support's inside */
             assert_memory_equal(bat_curve_points(curve), bat_curve_points(left),
                                 (size_t)(kept * dimension) * sizeof(double));
-            int tail = bat_curve_count(curve) - bat_span(curve, u, -1);
-            assert_memory_equal(bat_curve_points(curve) + (bat_curve_count(curve) - tail) * dimension,
-                                bat_curve_points(right) + (bat_curve_count(right) - tail) * dimension,
+            int tail = bat_point_count(curve) - bat_span(curve, u, -1);
+            assert_memory_equal(bat_curve_points(curve) + (bat_point_count(curve) - tail) * dimension,
+                                bat_curve_points(right) + (bat_point_count(right) - tail) * dimension,
                                 (size_t)(tail * dimension) * sizeof(double));
         }
         bat_curve *thin = NULL;
@@ -116,7 +116,7 @@ static void open_close_and_seam(void **state) {
         double d[2];
         bat_curve_domain(curve, d);
         double u = random_between(&r, d[0] - 5, d[1] + 5);
-        if (round % 3 == 0) u = bat_curve_knots(curve)[bat_curve_count(curve) / 2];
+        if (round % 3 == 0) u = bat_curve_knots(curve)[bat_point_count(curve) / 2];
         assert_int_equal(bat_curve_open_at(curve, u, &open), BAT_OK);
         assert_false(bat_curve_is_closed(open));
         assert_true(curve_gap(open, curve, 1, 0, 100) < 100 * EPS);
@@ -220,7 +220,7 @@ static void removal_is_bounded(void **state) {
         if (u < d[0] || u > d[1]) u = 0.5 * (d[0] + d[1]);
         int before = bat_knot_multiplicity(curve, u), removed = -1;
         assert_int_equal(bat_curve_remove_knot(curve, u, 2, 1e6, &less, &removed, &error), BAT_OK);
-        assert_int_equal(bat_curve_count(less), bat_curve_count(curve) - removed);
+        assert_int_equal(bat_curve_count(less), bat_point_count(curve) - removed);
         if (removed > 0) assert_int_equal(bat_knot_multiplicity(less, u), before - removed);
         assert_true(curve_gap(curve, less, 1, 0, 200) <= error + EPS);
         gone += removed;
@@ -246,7 +246,7 @@ static void insertion_is_undone(void **state) {
         assert_int_equal(bat_curve_insert_knot(curve, u, n, &more), BAT_OK);
         assert_int_equal(bat_curve_remove_knot(more, u, n, 1e-8, &back, &removed, &error), BAT_OK);
         assert_int_equal(removed, n);
-        assert_int_equal(bat_curve_count(back), bat_curve_count(curve));
+        assert_int_equal(bat_curve_count(back), bat_point_count(curve));
         assert_true(error < 1e-9);
         assert_true(curve_gap(curve, back, 1, 0, 100) < error + EPS);
         bat_curve_free(back);
@@ -268,7 +268,7 @@ static void simplification(void **state) {
         for (; count < 60; count++) u[count] = d[0] + (d[1] - d[0]) * (count + 0.37) / 60;
         assert_int_equal(bat_curve_insert_knots(curve, count, u, &more), BAT_OK);
         assert_int_equal(bat_curve_simplify(more, 1e-9, 0.01, &less, &error), BAT_OK);
-        assert_true(bat_curve_count(less) <= bat_curve_count(curve));
+        assert_true(bat_point_count(less) <= bat_point_count(curve));
         assert_true(error <= 1e-9 && curve_gap(curve, less, 1, 0, 300) <= error + EPS);
         bat_curve_free(less);
         less = NULL;

@@ -16,6 +16,7 @@ static void refused(bat_status wanted, bat_status status, const char *call, int 
 
 #define ARGUMENT(call) refused(BAT_ARGUMENT, call, #call, __LINE__)
 #define NUMBER(call) refused(BAT_NUMBER, call, #call, __LINE__)
+#define COUNT(call) refused(BAT_COUNT, call, #call, __LINE__)
 
 static bat_curve *closed_curve(void) {
     const double knots[] = {0, 1, 2, 3, 4, 5}, points[] = {0, 0, 9, 0, 9, 9, 4, 12, 0, 9};
@@ -99,7 +100,7 @@ static void of_measures_and_drags(void **state) {
     bat_curve *open = pen_curve(0, 0, 10, 5, 7);
     const double u[] = {1, 2}, at[2] = {1, 1}, bad[2] = {NAN, 0};
     double values[20];
-    int count = 0;
+    size_t count = 0;
     bat_near near;
     bat_finder *finder = NULL;
     bat_frame3 frames[2];
@@ -120,7 +121,6 @@ static void of_measures_and_drags(void **state) {
     ARGUMENT(bat_curve_nearest_all(NULL, at, 1, 1, &near, &count));
     ARGUMENT(bat_curve_nearest_all(open, NULL, 1, 1, &near, &count));
     ARGUMENT(bat_curve_nearest_all(open, at, 1, 1, &near, NULL));
-    ARGUMENT(bat_curve_nearest_all(open, at, 1, -1, &near, &count));
     ARGUMENT(bat_curve_nearest_all(open, at, 1, 1, NULL, &count));
     ARGUMENT(bat_curve_nearest_all(open, at, NAN, 1, &near, &count));
     NUMBER(bat_curve_nearest_all(open, bad, 1, 1, &near, &count));
@@ -199,8 +199,8 @@ static void of_strokes(void **state) {
     NUMBER(bat_sketch_calm(open, range, 1, INFINITY, &out));
     bat_fit_options fit = bat_fit_defaults();
     ARGUMENT(bat_fit(2, 3, points, &fit, NULL, NULL));
-    fit.corner_count = -1;
-    ARGUMENT(bat_fit(2, 3, points, &fit, &out, NULL));
+    fit.corner_count = SIZE_MAX;
+    assert_int_equal(bat_fit(2, 3, points, &fit, &out, NULL), BAT_COUNT);
     fit.corner_count = 1;
     ARGUMENT(bat_fit(2, 3, points, &fit, &out, NULL));
     fit.corner_count = 0, fit.solves_max = -1;
@@ -221,6 +221,17 @@ static void of_levels(void **state) {
     ARGUMENT(bat_shape_decompose(curve, 1, NULL, NULL));
     ARGUMENT(bat_shape_decompose_to(NULL, 1, 4, NULL, &made));
     ARGUMENT(bat_shape_decompose_to(curve, 1, 4, NULL, NULL));
+    const size_t many[] = {BAT_POINTS_MAX + (size_t)1, SIZE_MAX,
+                           sizeof(size_t) > 4 ? (size_t)0x100000005 : SIZE_MAX};
+    const bat_fit_options fit = bat_fit_defaults();
+    for (int i = 0; i < 3; i++) { /* refused before anything is reckoned with them, or read */
+        const bat_spline endless = {.dimension = 2, .count = many[i], .points = delta};
+        COUNT(bat_shape_decompose_to(curve, 1, many[i], NULL, &made));
+        COUNT(bat_shape_move_many(shape, 0, 0, many[i], delta));
+        COUNT(bat_curve_drag(curve, many[i], delta, delta, &out));
+        COUNT(bat_tangents(&endless, NULL, NULL, NULL, NULL, &out));
+        COUNT(bat_fit(2, many[i], delta, &fit, &out, NULL));
+    }
     ARGUMENT(bat_shape_create(NULL, NULL, &made));
     ARGUMENT(bat_shape_create(curve, NULL, NULL));
     ARGUMENT(bat_shape_copy(NULL, &made));

@@ -14,6 +14,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/refine.h>
+#include "curve/curve.h"
 #include "base/matrix.h"
 #include "editor/edit/affine.h"
 #include "support/alloc_fail.h"
@@ -178,7 +179,7 @@ static void images_keep_levels(void **state) {
         for (int l = 0; l <= bat_shape_levels(before); l++) {
             const bat_curve *a = bat_shape_curve(before, l), *b = bat_shape_curve(after, l);
             int n = bat_curve_dimension(a);
-            for (int i = 0; i < bat_curve_count(a); i++) {
+            for (int i = 0; i < bat_point_count(a); i++) {
                 const double *p = bat_curve_points(a) + i * n, *q = bat_curve_points(b) + i * n;
                 assert_true(fabs(matrix[0] * p[0] + matrix[2] * p[1] + matrix[4] - q[0]) < 1e-9);
                 assert_true(fabs(matrix[1] * p[0] + matrix[3] * p[1] + matrix[5] - q[1]) < 1e-9);

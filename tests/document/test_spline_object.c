@@ -30,8 +30,12 @@ static void random_setup(random_source *r, setup *s, int round) {
     for (int i = 0; i < count; i++)
         if (random_between(r, 0, 1) < 0.4)
             for (int d = 0; d < n; d++) s->tangents[i * n + d] = d ? -0.0 : 0.0;
-    s->spline = (bat_spline){
-        n, round / 2 % 2, count, s->points, round % 5 ? s->tangents : NULL, round % 3 ? s->tension : NULL};
+    s->spline = (bat_spline){n,
+                             round / 2 % 2,
+                             (size_t)count,
+                             s->points,
+                             round % 5 ? s->tangents : NULL,
+                             round % 3 ? s->tension : NULL};
     s->options = (bat_tangents_options){(bat_tangents_mode)(round % 2), (bat_tangents_default)(round % 3)};
 }
 
@@ -55,7 +59,7 @@ static void its_curve_is_what_the_hand_makes(void **state) {
         assert_int_equal(bat_object_curve_count(object), 1);
         assert_true(bat_curve_is_equal(bat_object_curve(object, 0), expected));
         const bat_spline *kept = bat_object_spline(object);
-        size_t size = (size_t)(s.spline.count * s.spline.dimension) * sizeof(double);
+        size_t size = s.spline.count * (size_t)s.spline.dimension * sizeof(double);
         assert_memory_equal(kept->points, s.points, size);
         assert_non_null(kept->tangents);
         assert_non_null(kept->tension);

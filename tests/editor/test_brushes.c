@@ -334,7 +334,7 @@ static void comb_is_readable(void **state) {
     bat_editor_command(editor, "view-fit");
     bat_editor_command(editor, "show-comb");
     double u[64];
-    int inflections = bat_curve_inflections(curve_at(editor, 0), 64, u);
+    int inflections = (int)bat_curve_inflections(curve_at(editor, 0), 64, u);
     assert_true(inflections > 0 && inflections < 64);
     const double *view = bat_editor_frame(editor)->view;
     double at[2];

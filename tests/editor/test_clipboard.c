@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <cmocka.h>
+#include "curve/curve.h"
 #include "editor/editor.h"
 #include "support/alloc_fail.h"
 #include "support/pen.h"
@@ -65,7 +66,7 @@ static void expect_moved(const bat_object *a, const bat_object *b, double dx, do
         assert_int_equal(bat_curve_knot_count(c), bat_curve_knot_count(d));
         assert_memory_equal(bat_curve_knots(c), bat_curve_knots(d),
                             (size_t)bat_curve_knot_count(c) * sizeof(double));
-        for (int k = 0; k < 2 * bat_curve_count(c); k++)
+        for (int k = 0; k < 2 * bat_point_count(c); k++)
             assert_true(fabs(bat_curve_points(d)[k] - bat_curve_points(c)[k] - (k % 2 ? dy : dx)) < 1e-9);
     }
 }

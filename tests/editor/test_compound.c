@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "curve/curve.h"
 #include "support/pen.h"
 #include <batten/editor.h>
 #include <batten/measure.h>
@@ -56,9 +57,9 @@ static bat_editor *compound_editor(void) {
 }
 
 static bool same(const bat_curve *a, const bat_curve *b) {
-    return bat_curve_count(a) == bat_curve_count(b) && bat_curve_is_closed(a) == bat_curve_is_closed(b) &&
+    return bat_point_count(a) == bat_point_count(b) && bat_curve_is_closed(a) == bat_curve_is_closed(b) &&
            memcmp(bat_curve_points(a), bat_curve_points(b),
-                  2 * (size_t)bat_curve_count(a) * sizeof(double)) == 0;
+                  2 * (size_t)bat_point_count(a) * sizeof(double)) == 0;
 }
 
 /* The journal replays, and one undo leads back to what was there. */

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "curve/curve.h"
 #include "editor/editor.h"
 #include "support/session.h"
 #include "editor/tools/levels/state.h"
@@ -179,7 +180,7 @@ static void taken_apart_when_accepted(void **state) {
 
 /* A control point of the curve would be taken instead. */
 static bool near_point(const bat_curve *curve, const double at[2]) {
-    for (int i = 0; i < bat_curve_count(curve); i++)
+    for (int i = 0; i < bat_point_count(curve); i++)
         if (hypot(bat_curve_points(curve)[2 * i] - at[0], bat_curve_points(curve)[2 * i + 1] - at[1]) < 12)
             return true;
     return false;
@@ -210,7 +211,7 @@ static void a_level_is_dragged(void **state) {
         drag(&p, at[0], at[1], at[0] + 20, at[1] + 60);
         const bat_shape *after = shape_at(editor, 0);
         for (int l = 1; l <= 3; l++) { /* the details of the other levels ride along as they are */
-            int n = 3 * bat_curve_count(bat_shape_curve(after, l)), changed = 0;
+            int n = 3 * bat_point_count(bat_shape_curve(after, l)), changed = 0;
             for (int i = 0; i < n; i++)
                 changed += bat_shape_details(before, l)[i] != bat_shape_details(after, l)[i];
             if (l == level)
@@ -348,7 +349,7 @@ static void a_level_is_redrawn(void **state) {
         int changed[4] = {!bat_curve_is_equal(bat_shape_curve(before, 0), bat_shape_curve(after, 0))},
             all = 0;
         for (int l = 1; l <= 3; l++)
-            for (int i = 0; i < 3 * bat_curve_count(bat_shape_curve(after, l)); i++)
+            for (int i = 0; i < 3 * bat_point_count(bat_shape_curve(after, l)); i++)
                 changed[l] |= bat_shape_details(before, l)[i] != bat_shape_details(after, l)[i];
         for (int l = 0; l <= 3; l++) all += changed[l];
         assert_int_equal(all, 1);

@@ -21,7 +21,7 @@ static bat_curve *polyline(int count, const double *points) {
     double knots[16];
     bat_curve *curve = NULL;
     for (int i = 0; i < count + 2; i++) knots[i] = i == 0 ? 0 : i > count ? count - 1 : i - 1;
-    assert_int_equal(bat_curve_create(2, 1, false, count, points, count + 2, knots, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, (size_t)count, points, count + 2, knots, &curve), BAT_OK);
     return curve;
 }
 

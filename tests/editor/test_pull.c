@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "curve/curve.h"
 #include "editor/edit/pull.h"
 #include "editor/edit/smooth_node.h"
 #include "support/pen.h"
@@ -30,7 +31,7 @@ static void ends_stay(void **state) {
         for (int k = 0; k < 2; k++) u[k] = random_between(&r, domain[0], domain[1]);
         if (bat_pull(curve, count, u, delta, &moved) == BAT_OK) {
             double worst = 0;
-            for (int i = 0; i < bat_curve_count(curve); i++)
+            for (int i = 0; i < bat_point_count(curve); i++)
                 worst = fmax(worst, apart(bat_curve_points(curve) + 2 * i, bat_curve_points(moved) + 2 * i));
             double near = 1e-11 * (10 + worst);
             for (int k = 0; k < count; k++) {
@@ -42,7 +43,7 @@ static void ends_stay(void **state) {
                 place(curve, domain[side], before);
                 place(moved, domain[side], after);
                 assert_true(apart(before, after) < near);
-                int end = side ? bat_curve_count(curve) - 1 : 0;
+                int end = side ? bat_point_count(curve) - 1 : 0;
                 if (kind == 0)
                     assert_memory_equal(bat_curve_points(moved) + 2 * end, bat_curve_points(curve) + 2 * end,
                                         2 * sizeof(double));
@@ -112,15 +113,15 @@ static bat_curve *chain(random_source *r, int degree, bool closed, int segments,
     }
     for (int i = 0; i < (closed ? 1 : degree + 1); i++) knots[knot++] = t;
     bat_curve *curve = NULL;
-    assert_int_equal(
-        bat_curve_create(2, degree, closed, n, points, closed ? n + 1 : n + degree + 1, knots, &curve),
-        BAT_OK);
+    assert_int_equal(bat_curve_create(2, degree, closed, (size_t)n, points, closed ? n + 1 : n + degree + 1,
+                                      knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
 /* The sine of the greatest turn at a node; 2 when a handle has turned back. */
 static double greatest_turn(const bat_curve *curve, int segments) {
-    int p = bat_curve_degree(curve), n = bat_curve_count(curve);
+    int p = bat_curve_degree(curve), n = bat_point_count(curve);
     bool closed = bat_curve_is_closed(curve);
     double worst = 0;
     for (int k = 0; k < (closed ? segments : segments - 1); k++) {
@@ -148,7 +149,7 @@ static void smooth_nodes_stay_smooth(void **state) {
             double domain[2], u, delta[2] = {random_between(&r, -9, 9), random_between(&r, -9, 9)};
             bat_curve_domain(curve, domain);
             u = random_between(&r, domain[0] + 0.03, domain[1] - 0.03);
-            int point = random_int(&r, 0, bat_curve_count(curve) - 1);
+            int point = random_int(&r, 0, bat_point_count(curve) - 1);
             bat_status status = i % 2 ? bat_pull(curve, 1, &u, delta, &next)
                                       : bat_pull_point(curve, point, delta, false, &next);
             assert_int_equal(status, BAT_OK);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <cmocka.h>
+#include "curve/curve.h"
 #include "document/nesting.h"
 #include "base/matrix.h"
 #include "editor/edit/affine.h"
@@ -300,7 +301,7 @@ static void splines_stay_splines(void **state) {
     bat_curve_transform(bat_object_curve(made, 0),
                         (double[]){skew[0], skew[2], skew[4], skew[1], skew[3], skew[5]}, &expected);
     double near = 1e-8 * bat_curve_size(expected);
-    for (int i = 0; i < 2 * bat_curve_count(expected); i++)
+    for (int i = 0; i < 2 * bat_point_count(expected); i++)
         assert_true(fabs(bat_curve_points(expected)[i] - bat_curve_points(bat_object_curve(skewed, 0))[i]) <
                     near);
     bat_curve_free(expected);

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "curve/curve.h"
 #include "support/random_curve.h"
 #include "support/xml.h"
 
@@ -80,7 +81,7 @@ static void nodes_of_a_smooth_outline_merge(void **state) {
     for (int closed = 0; closed < 2; closed++) {
         wavy_path(path, 160, closed, 150, 4);
         bat_document *plain = read_with(path, NULL), *merged = read_with(path, &merging);
-        int before = bat_curve_count(curve_of(plain)), after = bat_curve_count(curve_of(merged));
+        int before = bat_point_count(curve_of(plain)), after = bat_point_count(curve_of(merged));
         if (!(after * 5 <= before * 2)) fail_msg("%d points, %d before", after, before);
         assert_int_equal(bat_curve_is_closed(curve_of(merged)), closed);
         assert_true(apart(curve_of(plain), curve_of(merged)) <= 1.001e-3);
@@ -168,7 +169,7 @@ static void never_further_off(void **state) {
         assert_int_equal(bat_svg_write(document, false, &text, &size), BAT_OK);
         assert_int_equal(xml_read(text, NULL, &plain, &report, &problem), BAT_OK);
         assert_int_equal(xml_read(text, &merging, &merged, &report, &problem), BAT_OK);
-        assert_true(bat_curve_count(curve_of(merged)) <= bat_curve_count(curve_of(plain)));
+        assert_true(bat_point_count(curve_of(merged)) <= bat_point_count(curve_of(plain)));
         assert_true(apart(curve_of(plain), curve_of(merged)) <= 1.001e-3);
         bat_free(text);
         bat_document_free(document);

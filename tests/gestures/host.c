@@ -219,7 +219,7 @@ static void put_numbers(const double *numbers, int count, int stride, int of) {
 /* Places on the curve, `each` a span. */
 static void put_places(const bat_curve *curve, int each) {
     const double *knots = bat_curve_knots(curve);
-    int degree = bat_curve_degree(curve), count = bat_curve_count(curve),
+    int degree = bat_curve_degree(curve), count = (int)bat_curve_count(curve),
         dimension = bat_curve_dimension(curve);
     int first = bat_curve_is_closed(curve) ? 0 : degree, last = count, spans = 0;
     double at[BAT_DIMENSION_MAX];
@@ -251,7 +251,7 @@ static void put_object(const bat_object *object, int each) {
                bat_object_shape(object, i) ? bat_shape_levels(bat_object_shape(object, i)) : -1);
         put_numbers(bat_curve_knots(curve), bat_curve_knot_count(curve), 1, 1);
         printf(",\"points\":");
-        put_numbers(bat_curve_points(curve), bat_curve_count(curve), bat_curve_dimension(curve), 2);
+        put_numbers(bat_curve_points(curve), (int)bat_curve_count(curve), bat_curve_dimension(curve), 2);
         printf(",\"places\":");
         put_places(curve, each);
         putchar('}');

@@ -431,8 +431,9 @@ static bat_curve *odd_curve(uint64_t *state) {
         if (i >= degree && i < n) t += next_random(state) % 3 ? ldexp(1, -(int)(next_random(state) % 40)) : 1;
     }
     bat_curve *made = NULL;
-    return bat_curve_create(2, degree, false, n, points, n + degree + 1, knots, &made) == BAT_OK ? made
-                                                                                                 : NULL;
+    return bat_curve_create(2, degree, false, (size_t)n, points, n + degree + 1, knots, &made) == BAT_OK
+               ? made
+               : NULL;
 }
 static void measure(unsigned seed) {
     uint64_t state = seed;
@@ -440,7 +441,7 @@ static void measure(unsigned seed) {
     if (!odd) return;
     double domain[2], u[8];
     bat_near near, all[8];
-    int count;
+    size_t count;
     bat_curve_domain(odd, domain);
     const double point[2] = {bat_curve_points(odd)[0] * 3, 1e-3};
     (void)bat_curve_nearest(odd, point, &near);

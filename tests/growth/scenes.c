@@ -40,8 +40,8 @@ static bat_curve *wave(double x, double y, double step, int count, bool closed) 
         points[2 * i + 1] = closed ? y + radius * sin(angle) : y + 20 * sin(points[2 * i] / 25 + y);
     }
     for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : i < 4 ? 0 : i >= count ? count - 3 : i - 3;
-    if (bat_curve_create(2, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve) !=
-        BAT_OK)
+    if (bat_curve_create(2, 3, closed, (size_t)count, points, closed ? count + 1 : count + 4, knots,
+                         &curve) != BAT_OK)
         abort();
     free(points);
     free(knots);
@@ -212,7 +212,7 @@ static bat_editor *spline(int n) {
     if (!p) abort();
     for (int i = 0; i < n; i++) p[2 * i] = 100 + 800.0 * i / n, p[2 * i + 1] = 400 + 40 * sin(p[2 * i] / 30);
     bat_style style = bat_style_defaults();
-    bat_spline data = {.dimension = 2, .count = n, .points = p};
+    bat_spline data = {.dimension = 2, .count = (size_t)n, .points = p};
     if (bat_object_create_spline(bat_document_new_id(made), "", &style, &data, NULL, &object) != BAT_OK)
         abort();
     append(made, object, 0);
@@ -250,8 +250,8 @@ static bat_editor *trembling(int n) {
     double *points = malloc(sizeof(double) * 2 * (size_t)n);
     if (!points) abort();
     for (int i = 0; i < 2 * n; i++) points[i] = bat_curve_points(smooth)[i] + sin(1e4 * sin(i));
-    if (bat_curve_create(2, 3, false, n, points, bat_curve_knot_count(smooth), bat_curve_knots(smooth),
-                         &rough) != BAT_OK)
+    if (bat_curve_create(2, 3, false, (size_t)n, points, bat_curve_knot_count(smooth),
+                         bat_curve_knots(smooth), &rough) != BAT_OK)
         abort();
     free(points);
     bat_curve_free(smooth);

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "curve/curve.h"
 #include "support/random_curve.h"
 
 enum { PLACES = 1500 };
@@ -61,7 +62,8 @@ static bat_curve *curve_of(random_source *r, int kind, int round) {
     }
     bat_curve *curve = NULL;
     assert_int_equal(
-        bat_curve_create(2, p, kind == 3, n, points, (kind == 3) ? n + 1 : n + p + 1, knots, &curve), BAT_OK);
+        bat_curve_create(2, p, kind == 3, (size_t)n, points, (kind == 3) ? n + 1 : n + p + 1, knots, &curve),
+        BAT_OK);
     return curve;
 }
 
@@ -96,7 +98,7 @@ static void never_worse(void **state) {
                          before.peak, after.peak);
             if (kind != 3)
                 for (int i = 0; i < 4; i++) { /* ends, and the points that hold their directions */
-                    int point = i < 2 ? i : bat_curve_count(curve) - 1 - (i - 2);
+                    int point = i < 2 ? i : bat_point_count(curve) - 1 - (i - 2);
                     assert_memory_equal(bat_curve_points(next) + 2 * point,
                                         bat_curve_points(curve) + 2 * point, 2 * sizeof(double));
                 }
@@ -120,7 +122,7 @@ static void trembling_goes(void **state) {
         }
         for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? n - 3 : i - 3;
         bat_curve *curve = NULL, *next = NULL;
-        assert_int_equal(bat_curve_create(2, 3, false, n, points, n + 4, knots, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(2, 3, false, (size_t)n, points, n + 4, knots, &curve), BAT_OK);
         double range[2] = {0, 57};
         comb before = comb_of(curve, 1e-4);
         for (int press = 0; press < 10; press++) {

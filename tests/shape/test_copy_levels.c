@@ -33,7 +33,7 @@ static bat_curve *wavy(int degree, int dimension, bool closed, int count, double
         if (closed || (i >= degree && i < count)) t += uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points,
+    assert_int_equal(bat_curve_create(dimension, degree, closed, (size_t)count, points,
                                       closed ? count + 1 : count + degree + 1, knots, &curve),
                      BAT_OK);
     return curve;
@@ -43,8 +43,8 @@ static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, b
 
 static double worst(const bat_curve *a, const bat_curve *b) {
     double most = 0;
-    assert_int_equal(bat_curve_count(a), bat_curve_count(b));
-    for (int i = 0; i < bat_curve_count(a) * bat_curve_dimension(a); i++)
+    assert_int_equal(bat_curve_count(a), bat_point_count(b));
+    for (int i = 0; i < bat_point_count(a) * bat_curve_dimension(a); i++)
         most = fmax(most, fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]));
     return most;
 }
@@ -60,7 +60,7 @@ static void onto_its_own_base(void **state) {
         bat_shape *shape, *again, *turned;
         assert_int_equal(bat_shape_decompose(curve, 1, &options, &shape), BAT_OK);
         assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
-        for (int i = 0; i < bat_curve_count(finest(shape)); i++)
+        for (int i = 0; i < bat_point_count(finest(shape)); i++)
             assert_int_equal(bat_shape_move(shape, 2, i, (double[]){uniform(-2, 2), uniform(-2, 2), 0}),
                              BAT_OK);
         assert_int_equal(bat_shape_set_gain(shape, 1, 1.25), BAT_OK);
@@ -99,7 +99,7 @@ static void other_knots_same_detail(void **state) {
             assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
             /* Along the base alone, so that the second level's frames are the first's. */
             if (l == 1) continue;
-            for (int i = 0; i < bat_curve_count(finest(shape)); i++)
+            for (int i = 0; i < bat_point_count(finest(shape)); i++)
                 assert_int_equal(bat_shape_move(shape, 2, i, (double[]){uniform(-9, 9), uniform(-9, 9)}),
                                  BAT_OK);
         }

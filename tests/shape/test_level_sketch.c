@@ -12,6 +12,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "curve/curve.h"
 #include "support/sketch_cases.h"
 
 #include <batten/levels.h>
@@ -38,7 +39,7 @@ static bat_curve *base(random_source *r, int degree, int dimension, bool closed,
                                   : exp(random_between(r, -3, 3));
     }
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+    assert_int_equal(bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve),
                      BAT_OK);
     return curve;
 }
@@ -46,7 +47,7 @@ static bat_curve *base(random_source *r, int degree, int dimension, bool closed,
 /* Spans between the start of the domain and u (closed: unrolled). */
 static double spans_to(const bat_curve *curve, double u) {
     const double *t = bat_curve_knots(curve);
-    int p = bat_curve_degree(curve), n = bat_curve_count(curve), first = bat_curve_is_closed(curve) ? 0 : p;
+    int p = bat_curve_degree(curve), n = bat_point_count(curve), first = bat_curve_is_closed(curve) ? 0 : p;
     double place = 0, turns = 0;
     if (bat_curve_is_closed(curve)) turns = floor((u - t[0]) / (t[n] - t[0]));
     u -= turns * (t[n] - t[0]);
@@ -119,7 +120,7 @@ static found compare(const bat_curve *before, const bat_curve *after, double u0,
 /* Control points whose support the stretch misses are the same bits. */
 static void assert_supports(const bat_curve *before, const bat_curve *after, double u0, double u1) {
     const double *t = bat_curve_knots(before);
-    int p = bat_curve_degree(before), n = bat_curve_count(before), size = bat_curve_dimension(before);
+    int p = bat_curve_degree(before), n = bat_point_count(before), size = bat_curve_dimension(before);
     if (bat_curve_is_closed(before)) return;
     for (int i = 0; i < n; i++)
         if (t[i + p + 1] <= u0 || t[i] >= u1)
@@ -287,7 +288,8 @@ static void edge_cases(void **state) {
         for (int i = 0; i < count * size; i++) points[i] = scale * random_between(&r, -1, 1);
         for (int i = 0; i < total; i++) knots[i] = closed ? i : fmin(fmax(i - degree, 0), count - degree);
         bat_curve *curve;
-        assert_int_equal(bat_curve_create(size, degree, closed, count, points, total, knots, &curve), BAT_OK);
+        assert_int_equal(bat_curve_create(size, degree, closed, (size_t)count, points, total, knots, &curve),
+                         BAT_OK);
         bat_curve_domain(curve, domain);
         for (int many = 1; many <= 3; many++) {
             bat_shape *shape;

@@ -13,6 +13,7 @@
 #include <batten/levels.h>
 #include <batten/refine.h>
 
+#include "curve/curve.h"
 #include "hands/levels/shape.h"
 
 static uint64_t seed;
@@ -35,7 +36,7 @@ static bat_curve *random_curve(int degree, int dimension, bool closed, int count
         if (closed || (i >= degree && i < count)) t += uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+    assert_int_equal(bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve),
                      BAT_OK);
     return curve;
 }
@@ -59,7 +60,7 @@ static bat_shape *random_shape(int round, bat_frame_rule rule, bat_propagation p
         const bat_curve *below = finest(shape);
         double middle[200];
         const double *t = bat_curve_knots(below);
-        int n = 0, p = 3, spans = closed ? bat_curve_count(below) : bat_curve_count(below) - p;
+        int n = 0, p = 3, spans = closed ? bat_point_count(below) : bat_point_count(below) - p;
         for (int i = 0; i < spans; i++) {
             int k = closed ? i : i + p;
             middle[n++] = t[k] + (t[k + 1] - t[k]) / 2;
@@ -116,7 +117,7 @@ static void decomposition_is_exact(void **state) {
         assert_int_equal(bat_shape_levels(shape), 3);
         assert_true(worst_between(curve, finest(shape)) < 1e-12 * bat_curve_size(curve));
         assert_int_equal(bat_curve_knot_count(curve), bat_curve_knot_count(finest(shape)));
-        assert_true(bat_curve_count(bat_shape_curve(shape, 0)) < bat_curve_count(curve) / 4 + degree + 1);
+        assert_true(bat_point_count(bat_shape_curve(shape, 0)) < bat_point_count(curve) / 4 + degree + 1);
         bat_shape_free(shape);
         bat_shape *none = NULL;
         assert_int_equal(bat_shape_decompose(curve, 20, NULL, &none), BAT_COUNT);
@@ -137,7 +138,7 @@ static void coarse_curves_have_no_detail(void **state) {
         assert_int_equal(bat_curve_insert_knots(coarse, 9, middle, &fine), BAT_OK);
         bat_shape *shape;
         assert_int_equal(bat_shape_decompose(fine, 1, NULL, &shape), BAT_OK);
-        for (int i = 0; i < 3 * bat_curve_count(fine); i++)
+        for (int i = 0; i < 3 * bat_point_count(fine); i++)
             assert_true(fabs(bat_shape_details(shape, 1)[i]) < 1e-10);
         bat_shape_free(shape);
         bat_curve_free(coarse);
@@ -192,7 +193,7 @@ static void drags_are_exact_and_local(void **state) {
         /* Nine knots of the base and their finer relatives are the most that moves. */
         const bat_curve *base = bat_shape_curve(before, 0);
         const double *t = bat_curve_knots(base);
-        int count = bat_curve_count(base), first;
+        int count = bat_point_count(base), first;
         double values[4];
         bat_curve_basis(base, u, &first, values);
         if (!bat_curve_is_closed(base)) {
@@ -307,7 +308,7 @@ static void sketch_at_a_level(void **state) {
         /* Coefficients whose support misses the stroke are bitwise as they were. */
         if (level > 0) {
             const double *t = bat_curve_knots(curve);
-            for (int i = 0; i < bat_curve_count(curve) && !bat_curve_is_closed(curve); i++)
+            for (int i = 0; i < bat_point_count(curve) && !bat_curve_is_closed(curve); i++)
                 if (t[i + 4] <= a || t[i] >= b)
                     for (int d = 0; d < 3; d++)
                         assert_true(bat_shape_details(shape, level)[3 * i + d] ==

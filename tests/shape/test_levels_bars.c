@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <batten/levels.h>
 
+#include "curve/curve.h"
 #include "hands/levels/shape.h"
 
 static uint64_t seed;
@@ -32,7 +33,7 @@ static bat_curve *random_curve(int round, int degree, int dimension, bool closed
         if ((closed || (i >= degree && i < count)) && !twice) t += round % 2 ? 1 : uniform(0.01, 3);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+    assert_int_equal(bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve),
                      BAT_OK);
     return curve;
 }
@@ -40,7 +41,7 @@ static bat_curve *random_curve(int round, int degree, int dimension, bool closed
 /* Knot i of the unrolled line. */
 static long double knot(const bat_curve *curve, int i) {
     const double *t = bat_curve_knots(curve);
-    int n = bat_curve_count(curve), turns = 0;
+    int n = bat_point_count(curve), turns = 0;
     if (!bat_curve_is_closed(curve)) return t[i];
     while (i < 0) i += n, turns--;
     while (i >= n) i -= n, turns++;
@@ -76,7 +77,7 @@ static void nodes(void **state) {
         double period = domain[1] - domain[0], near = 1e-12 * period;
         for (int rule = 0; rule < 2; rule++) {
             assert_int_equal(bat_nodes(curve, (bat_node_rule)rule, out), BAT_OK);
-            for (int i = 0; i < bat_curve_count(curve); i++) {
+            for (int i = 0; i < bat_point_count(curve); i++) {
                 assert_true(out[i] >= domain[0] && out[i] <= domain[1]);
                 long double mean = 0, low = knot(curve, i), high = knot(curve, i + p + 1), u = out[i];
                 if (rule == BAT_NODES_GREVILLE) {
@@ -117,7 +118,7 @@ static void least_norm_weights(void **state) {
         assert_int_equal(bat_shape_copy(shape, &after), BAT_OK);
         assert_int_equal(bat_shape_drag(after, level, u, delta), BAT_OK);
         long double weight[60], square = 0;
-        int n = bat_curve_count(curve);
+        int n = bat_point_count(curve);
         for (int i = 0; i < n; i++) {
             long double v = u;
             if (bat_curve_is_closed(curve))
@@ -167,10 +168,10 @@ typedef struct dense {
 } dense;
 
 static void basis_row(const bat_curve *curve, double u, long double *row) {
-    for (int i = 0; i < bat_curve_count(curve); i++) {
+    for (int i = 0; i < bat_point_count(curve); i++) {
         long double v = u, from = knot(curve, i);
         if (bat_curve_is_closed(curve)) {
-            long double width = knot(curve, bat_curve_count(curve)) - knot(curve, 0);
+            long double width = knot(curve, bat_point_count(curve)) - knot(curve, 0);
             while (v < from) v += width;
             while (v - width >= from) v -= width;
         }
@@ -186,7 +187,7 @@ static void add_row(dense *m, const long double *row, long double weight) {
 
 /* Spans from a to b (closed: forwards, over the seam where b < a). */
 static double spans_between(const bat_curve *curve, double a, double b) {
-    int n = bat_curve_count(curve), p = bat_curve_degree(curve);
+    int n = bat_point_count(curve), p = bat_curve_degree(curve);
     bool closed = bat_curve_is_closed(curve);
     double spans = 0;
     if (closed && b < a) b += (double)(knot(curve, n) - knot(curve, 0));
@@ -208,8 +209,8 @@ static double walk(const bat_curve *curve, double u, double sign, double away) {
     for (int k = 0; k < 200 && high - low > 0; k++) {
         middle = (low + high) / 2;
         double spans = 0, to = all * middle;
-        for (int i = -3 * bat_curve_count(curve); i < 3 * bat_curve_count(curve); i++) {
-            if (!bat_curve_is_closed(curve) && (i < bat_curve_degree(curve) || i >= bat_curve_count(curve)))
+        for (int i = -3 * bat_point_count(curve); i < 3 * bat_point_count(curve); i++) {
+            if (!bat_curve_is_closed(curve) && (i < bat_curve_degree(curve) || i >= bat_point_count(curve)))
                 continue;
             long double t0 = knot(curve, i), t1 = knot(curve, i + 1), a = sign < 0 ? u - to : u,
                         b = sign < 0 ? u : u + to;
@@ -263,7 +264,7 @@ static void sketch_solves_the_normal_equations(void **state) {
         bat_curve_domain(curve, domain);
         double from = uniform(0, closed ? 0.9 : 0.5), width = domain[1] - domain[0];
         static dense whole, m;
-        whole = (dense){.curve = curve, .n = bat_curve_count(curve), .size = size};
+        whole = (dense){.curve = curve, .n = bat_point_count(curve), .size = size};
         for (int k = 0; k < SAMPLES; k++) { /* loops: perhaps around the seam */
             double w = from + 0.3 * k / (SAMPLES - 1);
             u[k] = domain[0] + width * (w - floor(w));

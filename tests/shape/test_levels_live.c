@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <batten/batten.h>
 
+#include "curve/curve.h"
 #include "support/alloc_fail.h"
 
 static uint64_t seed;
@@ -35,7 +36,7 @@ static bat_curve *random_curve(int degree, int dimension, bool closed, int count
         if (closed || (i >= degree && i < count)) t += even > 0 ? 1 : uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(bat_curve_create(dimension, degree, closed, count, points, total, knots, &curve),
+    assert_int_equal(bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve),
                      BAT_OK);
     return curve;
 }
@@ -54,7 +55,7 @@ static bat_shape *random_shape(int round, int degree, bat_frame_rule rule, bat_p
         assert_int_equal(bat_shape_create(base, &options, &shape), BAT_OK);
         for (int j = 1; j <= 3; j++) {
             assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
-            int n = bat_curve_count(bat_shape_curve(shape, j));
+            int n = bat_point_count(bat_shape_curve(shape, j));
             for (int i = 0; i < n; i++) {
                 double delta[3] = {uniform(-8, 8) / j, uniform(-8, 8) / j, uniform(-8, 8) / j};
                 assert_int_equal(bat_shape_move(shape, j, i, delta), BAT_OK);
@@ -72,7 +73,7 @@ static bool same(const bat_shape *a, const bat_shape *b) {
     for (int l = 0; l <= bat_shape_levels(a); l++) {
         const bat_curve *c = bat_shape_curve(a, l);
         if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
-        for (int i = 0; l > 0 && i < 3 * bat_curve_count(c); i++)
+        for (int i = 0; l > 0 && i < 3 * bat_point_count(c); i++)
             if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
     }
     return true;
@@ -80,8 +81,8 @@ static bool same(const bat_shape *a, const bat_shape *b) {
 
 static double apart(const bat_curve *a, const bat_curve *b) {
     double worst = 0;
-    assert_int_equal(bat_curve_count(a), bat_curve_count(b));
-    for (int i = 0; i < bat_curve_count(a) * bat_curve_dimension(a); i++)
+    assert_int_equal(bat_curve_count(a), bat_point_count(b));
+    for (int i = 0; i < bat_point_count(a) * bat_curve_dimension(a); i++)
         worst = fmax(worst, fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]));
     return worst;
 }
@@ -94,7 +95,7 @@ static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] 
 static bat_curve *next_level(const bat_shape *before, const bat_curve *below, int level, double touched[2]) {
     const bat_curve *old_below = bat_shape_curve(before, level - 1), *old = bat_shape_curve(before, level);
     const bat_shape_options *o = bat_shape_options_of(before);
-    int n = bat_curve_count(old), size = bat_curve_dimension(old), p = bat_curve_degree(old);
+    int n = bat_point_count(old), size = bat_curve_dimension(old), p = bat_curve_degree(old);
     double domain[2], a = touched[0], b = touched[1], angle = 0;
     bat_curve_domain(old, domain);
     bat_frame_options options = bat_frame_defaults();
@@ -134,9 +135,9 @@ static bat_curve *next_level(const bat_shape *before, const bat_curve *below, in
         }
     }
     touched[0] = low, touched[1] = high;
-    assert_int_equal(
-        bat_curve_create(size, p, false, n, points, bat_curve_knot_count(old), bat_curve_knots(old), &out),
-        BAT_OK);
+    assert_int_equal(bat_curve_create(size, p, false, (size_t)n, points, bat_curve_knot_count(old),
+                                      bat_curve_knots(old), &out),
+                     BAT_OK);
     free(points);
     bat_curve_free(refined);
     bat_frame_chain_free(chain[0]);
@@ -154,7 +155,7 @@ static void edits_equal_the_whole_formula(void **state) {
         bat_shape *shape = random_shape(round, degree, BAT_FRAMES_RMF, BAT_PROPAGATION_LOCAL), *before;
         int usual = 1;
         for (int l = 1; l <= bat_shape_levels(shape); l++)
-            for (int i = 0; i < bat_curve_count(bat_shape_curve(shape, l)); i++)
+            for (int i = 0; i < bat_point_count(bat_shape_curve(shape, l)); i++)
                 usual = usual && bat_shape_source(shape, l)[i] == l - 1;
         if (!usual) {
             bat_shape_free(shape);
@@ -162,7 +163,7 @@ static void edits_equal_the_whole_formula(void **state) {
         }
         assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
         const bat_curve *base = bat_shape_curve(before, 0);
-        int n = bat_curve_count(base),
+        int n = bat_point_count(base),
             first = round % 5 == 0   ? 0
                     : round % 5 == 1 ? n - 3
                                      : pick(n - 3),
@@ -177,7 +178,7 @@ static void edits_equal_the_whole_formula(void **state) {
         double *points = malloc((size_t)(n * size) * sizeof(double));
         memcpy(points, bat_curve_points(base), (size_t)(n * size) * sizeof(double));
         for (int i = 0; i < 3 * size; i++) points[first * size + i] += deltas[i];
-        assert_int_equal(bat_curve_create(size, degree, false, n, points, bat_curve_knot_count(base),
+        assert_int_equal(bat_curve_create(size, degree, false, (size_t)n, points, bat_curve_knot_count(base),
                                           bat_curve_knots(base), &expected),
                          BAT_OK);
         free(points);
@@ -216,7 +217,8 @@ static void sessions(void **state) {
         bat_frame_rule rule = (bat_frame_rule)(round % 5 < 3 ? 0 : round % 5 - 2);
         bat_shape *shape = random_shape(round, 1 + round % 4, rule, (bat_propagation)(round % 11 == 0)),
                   *after, *way;
-        int level = round % (bat_shape_levels(shape) + 1), first, count;
+        int level = round % (bat_shape_levels(shape) + 1), first;
+        size_t touched;
         const bat_curve *curve = bat_shape_curve(shape, level);
         double domain[2], far = round % 7 == 0 ? 400 : 30,
                           delta[3] = {uniform(-far, far), uniform(-far, far), uniform(-far, far)},
@@ -236,8 +238,9 @@ static void sessions(void **state) {
         for (int l = 0; l <= bat_shape_levels(shape); l++) {
             const bat_curve *a = bat_shape_curve(shape, l),
                             *b = bat_shape_curve(bat_shape_live_shape(live), l);
-            int n = bat_curve_count(a), size = bat_curve_dimension(a);
-            bat_shape_live_touched(live, l, &first, &count);
+            int n = bat_point_count(a), size = bat_curve_dimension(a);
+            bat_shape_live_touched(live, l, &first, &touched);
+            int count = (int)touched;
             assert_true(count <= n && (l >= level || count == 0));
             partly += count > 0 && count < n / 2;
             for (int k = count; k < n; k++) {

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <batten/levels.h>
 
+#include "curve/curve.h"
 #include "support/alloc_fail.h"
 
 static uint64_t seed;
@@ -33,9 +34,9 @@ static bat_curve *base_of(int dimension, bool closed, int count) {
         if (closed || (i >= 3 && i < count)) t += uniform(50, 80);
     }
     bat_curve *curve;
-    assert_int_equal(
-        bat_curve_create(dimension, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve),
-        BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, 3, closed, (size_t)count, points,
+                                      closed ? count + 1 : count + 4, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -48,7 +49,7 @@ static bat_shape *shape_of(int round) {
     bat_curve_free(base);
     for (int l = 1; l <= 2; l++) {
         assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
-        for (int i = 0; i < bat_curve_count(finest(shape)); i++)
+        for (int i = 0; i < bat_point_count(finest(shape)); i++)
             assert_int_equal(
                 bat_shape_move(shape, l, i, (double[]){uniform(-9, 9), uniform(-9, 9), uniform(-9, 9)}),
                 BAT_OK);

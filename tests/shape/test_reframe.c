@@ -11,6 +11,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/bezier.h>
+
+#include "curve/curve.h"
 #include <batten/format.h>
 #include <batten/levels.h>
 #include <batten/refine.h>
@@ -35,9 +37,9 @@ static bat_curve *wavy(int dimension, bool closed, int count) {
         if (closed || (i >= 3 && i < count)) t += uniform(0.5, 2);
     }
     bat_curve *curve;
-    assert_int_equal(
-        bat_curve_create(dimension, 3, closed, count, points, closed ? count + 1 : count + 4, knots, &curve),
-        BAT_OK);
+    assert_int_equal(bat_curve_create(dimension, 3, closed, (size_t)count, points,
+                                      closed ? count + 1 : count + 4, knots, &curve),
+                     BAT_OK);
     return curve;
 }
 
@@ -45,8 +47,8 @@ static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, b
 
 static double worst(const bat_curve *a, const bat_curve *b) {
     double most = 0;
-    assert_int_equal(bat_curve_count(a), bat_curve_count(b));
-    for (int i = 0; i < bat_curve_count(a) * bat_curve_dimension(a); i++)
+    assert_int_equal(bat_curve_count(a), bat_point_count(b));
+    for (int i = 0; i < bat_point_count(a) * bat_curve_dimension(a); i++)
         most = fmax(most, fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]));
     return most;
 }
@@ -170,28 +172,28 @@ static void apart_to_a_number(void **state) {
         int first = closed ? 1 : 4, extra = 0;
         for (int i = first; i < first + 20; i++) twice[extra++] = t[i], twice[extra++] = t[i];
         assert_int_equal(bat_curve_insert_knots(curve, extra, twice, &sharp), BAT_OK);
-        int levels = 1 + round % 6, coarsest = 5 + round % 30, n = bat_curve_count(sharp);
+        int levels = 1 + round % 6, coarsest = 5 + round % 30, n = bat_point_count(sharp);
         bat_shape *shape = NULL;
-        assert_int_equal(bat_shape_decompose_to(sharp, levels, coarsest, NULL, &shape), BAT_OK);
+        assert_int_equal(bat_shape_decompose_to(sharp, levels, (size_t)coarsest, NULL, &shape), BAT_OK);
         assert_int_equal(bat_shape_levels(shape), levels);
         assert_int_equal(bat_curve_count(bat_shape_curve(shape, 0)), coarsest);
         assert_true(worst(sharp, finest(shape)) < 1e-12 * bat_curve_size(sharp));
         for (int l = 0; l < levels; l++)
-            assert_true(bat_curve_count(bat_shape_curve(shape, l)) <
-                        bat_curve_count(bat_shape_curve(shape, l + 1)));
+            assert_true(bat_point_count(bat_shape_curve(shape, l)) <
+                        bat_point_count(bat_shape_curve(shape, l + 1)));
         /* Sixty points' knots are enough for the base, so none of them is there twice. */
         const bat_curve *base = bat_shape_curve(shape, 0);
-        for (int i = closed ? 1 : 4; i < bat_curve_count(base); i++)
+        for (int i = closed ? 1 : 4; i < bat_point_count(base); i++)
             assert_true(bat_curve_knots(base)[i] > bat_curve_knots(base)[i - 1]);
         bat_shape_free(shape);
         shape = NULL;
-        assert_int_equal(bat_shape_decompose_to(sharp, 3, n - 2, NULL, &shape), BAT_COUNT);
+        assert_int_equal(bat_shape_decompose_to(sharp, 3, (size_t)(n - 2), NULL, &shape), BAT_COUNT);
         assert_int_equal(bat_shape_decompose_to(sharp, 1, 2, NULL, &shape), BAT_COUNT);
         assert_int_equal(bat_shape_decompose_to(sharp, 0, 9, NULL, &shape), BAT_COUNT);
         assert_int_equal(bat_shape_decompose_to(sharp, 25, 9, NULL, &shape), BAT_COUNT);
         assert_int_equal(bat_shape_decompose_to(NULL, 1, 9, NULL, &shape), BAT_ARGUMENT);
         assert_null(shape);
-        assert_int_equal(bat_shape_decompose_to(sharp, 3, n - 3, NULL, &shape), BAT_OK);
+        assert_int_equal(bat_shape_decompose_to(sharp, 3, (size_t)(n - 3), NULL, &shape), BAT_OK);
         bat_shape_free(shape);
         bat_curve_free(curve);
         bat_curve_free(sharp);

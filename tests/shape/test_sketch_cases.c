@@ -6,6 +6,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "curve/curve.h"
 #include "support/sketch_cases.h"
 
 #include <batten/refine.h>
@@ -445,7 +446,7 @@ static void new_curves(void **state) {
         bat_sketch_report report;
         assert_int_equal(bat_sketch_new(&stroke, false, NULL, &now, &report), BAT_OK);
         assert_int_equal(bat_curve_is_closed(now), kind > 0);
-        if (kind < 2) assert_true(bat_curve_count(now) < 16);
+        if (kind < 2) assert_true(bat_point_count(now) < 16);
         if (kind == 2) assert_int_equal(corners_of(now), 3);
         assert_true(farthest(now, points, 30, 370) <= 1 + 3 * 0.4 * 1.5);
         assert_true(worst_jump(now) <= 1e-9);

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "curve/curve.h"
 #include "support/sketch_cases.h"
 
 static const double pi = 3.14159265358979324;
@@ -135,7 +136,7 @@ static void strokes_become_fair(void **state) {
         if (found > s.extrema) added += found - s.extrema;
         for (int i = 1; i < PLACES; i++) variation += fabs(k[i] - k[i - 1]);
         truth += s.variation;
-        points[n] = bat_curve_count(curve);
+        points[n] = bat_point_count(curve);
         rms += farthest(curve, s.points, 0, s.count - 1) / STROKES;
         bat_curve_free(curve);
     }

@@ -29,9 +29,9 @@ static bat_curve *even(bool closed, int count, const double *points) {
     const int p = closed ? 2 : 3;
     for (int i = 0; i <= count + p; i++) knots[i] = closed ? i : fmin(fmax(i - p, 0), count - p);
     bat_curve *curve;
-    assert_int_equal(
-        bat_curve_create(2, p, closed, count, points, closed ? count + 1 : count + p + 1, knots, &curve),
-        BAT_OK);
+    assert_int_equal(bat_curve_create(2, p, closed, (size_t)count, points, closed ? count + 1 : count + p + 1,
+                                      knots, &curve),
+                     BAT_OK);
     return curve;
 }
 

@@ -129,7 +129,7 @@ static void random_setup(setup *s, int round) {
             for (int d = 0; d < n; d++) s->tangents[i * n + d] = 0;
     s->spline = (bat_spline){.dimension = n,
                              .closed = (round / 2) % 2,
-                             .count = count,
+                             .count = (size_t)count,
                              .points = s->points,
                              .tangents = s->tangents};
 }
@@ -141,7 +141,7 @@ static void faithful(void **state) {
     for (int round = 0; round < 2000; round++) {
         setup s;
         random_setup(&s, round);
-        int n = s.spline.dimension, count = s.spline.count;
+        int n = s.spline.dimension, count = (int)s.spline.count;
         bat_joint joints[16];
         double *bezier;
         int segments;
@@ -204,7 +204,7 @@ static void local(void **state) {
         setup s;
         random_setup(&s, round);
         if (s.spline.count < 4) continue;
-        int n = s.spline.dimension, count = s.spline.count, segments, moved = (int)uniform(0, count);
+        int n = s.spline.dimension, count = (int)s.spline.count, segments, moved = (int)uniform(0, count);
         double *before, *after;
         assert_int_equal(bat_tangents(&s.spline, NULL, NULL, &segments, &before, NULL), BAT_OK);
         for (int d = 0; d < n; d++) s.tangents[moved * n + d] = uniform(-1, 1);
@@ -305,7 +305,7 @@ static void degenerate(void **state) {
             p[i] = floor(uniform(-2, 2)), t[i] = floor(uniform(-1, 2)), tension[i] = floor(uniform(0, 3));
         s = (bat_spline){.dimension = n,
                          .closed = round % 3 == 0,
-                         .count = count,
+                         .count = (size_t)count,
                          .points = p,
                          .tangents = t,
                          .tension = round % 5 ? NULL : tension};

@@ -83,7 +83,7 @@ static inline bat_curve *pen_curve(double x, double y, double step, double wave,
     }
     for (int i = 0; i < count + 4; i++) knots[i] = i < 4 ? 0 : i >= count ? count - 3 : i - 3;
     bat_curve *curve = NULL;
-    bat_curve_create(2, 3, false, count, points, count + 4, knots, &curve);
+    bat_curve_create(2, 3, false, (size_t)count, points, count + 4, knots, &curve);
     return curve;
 }
 

@@ -59,8 +59,8 @@ static inline bat_curve *random_curve(random_source *r, int degree, int dimensio
     }
     for (int i = 0; i < n * dimension; i++) points[i] = random_between(r, -10, 10);
     bat_curve *curve = NULL;
-    if (bat_curve_create(dimension, degree, kind == 2, n, points, (kind == 2) ? n + 1 : n + degree + 1, knots,
-                         &curve) != BAT_OK)
+    if (bat_curve_create(dimension, degree, kind == 2, (size_t)n, points,
+                         (kind == 2) ? n + 1 : n + degree + 1, knots, &curve) != BAT_OK)
         abort();
     return curve;
 }

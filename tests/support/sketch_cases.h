@@ -31,7 +31,7 @@ static inline bat_curve *wavy_curve(random_source *r, int count, double strength
     for (int i = 1; i < count - 3; i++) knots[n++] = i;
     for (int i = 0; i < 4; i++) knots[n++] = count - 3;
     bat_curve *curve = NULL;
-    if (bat_curve_create(2, 3, false, count, points, count + 4, knots, &curve) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, false, (size_t)count, points, count + 4, knots, &curve) != BAT_OK) abort();
     return curve;
 }
 
@@ -44,7 +44,7 @@ static inline bat_curve *ring_curve(random_source *r, int count, double strength
     }
     for (int i = 0; i <= count; i++) knots[i] = i;
     bat_curve *curve = NULL;
-    if (bat_curve_create(2, 3, true, count, points, count + 1, knots, &curve) != BAT_OK) abort();
+    if (bat_curve_create(2, 3, true, (size_t)count, points, count + 1, knots, &curve) != BAT_OK) abort();
     return curve;
 }
 

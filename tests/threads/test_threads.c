@@ -117,7 +117,7 @@ static double somewhere(const bat_curve *curve, int seed) {
 static uint64_t evaluate_curve(const void *shared, int seed) {
     const bat_curve *curve = shared;
     double out[64] = {0}, more[64] = {0}, u[16], at = somewhere(curve, seed);
-    int first = 0, n = bat_curve_count(curve), knots = bat_curve_knot_count(curve);
+    int first = 0, n = (int)bat_curve_count(curve), knots = bat_curve_knot_count(curve);
     uint64_t digest = add_doubles(bat_digest_begin(), bat_curve_knots(curve), knots);
     digest = add_doubles(digest, bat_curve_points(curve), n * bat_curve_dimension(curve));
     digest = add(add(digest, bat_curve_is_closed(curve)), (uint64_t)bat_curve_degree(curve));
@@ -137,7 +137,7 @@ static uint64_t measure_curve(const void *shared, int seed) {
     const bat_curve *curve = shared;
     double low[3] = {0}, high[3] = {0}, u[16] = {0}, a = 0, b = 0, at = somewhere(curve, seed);
     const double point[3] = {1, seed, 2};
-    int count = 0;
+    size_t count = 0;
     uint64_t digest = bat_digest_begin();
     bat_curve_bounds(curve, low, high);
     digest = add_doubles(add_doubles(digest, low, 2), high, 2);
@@ -207,7 +207,7 @@ static uint64_t convert_curve(const void *shared, int seed) {
     d = add_text(d, bat_curve_write(curve, &text, &size), &text, &size);
     d = add_shape(d, bat_shape_create(curve, NULL, &shape), &shape);
     d = add_shape(d, bat_shape_decompose(curve, 1, NULL, &shape), &shape);
-    return add_shape(d, bat_shape_decompose_to(curve, 1, 5 + seed, NULL, &shape), &shape);
+    return add_shape(d, bat_shape_decompose_to(curve, 1, (size_t)(5 + seed), NULL, &shape), &shape);
 }
 
 static uint64_t draw_over_curve(const void *shared, int seed) {
@@ -281,14 +281,15 @@ static void const_calls_on_a_curve(void **state) {
 
 static uint64_t look_at_shape(const void *shared, int seed) {
     const bat_shape *shape = shared;
-    int top = bat_shape_levels(shape), first = 0, count = 0;
+    int top = bat_shape_levels(shape), first = 0;
+    size_t count = 0;
     bat_shape *made = NULL;
     bat_curve *flat = NULL;
     char *text = NULL;
     size_t size = 0;
     uint64_t d = add_curve(bat_digest_begin(), bat_shape_flatten(shape, &flat), &flat);
     for (int l = 1; l <= top; l++) {
-        const int n = bat_curve_count(bat_shape_curve(shape, l));
+        const int n = (int)bat_curve_count(bat_shape_curve(shape, l));
         d = add_doubles(add_doubles(d, bat_shape_details(shape, l), 3 * n), bat_shape_nodes(shape, l), n);
         d = add(add(d, (uint64_t)bat_shape_source(shape, l)[0]), bat_shape_is_muted(shape, l));
         d = bat_digest_double(d, bat_shape_gain(shape, l));

@@ -1,4 +1,5 @@
 /* The vectors. Curves and strokes are random but seeded; what comes out is not judged here, only compared. */
+#include "curve/curve.h"
 #include "wasm/parity.h"
 
 #include <math.h>
@@ -22,9 +23,9 @@ static void put_many(parity_sink *sink, size_t count, const double *values) {
 static void put_curve(parity_sink *sink, bat_status status, bat_curve *curve) {
     put(sink, status);
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
-    put(sink, bat_curve_count(curve));
+    put(sink, bat_point_count(curve));
     put_many(sink, (size_t)bat_curve_knot_count(curve), bat_curve_knots(curve));
-    put_many(sink, (size_t)(bat_curve_count(curve) * bat_curve_dimension(curve)), bat_curve_points(curve));
+    put_many(sink, (size_t)(bat_point_count(curve) * bat_curve_dimension(curve)), bat_curve_points(curve));
     bat_curve_free(curve);
 }
 
@@ -109,7 +110,7 @@ static void measure_one(parity_sink *sink, random_source *r, bat_curve *curve) {
     }
     bat_curve_bounds(curve, box, box + bat_curve_dimension(curve));
     put_many(sink, 2 * (size_t)bat_curve_dimension(curve), box);
-    int count = bat_curve_dimension(curve) == 2 ? bat_curve_inflections(curve, 32, turns) : 0;
+    int count = bat_curve_dimension(curve) == 2 ? (int)bat_curve_inflections(curve, 32, turns) : 0;
     put(sink, count), put_many(sink, (size_t)(count < 32 ? count : 32), turns);
 }
 static void measure(parity_sink *sink) { each_curve(sink, 6, measure_one); }
@@ -360,14 +361,14 @@ static void levels_one(parity_sink *sink, random_source *r, bat_curve *curve) {
         if (status == BAT_OK) {
             for (int l = 0; l <= bat_shape_levels(after); l++) {
                 const bat_curve *c = bat_shape_curve(after, l);
-                put_many(sink, (size_t)(bat_curve_count(c) * bat_curve_dimension(c)), bat_curve_points(c));
+                put_many(sink, (size_t)(bat_point_count(c) * bat_curve_dimension(c)), bat_curve_points(c));
             }
             bat_shape_free(after);
         }
     }
     bat_shape_free(shape);
     if (bat_shape_decompose(curve, 1, NULL, &shape) != BAT_OK) return;
-    put_many(sink, 3 * (size_t)bat_curve_count(bat_shape_curve(shape, 1)), bat_shape_details(shape, 1));
+    put_many(sink, 3 * (size_t)bat_point_count(bat_shape_curve(shape, 1)), bat_shape_details(shape, 1));
     bat_shape_free(shape);
 }
 

@@ -75,7 +75,7 @@ WRAP(bat_status, bat_curve_allocate, int degree, int dimension, bool closed, int
 
 WRAP(void, bat_curve_free, bat_curve *curve) {
     if (curve) {
-        size_t points = (size_t)bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+        size_t points = (size_t)bat_point_count(curve) * (size_t)bat_curve_dimension(curve);
         uint64_t hash = mix((uint64_t)bat_curve_degree(curve), points * 2 + bat_curve_is_closed(curve));
         hash = mix_numbers(hash, (size_t)bat_curve_knot_count(curve), bat_curve_knots(curve));
         note(CURVE, mix_numbers(hash, points, bat_curve_points(curve)));

@@ -1,4 +1,5 @@
 #include "editor/edit/cut_out.h"
+#include "curve/curve.h"
 #include "base/real.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
@@ -79,7 +80,7 @@ static bool hull_near(const double *hull, int count, const double a[2], const do
 }
 
 bool bat_spans_near(const bat_curve *curve, const double a[2], const double b[2], double radius) {
-    return hull_near(bat_curve_points(curve), bat_curve_count(curve), a, b, radius);
+    return hull_near(bat_curve_points(curve), bat_point_count(curve), a, b, radius);
 }
 
 /* Samples to take in a Bezier segment: none when its hull is out of reach. */

@@ -1,4 +1,6 @@
 #include "editor/panels/in_words.h"
+#include "hands/tangents/spline.h"
+#include "curve/curve.h"
 #include "document/nesting.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -48,9 +50,9 @@ static void fill_number(const bat_context *c, bat_text *text, bat_string words, 
 
 static int points_of(const bat_object *object) {
     const bat_spline *spline = bat_object_spline(object);
-    int count = spline ? spline->count : 0;
+    int count = spline ? bat_spline_count(spline) : 0;
     for (int i = 0; !spline && i < bat_object_curve_count(object); i++)
-        count += bat_curve_count(bat_object_curve(object, i));
+        count += bat_point_count(bat_object_curve(object, i));
     return count;
 }
 
@@ -59,8 +61,8 @@ static const bat_curve *curve_of(const bat_object *object, int *index, int *curv
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *found = bat_object_curve(object, i);
         *curve = i;
-        if (*index < bat_curve_count(found)) return bat_curve_dimension(found) == 2 ? found : NULL;
-        *index -= bat_curve_count(found);
+        if (*index < bat_point_count(found)) return bat_curve_dimension(found) == 2 ? found : NULL;
+        *index -= bat_point_count(found);
     }
     return NULL;
 }
@@ -199,7 +201,7 @@ static int chosen_of(const bat_context *c, const bat_object *object) {
         p->chosen.kind != BAT_HANDLE_POINT)
         return -1;
     int index = p->chosen.index;
-    for (int i = 0; i < p->curve; i++) index += bat_curve_count(bat_object_curve(object, i));
+    for (int i = 0; i < p->curve; i++) index += bat_point_count(bat_object_curve(object, i));
     return bat_object_spline(object) ? -1 : index;
 }
 
@@ -269,7 +271,7 @@ static void look(const bat_context *c, bat_told *now) {
     } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS && p->chosen.kind) {
         const bat_curve *curve = bat_edit_target(document, p->object, p->curve);
         bool point = p->chosen.kind == BAT_HANDLE_POINT;
-        if (!curve || (point && p->chosen.index >= bat_curve_count(curve))) return;
+        if (!curve || (point && p->chosen.index >= bat_point_count(curve))) return;
         *now = (bat_told){
             .mode = point ? MODE_POINT : MODE_KNOT, .object = p->object, .point = p->chosen.index};
         bat_handle_place(curve, &p->chosen, now->at);
@@ -294,7 +296,7 @@ static void say_place(const bat_context *c, bat_text *text, const bat_told *now)
         place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point,
                     bat_object_spline(object)
                         ? points_of(object)
-                        : bat_curve_count(bat_object_curve(object, bat_pointing_of(c)->curve)),
+                        : bat_point_count(bat_object_curve(object, bat_pointing_of(c)->curve)),
                     now->at);
     if (now->mode == MODE_WAYPOINT)
         place_words(c, text, BAT_STRING_OUTLINE_POINT, now->point, bat_waypoints_of(c)->count, now->at);

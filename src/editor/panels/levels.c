@@ -1,5 +1,6 @@
 /* The level strip: what it shows, as JSON, and what its faders and buttons do. */
 #include "editor/panels/panels.h"
+#include "curve/curve.h"
 #include "editor/session/context.h"
 #include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
@@ -36,7 +37,7 @@ static void number(bat_text *text, const char *name, double value) {
 
 static void row(const bat_context *c, const bat_shape *shape, int level, bat_text *text) {
     bat_text_string(text, level ? ",{" : "{");
-    number(text, "\"points\":", bat_curve_count(bat_shape_curve(shape, level)));
+    number(text, "\"points\":", bat_point_count(bat_shape_curve(shape, level)));
     number(text, ",\"gain\":", level ? bat_shape_gain(shape, level) : 1);
     number(text, ",\"muted\":", level && bat_shape_is_muted(shape, level));
     number(text, ",\"solo\":", solo(shape, level));
@@ -52,7 +53,7 @@ const char *bat_panel_levels(bat_context *c) {
     bat_text text = {0};
     bat_text_string(&text, "{\"rows\":[");
     for (int k = 0; shape && k <= bat_shape_levels(shape); k++) row(c, shape, k, &text);
-    number(&text, "],\"points\":", curve ? bat_curve_count(curve) : 0);
+    number(&text, "],\"points\":", curve ? bat_point_count(curve) : 0);
     number(&text, ",\"apart\":", l->apart != NULL);
     number(&text, ",\"copying\":", l->copying);
     bat_text_string(&text, "}");

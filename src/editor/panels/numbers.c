@@ -1,4 +1,5 @@
 #include "editor/panels/numbers.h"
+#include "hands/tangents/spline.h"
 #include "base/real.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
@@ -27,7 +28,7 @@ static bool point_now(bat_context *c, double place[2]) {
                                    ? bat_splining_spline(c)
                                    : NULL;
     int point = bat_splining_of(c)->point;
-    if (!spline || point < 0 || point >= spline->count || spline->dimension != 2) return false;
+    if (!spline || point < 0 || point >= bat_spline_count(spline) || spline->dimension != 2) return false;
     memcpy(place, spline->points + 2 * point, 2 * sizeof *place);
     return true;
 }

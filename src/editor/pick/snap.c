@@ -76,7 +76,7 @@ static void try_ends(search *s, const bat_curve *curve) {
 static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
     const bat_finder *finder = bat_scene_finder(s->c->scene, entry, index);
     bat_near near[TURNS];
-    int found = 0;
+    size_t found = 0;
     if (!finder) return;
     bat_finder_nearest(finder, s->point, near);
     if (near->distance > s->within) return;
@@ -84,7 +84,7 @@ static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
     if (!wants(s, BAT_SNAP_CROSSING)) return;
     /* A curve may come by more than once: each time is a branch. */
     if (bat_curve_nearest_all(curve, s->point, s->within, TURNS, near, &found) != BAT_OK) return;
-    for (int i = 0; i < found && i < TURNS && s->branch_count < BRANCHES; i++)
+    for (size_t i = 0; i < found && i < TURNS && s->branch_count < BRANCHES; i++)
         s->branches[s->branch_count++] = (branch){curve, near[i].u};
 }
 

@@ -75,7 +75,7 @@ bool bat_handle_find(const bat_curve *curve, const double point[2], double reach
     const double *points = bat_curve_points(curve);
     double best = reach, u;
     bool found = false;
-    for (int i = 0; i < bat_curve_count(curve); i++) {
+    for (int i = 0; i < bat_point_count(curve); i++) {
         double d = distance(points + 2 * i, point);
         if (d > best || (found && d == best)) continue;
         best = d;
@@ -152,7 +152,7 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
 
 void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
     const double *points = bat_curve_points(curve);
-    int count = bat_curve_count(curve), marks = 0;
+    int count = bat_point_count(curve), marks = 0;
     double pixel = bat_stage_pixel(stage);
     bat_overlay_item(overlay, BAT_ROLE_POLYGON, BAT_ITEM_STROKED, POLYGON_WIDTH);
     bat_overlay_polyline(overlay, (size_t)count, points);

@@ -117,10 +117,10 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage
     }
     free(teeth);
     double u[INFLECTIONS_MAX], at[2];
-    int found = bat_curve_inflections(curve, INFLECTIONS_MAX, u);
+    size_t found = bat_curve_inflections(curve, INFLECTIONS_MAX, u);
     if (found > INFLECTIONS_MAX) found = INFLECTIONS_MAX;
     bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_FILLED, 0);
-    for (int i = 0; i < found && scale > 0; i++) {
+    for (size_t i = 0; i < found && scale > 0; i++) {
         bat_curve_eval(curve, u[i], 0, at);
         if (in_sight(stage, at)) bat_overlay_circle(overlay, at, MARK * pixel);
     }

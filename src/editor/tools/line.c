@@ -5,6 +5,7 @@
  * IDLE --down--> PRESSED --up, moved--> ON --down, up--> ON ... --Esc--> IDLE. A click in IDLE puts the first point.
  */
 #include "base/real.h"
+#include "curve/curve.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
@@ -38,7 +39,7 @@ static const bat_curve *settle(const bat_context *c, lining *l) {
     const bat_curve *curve = bat_edit_target(c->session->document, l->object, 0);
     bool good = curve && !bat_curve_is_closed(curve) && bat_curve_degree(curve) == 3;
     if (good)
-        good = !memcmp(bat_curve_points(curve) + 2 * (bat_curve_count(curve) - 1), l->from, sizeof l->from);
+        good = !memcmp(bat_curve_points(curve) + 2 * (bat_point_count(curve) - 1), l->from, sizeof l->from);
     if (good) return curve;
     l->object = 0;
     l->placed = false;
@@ -86,7 +87,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 /* The curve, or nothing, and a straight piece from its end: knots as long as the piece, three at the corner. */
 static bat_status straight(const bat_curve *before, const double from[2], const double to[2],
                            bat_curve **out) {
-    int old = before ? bat_curve_count(before) : 1, count = old + 3;
+    int old = before ? bat_point_count(before) : 1, count = old + 3;
     double length = bat_hypot(to[0] - from[0], to[1] - from[1]), last = 0;
     double *points = malloc((size_t)count * 2 * sizeof *points);
     double *knots = malloc((size_t)(count + 4) * sizeof *knots);
@@ -104,7 +105,7 @@ static bat_status straight(const bat_curve *before, const double from[2], const 
             for (int k = 0; k < 2; k++) points[2 * (old - 1 + i) + k] = from[k] + (to[k] - from[k]) * i / 3;
         memcpy(points + 2 * (count - 1), to, 2 * sizeof *points);
         for (int i = 0; i < 4; i++) knots[count + i] = last + length;
-        status = bat_curve_create(2, 3, false, count, points, count + 4, knots, out);
+        status = bat_curve_create(2, 3, false, (size_t)count, points, count + 4, knots, out);
     }
     free(points);
     free(knots);

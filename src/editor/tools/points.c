@@ -8,6 +8,7 @@
  * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
  */
 #include "base/vec.h"
+#include "curve/curve.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/edit/stroke.h"
@@ -78,7 +79,7 @@ static void settle(bat_context *c, bat_pointing *p) {
         choose_nothing(p);
         return;
     }
-    if (p->chosen.kind == BAT_HANDLE_POINT && p->chosen.index >= bat_curve_count(curve)) choose_nothing(p);
+    if (p->chosen.kind == BAT_HANDLE_POINT && p->chosen.index >= bat_point_count(curve)) choose_nothing(p);
     if (p->chosen.kind == BAT_HANDLE_KNOT && !bat_knot_held(curve, p->chosen.u)) choose_nothing(p);
     if (p->chosen.kind != BAT_HANDLE_KNOT) p->measured = false;
 }
@@ -99,7 +100,7 @@ static void choose_curve(bat_context *c, bat_pointing *p, bat_id object, int cur
 
 /* The last control points of an open curve, which hold its ends. */
 static bool is_end(const bat_curve *curve, const bat_handle *handle) {
-    bool last = handle->index == 0 || handle->index == bat_curve_count(curve) - 1;
+    bool last = handle->index == 0 || handle->index == bat_point_count(curve) - 1;
     return handle->kind == BAT_HANDLE_POINT && last && !bat_curve_is_closed(curve);
 }
 
@@ -470,7 +471,7 @@ static bat_status step(bat_context *c, bat_pointing *p, int direction) {
         if (!curve) return BAT_STATE;
         choose_nothing(p);
     }
-    int count = bat_curve_count(curve), at = direction > 0 ? 0 : count - 1;
+    int count = bat_point_count(curve), at = direction > 0 ? 0 : count - 1;
     if (p->chosen.kind == BAT_HANDLE_POINT) at = p->chosen.index + direction;
     if (at < 0 || at >= count) { /* the keyboard goes on to what lies behind the drawing */
         choose_nothing(p);

@@ -1,5 +1,6 @@
 /* CURVE as JSON: {"degree":3, "closed":false, "knots":[...], "points":[[x,y],...]}. */
 #include "format/json/curve.h"
+#include "curve/curve.h"
 #include "text/number.h"
 #include <batten/curve.h>
 #include <batten/format.h>
@@ -130,8 +131,8 @@ static bat_status make_curve(const bat_json *json, uint32_t node, double degree,
                  closed ? " of a closed curve" : "", knot_count);
         return bat_json_say(json, knot_list, BAT_KNOTS, message, problem);
     }
-    bat_status status = bat_curve_create(dimension, (int)degree, closed, (int)count, points, (int)knot_count,
-                                         knots, out);
+    bat_status status = bat_curve_create(dimension, (int)degree, closed, (size_t)((int)count), points,
+                                         (int)knot_count, knots, out);
     if (status == BAT_OK) return BAT_OK;
     if (status == BAT_KNOTS)
         return complain_of_knots(json, knot_list, (int)degree, closed, knot_count, knots, problem);
@@ -185,7 +186,7 @@ static void new_line(bat_text *text, int indent) {
 }
 
 void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text) {
-    int dimension = bat_curve_dimension(curve), count = bat_curve_count(curve);
+    int dimension = bat_curve_dimension(curve), count = bat_point_count(curve);
     const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
     bat_text_string(text, "{\"degree\":");
     bat_text_integer(text, (uint64_t)bat_curve_degree(curve));

@@ -6,6 +6,7 @@
  *   EDITS [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
  */
 #include "format/json/curve.h"
+#include "curve/curve.h"
 #include "format/json/stroke.h"
 
 #include "format/json/shape.h"
@@ -233,7 +234,7 @@ static void put_vector(bat_text *text, const double *v) {
 static void put_level(bat_text *text, const bat_shape *shape, int level) {
     const bat_curve *curve = bat_shape_curve(shape, level);
     const int *source = bat_shape_source(shape, level);
-    int count = bat_curve_count(curve);
+    int count = bat_point_count(curve);
     bool usual = true;
     bat_text_string(text, "{\"knots\":[");
     for (int i = 0; i < bat_curve_knot_count(curve); i++) {
@@ -405,7 +406,7 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
     uint32_t delta = bat_json_member(json, object, "delta");
     switch ((edit_type)type) {
     case EDIT_MOVE:
-        status = read_index(json, object, "index", bat_curve_count(curve) - 1, &index, problem);
+        status = read_index(json, object, "index", bat_point_count(curve) - 1, &index, problem);
         if (status == BAT_OK) status = bat_vector_from_json(json, delta, "delta", dimension, value, problem);
         if (status != BAT_OK) return status;
         status = bat_shape_move(shape, level, index, value);

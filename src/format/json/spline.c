@@ -126,7 +126,7 @@ bat_status bat_spline_from_json(const bat_json *json, uint32_t node, bat_spline 
     }
     *out = (bat_spline){.dimension = dimension,
                         .closed = closed,
-                        .count = (int)count,
+                        .count = count,
                         .points = all,
                         .tangents = all + size,
                         .tension = tense ? all + 2 * size : NULL};
@@ -162,26 +162,26 @@ static bool all_are(const double *v, size_t count, double value) {
     return true;
 }
 
-static void write_vectors(bat_text *text, const char *name, const double *v, int count, int size,
+static void write_vectors(bat_text *text, const char *name, const double *v, size_t count, int size,
                           bool zero_is_null) {
     bat_text_string(text, name);
-    for (int i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++, v += size) {
         if (i) bat_text_string(text, ",");
-        if (zero_is_null && all_are(v + i * size, (size_t)size, 0))
+        if (zero_is_null && all_are(v, (size_t)size, 0))
             bat_text_string(text, "null");
         else
-            write_vector(text, v + i * size, size);
+            write_vector(text, v, size);
     }
     bat_text_string(text, "]");
 }
 
 void bat_spline_to_json(const bat_spline *spline, const bat_tangents_options *options, bat_text *text) {
-    size_t count = (size_t)spline->count;
-    write_vectors(text, "{\"points\":[", spline->points, spline->count, spline->dimension, false);
+    size_t count = spline->count;
+    write_vectors(text, "{\"points\":[", spline->points, count, spline->dimension, false);
     if (spline->tangents && !all_are(spline->tangents, count * (size_t)spline->dimension, 0))
-        write_vectors(text, ",\"tangents\":[", spline->tangents, spline->count, spline->dimension, true);
+        write_vectors(text, ",\"tangents\":[", spline->tangents, count, spline->dimension, true);
     if (spline->tension && !all_are(spline->tension, 2 * count, 1))
-        write_vectors(text, ",\"tension\":[", spline->tension, spline->count, 2, false);
+        write_vectors(text, ",\"tension\":[", spline->tension, count, 2, false);
     bat_text_string(text, spline->closed ? ",\"closed\":true" : ",\"closed\":false");
     if (options && options->mode != BAT_TANGENTS_FAITHFUL) {
         bat_text_string(text, ",\"mode\":\"");

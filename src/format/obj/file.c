@@ -2,6 +2,7 @@
  * written as OBJ has them, with as many points and knots again as the degree; such a file's curves are closed again when
  * read. Whatever else stands in a file is counted and left out. */
 #include "document/format.h"
+#include "curve/curve.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
 #include "text/number.h"
@@ -184,7 +185,7 @@ static bat_status make_curve(parser *p, double *points, bat_curve **out) {
         return wrong(p, BAT_KNOTS, "parm u: expected as many knots as points, degree and one together");
     int round = period_of(points, size, count, p->degree, knots), from = round ? p->degree : 0;
     int knot_count = round ? round + 1 : (int)p->knots.count;
-    bat_status status = bat_curve_create(size, p->degree, round > 0, round ? round : count,
+    bat_status status = bat_curve_create(size, p->degree, round > 0, (size_t)(round ? round : count),
                                          points + from * size, knot_count, knots + from, out);
     if (status != BAT_OK) return wrong(p, status, bat_status_message(status));
     return cut(p, *out, out);
@@ -351,7 +352,7 @@ static void put_name(bat_text *text, const char *name) {
 /* vertices: how many there were before. */
 static int put_curve(bat_text *text, const bat_curve *curve, int vertices) {
     enum { ROW = 10 };
-    int p = bat_curve_degree(curve), n = bat_curve_count(curve), size = bat_curve_dimension(curve);
+    int p = bat_curve_degree(curve), n = bat_point_count(curve), size = bat_curve_dimension(curve);
     bool closed = bat_curve_is_closed(curve);
     const double *points = bat_curve_points(curve), *knots = bat_curve_knots(curve);
     int before = closed ? p : 0, count = n + before;

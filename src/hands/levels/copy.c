@@ -57,7 +57,7 @@ static bat_status snap(const bat_curve *detail, const bat_curve *below, bat_curv
         while (k + 1 < others && fabs(near[k + 1] - u) <= fabs(near[k] - u)) k++;
         knots[i] = fabs(near[k] - u) <= reach ? near[k] : u;
     }
-    bat_status status = bat_curve_create(3, detail->degree, detail->closed, detail->count,
+    bat_status status = bat_curve_create(3, detail->degree, detail->closed, (size_t)detail->count,
                                          bat_curve_points(detail), count, knots, out);
     free(knots);
     return status;
@@ -72,8 +72,8 @@ static bat_status detail_curve(const bat_level *level, const bat_curve *below, c
     if (!knots) return BAT_MEMORY;
     for (int i = 0; i < count; i++) knots[i] = bat_knot_map_at(map, bat_curve_knots(curve)[i]);
     bat_curve *mapped = NULL, *made = NULL;
-    bat_status status = bat_curve_create(3, curve->degree, curve->closed, level->count, level->details, count,
-                                         knots, &mapped);
+    bat_status status = bat_curve_create(3, curve->degree, curve->closed, (size_t)level->count,
+                                         level->details, count, knots, &mapped);
     free(knots);
     if (status == BAT_OK && curve->closed) status = begin_at_seam(&mapped, below);
     if (status == BAT_OK) status = snap(mapped, below, &made);

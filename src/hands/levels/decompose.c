@@ -214,11 +214,11 @@ bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_sha
     return decompose(curve, levels, counts, options, out);
 }
 
-bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, int coarsest,
+bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t least,
                                   const bat_shape_options *options, bat_shape **out) {
     int counts[BAT_LEVELS_MAX + 1];
     if (!curve || !out) return BAT_ARGUMENT;
-    int n = curve->count;
+    int n = curve->count, coarsest = bat_count_inside(least);
     if (levels < 1 || levels > BAT_LEVELS_MAX || coarsest < 1 || coarsest > n - levels) return BAT_COUNT;
     counts[levels] = n;
     for (int j = levels - 1; j >= 0; j--) {

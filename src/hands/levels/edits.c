@@ -36,11 +36,13 @@ bat_status bat_shape_move_all(bat_shape *shape, int level, int first, int count,
     return status;
 }
 
-bat_status bat_level_check(const bat_shape *shape, int level, int first, int count, const double *deltas,
+bat_status bat_level_check(const bat_shape *shape, int level, int first, size_t many, const double *deltas,
                            bool *idle) {
     bat_status status = check(shape, level);
     if (status != BAT_OK) return status;
+    if (many > BAT_POINTS_MAX) return BAT_COUNT;
     const bat_curve *curve = bat_shape_curve(shape, level);
+    int count = (int)many;
     if (!deltas || first < 0 || first >= curve->count || count < 1 || count > curve->count ||
         (!curve->closed && first + count > curve->count))
         return BAT_ARGUMENT;
@@ -51,11 +53,12 @@ bat_status bat_level_check(const bat_shape *shape, int level, int first, int cou
     return BAT_OK;
 }
 
-bat_status bat_shape_move_many(bat_shape *shape, int level, int first, int count, const double *deltas) {
+bat_status bat_shape_move_many(bat_shape *shape, int level, int first, size_t many, const double *deltas) {
     bool idle;
     bat_touch *touch;
-    bat_status status = bat_level_check(shape, level, first, count, deltas, &idle);
+    bat_status status = bat_level_check(shape, level, first, many, deltas, &idle);
     if (status != BAT_OK || idle) return status;
+    int count = (int)many;
     status = bat_touch_begin(shape, level, first, count, &touch);
     if (status != BAT_OK) return status;
     status = touch ? bat_touch_apply(touch, deltas) : bat_shape_move_all(shape, level, first, count, deltas);
@@ -90,7 +93,7 @@ bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *d
     double deltas[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
     int first, count;
     bat_status status = bat_level_pull(shape, level, u, delta, &first, &count, deltas);
-    return status == BAT_OK ? bat_shape_move_many(shape, level, first, count, deltas) : status;
+    return status == BAT_OK ? bat_shape_move_many(shape, level, first, (size_t)count, deltas) : status;
 }
 
 static bat_status set_level(bat_shape *shape, int level, double gain, bool muted) {

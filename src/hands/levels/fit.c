@@ -263,7 +263,7 @@ static bat_status move(const fit *f, bat_shape *shape, int level) {
     for (int i = 0; i < count; i++)
         memcpy(deltas + (size_t)i * size, f->deltas + (size_t)((first + i) % n) * size,
                size * sizeof(double));
-    bat_status status = bat_shape_move_many(shape, level, first, count, deltas);
+    bat_status status = bat_shape_move_many(shape, level, first, (size_t)count, deltas);
     free(deltas);
     return status;
 }

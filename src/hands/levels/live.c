@@ -41,14 +41,15 @@ static bat_status restore(bat_shape_live *live) {
     return BAT_OK;
 }
 
-bat_status bat_shape_live_move(bat_shape_live *live, int first, int count, const double *deltas) {
+bat_status bat_shape_live_move(bat_shape_live *live, int first, size_t many, const double *deltas) {
     if (!live) return BAT_ARGUMENT;
     bool idle = false;
-    bat_status status = bat_level_check(live->shape, live->level, first, count, deltas, &idle);
+    bat_status status = bat_level_check(live->shape, live->level, first, many, deltas, &idle);
     if (status != BAT_OK || idle) {
         bat_status restored = restore(live);
         return status == BAT_OK ? restored : status;
     }
+    int count = (int)many;
     if (!live->touch || !bat_touch_fits(live->touch, live->level, first, count)) {
         status = restore(live);
         bat_touch_free(live->touch);
@@ -72,7 +73,7 @@ bat_status bat_shape_live_drag(bat_shape_live *live, double u, const double *del
     int first, count;
     if (!live) return BAT_ARGUMENT;
     bat_status status = bat_level_pull(live->shape, live->level, u, delta, &first, &count, deltas);
-    return status == BAT_OK ? bat_shape_live_move(live, first, count, deltas) : status;
+    return status == BAT_OK ? bat_shape_live_move(live, first, (size_t)count, deltas) : status;
 }
 
 bat_status bat_shape_live_drag_finest(bat_shape_live *live, double u, const double *delta, double tolerance,
@@ -106,12 +107,14 @@ bat_status bat_shape_live_drag_finest(bat_shape_live *live, double u, const doub
 
 const bat_shape *bat_shape_live_shape(const bat_shape_live *live) { return live->shape; }
 
-void bat_shape_live_touched(const bat_shape_live *live, int level, int *first, int *count) {
-    *first = *count = 0;
+void bat_shape_live_touched(const bat_shape_live *live, int level, int *first, size_t *count) {
+    *first = 0, *count = 0;
     if (!live->changed || level < live->level || level > live->shape->count) return;
-    if (live->touch)
-        bat_touch_run(live->touch, level, first, count);
-    else
+    if (live->touch) {
+        int touched;
+        bat_touch_run(live->touch, level, first, &touched);
+        *count = (size_t)touched;
+    } else
         *count = bat_curve_count(bat_shape_curve(live->shape, level));
 }
 

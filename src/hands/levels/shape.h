@@ -78,7 +78,7 @@ bat_status bat_level_add(bat_shape *shape, int level, int first, int count, cons
                          double factor);
 
 /* What every edit by deltas checks. BAT_OK with *idle: nothing to do. */
-bat_status bat_level_check(const bat_shape *shape, int level, int first, int count, const double *deltas,
+bat_status bat_level_check(const bat_shape *shape, int level, int first, size_t count, const double *deltas,
                            bool *idle);
 /* The deltas (degree + 1 of them at most) that move the point at u by delta (math 3.5). */
 bat_status bat_level_pull(const bat_shape *shape, int level, double u, const double *delta, int *first,

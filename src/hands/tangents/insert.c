@@ -7,6 +7,7 @@
 #include <batten/tangents.h>
 
 #include "base/vec.h"
+#include "hands/tangents/spline.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,11 +20,11 @@ typedef struct draft {
 } draft;
 
 static double *make_room(const bat_spline *s, int at, draft *out) {
-    size_t count = (size_t)s->count + 1, size = count * (size_t)s->dimension;
+    size_t count = s->count + 1, size = count * (size_t)s->dimension;
     double *block = calloc(2 * size + 2 * count, sizeof *block);
     if (!block) return NULL;
     *out = (draft){*s, block, block + size, block + 2 * size};
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; i < bat_spline_count(s); i++) {
         int to = i < at ? i : i + 1;
         size_t bytes = (size_t)s->dimension * sizeof(double);
         memcpy(out->points + to * s->dimension, s->points + i * s->dimension, bytes);
@@ -31,7 +32,7 @@ static double *make_room(const bat_spline *s, int at, draft *out) {
         for (int k = 0; k < 2; k++) out->tension[2 * to + k] = s->tension ? s->tension[2 * i + k] : 1;
     }
     out->tension[2 * at] = out->tension[2 * at + 1] = 1;
-    out->spline.count = (int)count;
+    out->spline.count = count;
     out->spline.points = out->points;
     out->spline.tangents = out->tangents;
     out->spline.tension = out->tension;
@@ -76,7 +77,7 @@ static void cut(const vec p[4], double t, vec out[7]) {
 static void ends_of(const bat_spline *s, const bat_joint *joints, int segment, int *first, int *second) {
     int kept = -1, start = -1;
     *second = -1;
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; i < bat_spline_count(s); i++) {
         if (joints[i].dropped) continue;
         if (start < 0) start = i;
         kept++;
@@ -88,10 +89,10 @@ static void ends_of(const bat_spline *s, const bat_joint *joints, int segment, i
 
 /* The next point that was kept, forwards or backwards; -1 past the end of an open spline. */
 static int beside(const bat_spline *s, const bat_joint *joints, int i, int step) {
-    for (int n = 0; n < s->count; n++) {
+    for (int n = 0; n < bat_spline_count(s); n++) {
         i += step;
-        if (s->closed) i = (i + s->count) % s->count;
-        if (i < 0 || i >= s->count) return -1;
+        if (s->closed) i = (i + bat_spline_count(s)) % bat_spline_count(s);
+        if (i < 0 || i >= bat_spline_count(s)) return -1;
         if (!joints[i].dropped) return i;
     }
     return -1;
@@ -144,7 +145,7 @@ static int make_wishes(const bat_spline *s, const bat_joint *joints, int segment
 }
 
 static bat_status fulfil(draft *d, const bat_tangents_options *options, const wish *wishes, int count) {
-    bat_joint *joints = malloc((size_t)d->spline.count * sizeof *joints);
+    bat_joint *joints = malloc(d->spline.count * sizeof *joints);
     if (!joints) return BAT_MEMORY;
     for (int i = 0; i < count; i++) fix_direction(d, &wishes[i]);
     bat_status status = bat_tangents(&d->spline, options, joints, NULL, NULL, NULL);
@@ -163,7 +164,7 @@ bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
                                double *deviation) {
     if (!spline || !out || !block || !index || !(t > 0 && t < 1) || segment < 0) return BAT_ARGUMENT;
     if (spline->count < 2 || spline->count > BAT_POINTS_MAX / 4) return BAT_COUNT;
-    bat_joint *joints = malloc((size_t)spline->count * sizeof *joints);
+    bat_joint *joints = malloc(spline->count * sizeof *joints);
     double *before = NULL, *after = NULL, *room = NULL;
     int segments = 0, more = 0, at = 0, size = spline->dimension;
     draft d;

@@ -6,6 +6,7 @@
 #include <batten/tangents.h>
 
 #include "curve/curve.h"
+#include "hands/tangents/spline.h"
 #include "base/vec.h"
 
 #include <math.h>
@@ -147,11 +148,11 @@ static bat_status check(const bat_spline *s) {
     if (s->dimension < 2 || s->dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
     if (s->count < 2 || s->count > BAT_POINTS_MAX / 4) return BAT_COUNT;
     if (!s->points) return BAT_ARGUMENT;
-    size_t n = (size_t)s->count * (size_t)s->dimension;
+    size_t n = s->count * (size_t)s->dimension;
     /* Handles reach two chords beyond the points. */
     if (!within(s->points, n, BAT_COORDINATE_MAX / 1e7)) return BAT_NUMBER;
     if (s->tangents && !within(s->tangents, n, BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    for (int i = 0; s->tension && i < 2 * s->count; i++)
+    for (int i = 0; s->tension && i < 2 * bat_spline_count(s); i++)
         if (!(s->tension[i] >= 0 && s->tension[i] <= 1e6)) return BAT_NUMBER;
     return BAT_OK;
 }
@@ -165,14 +166,14 @@ static int distinct(const bat_spline *s, int *keep) {
     double size = 0;
     for (int d = 0; d < s->dimension; d++) {
         double low = s->points[d], high = low;
-        for (int i = 1; i < s->count; i++) {
+        for (int i = 1; i < bat_spline_count(s); i++) {
             low = fmin(low, s->points[i * s->dimension + d]);
             high = fmax(high, s->points[i * s->dimension + d]);
         }
         size = bat_hypot(size, high - low);
     }
     int n = 0;
-    for (int i = 0; i < s->count; i++)
+    for (int i = 0; i < bat_spline_count(s); i++)
         if (n == 0 || vec_norm(vec_sub(point_at(s, i), point_at(s, keep[n - 1]))) > 1e-12 * size)
             keep[n++] = i;
     if (s->closed && n > 1 &&
@@ -222,7 +223,7 @@ static void solve_ends(const bat_spline *s, const int *keep, int n, bat_joint *j
 
 static void solve(const bat_spline *s, const bat_tangents_options *options, const int *keep, int n,
                   bat_joint *joints) {
-    for (int i = 0; i < s->count; i++)
+    for (int i = 0; i < bat_spline_count(s); i++)
         joints[i] = (bat_joint){.k = NAN, .angle_in = NAN, .angle_out = NAN, .dropped = true};
     for (int i = 0; i < n; i++) {
         joints[keep[i]].dropped = false;
@@ -234,7 +235,7 @@ static void solve(const bat_spline *s, const bat_tangents_options *options, cons
         solve_joint(&w, has ? &given : NULL, options, s->dimension, &joints[keep[i]]);
     }
     if (!s->closed) solve_ends(s, keep, n, joints);
-    for (int i = 0; s->tension && i < s->count; i++)
+    for (int i = 0; s->tension && i < bat_spline_count(s); i++)
         for (int d = 0; d < 3; d++)
             joints[i].left[d] *= s->tension[2 * i], joints[i].right[d] *= s->tension[2 * i + 1];
 }
@@ -317,7 +318,7 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
     bat_status status = check(spline);
     if (status != BAT_OK) return status;
 
-    size_t room = (size_t)spline->count + 1;
+    size_t room = spline->count + 1;
     int *keep = malloc(2 * room * sizeof(int)), *times = keep ? keep + room : NULL, count = 0;
     bat_joint *solved = malloc(room * sizeof(bat_joint));
     double *breaks = malloc(room * sizeof(double));
@@ -338,7 +339,7 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
         }
     }
     if (status == BAT_OK) {
-        if (joints) memcpy(joints, solved, (size_t)spline->count * sizeof(bat_joint));
+        if (joints) memcpy(joints, solved, spline->count * sizeof(bat_joint));
         if (segments) *segments = count;
         if (out) *out = curve;
         if (bezier) {

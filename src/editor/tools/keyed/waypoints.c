@@ -92,14 +92,15 @@ void bat_waypoints_end(bat_context *c) {
 
 /* The spline through the points; the last one counts once it has been moved. Closed only for the tangents tool. */
 static bat_spline spline_of(const bat_context *c, const bat_waypoints *w, double *tangents) {
-    bat_spline spline = {.dimension = 2, .count = w->count - resting(c, w), .points = w->points};
+    int last = w->count - resting(c, w) - 1;
+    bat_spline spline = {.dimension = 2, .count = (size_t)last + 1, .points = w->points};
     if (w->object) {
         memset(tangents, 0, 2 * BAT_WAYPOINTS_MAX * sizeof *tangents);
         memcpy(tangents, w->leads, 2 * sizeof *tangents);
-        memcpy(tangents + 2 * (spline.count - 1), w->leads + 2, 2 * sizeof *tangents);
+        memcpy(tangents + 2 * last, w->leads + 2, 2 * sizeof *tangents);
         spline.tangents = tangents;
     } else if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && spline.count > 3 &&
-               meet(c, w, 0, spline.count - 1, CLOSE)) {
+               meet(c, w, 0, last, CLOSE)) {
         spline.closed = true;
         spline.count--;
     }

@@ -1,5 +1,6 @@
 /* Taking a curve apart: the preview, made and accepted. */
 #include "editor/tables/commands.h"
+#include "curve/curve.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
@@ -22,7 +23,7 @@ static int least(const bat_curve *curve) {
 
 /* As many as are left when every other knot goes, `levels` times. */
 int bat_apart_halved(const bat_curve *curve, int levels) {
-    int fixed = bat_curve_is_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_curve_count(curve);
+    int fixed = bat_curve_is_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_point_count(curve);
     for (; levels > 0; levels--) count = (count - fixed) / 2 + fixed;
     return count < least(curve) ? least(curve) : count;
 }
@@ -36,12 +37,12 @@ bat_status bat_apart_make(bat_context *c) {
     const bat_curve *curve = bat_leveling_curve(c);
     double *levels = &c->settings->values[BAT_PROPERTY_APART_LEVELS],
            *points = &c->settings->values[BAT_PROPERTY_APART_POINTS];
-    int count = bat_curve_count(curve), few = least(curve);
+    int count = bat_point_count(curve), few = least(curve);
     if (count <= few) return BAT_COUNT;
     *levels = within(*levels, 1, fmin(BAT_LEVELS_MAX, count - few));
     *points = within(*points, few, count - *levels);
     bat_shape *shape = NULL;
-    bat_status status = bat_shape_decompose_to(curve, (int)*levels, (int)*points, NULL, &shape);
+    bat_status status = bat_shape_decompose_to(curve, (int)*levels, (size_t)*points, NULL, &shape);
     if (status != BAT_OK) return status;
     bat_apart_drop(c);
     l->apart = shape;

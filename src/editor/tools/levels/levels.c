@@ -8,6 +8,7 @@
  * tap. cancel: a drag is taken back, else taking apart or copying dropped.
  */
 #include "base/vec.h"
+#include "curve/curve.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
@@ -54,7 +55,7 @@ static const bat_curve *active(const bat_context *c) {
 static double near_point(const bat_curve *curve, const double at[2], int *index) {
     const double *points = bat_curve_points(curve);
     double best = INFINITY;
-    for (int i = 0; i < bat_curve_count(curve); i++) {
+    for (int i = 0; i < bat_point_count(curve); i++) {
         double d = bat_hypot(points[2 * i] - at[0], points[2 * i + 1] - at[1]);
         if (d < best) best = d, *index = i;
     }
@@ -261,7 +262,7 @@ static bat_status step(bat_context *c, int direction) {
     }
     const bat_curve *polygon = active(c);
     if (!polygon) return l->object ? BAT_OK : BAT_STATE;
-    int count = bat_curve_count(polygon), at = l->chosen + direction;
+    int count = bat_point_count(polygon), at = l->chosen + direction;
     if (l->chosen < 0) at = direction > 0 ? 0 : count - 1;
     l->chosen = at < 0 || at >= count ? -1 : at; /* the keyboard goes on to what lies behind the drawing */
     return l->chosen < 0 ? BAT_STATE : BAT_OK;

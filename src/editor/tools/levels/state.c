@@ -1,5 +1,6 @@
 /* The chosen curve and its levels: finding them, and changing them as steps. */
 #include "editor/edit/curves_of.h"
+#include "curve/curve.h"
 #include "editor/tools/levels/state.h"
 #include "document/digest.h"
 #include "editor/choice/choice.h"
@@ -53,7 +54,7 @@ void bat_leveling_settle(bat_context *c) {
     const bat_shape *shape = bat_leveling_shape(c);
     int top = shape ? bat_shape_levels(shape) : 0;
     if (l->level > top) l->level = top, l->chosen = -1;
-    if (!shape || l->chosen >= bat_curve_count(bat_shape_curve(shape, l->level))) l->chosen = -1;
+    if (!shape || l->chosen >= bat_point_count(bat_shape_curve(shape, l->level))) l->chosen = -1;
     if (l->apart && (!l->object || l->apart_revision != c->session->revision)) bat_apart_drop(c);
 }
 

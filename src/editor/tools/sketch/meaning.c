@@ -1,4 +1,5 @@
 #include "editor/tools/sketch/meaning.h"
+#include "curve/curve.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/input/input.h"
@@ -88,7 +89,7 @@ static bool boxes_meet(const double a[4], const double b[4]) {
 static void hull(const bat_curve *curve, double box[4]) {
     const double *p = bat_curve_points(curve);
     box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
-    for (int i = 0; i < 2 * bat_curve_count(curve); i++) {
+    for (int i = 0; i < 2 * bat_point_count(curve); i++) {
         box[i & 1] = fmin(box[i & 1], p[i]);
         box[2 + (i & 1)] = fmax(box[2 + (i & 1)], p[i]);
     }

@@ -1,4 +1,5 @@
 #include "editor/tools/tangents/draft.h"
+#include "hands/tangents/spline.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,10 +31,10 @@ static bat_status grow(bat_draft *draft, int count) {
 }
 
 bat_status bat_draft_load(bat_draft *draft, const bat_spline *spline) {
-    bat_status status = spline->dimension == 2 ? grow(draft, spline->count) : BAT_DIMENSION;
+    bat_status status = spline->dimension == 2 ? grow(draft, bat_spline_count(spline)) : BAT_DIMENSION;
     if (status != BAT_OK) return status;
-    size_t numbers = (size_t)spline->count * 2, bytes = numbers * sizeof(double);
-    draft->count = spline->count;
+    size_t numbers = spline->count * 2, bytes = numbers * sizeof(double);
+    draft->count = bat_spline_count(spline);
     draft->closed = spline->closed;
     memcpy(draft->points, spline->points, bytes);
     for (size_t i = 0; i < numbers; i++) {
@@ -66,5 +67,6 @@ void bat_draft_remove(bat_draft *draft, int at) {
 }
 
 bat_spline bat_draft_spline(const bat_draft *draft) {
-    return (bat_spline){2, draft->closed, draft->count, draft->points, draft->tangents, draft->tension};
+    return (bat_spline){
+        2, draft->closed, (size_t)draft->count, draft->points, draft->tangents, draft->tension};
 }

@@ -1,5 +1,6 @@
 /* The tangents tool: what of its spline, or which other one, lies under the pen. */
 #include "base/vec.h"
+#include "hands/tangents/spline.h"
 #include "editor/scene/scene.h"
 #include "editor/scene/seen.h"
 #include "editor/session/context.h"
@@ -37,7 +38,7 @@ static double from_point(const place *p, const bat_spline *s, int i) {
 
 static int nearest_point(const place *p, const bat_spline *s, double within) {
     int best = -1;
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; i < bat_spline_count(s); i++) {
         double distance = from_point(p, s, i);
         if (distance <= within) best = i, within = distance;
     }
@@ -66,7 +67,7 @@ static bat_spline_hit on_curve(const bat_curve *curve, double u) {
 
 /* While points are placed nearly every place is one for the next. */
 static bat_spline_hit find_placing(const place *p, const bat_spline *s, const bat_joint *joints) {
-    int last = s->count - 1;
+    int last = bat_spline_count(s) - 1;
     double direction[2];
     if (from_point(p, s, 0) <= POINT_REACH * p->reach) return (bat_spline_hit){.part = BAT_PART_FIRST};
     if (from_point(p, s, last) <= POINT_REACH * p->reach)

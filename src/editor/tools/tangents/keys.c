@@ -1,5 +1,6 @@
 /* The tangents tool by the keyboard: its commands. */
 #include "curve/frames_walk.h"
+#include "hands/tangents/spline.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -55,8 +56,9 @@ static bat_status step_point(bat_context *c, int step) {
         spline = bat_splining_spline(c);
     }
     if (!spline) return BAT_STATE;
-    int slot = s->point < 0 ? (step > 0 ? 0 : 2 * spline->count - 1) : 2 * s->point + s->on_direction + step;
-    if (slot < 0 || slot >= 2 * spline->count) return BAT_STATE;
+    int slot = s->point < 0 ? (step > 0 ? 0 : 2 * bat_spline_count(spline) - 1)
+                            : 2 * s->point + s->on_direction + step;
+    if (slot < 0 || slot >= 2 * bat_spline_count(spline)) return BAT_STATE;
     s->point = slot / 2;
     s->on_direction = slot % 2 != 0;
     s->placing = false;
@@ -76,7 +78,7 @@ static bat_status take_back(bat_context *c) {
     if (!spline) return bat_splining_stop(c) ? BAT_OK : BAT_STATE;
     memcpy(s->first, spline->points, sizeof s->first);
     memcpy(s->first_direction, spline->tangents, sizeof s->first_direction);
-    bat_status status = bat_splining_remove_point(c, spline->count - 1);
+    bat_status status = bat_splining_remove_point(c, bat_spline_count(spline) - 1);
     if (status == BAT_OK) s->point = s->object ? s->draft.count - 1 : 0;
     bat_notice(c, BAT_STRING_COUNT);
     return status;
@@ -89,7 +91,7 @@ static bat_status add_behind(bat_context *c) {
     const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
     int kept = 0, segment = -1;
-    for (int i = 0; i < spline->count; i++) {
+    for (int i = 0; i < bat_spline_count(spline); i++) {
         if (!joints[i].dropped) kept++;
         if (i <= s->point && !joints[i].dropped) segment++;
     }

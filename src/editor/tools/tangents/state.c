@@ -1,5 +1,6 @@
 /* What the tangents tool knows of its spline, and how it shows it. */
 #include "base/vec.h"
+#include "hands/tangents/spline.h"
 #include "curve/frames_walk.h"
 #include "editor/scene/path.h"
 #include "editor/scene/seen.h"
@@ -47,8 +48,8 @@ const bat_spline *bat_splining_spline(bat_context *c) {
         return NULL;
     }
     if (spline->closed) s->placing = false;
-    if (s->point >= spline->count || (s->placing && s->state == BAT_SPLINING_IDLE))
-        s->point = spline->count - 1;
+    if (s->point >= bat_spline_count(spline) || (s->placing && s->state == BAT_SPLINING_IDLE))
+        s->point = bat_spline_count(spline) - 1;
     return spline;
 }
 
@@ -61,7 +62,7 @@ const bat_joint *bat_splining_joints(bat_context *c) {
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, s->object));
     free(s->joints);
-    s->joints = malloc((size_t)spline->count * sizeof *s->joints);
+    s->joints = malloc(spline->count * sizeof *s->joints);
     bat_status status = BAT_MEMORY;
     if (s->joints)
         status = bat_tangents(spline, bat_object_spline_options(object), s->joints, NULL, NULL, NULL);
@@ -85,10 +86,10 @@ static bool to_unit(double v[2]) {
 bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step,
                         double out[2]) {
     int other = point;
-    for (int n = 0; n < spline->count; n++) {
+    for (int n = 0; n < bat_spline_count(spline); n++) {
         other += step;
-        if (spline->closed) other = (other + spline->count) % spline->count;
-        if (other < 0 || other >= spline->count) return false;
+        if (spline->closed) other = (other + bat_spline_count(spline)) % bat_spline_count(spline);
+        if (other < 0 || other >= bat_spline_count(spline)) return false;
         if (joints[other].dropped) continue;
         for (int k = 0; k < 2; k++) out[k] = spline->points[2 * other + k] - spline->points[2 * point + k];
         return to_unit(out);
@@ -317,7 +318,7 @@ static void marks(bat_context *c, bat_overlay *list, const bat_spline *spline) {
     const bat_splining *s = bat_splining_of(c);
     double pixel = bat_stage_pixel(c->stage);
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_FILLED | BAT_ITEM_STROKED, 1.5F);
-    for (int i = 0; i < spline->count && i < MARKS_MAX; i++)
+    for (int i = 0; i < bat_spline_count(spline) && i < MARKS_MAX; i++)
         if (i != s->point) bat_overlay_circle(list, spline->points + 2 * i, POINT_RADIUS * pixel);
     if (s->over.part == BAT_PART_FIRST && s->state == BAT_SPLINING_IDLE)
         dot(list, BAT_ROLE_CHOSEN, spline->points, 1.5 * CHOSEN_RADIUS * pixel);
@@ -385,7 +386,7 @@ void bat_splining_overlay(bat_context *c, bat_overlay *list) {
     if (dragging && s->snapped) guide(c, list, spline->points + 2 * point);
     if (point >= 0 && !s->placing) handles(list, spline->points + 2 * point, &joints[point], pixel);
     if (point >= 0) prompt(c, list, spline, joints, point);
-    if (!dragging && !s->placing && s->hovering && s->near >= 0 && s->near < spline->count &&
+    if (!dragging && !s->placing && s->hovering && s->near >= 0 && s->near < bat_spline_count(spline) &&
         s->near != point)
         prompt(c, list, spline, joints, s->near);
     marks(c, list, spline);

@@ -7,6 +7,7 @@
  * else nothing is chosen.
  */
 #include "editor/edit/arrange.h"
+#include "hands/tangents/spline.h"
 #include "base/vec.h"
 #include "curve/frames_walk.h"
 #include "editor/edit/style.h"
@@ -61,8 +62,8 @@ static void snap(bat_context *c, double direction[2]) {
                 if (!bat_splining_chord(spline, joints, i, step, to)) continue;
                 to[0] *= step, to[1] *= step;
             } else {
-                if (spline->closed) other = (other + spline->count) % spline->count;
-                if (other < 0 || other >= spline->count || other == i) continue;
+                if (spline->closed) other = (other + bat_spline_count(spline)) % bat_spline_count(spline);
+                if (other < 0 || other >= bat_spline_count(spline) || other == i) continue;
                 bat_splining_direction(spline, joints, other, to);
             }
             double off = fabs(bat_atan2(direction[0] * to[1] - direction[1] * to[0],
