@@ -1,0 +1,74 @@
+/* label: slow. Every command, and all else that hosts do with an editor, in every scene in which it finds something to do,
+ * with any of its allocations failing: the editor stays sound; after a command the drawing is the one before or the one after;
+ * and nothing is left behind. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/tables/tables.h"
+#include "growth/acts.c"
+#include "growth/scenes.c"
+#include "support/alloc_fail.h"
+
+enum { THINGS = 6 };
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+
+static void command(bat_editor *editor, int which) {
+    bat_editor_command(editor, bat_command_at((bat_command_id)which)->name);
+    bat_editor_frame(editor);
+}
+
+static void act(bat_editor *editor, int which) { growth_acts[which].perform(editor); }
+
+/* Performs it with memory, and then with the nth allocation failing, n from 1 on and ever farther apart. */
+static void fail_each(const growth_scene *scene, const char *name, void (*perform)(bat_editor *, int),
+                      int which, long every) {
+    const long held = alloc_live();
+    bat_editor *editor = scene->make(THINGS);
+    const uint64_t before = digest(editor);
+    perform(editor, which);
+    const uint64_t after = digest(editor);
+    bool clean = false;
+    for (long n = 1; !clean; n += 1 + n / every) {
+        bat_editor_free(editor);
+        editor = scene->make(THINGS);
+        alloc_fail_at(n);
+        perform(editor, which);
+        clean = !alloc_fail_reached();
+        const char *wrong = bat_editor_check(editor);
+        if (wrong) fail_msg("%s, %s, allocation %ld: %s", scene->name, name, n, wrong);
+        const uint64_t now = digest(editor);
+        if (perform == command && now != before && now != after)
+            fail_msg("%s, %s, allocation %ld: neither before nor after", scene->name, name, n);
+        if (clean && now != after) fail_msg("%s, %s, allocation %ld: not done", scene->name, name, n);
+    }
+    bat_editor_frame(editor); /* what could not be shown is shown now */
+    assert_null(bat_editor_check(editor));
+    bat_editor_free(editor);
+    assert_true(alloc_live() == held);
+}
+
+static void commands(void **state) {
+    (void)state;
+    for (const growth_scene *scene = growth_scenes; scene->name; scene++)
+        for (int i = 0; i < BAT_COMMAND_COUNT; i++)
+            fail_each(scene, bat_command_at((bat_command_id)i)->name, command, i, 8);
+}
+
+static void acts(void **state) {
+    (void)state;
+    for (const growth_scene *scene = growth_scenes; scene->name; scene++)
+        for (int i = 0; growth_acts[i].name; i++) {
+            const char *name = growth_acts[i].name;
+            /* What stops the program when it fails. */
+            if (!strcmp(name, "pasted") || !strcmp(name, "replayed")) continue;
+            fail_each(scene, name, act, i, 3);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(commands), cmocka_unit_test(acts)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
