@@ -88,6 +88,7 @@ typedef struct redrawing {
     bat_curve *curve;
     double *points;
     bat_stroke stroke;
+    double tolerance;
 } redrawing;
 
 static void *begin_sketch(int variant) { /* a stroke over the middle fifth of a 100-point curve */
@@ -106,6 +107,16 @@ static void *begin_sketch(int variant) { /* a stroke over the middle fifth of a 
         r->points[2 * i + 1] = 40 * sin(x * 0.01) + 25 * sin(3.14159265 * t) + 0.2 * stroke_noise(&state);
     }
     r->stroke = (bat_stroke){2, (size_t)variant, r->points, NULL, NULL};
+    r->tolerance = bat_sketch_defaults().tolerance;
+    return r;
+}
+
+static void *begin_missed(int variant) { /* noise, and a tolerance that no curve meets */
+    redrawing *r = begin_sketch(variant);
+    uint64_t state = 9;
+    if (!r) return NULL;
+    for (int i = 0; i < variant; i++) r->points[2 * i + 1] += 3 * stroke_noise(&state);
+    r->tolerance = 1e-3;
     return r;
 }
 
@@ -113,6 +124,7 @@ static void run_sketch(void *context) {
     redrawing *r = context;
     bat_sketch_options options = bat_sketch_defaults();
     bat_curve *out = NULL;
+    options.tolerance = r->tolerance;
     const bat_status status = bat_sketch(r->curve, &r->stroke, &options, &out, NULL);
     if (status != BAT_OK && status != BAT_TOLERANCE) abort();
     bat_curve_free(out);
@@ -135,6 +147,8 @@ const bench_row bench_rows_shape[] = {
 #ifdef BATTEN_BENCH_SKETCH
     {"sketch, 240 samples", "us", 1e6, 1, 240, begin_sketch, run_sketch, end_sketch, 0},
     {"sketch, 2400 samples", "us", 1e6, 1, 2400, begin_sketch, run_sketch, end_sketch, 0},
+    {"sketch, tolerance missed, 400 samples", "us", 1e6, 1, 400, begin_missed, run_sketch, end_sketch, 0},
+    {"sketch, tolerance missed, 2400 samples", "us", 1e6, 1, 2400, begin_missed, run_sketch, end_sketch, 0},
 #endif
     {0},
 };

@@ -333,6 +333,21 @@ static inline void horner(const double *local, const int p, const int dimension,
     }
 }
 
+enum { NEAR = 8 }; /* slots: those farther away are not walked to */
+
+/* The last slot that begins at v or before it. */
+static inline int slot_of(const double *t, int slots, double v) {
+    int low = 0;
+    for (int high = slots; high - low > 1;) {
+        const int between = (low + high) / 2;
+        if (t[between] <= v)
+            low = between;
+        else
+            high = between;
+    }
+    return low;
+}
+
 static inline double error_pass(const bat_curve *space, const int p, const int dimension, const double *local,
                                 size_t count, const double *u, const double *x, int steps, double *near,
                                 double *distance) {
@@ -341,17 +356,13 @@ static inline double error_pass(const bat_curve *space, const int p, const int d
     const double start = t[0], end = t[slots];
     double worst = 0, middle = 0, half = 1;
     int slot = 0, prepared = -1;
-    for (int high = slots; count > 0 && high - slot > 1;) { /* t[slot] <= u[0] < t[high] */
-        const int between = (slot + high) / 2;
-        if (t[between] <= u[0])
-            slot = between;
-        else
-            high = between;
-    }
+    if (count > 0) slot = slot_of(t, slots, u[0]);
     for (size_t i = 0; i < count; i++) {
         const double *X = x + i * (size_t)dimension;
         double v = u[i], best = INFINITY, best_u = v;
         for (int step = 0;; step++) {
+            if (v < t[slot > NEAR ? slot - NEAR : 0] || v > t[slot < slots - NEAR ? slot + NEAR : slots])
+                slot = slot_of(t, slots, v);
             while (slot > 0 && v < t[slot]) slot--;
             while (slot < slots - 1 && (v >= t[slot + 1] || !(t[slot + 1] > t[slot]))) slot++;
             while (!(t[slot + 1] > t[slot])) slot--; /* only when the last slots are empty */

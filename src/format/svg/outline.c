@@ -84,19 +84,19 @@ void bat_outline_arc(bat_outline *o, double rx, double ry, double rotation, bool
     double x0 = o->at[0], y0 = o->at[1];
     rx = fabs(rx), ry = fabs(ry);
     if (x == x0 && y == y0) return;
-    if (rx == 0 || ry == 0) {
-        bat_outline_line(o, x, y);
-        return;
-    }
     double angle = fmod(rotation, 360) * (BAT_PI / 180), c = bat_cos(angle), s = bat_sin(angle);
     /* The unit circle: half the chord, u, and from its middle to the centre, v. */
     double hx = (x - x0) / 2, hy = (y - y0) / 2;
     double ux = (c * hx + s * hy) / rx, uy = (c * hy - s * hx) / ry, length = bat_hypot(ux, uy);
+    if (!(length > 1e-150 && length < 1e150)) { /* no radius, or one that is nothing or all beside the chord */
+        bat_outline_line(o, x, y);
+        return;
+    }
     if (length > 1) {
         rx *= length, ry *= length; /* too small to reach: scaled up, B.2.5 */
         ux /= length, uy /= length, length = 1;
     }
-    double reach = length > 0 ? sqrt(fmax(0, (1 - length) * (1 + length))) / length : 0;
+    double reach = sqrt(fmax(0, (1 - length) * (1 + length))) / length;
     if (large == sweep) reach = -reach;
     double vx = -reach * uy, vy = reach * ux;
     double from = bat_atan2(-uy - vy, -ux - vx), to = bat_atan2(uy - vy, ux - vx), turn = to - from;

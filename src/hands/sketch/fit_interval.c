@@ -6,6 +6,7 @@
 #include <string.h>
 
 static const double softer = 1.0 / 64, shortest_span = 0.5;
+static const double work_dense = 6.5e5; /* some 13 ms: what is not met by then counts as missed */
 
 static void set_copy(bat_knot_set *to, const bat_knot_set *from) {
     to->count = from->count;
@@ -180,7 +181,6 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
     }
     start_knots(k);
     bat_status status = BAT_OK;
-    bool far = true;
     double least = INFINITY;
     set_copy(&k->spare, &k->best);
     for (int round = 0; round < 24; round++) {
@@ -193,13 +193,13 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
         const double ratio = worst_ratio(k);
         const bool met = ratio <= 1; /* the speed law binds the removal only */
         if (ratio < least) least = ratio, set_copy(&k->spare, &k->best);
-        if (met || !split_failing(k)) break;
+        if (met || bat_local_enough(k, work_dense) || !split_failing(k)) break;
         set_copy(&k->best, &k->trial);
     }
     if (status == BAT_OK || least < INFINITY) { /* a later round may fail where an earlier one did not */
         set_copy(&k->best, &k->spare);
         bat_local_try(k, &k->best, &status);
-        far = worst_ratio(k) > 1;
+        k->missed = worst_ratio(k) > 1;
     }
     if (status == BAT_OK) {
         for (size_t i = 0; i < q->count; i++)
@@ -220,7 +220,7 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
             for (size_t i = q->first; i <= q->last && i < q->count; i++)
                 out->max_error = fmax(out->max_error, sqrt(k->distance[i]));
             out->solves = k->solves;
-            out->met = !far;
+            out->met = !k->missed;
         } else {
             bat_local_result_free(out);
             status = BAT_MEMORY;

@@ -71,6 +71,8 @@ typedef struct bat_local_machine {
     double *points; /* of the last solve */
     int solves;
     double work;     /* of all solves, units of some 20 ns: samples and eight times the knots */
+    double sought;   /* samples whose nearest points were sought in them */
+    bool missed;     /* no knots were found that meet the tolerance */
     bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
     bool holds_best; /* the local polynomials are those of best */
     double *slow;    /* w where the last solve left the speed law */
@@ -89,6 +91,10 @@ bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_st
 int bat_local_fewest(const bat_local_problem *problem);
 /* Removes and merges knots of machine->best while every sample stays within its limit. */
 bat_status bat_local_reduce(bat_local_machine *machine);
+/* Whether more work was spent than that on a stroke that misses its tolerance. */
+static inline bool bat_local_enough(const bat_local_machine *m, double most) {
+    return m->work + 4 * m->sought > most;
+}
 /* Whether sample i violates its error limit. */
 static inline bool bat_local_fails(const bat_local_machine *m, size_t i) {
     return !(m->distance[i] <= m->limit[i]);

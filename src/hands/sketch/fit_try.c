@@ -183,6 +183,7 @@ static bool near_enough(bat_local_machine *k, bat_status *status) {
         }
         const size_t from = i;
         while (i < q->count && bat_local_fails(k, i)) i++;
+        k->sought += (double)(i - from);
         if (!k->exact)
             bat_lsq_error(&k->space, m, k->local, i - from, q->w + from, q->x + from * (size_t)m, 2, NULL,
                           k->distance + from);

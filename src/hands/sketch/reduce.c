@@ -9,7 +9,8 @@
 
 enum { KEEP = 0, GONE = 1, MERGED = 2 }; /* MERGED: this knot and the next become their middle */
 enum { REPAIRS = 8 };
-static const double work_most = 2e6; /* some 40 ms; ordinary strokes need a tenth of it */
+static const double work_most = 2e6;   /* some 40 ms; ordinary strokes need a tenth of it */
+static const double work_missed = 5e5; /* some 10 ms */
 
 typedef struct reduction {
     bat_local_machine *machine;
@@ -19,7 +20,8 @@ typedef struct reduction {
 } reduction;
 
 static bool affordable(const reduction *r) {
-    return r->machine->solves < r->budget && r->machine->work < work_most;
+    const bat_local_machine *k = r->machine;
+    return k->solves < r->budget && k->work < work_most && !(k->missed && bat_local_enough(k, work_missed));
 }
 
 static void assemble_trial(reduction *r) {

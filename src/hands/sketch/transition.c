@@ -391,7 +391,9 @@ bat_status bat_plan_ring(bat_plan *plan) {
         bat_bridge(plan->dimension, &a, &b, count, points);
         for (size_t i = 0; i < count && status == BAT_OK; i++)
             status = bat_target_add(t, plan->dimension, points + i * m, 2 * plan->tolerance);
-        if (status == BAT_OK) status = bat_target_add(t, plan->dimension, t->x, plan->tolerance);
+        double first[BAT_DIMENSION_MAX]; /* apart: the samples move when their room grows */
+        memcpy(first, t->x, m * sizeof *first);
+        if (status == BAT_OK) status = bat_target_add(t, plan->dimension, first, plan->tolerance);
     }
     if (status == BAT_OK) {
         bat_target_speed(t, plan->dimension, 0, t->count - 1, 1, 1, 1);
