@@ -40,9 +40,9 @@ static void commands_agree(void **state) {
         {"m5 5zm1 1l1 1", "M6 6L7 7"},
         {"M0 0a2 2 0 01 4 0", "M0 0A2 2 0 0 1 4 0"},
         {"M0 0a1 1 0 00.5.5", "M0 0A1 1 0 0 0 .5 .5"},
-        {"M0 0A0 3 0 0 1 2 2", "M0 0L2 2"},                 /* an arc of no radius */
-        {"M0 0A2 224e-324 3 1 1 2 2", "M0 0L2 2"},          /* or as good as none */
-        {"M0 0A1e308 1e308 0 0 1 1e-10 0", "M0 0L1e-10 0"}, /* or of one that dwarfs its chord */
+        {"M0 0A0 3 0 0 1 2 2", "M0 0L2 2"},               /* an arc of no radius */
+        {"M0 0A2 224e-324 3 1 1 2 2", "M0 0L2 2"},        /* or as good as none */
+        {"M0 0A1e9 1e9 0 0 1 1e-160 0", "M0 0L1e-160 0"}, /* or of one that dwarfs its chord */
     };
     bat_outline a = {0}, b = {0};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {

@@ -88,7 +88,8 @@ void bat_outline_arc(bat_outline *o, double rx, double ry, double rotation, bool
     /* The unit circle: half the chord, u, and from its middle to the centre, v. */
     double hx = (x - x0) / 2, hy = (y - y0) / 2;
     double ux = (c * hx + s * hy) / rx, uy = (c * hy - s * hx) / ry, length = bat_hypot(ux, uy);
-    if (!(length > 1e-150 && length < 1e150)) { /* no radius, or one that is nothing or all beside the chord */
+    if (!(length > 1e-150 &&
+          length < 1e150)) { /* no radius, or one that is nothing or all beside the chord */
         bat_outline_line(o, x, y);
         return;
     }
