@@ -12,14 +12,14 @@ from sources import sources
 
 # The rooms of src/, from the ground up: each may use those that stand before it.
 ROOMS = [
-    "base", "text", "curve", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
+    "base", "text", "curve", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form", "document", "format/json",
     "kinds", "format/native", "format/svg", "format/curve", "format/obj", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
     "editor/commands", "editor/panels", "editor",
 ]
 # Rooms side by side, that do not see each other.
-APART = [{"hands/sketch", "hands/tangents"},
+APART = [{"hands/figures", "hands/sketch", "hands/tangents"},
          {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch",
           "editor/tools/tangents", "editor/tools/levels"}]
 # Rooms in which files do not see each other either; but for the headers named here, which are for all of them.

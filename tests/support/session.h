@@ -43,6 +43,11 @@ static inline void session_stroke(bat_editor *editor, session_bytes *bytes, doub
     double length = 20 + 3 * session_byte(bytes), bulge = session_byte(bytes) - 128;
     double rise = kind & 64 ? session_byte(bytes) - 128 : 0;
     pen_begin(&p, pen_arch, (double[]){x, y, x + length, y + rise, bulge / 2}, 12 + session_byte(bytes) % 40);
+    if (kind & 128) { /* held until it is a figure, and dragged */
+        p.time += 450;
+        pen_event(&p, BAT_POINTER_MOVE, x + length, y + rise);
+        pen_event(&p, BAT_POINTER_MOVE, x + length + bulge, y + rise);
+    }
     if (session_byte(bytes) % 16) pen_event(&p, BAT_POINTER_UP, x + length, y + rise);
     *time = p.time;
 }

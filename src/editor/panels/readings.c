@@ -11,10 +11,13 @@
 #include <string.h>
 
 /* "Redraw roof" where the curve has a name. */
-static void word(const bat_context *c, const bat_edit *edit, bat_text *text) {
+static void word(const bat_context *c, const bat_again *again, int reading, bat_text *text) {
     bat_text words = {0};
-    bat_text_string(&words, bat_word(c, bat_again_word(edit)));
-    bool one = edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL || edit->kind == BAT_EDIT_EXTEND;
+    const bat_edit *edit = &again->edit[reading];
+    const bat_string said = bat_again_word(again, reading);
+    bat_text_string(&words, bat_word(c, said));
+    bool one = said != BAT_STRING_READ_DRAWN &&
+               (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL || edit->kind == BAT_EDIT_EXTEND);
     const bat_document *document = c->session->document;
     const bat_object *object = one ? bat_document_at(document, bat_document_find(document, edit->object))
                                    : NULL;
@@ -41,7 +44,7 @@ const char *bat_panel_readings(bat_context *c) {
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");
-        word(c, &again->edit[i], &text);
+        word(c, again, i, &text);
     }
     bat_text_string(&text, "]}");
     bat_text_add(&text, "", 1);

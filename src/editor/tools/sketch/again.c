@@ -32,20 +32,37 @@ void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit
     }
 }
 
-void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples) {
+static void take_samples(bat_samples *own, bat_samples *samples) {
+    bat_samples spare = *own;
+    *own = *samples;
+    *samples = spare;
+    bat_samples_clear(samples);
+}
+
+/* The stroke as it was drawn. */
+static void keep_drawn(bat_again *again, bat_hold *hold) {
+    again->raw = -1;
+    again->figure = hold->on ? hold->figure.kind : BAT_FIGURE_NONE;
+    if (!hold->on) return;
+    take_samples(&again->drawn, &hold->drawn.samples);
+    again->raw = again->count++;
+    again->edit[again->raw] = hold->drawn;
+    again->edit[again->raw].samples = again->drawn;
+}
+
+void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
+                    bat_hold *hold) {
     again->at = -1;
     for (int i = 0; i < again->count; i++)
         if (again->edit[i].kind == edit->kind && (edit->kind == BAT_EDIT_NEW || same(&again->edit[i], edit)))
             again->at = i;
-    if (again->count < 2 || again->at < 0 || !samples->count) {
+    if (again->count + hold->on < 2 || again->at < 0 || !samples->count) {
         again->count = 0;
         return;
     }
-    bat_samples spare = again->samples;
-    again->samples = *samples;
-    *samples = spare;
-    bat_samples_clear(samples);
+    take_samples(&again->samples, samples);
     for (int i = 0; i < again->count; i++) again->edit[i].samples = again->samples;
+    keep_drawn(again, hold);
     memcpy(again->place, again->samples.points + 2 * (again->samples.count - 1), sizeof again->place);
     again->revision = c->session->revision;
     again->version++;
@@ -85,11 +102,14 @@ bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
     return status;
 }
 
-bat_string bat_again_word(const bat_edit *edit) {
+bat_string bat_again_word(const bat_again *again, int reading) {
     static const bat_string words[BAT_EDIT_COUNT] = {
         [BAT_EDIT_NEW] = BAT_STRING_READ_NEW,       [BAT_EDIT_REDRAW] = BAT_STRING_READ_REDRAW,
         [BAT_EDIT_SMOOTH] = BAT_STRING_READ_REDRAW, [BAT_EDIT_JOIN] = BAT_STRING_READ_JOIN,
         [BAT_EDIT_LEVEL] = BAT_STRING_READ_REDRAW,  [BAT_EDIT_EXTEND] = BAT_STRING_READ_EXTEND,
         [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,   [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
-    return words[edit->kind];
+    const bat_edit_kind kind = again->edit[reading].kind;
+    if (reading == again->raw) return BAT_STRING_READ_DRAWN;
+    if (kind == BAT_EDIT_NEW && again->figure) return bat_hold_word(again->figure);
+    return words[kind];
 }

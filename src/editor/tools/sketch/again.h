@@ -6,14 +6,18 @@
 #define BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
 
 #include "editor/edit/stroke.h"
+#include "editor/tools/sketch/hold.h"
 #include "editor/tools/sketch/meaning.h"
 
-enum { BAT_AGAIN_MOST = 4 };
+enum { BAT_AGAIN_MOST = 4 }; /* that the choice of meaning offers */
 
 typedef struct bat_again {
     int count, at;                 /* readings, the cheapest first; the one carried out. count 0: none */
-    bat_edit edit[BAT_AGAIN_MOST]; /* their samples are those below */
-    bat_samples samples;           /* owned */
+    bat_edit edit[BAT_AGAIN_MOST + 1]; /* their samples are those below */
+    bat_samples samples;               /* owned */
+    bat_figure_kind figure;            /* that they are of, or none */
+    int raw;                           /* the stroke as it was before it became that; -1: none */
+    bat_samples drawn;                 /* its samples, owned */
     uint64_t revision;             /* of the document after the stroke */
     double place[2];               /* the stroke's end, document units */
     uint32_t version;              /* another number whenever they are others, or another is carried out */
@@ -22,14 +26,16 @@ typedef struct bat_again {
 /* Gathers what the stroke could mean besides: readings not much dearer than the best, and a new line in any case. The
  * edits lack samples until bat_again_keep. */
 void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit *edit, bat_again *again);
-/* The stroke is committed as `edit`, whose samples are taken over (*samples gets others' memory). */
-void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples);
+/* The stroke is committed as `edit`, whose samples are taken over (*samples gets others' memory), and so are those of the
+ * stroke that it was drawn as when it was held. */
+void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
+                    bat_hold *hold);
 void bat_again_drop(bat_again *again);
 /* Whether the stroke is still the last thing done. */
 bool bat_again_holds(const bat_context *c, const bat_again *again);
 /* Takes it as the reading `at`. BAT_STATE: it is none any more; else what computing or committing says, all as it was. */
 bat_status bat_again_read(bat_context *c, bat_again *again, int at);
-/* The kind of edit as the user calls it. */
-bat_string bat_again_word(const bat_edit *edit);
+/* A reading as the user calls it. */
+bat_string bat_again_word(const bat_again *again, int reading);
 
 #endif

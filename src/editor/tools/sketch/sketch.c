@@ -150,6 +150,7 @@ static void end_stroke(bat_sketching *s) {
     drop_session(s);
     drop_preview(s);
     bat_samples_clear(&s->edit.samples);
+    bat_hold_end(&s->hold);
     s->state = s->has_pending ? BAT_SKETCHING_PENDING : BAT_SKETCHING_IDLE;
     s->preview_due = false;
     bat_meaning_end(&s->meaning);
@@ -220,6 +221,7 @@ static void begin(bat_context *c, bat_sketching *s, const bat_pointer *event, ba
     s->travelled = 0;
     s->smoothing = s->nothing = false;
     s->predicted_count = 0;
+    bat_hold_begin(&s->hold, event);
     if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
     bat_status status = forced ? BAT_OK : bat_meaning_begin(c, &s->meaning, event->device);
     bat_again_drop(&s->again);
@@ -253,6 +255,29 @@ static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning_apply(c, m, shown, &s->edit);
 }
 
+/* Its samples are others now: what they mean is found out anew. */
+static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
+    drop_session(s);
+    s->preview_due = true;
+    s->predicted_count = 0;
+    if (status == BAT_OK) status = bat_meaning_begin(c, &s->meaning, s->device);
+    if (status != BAT_OK) give_up(c, s, status);
+}
+
+/* The pen rests: the stroke so far becomes a figure. */
+static void hold(bat_context *c, bat_sketching *s) {
+    bat_status status = BAT_OK;
+    while (status == BAT_OK && bat_steady_catch_up(&s->steady))
+        status = add_sample(s, &(bat_pointer){.x = s->hover[0], .y = s->hover[1], .time = s->hold.since});
+    if (status == BAT_OK) status = bat_meaning_look(c, &s->meaning, &s->edit.view, &s->edit.samples, true);
+    if (status == BAT_OK && s->meaning.count)
+        bat_meaning_apply(c, &s->meaning, &s->meaning.readings[0], &s->edit);
+    if (status == BAT_OK) status = bat_hold_take(&s->hold, &s->edit);
+    if (status == BAT_STATE || status == BAT_DOT) return; /* like nothing: it goes on as it is */
+    read_figure(c, s, status);
+    if (s->hold.on) bat_notice(c, bat_hold_word(s->hold.figure.kind));
+}
+
 static void move(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
@@ -266,6 +291,10 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     s->predicted_count = 0;
     s->hover[0] = event->x; /* where the highlight will be looked for when the stroke has ended */
     s->hover[1] = event->y;
+    if (s->hold.on) {
+        read_figure(c, s, bat_hold_drag(&s->hold, &s->edit, s->hover));
+        return;
+    }
     bat_steady_move(&s->steady, s->hover);
     bat_status status = add_sample(s, event);
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
@@ -276,6 +305,9 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     }
     if (event->modifiers & BAT_ALT) start_smoothing(s);
     if (s->travelled > TAP && s->has_pending) drop_pending(s);
+    const double seconds = c->settings->values[BAT_PROPERTY_HOLD_TIME];
+    if (bat_hold_due(&s->hold, event, s->edit.samples.count, seconds) && !s->forced && !s->smoothing)
+        hold(c, s);
 }
 
 static bat_string outcome(const bat_edit *edit, bool strayed, bool closed) {
@@ -379,7 +411,7 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
         return;
     }
     say_done(c, &s->edit, report, strayed, closed);
-    if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples);
+    if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
@@ -655,6 +687,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     const bat_sketching *s = state;
     if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
+        if (s->hold.on) return BAT_STRING_HINT_HELD;
         if (smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
         if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
         if (s->preview.status == BAT_FAR) return BAT_STRING_HINT_STRAYED;
@@ -707,6 +740,8 @@ static void end(void *state) {
     bat_samples_free(&s->edit.samples);
     bat_samples_free(&s->pending.samples);
     bat_samples_free(&s->again.samples);
+    bat_samples_free(&s->again.drawn);
+    bat_samples_free(&s->hold.drawn.samples);
     bat_meaning_end(&s->meaning);
 }
 
@@ -730,7 +765,7 @@ bat_status bat_sketching_read_as(bat_context *c, int reading) {
     if (!bat_sketching_readings(c)) return BAT_STATE;
     bat_status status = bat_again_read(c, &s->again, reading);
     if (status == BAT_OK)
-        bat_notice(c, bat_again_word(&s->again.edit[s->again.at]));
+        bat_notice(c, bat_again_word(&s->again, s->again.at));
     else if (status != BAT_STATE)
         bat_notice_failure(c, status);
     return status;

@@ -7,6 +7,7 @@
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
 #include "editor/tools/sketch/again.h"
+#include "editor/tools/sketch/hold.h"
 #include "editor/tools/sketch/meaning.h"
 
 typedef enum bat_sketching_state {
@@ -36,6 +37,7 @@ typedef struct bat_sketching {
     /* DRAWING */
     bat_edit edit;         /* of the stroke under the pen */
     bat_steady steady;     /* between the pen and the samples */
+    bat_hold hold;         /* held at its end it becomes a figure */
     bool forced;           /* what it means was said beforehand */
     bat_meaning meaning;   /* what it may mean */
     bool nothing;          /* it means none of what it may mean */
