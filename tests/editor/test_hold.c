@@ -72,7 +72,8 @@ static double bent(const bat_curve *of, const double *n) {
     bat_curve_eval(of, domain[1], 0, last);
     for (int i = 0; i <= 100; i++) {
         bat_curve_eval(of, domain[0] + (domain[1] - domain[0]) * i / 100, 0, at);
-        const double d = ((at[0] - first[0]) * (last[1] - first[1]) - (at[1] - first[1]) * (last[0] - first[0])) /
+        const double d = ((at[0] - first[0]) * (last[1] - first[1]) -
+                          (at[1] - first[1]) * (last[0] - first[0])) /
                          hypot(last[0] - first[0], last[1] - first[1]);
         worst = fmax(worst, fabs(d));
     }
@@ -130,7 +131,8 @@ static void circles_close_and_grow(void **state) {
         double to[2];
         for (int k = 0; k < 2; k++) to[k] = where[k] + (end[k] - where[k]) * (grow ? 1.5 : 1);
         for (int i = 1; i <= 20; i++)
-            pen_event(&p, BAT_POINTER_MOVE, end[0] + (to[0] - end[0]) * i / 20, end[1] + (to[1] - end[1]) * i / 20);
+            pen_event(&p, BAT_POINTER_MOVE, end[0] + (to[0] - end[0]) * i / 20,
+                      end[1] + (to[1] - end[1]) * i / 20);
         pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
         assert_int_equal(count(editor), 3);
         const bat_curve *made = curve(editor, 2);
@@ -142,7 +144,8 @@ static void circles_close_and_grow(void **state) {
             low = fmin(low, hypot(at[0] - where[0], at[1] - where[1]));
             high = fmax(high, hypot(at[0] - where[0], at[1] - where[1]));
         }
-        if (!(high - low < 4.5)) fail_msg("from %g to %g", low, high); /* its middle is a little off the truth */
+        if (!(high - low < 4.5))
+            fail_msg("from %g to %g", low, high); /* its middle is a little off the truth */
         assert_true(fabs((high + low) / 2 - (grow ? 86 : 60)) < 3);
         assert_true(bat_curve_count(made) <= 16);
         round_trip(editor, first);
@@ -165,7 +168,8 @@ static void ends_follow_the_pen(void **state) {
     double domain[2], at[2];
     bat_curve_domain(curve(editor, 2), domain);
     bat_curve_eval(curve(editor, 2), domain[1], 0, at);
-    assert_true(hypot(at[0] - ends[2] - 150, at[1] - ends[3] - 90) < 6); /* what a held pen may slip, and the fit */
+    assert_true(hypot(at[0] - ends[2] - 150, at[1] - ends[3] - 90) <
+                6); /* what a held pen may slip, and the fit */
     bat_curve_eval(curve(editor, 2), domain[0], 0, at);
     assert_true(hypot(at[0] - ends[0], at[1] - ends[1]) < 4);
     bat_editor_free(editor);
@@ -257,9 +261,12 @@ static void cancelled_nothing_is_left(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_are_straight),        cmocka_unit_test(short_rests_mean_nothing),
-        cmocka_unit_test(circles_close_and_grow),    cmocka_unit_test(ends_follow_the_pen),
-        cmocka_unit_test(drawn_again),               cmocka_unit_test(stretches_become_figures),
+        cmocka_unit_test(lines_are_straight),
+        cmocka_unit_test(short_rests_mean_nothing),
+        cmocka_unit_test(circles_close_and_grow),
+        cmocka_unit_test(ends_follow_the_pen),
+        cmocka_unit_test(drawn_again),
+        cmocka_unit_test(stretches_become_figures),
         cmocka_unit_test(cancelled_nothing_is_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,15 +31,11 @@ typedef struct truth {
 /* A place of the figure before it is put anywhere, about 1 in size. */
 static void plain(const truth *t, double f, double out[2]) {
     switch (t->kind) {
-    case BAT_FIGURE_LINE:
-        out[0] = f, out[1] = 0;
-        break;
+    case BAT_FIGURE_LINE: out[0] = f, out[1] = 0; break;
     case BAT_FIGURE_ARC: /* a: sweep */
         out[0] = cos(t->a * f) / t->a * 1.5, out[1] = sin(t->a * f) / t->a * 1.5;
         break;
-    case BAT_FIGURE_CIRCLE:
-        out[0] = 0.5 * cos(2 * BAT_PI * f), out[1] = 0.5 * sin(2 * BAT_PI * f);
-        break;
+    case BAT_FIGURE_CIRCLE: out[0] = 0.5 * cos(2 * BAT_PI * f), out[1] = 0.5 * sin(2 * BAT_PI * f); break;
     case BAT_FIGURE_ELLIPSE: /* a: shorter by longer; of a part, b: sweep */
         out[0] = 0.5 * cos(2 * BAT_PI * f), out[1] = t->a * 0.5 * sin(2 * BAT_PI * f);
         break;

@@ -49,9 +49,11 @@ afterEach(() => {
  * In every page: its short timers and its frames are counted, so that quiet() can wait until none is left and no test waits
  * for some time. Its long timers (a notice that goes by itself, another tab that does not answer) are longer yet: a busy
  * machine needs the time. `hasty` is for the test of such a timer; `holdTimers` is for one of what happens before them.
+ * A hand that a test leaves down rests only when it says so (`rests`), however long the test takes.
  */
 function countTimers() {
-  const { setTimeout: later, clearTimeout: never, requestAnimationFrame: soon } = globalThis;
+  const { setTimeout: later, setInterval: ever, clearTimeout: never, requestAnimationFrame: soon } = globalThis;
+  globalThis.setInterval = (what, delay) => ever(() => globalThis.rests && what(), delay);
   const [waiting, held] = [new Set(), new Map()];
   globalThis.setTimeout = (what, delay = 0, ...values) => {
     const long = delay >= 2000;
@@ -208,9 +210,9 @@ export class Hand {
 
   /**
    * A stroke through window positions, samples `step` pixels apart, 4 ms each. Sent without waiting for each other,
-   * as a tablet sends them. `lift`: false leaves the pen down. `during` runs while it is still down.
+   * as a tablet sends them. `lift`: false leaves the pen down. `during` runs while it is still down; `end`: where it is then.
    */
-  async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null } = {}) {
+  async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null, end = points.at(-1) } = {}) {
     const dense = densify(points, step);
     const pen = (force) => ({ pointerType, button: 'left', buttons: 1, force, tiltX: 20, tiltY: 10, modifiers });
     const sent = [];
@@ -223,10 +225,17 @@ export class Hand {
       await during();
     }
     if (lift) {
-      await this.#mouse('mouseReleased', dense[dense.length - 1], { ...pen(0), buttons: 0, clickCount: 1 });
+      await this.#mouse('mouseReleased', end, { ...pen(0), buttons: 0, clickCount: 1 });
       await settle(this.page);
     }
     return dense;
+  }
+
+  /** On from where it is down. */
+  async drag(from, to, pointerType = 'pen') {
+    const pen = { pointerType, button: 'left', buttons: 1, force: 0.5 };
+    await Promise.all(densify([from, to], 3).map((point) => this.#mouse('mouseMoved', point, pen)));
+    await settle(this.page);
   }
 
   /** Time goes by for the engine, as events tell it. */

@@ -6,6 +6,8 @@ import { Device, Modifier, Phase } from '../engine/codes.js';
 /** @typedef {import('../engine/types.js').Pointer} Pointer */
 
 const LINE = 16; // pixels that a wheel's line stands for
+const TICK = 50; // milliseconds between two looks at what is down and says nothing
+const SILENT = 3000; // milliseconds after which nobody asks any more whether it rests
 
 /** @type {Record<string, number>} */
 const DEVICES = { mouse: Device.MOUSE, pen: Device.PEN, touch: Device.TOUCH };
@@ -48,8 +50,11 @@ export class Input {
     this.stage = stage;
     this.engine = engine;
     this.wake = wake;
-    /** @type {Map<number, PointerEvent>} */
+    /** What is down: its last event, and for how long it has been silent. @type {Map<number, { event: PointerEvent, silent: number }>} */
     this.contacts = new Map();
+    this.modifiers = 0; // as last told
+    this.told = 0; // when
+    this.ticking = 0;
     /** @type {Set<string>} */
     this.held = new Set();
     /** Events and time spent in the engine, for measurements. */
@@ -104,9 +109,44 @@ export class Input {
     };
   }
 
+  /**
+   * A hand that rests sends nothing: its last event is told again, with the time. A page that was busy meanwhile may have
+   * events to come, so one look counts little.
+   */
+  #tick() {
+    const repeated = [];
+    for (const contact of this.contacts.values()) {
+      contact.silent += TICK;
+      if (contact.silent > TICK && contact.silent < SILENT) {
+        const time = Math.max(this.told, contact.event.timeStamp + contact.silent - TICK);
+        repeated.push({ ...this.#sample(contact.event, Phase.MOVE), modifiers: this.modifiers, time });
+      }
+    }
+    if (repeated.length > 0) {
+      this.#tell(repeated);
+    }
+  }
+
+  /** @param {PointerEvent} event */
+  #keep(event) {
+    this.contacts.set(event.pointerId, { event, silent: 0 });
+    this.ticking ||= setInterval(() => this.#tick(), TICK);
+  }
+
+  /** @param {PointerEvent} event whether it was down */
+  #drop(event) {
+    const was = this.contacts.delete(event.pointerId);
+    if (this.contacts.size === 0) {
+      clearInterval(this.ticking);
+      this.ticking = 0;
+    }
+    return was;
+  }
+
   /** @param {Pointer[]} samples */
   #tell(samples) {
     const before = performance.now();
+    ({ modifiers: this.modifiers, time: this.told } = samples[samples.length - 1]);
     this.engine.pointer(samples);
     this.cost.milliseconds += performance.now() - before;
     this.cost.samples += samples.length;
@@ -125,7 +165,7 @@ export class Input {
     } catch {
       // The contact is already gone; its end will be told as well.
     }
-    this.contacts.set(event.pointerId, event);
+    this.#keep(event);
     this.#tell([this.#sample(event, Phase.DOWN)]);
   }
 
@@ -135,7 +175,7 @@ export class Input {
     const whole = event.getCoalescedEvents?.() ?? [];
     const samples = (whole.length > 0 ? whole : [event]).map((part) => this.#sample(part, phase));
     if (phase === Phase.MOVE) {
-      this.contacts.set(event.pointerId, event);
+      this.#keep(event);
       for (const guess of event.getPredictedEvents?.() ?? []) {
         samples.push(this.#sample(guess, phase, true));
       }
@@ -148,7 +188,7 @@ export class Input {
    * @param {number} phase
    */
   #end(event, phase) {
-    if (this.contacts.delete(event.pointerId)) {
+    if (this.#drop(event)) {
       this.#tell([this.#sample(event, phase)]);
     }
   }
@@ -181,6 +221,7 @@ export class Input {
     }
     const modifiers = event.getModifierState('AltGraph') ? modifiersOf(event) & ~(Modifier.CTRL | Modifier.ALT) :
       modifiersOf(event);
+    this.modifiers = modifiers;
     const used = this.engine.key(key, down, modifiers, event.timeStamp);
     if (used || key === 'Alt') { // Alt alone would open the browser's menu
       event.preventDefault();

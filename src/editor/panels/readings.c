@@ -17,7 +17,8 @@ static void word(const bat_context *c, const bat_again *again, int reading, bat_
     const bat_string said = bat_again_word(again, reading);
     bat_text_string(&words, bat_word(c, said));
     bool one = said != BAT_STRING_READ_DRAWN &&
-               (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL || edit->kind == BAT_EDIT_EXTEND);
+               (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL ||
+                edit->kind == BAT_EDIT_EXTEND);
     const bat_document *document = c->session->document;
     const bat_object *object = one ? bat_document_at(document, bat_document_find(document, edit->object))
                                    : NULL;

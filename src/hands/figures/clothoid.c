@@ -16,7 +16,8 @@ void bat_found_clothoid(const double number[8], size_t count, double *points) {
         points[2 * i] = x, points[2 * i + 1] = y;
         mean[0] += x / (double)count, mean[1] += y / (double)count;
         for (int k = 0; k < 3; k++) {
-            const double g = ((double)i + k / 2.0) * step - 0.5, part = (k == 1 ? 4 : 1) / 6.0 * step * number[3];
+            const double g = ((double)i + k / 2.0) * step - 0.5,
+                         part = (k == 1 ? 4 : 1) / 6.0 * step * number[3];
             const double angle = number[0] + number[1] * g + number[2] * g * g / 2;
             x += part * bat_cos(angle), y += part * bat_sin(angle);
         }

@@ -9,8 +9,9 @@
 #include <string.h>
 
 enum { ROUNDS = 10 };
-static const double THINNEST = 0.06;                 /* shorter axis by the longer one */
-static const double LEAST_SWEEP = 1.7, LARGEST = 2.5; /* radians of a part; longer half axis by the stroke's size */
+static const double THINNEST = 0.06; /* shorter axis by the longer one */
+static const double LEAST_SWEEP = 1.7,
+                    LARGEST = 2.5; /* radians of a part; longer half axis by the stroke's size */
 
 static double value(const double q[5], double x, double y) {
     return q[0] * (x * x - y * y) + q[1] * x * y + y * y + q[2] * x + q[3] * y + q[4];

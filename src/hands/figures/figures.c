@@ -4,7 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double FARTHEST = 0.05; /* rms share of the stroke's size: beyond, the stroke is like no figure */
+static const double FARTHEST =
+    0.05; /* rms share of the stroke's size: beyond, the stroke is like no figure */
 /* What a figure has to be nearer for one more way to bend, share of the stroke's length: a line that is meant straight
  * sags by up to a thirtieth of it, a circle that is meant round has axes that differ by up to a seventh. */
 static const double DEARER = 0.009;
@@ -16,8 +17,8 @@ static const double WAYS[BAT_FIGURE_COUNT] = {[BAT_FIGURE_ARC] = 1,
                                               [BAT_FIGURE_ELLIPSE_ARC] = 2.5};
 
 static bool near_enough(const bat_trace *trace, bat_found *best) {
-    static bool (*const open[])(const bat_trace *, bat_found *) = {
-        bat_trace_line, bat_trace_circle, bat_trace_ellipse, bat_trace_clothoid};
+    static bool (*const open[])(const bat_trace *, bat_found *) = {bat_trace_line, bat_trace_circle,
+                                                                   bat_trace_ellipse, bat_trace_clothoid};
     static bool (*const closed[])(const bat_trace *, bat_found *) = {bat_trace_circle, bat_trace_ellipse};
     const size_t count = trace->closed ? sizeof closed / sizeof *closed : sizeof open / sizeof *open;
     double least = INFINITY;
@@ -69,7 +70,8 @@ void bat_figure_nearest(size_t count, const double *pixels, bat_figure *out) {
 }
 
 void bat_figure_drag(const bat_figure *figure, const double from[2], const double to[2], double *points) {
-    const double *a = figure->anchor, x = from[0] - a[0], y = from[1] - a[1], u = to[0] - a[0], v = to[1] - a[1];
+    const double *a = figure->anchor, x = from[0] - a[0], y = from[1] - a[1], u = to[0] - a[0],
+                 v = to[1] - a[1];
     const double square = x * x + y * y;
     double c = 1, s = 0;
     if (square > 0) c = (x * u + y * v) / square, s = (x * v - y * u) / square;

@@ -6,7 +6,8 @@
 
 static const double APART = 1.5; /* px between two samples that count: what trembles nearer is no length */
 static const double LEAST = 12;  /* px: anything shorter is a dab */
-static const double ROUND = 5.2, GAP = 0.15; /* radians all round; share of the length left open by a closed stroke */
+static const double ROUND = 5.2,
+                    GAP = 0.15; /* radians all round; share of the length left open by a closed stroke */
 
 /* The next sample from *i on that lies away from `from`; false: there is none. */
 static bool next(size_t count, const double *pixels, size_t *i, const double from[2], double to[2]) {
@@ -58,9 +59,8 @@ static void measure_winding(bat_trace *trace) {
     for (size_t i = 0; i + 1 < BAT_TRACE_POINTS; i++, p += 2)
         trace->winding += bat_atan2(p[0] * p[3] - p[1] * p[2], p[0] * p[2] + p[1] * p[3]);
     const double gap = bat_hypot(last[0] - trace->at[0], last[1] - trace->at[1]);
-    trace->closed = fabs(trace->winding) >= ROUND &&
-                    (gap <= fmax(GAP * trace->length, LEAST / trace->size) ||
-                     fabs(trace->winding) >= 2 * BAT_PI);
+    trace->closed = fabs(trace->winding) >= ROUND && (gap <= fmax(GAP * trace->length, LEAST / trace->size) ||
+                                                      fabs(trace->winding) >= 2 * BAT_PI);
 }
 
 bool bat_trace_make(size_t count, const double *pixels, bat_trace *out) {

@@ -12,15 +12,15 @@
 enum { BAT_AGAIN_MOST = 4 }; /* that the choice of meaning offers */
 
 typedef struct bat_again {
-    int count, at;                 /* readings, the cheapest first; the one carried out. count 0: none */
+    int count, at;                     /* readings, the cheapest first; the one carried out. count 0: none */
     bat_edit edit[BAT_AGAIN_MOST + 1]; /* their samples are those below */
     bat_samples samples;               /* owned */
     bat_figure_kind figure;            /* that they are of, or none */
     int raw;                           /* the stroke as it was before it became that; -1: none */
     bat_samples drawn;                 /* its samples, owned */
-    uint64_t revision;             /* of the document after the stroke */
-    double place[2];               /* the stroke's end, document units */
-    uint32_t version;              /* another number whenever they are others, or another is carried out */
+    uint64_t revision;                 /* of the document after the stroke */
+    double place[2];                   /* the stroke's end, document units */
+    uint32_t version; /* another number whenever they are others, or another is carried out */
 } bat_again;
 
 /* Gathers what the stroke could mean besides: readings not much dearer than the best, and a new line in any case. The

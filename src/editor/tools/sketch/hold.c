@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const double STILL = 3, STILL_TOUCH = 6; /* px that a resting hand may wander */
-static const double LOOSE = 4, TIGHT = 12;      /* px that a held pen may slip, from which the figure is with it */
+static const double LOOSE = 4, TIGHT = 12; /* px that a held pen may slip, from which the figure is with it */
 /* Of the tolerance: the figure is to be seen as one, and costs few points all the same. */
 static const double CLOSER = 0.2;
 
@@ -77,12 +77,13 @@ void bat_hold_end(bat_hold *hold) {
 }
 
 bat_string bat_hold_word(bat_figure_kind kind) {
-    static const bat_string words[BAT_FIGURE_COUNT] = {[BAT_FIGURE_NONE] = BAT_STRING_COUNT,
-                                                       [BAT_FIGURE_LINE] = BAT_STRING_FIGURE_LINE,
-                                                       [BAT_FIGURE_ARC] = BAT_STRING_FIGURE_ARC,
-                                                       [BAT_FIGURE_CIRCLE] = BAT_STRING_FIGURE_CIRCLE,
-                                                       [BAT_FIGURE_ELLIPSE] = BAT_STRING_FIGURE_ELLIPSE,
-                                                       [BAT_FIGURE_ELLIPSE_ARC] = BAT_STRING_FIGURE_ELLIPSE_ARC,
-                                                       [BAT_FIGURE_CLOTHOID] = BAT_STRING_FIGURE_CLOTHOID};
+    static const bat_string words[BAT_FIGURE_COUNT] = {
+        [BAT_FIGURE_NONE] = BAT_STRING_COUNT,
+        [BAT_FIGURE_LINE] = BAT_STRING_FIGURE_LINE,
+        [BAT_FIGURE_ARC] = BAT_STRING_FIGURE_ARC,
+        [BAT_FIGURE_CIRCLE] = BAT_STRING_FIGURE_CIRCLE,
+        [BAT_FIGURE_ELLIPSE] = BAT_STRING_FIGURE_ELLIPSE,
+        [BAT_FIGURE_ELLIPSE_ARC] = BAT_STRING_FIGURE_ELLIPSE_ARC,
+        [BAT_FIGURE_CLOTHOID] = BAT_STRING_FIGURE_CLOTHOID};
     return words[kind];
 }
