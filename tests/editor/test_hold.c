@@ -136,7 +136,7 @@ static void circles_close_and_grow(void **state) {
         pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
         assert_int_equal(count(editor), 3);
         const bat_curve *made = curve(editor, 2);
-        assert_true(bat_curve_closed(made));
+        assert_true(bat_curve_is_closed(made));
         double domain[2], at[2], low = 1e9, high = 0;
         bat_curve_domain(made, domain);
         for (int i = 0; i < 200; i++) {

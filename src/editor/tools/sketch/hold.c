@@ -42,7 +42,7 @@ static bat_status lay(const bat_hold *hold, bat_edit *edit, const double *points
         for (size_t k = 0; k < 2; k++)
             pixel[k] = fmin(fmax(bat_samples_round(points[2 * i + k], 100), -BAT_PIXELS_MAX), BAT_PIXELS_MAX);
         const double time = bat_samples_round(last * (double)i / (double)(count - 1), 100);
-        status = bat_samples_add(&edit->samples, &edit->view, pixel, pressure, time, upright);
+        status = bat_samples_add(&edit->samples, &edit->stage, pixel, pressure, time, upright);
     }
     return status;
 }

@@ -269,7 +269,7 @@ static void hold(bat_context *c, bat_sketching *s) {
     bat_status status = BAT_OK;
     while (status == BAT_OK && bat_steady_catch_up(&s->steady))
         status = add_sample(s, &(bat_pointer){.x = s->hover[0], .y = s->hover[1], .time = s->hold.since});
-    if (status == BAT_OK) status = bat_meaning_look(c, &s->meaning, &s->edit.view, &s->edit.samples, true);
+    if (status == BAT_OK) status = bat_meaning_look(c, &s->meaning, &s->edit.stage, &s->edit.samples, true);
     if (status == BAT_OK && s->meaning.count)
         bat_meaning_apply(c, &s->meaning, &s->meaning.readings[0], &s->edit);
     if (status == BAT_OK) status = bat_hold_take(&s->hold, &s->edit);
