@@ -177,7 +177,7 @@ static void ends_follow_the_pen(void **state) {
 
 static bool same(const bat_curve *a, const bat_curve *b) {
     const size_t n = (size_t)bat_curve_count(a);
-    return bat_curve_count(b) == (int)n &&
+    return (size_t)bat_curve_count(b) == n &&
            !memcmp(bat_curve_points(a), bat_curve_points(b), 2 * n * sizeof(double));
 }
 
