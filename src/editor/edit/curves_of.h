@@ -8,7 +8,8 @@
 #include <batten/editor.h>
 #include <batten/levels.h>
 
-/* The curve an edit works on, or NULL when the document has none such. */
+/* The curve of that dimension that an edit works on, or NULL when the document has none such; a planar one. */
+const bat_curve *bat_edit_target_in(const bat_document *document, int dimension, bat_id object, int curve);
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
 /* The object without one of its curves; *out NULL when none is left. */
 bat_status bat_without_curve(const bat_object *object, int index, bat_object **out);

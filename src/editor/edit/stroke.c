@@ -12,16 +12,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+const bat_curve *bat_edit_curve(const bat_document *document, const bat_edit *edit, bat_id object,
+                                int curve) {
+    return bat_edit_target_in(document, bat_stage_dimension(&edit->stage), object, curve);
+}
+
 /* The curves of a SEVERAL edit, one a part: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
 static bat_status chain(const bat_document *document, const bat_edit *edit, bat_curve *out[BAT_EDIT_PARTS]) {
     const bat_curve *curves[BAT_EDIT_PARTS];
     bat_sketch_meaning meaning[BAT_EDIT_PARTS];
-    double cuts[2 * BAT_EDIT_PARTS];
+    double cuts[BAT_DIMENSION_MAX * BAT_EDIT_PARTS];
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    const size_t d = (size_t)stroke.dimension;
     for (int i = 0; i < edit->part_count; i++) {
-        curves[i] = bat_edit_target(document, edit->part[i].object, edit->part[i].curve);
+        curves[i] = bat_edit_curve(document, edit, edit->part[i].object, edit->part[i].curve);
         meaning[i] = edit->part[i].meaning;
-        memcpy(cuts + 2 * i, edit->part[i].end, sizeof edit->part[i].end);
+        memcpy(cuts + d * (size_t)i, edit->part[i].end, d * sizeof *cuts);
         bool twice = false;
         for (int j = 0; j < i; j++) twice = twice || curves[j] == curves[i];
         if (!curves[i] || twice) return BAT_ARGUMENT;
@@ -45,7 +51,7 @@ static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve 
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     if (edit->kind == BAT_EDIT_NEW)
         return bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, out, report);
-    const bat_curve *target = bat_edit_target(document, edit->object, edit->curve);
+    const bat_curve *target = bat_edit_curve(document, edit, edit->object, edit->curve);
     if (!target) return BAT_ARGUMENT;
     if (edit->kind == BAT_EDIT_LEVEL) {
         bat_shape *shape = NULL;
@@ -60,7 +66,7 @@ static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve 
     if (edit->kind == BAT_EDIT_CLOSE) return bat_sketch_close(target, &stroke, &edit->options, out, report);
     if (edit->kind == BAT_EDIT_SEVERAL) return compute_first(document, edit, out);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
-    const bat_curve *other = bat_edit_target(document, edit->other, edit->other_curve);
+    const bat_curve *other = bat_edit_curve(document, edit, edit->other, edit->other_curve);
     if (!other || other == target) return BAT_ARGUMENT;
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }

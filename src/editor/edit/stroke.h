@@ -39,7 +39,7 @@ typedef struct bat_edit_part {
     bat_id object;
     int curve;
     bat_sketch_meaning meaning;
-    double end[2]; /* where the stroke is cut after it, document units */
+    double end[BAT_DIMENSION_MAX]; /* where the stroke is cut after it, document units */
 } bat_edit_part;
 
 typedef struct bat_edit {
@@ -59,6 +59,9 @@ typedef struct bat_edit {
     bool accepted;   /* the user said yes to a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;
+
+/* The curve of that number, when strokes on the edit's ground can be meant for it; else NULL. */
+const bat_curve *bat_edit_curve(const bat_document *document, const bat_edit *edit, bat_id object, int curve);
 
 const char *bat_edit_name(bat_edit_kind kind);
 bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */

@@ -11,13 +11,14 @@ enum { MEASURED = 64 }; /* samples that decide whether a level can follow the st
 
 static double miss(const bat_shape *shape, const bat_samples *samples) {
     bat_finder *finder = NULL;
+    const bat_stroke stroke = bat_samples_stroke(samples, 0);
     double worst = 0;
     size_t step = samples->count / MEASURED + 1;
     if (bat_finder_create(bat_shape_curve(shape, bat_shape_levels(shape)), &finder) != BAT_OK)
         return INFINITY;
     for (size_t i = 0; i < samples->count; i += step) {
         bat_near near;
-        bat_finder_nearest(finder, samples->points + 2 * i, &near);
+        bat_finder_nearest(finder, stroke.points + i * (size_t)stroke.dimension, &near);
         worst = fmax(worst, near.distance);
     }
     bat_finder_free(finder);
@@ -59,7 +60,7 @@ bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape 
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, edit->object));
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
-    if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != 2) return BAT_ARGUMENT;
+    if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != bat_stage_dimension(&edit->stage)) return BAT_ARGUMENT;
     int top = bat_shape_levels(from);
     if (edit->level > top) return BAT_ARGUMENT;
     if (edit->level >= 0) return at_level(from, edit, edit->level, out, report);

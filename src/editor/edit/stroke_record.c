@@ -90,12 +90,12 @@ static void write_redraw(bat_text *line, const bat_sketch_meaning *meaning) {
     bat_line_numbers(line, (double[]){(double)meaning->end[0], (double)meaning->end[1]}, 2, 1);
 }
 
-static void write_new(bat_text *line, const bat_sketch_meaning *meaning) {
+static void write_new(bat_text *line, const bat_sketch_meaning *meaning, int dimension) {
     if (meaning->closing)
         bat_text_string(line, meaning->closing == BAT_CLOSING_YES ? ",\"closed\":true" : ",\"closed\":false");
     if (!meaning->put) return;
     bat_text_string(line, ",\"start\":");
-    bat_line_numbers(line, meaning->start, 2, 1);
+    bat_line_numbers(line, meaning->start, (size_t)dimension, 1);
 }
 
 static void write_parts(bat_text *line, const bat_edit *edit) {
@@ -107,10 +107,20 @@ static void write_parts(bat_text *line, const bat_edit *edit) {
         number(line, "curve", part->curve);
         write_redraw(line, &part->meaning);
         bat_text_string(line, ",\"end\":");
-        bat_line_numbers(line, part->end, 2, 1);
+        bat_line_numbers(line, part->end, (size_t)bat_stage_dimension(&edit->stage), 1);
         bat_text_string(line, "}");
     }
     bat_text_string(line, "]");
+}
+
+/* The page goes without saying. */
+static void write_ground(bat_text *line, const bat_ground *ground) {
+    if (!ground->type->numbers) return;
+    bat_text_string(line, ",\"ground\":{\"");
+    bat_text_string(line, ground->type->name);
+    bat_text_string(line, "\":");
+    bat_line_numbers(line, ground->numbers, (size_t)ground->type->numbers, 1);
+    bat_text_string(line, "}");
 }
 
 void bat_edit_write(const bat_edit *edit, bat_text *line) {
@@ -131,7 +141,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
         number(line, "stroke_width", edit->style.width);
         write_style(line, &edit->style);
         if (edit->parent) number(line, "parent", (double)edit->parent);
-        write_new(line, &edit->meaning);
+        write_new(line, &edit->meaning, bat_stage_dimension(&edit->stage));
     }
     number(line, "tolerance", edit->options.tolerance);
     number(line, "pixel", edit->options.pixel);
@@ -144,6 +154,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     const bat_stage *stage = &edit->stage;
     bat_line_numbers(line, (double[]){stage->view.x, stage->view.y, stage->view.zoom, stage->view.angle},
                      stage->view.angle == 0 ? 3 : 4, 1);
+    write_ground(line, &stage->ground);
     stroke(line, &edit->samples);
 }
 
@@ -210,12 +221,15 @@ static double item_number(const bat_json *json, uint32_t node) {
     return bat_json_type_of(json, node) == BAT_JSON_NUMBER ? json->nodes[node].value.number : NAN;
 }
 
-static bool item_pair(const bat_json *json, uint32_t node, double limit, double out[2]) {
-    if (bat_json_count(json, node) != 2) return false;
-    uint32_t x = bat_json_first(json, node);
-    out[0] = item_number(json, x);
-    out[1] = item_number(json, json->nodes[x].next);
-    return fabs(out[0]) <= limit && fabs(out[1]) <= limit;
+static bool item_numbers(const bat_json *json, uint32_t node, uint32_t count, double limit, double *out) {
+    if (bat_json_count(json, node) != count) return false;
+    bool good = true;
+    node = bat_json_first(json, node);
+    for (uint32_t i = 0; i < count && good; i++, node = json->nodes[node].next) {
+        out[i] = item_number(json, node);
+        good = fabs(out[i]) <= limit;
+    }
+    return good;
 }
 
 /* One number a sample, one for all, or none at all. */
@@ -248,7 +262,7 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
     double last = 0;
     for (uint32_t i = 0; i < count; i++) {
         double pixel[2], lean[2] = {0, 0};
-        if (!item_pair(json, at, BAT_PIXELS_MAX, pixel))
+        if (!item_numbers(json, at, 2, BAT_PIXELS_MAX, pixel))
             return bat_json_complain(json, at, BAT_SYNTAX, "stroke point", "[x, y]", problem);
         double press = p ? item_number(json, p) : 0, when = t ? item_number(json, t) : 0;
         if (!(press >= 0 && press <= 1))
@@ -256,7 +270,7 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
         if (!(when >= last && when <= 1e13))
             return bat_json_complain(json, t, BAT_SYNTAX, "time", "milliseconds that do not decrease",
                                      problem);
-        if (slant && !item_pair(json, slant, 90, lean))
+        if (slant && !item_numbers(json, slant, 2, 90, lean))
             return bat_json_complain(json, slant, BAT_SYNTAX, "tilt", "[x, y] in degrees", problem);
         last = when;
         bat_status status = bat_samples_add(&edit->samples, &edit->stage, pixel, press, when, lean);
@@ -269,12 +283,13 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
     return BAT_OK;
 }
 
-/* Two numbers, when they are there. */
-static bool read_pair(reader *r, const char *name, double limit, double out[2]) {
+/* So many numbers, when they are there. */
+static bool read_numbers(reader *r, const char *name, int count, double limit, double *out) {
     uint32_t node = bat_json_member(r->json, r->object, name);
     if (!node || r->status != BAT_OK) return false;
-    if (!item_pair(r->json, node, limit, out))
-        r->status = bat_json_complain(r->json, node, BAT_SYNTAX, name, "two numbers", r->problem);
+    if (!item_numbers(r->json, node, (uint32_t)count, limit, out))
+        r->status = bat_json_complain(r->json, node, BAT_SYNTAX, name, count == 2 ? "two numbers" : "three numbers",
+                                      r->problem);
     return r->status == BAT_OK;
 }
 
@@ -282,16 +297,16 @@ static void read_redraw(reader *r, bat_sketch_meaning *meaning) {
     static const double none = 0;
     double ends[2] = {0, 0};
     meaning->sense = (int)read(r, "sense", -1, 1, &none);
-    if (!read_pair(r, "ends", BAT_END_RULE_HELD, ends)) return;
+    if (!read_numbers(r, "ends", 2, BAT_END_RULE_HELD, ends)) return;
     for (int side = 0; side < 2; side++) meaning->end[side] = (bat_end_rule)fmax(ends[side], 0);
 }
 
-static void read_new(reader *r, bat_sketch_meaning *meaning) {
+static void read_new(reader *r, bat_sketch_meaning *meaning, int dimension) {
     uint32_t closed = bat_json_member(r->json, r->object, "closed");
     if (closed)
         meaning->closing = bat_json_type_of(r->json, closed) == BAT_JSON_TRUE ? BAT_CLOSING_YES
                                                                               : BAT_CLOSING_NO;
-    meaning->put = read_pair(r, "start", 1e100, meaning->start);
+    meaning->put = read_numbers(r, "start", dimension, BAT_COORDINATE_MAX, meaning->start);
 }
 
 static void read_parts(reader *r, bat_edit *edit) {
@@ -306,7 +321,7 @@ static void read_parts(reader *r, bat_edit *edit) {
         part->object = (bat_id)read_whole(&inner, "object", 1, 2147483647);
         part->curve = read_whole(&inner, "curve", 0, 2147483647);
         read_redraw(&inner, &part->meaning);
-        read_pair(&inner, "end", 1e100, part->end);
+        read_numbers(&inner, "end", bat_stage_dimension(&edit->stage), BAT_COORDINATE_MAX, part->end);
         r->status = inner.status;
     }
 }
@@ -333,6 +348,22 @@ static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *p
     return BAT_OK;
 }
 
+static bat_status read_ground(const bat_json *json, bat_ground *ground, bat_problem *problem) {
+    uint32_t node = bat_json_member(json, 1, "ground");
+    const char *name;
+    *ground = bat_ground_page();
+    for (int i = 0; node && (name = bat_ground_name(i)); i++) {
+        double numbers[BAT_GROUND_NUMBERS];
+        uint32_t list = bat_json_member(json, node, name), count = bat_json_count(json, list);
+        if (list && count <= BAT_GROUND_NUMBERS &&
+            item_numbers(json, list, count, BAT_COORDINATE_MAX, numbers) &&
+            bat_ground_named(name, (int)count, numbers, ground))
+            return BAT_OK;
+    }
+    return node ? bat_json_complain(json, node, BAT_SYNTAX, "ground", "a ground's name with its numbers", problem)
+                : BAT_OK;
+}
+
 bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *problem) {
     static const double one = 1, three = 3, none = 0;
     bat_samples samples = out->samples;
@@ -342,7 +373,9 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     out->kind = bat_edit_named(name ? name : "");
     if (out->kind == BAT_EDIT_COUNT)
         return bat_json_say(json, 1, BAT_UNSUPPORTED, "do: no edit has this name", problem);
-    reader r = {json, 1, problem, BAT_OK};
+    bat_status staged = read_view(json, &out->stage.view, problem);
+    if (staged == BAT_OK) staged = read_ground(json, &out->stage.ground, problem);
+    reader r = {json, 1, problem, staged};
     const double ids = (double)BAT_ID_MAX;
     out->object = (bat_id)read_whole(&r, "object", 1, ids);
     if (out->kind != BAT_EDIT_NEW) out->curve = read_whole(&r, "curve", 0, ids);
@@ -359,7 +392,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
         out->style.width = read(&r, "stroke_width", 0, 1e9, &out->style.width);
         read_style(&r, &out->style);
         out->parent = (bat_id)read(&r, "parent", 0, ids, &none);
-        read_new(&r, &out->meaning);
+        read_new(&r, &out->meaning, bat_stage_dimension(&out->stage));
     }
     bat_sketch_options *options = &out->options;
     *options = bat_sketch_defaults();
@@ -370,7 +403,6 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
     out->accepted = read_switch(&r, "accepted");
-    if (r.status == BAT_OK) r.status = read_view(json, &out->stage.view, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);
     return r.status;
 }

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8 };
+enum { COLUMNS = 8, MORE = 3 /* places that are not points */ };
 
 void bat_samples_clear(bat_samples *samples) { samples->count = 0; }
 
@@ -18,12 +18,14 @@ static void lay_out(bat_samples *samples, double *block, size_t room) {
     samples->tilt = block + 4 * room;
     samples->pressure = block + 6 * room;
     samples->time = block + 7 * room;
+    samples->places = samples->dimension == 3 ? block + COLUMNS * room : samples->points;
     samples->room = room;
 }
 
 static bat_status grow(bat_samples *samples) {
     size_t room = samples->room ? 2 * samples->room : 256, n = samples->count;
-    double *block = malloc(room * COLUMNS * sizeof *block);
+    size_t columns = samples->dimension == 3 ? COLUMNS + MORE : COLUMNS;
+    double *block = malloc(room * columns * sizeof *block);
     if (!block) return BAT_MEMORY;
     bat_samples old = *samples;
     lay_out(samples, block, room);
@@ -33,6 +35,7 @@ static bat_status grow(bat_samples *samples) {
         memcpy(samples->tilt, old.tilt, 2 * n * sizeof *block);
         memcpy(samples->pressure, old.pressure, n * sizeof *block);
         memcpy(samples->time, old.time, n * sizeof *block);
+        if (samples->dimension == 3) memcpy(samples->places, old.places, 3 * n * sizeof *block);
     }
     free(old.pixels);
     return BAT_OK;
@@ -42,23 +45,33 @@ double bat_samples_round(double value, double parts) { return round(value * part
 
 bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
                            double pressure, double time, const double tilt[2]) {
+    bat_hit hit;
     if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
+    bat_status status = bat_stage_place(stage, pixel, &hit);
+    if (status != BAT_OK) return status;
+    if (!samples->count && samples->dimension != bat_stage_dimension(stage)) {
+        const double start = samples->start;
+        bat_samples_free(samples);
+        samples->start = start;
+        samples->dimension = bat_stage_dimension(stage);
+    }
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
     size_t i = samples->count++;
     for (int k = 0; k < 2; k++) {
         samples->pixels[2 * i + (size_t)k] = pixel[k];
         samples->tilt[2 * i + (size_t)k] = tilt[k];
     }
-    bat_stage_seen(stage, pixel, samples->points + 2 * i);
+    memcpy(samples->points + 2 * i, hit.at, 2 * sizeof *hit.at);
+    if (samples->dimension == 3) memcpy(samples->places + 3 * i, hit.at, sizeof hit.at);
     samples->pressure[i] = pressure;
     samples->time[i] = time;
     return BAT_OK;
 }
 
 bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first) {
-    return (bat_stroke){.dimension = 2,
+    return (bat_stroke){.dimension = samples->dimension == 3 ? 3 : 2,
                         .count = samples->count - first,
-                        .points = samples->points + 2 * first,
+                        .points = samples->places + (size_t)(samples->dimension == 3 ? 3 : 2) * first,
                         .pressure = samples->pressure + first,
                         .time = samples->time + first};
 }

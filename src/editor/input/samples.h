@@ -1,4 +1,4 @@
-/* The samples of a stroke, as the pen gave them (view pixels) and where they lie (document units). */
+/* The samples of a stroke, as the pen gave them (view pixels) and where they lie on the ground (document units). */
 #ifndef BATTEN_EDITOR_INPUT_SAMPLES_H
 #define BATTEN_EDITOR_INPUT_SAMPLES_H
 
@@ -8,11 +8,13 @@
 
 enum { BAT_SAMPLES_MAX = 1 << 20 };
 
-/* Columns, grown together; time counts from the first sample. */
+/* Columns, grown together; time counts from the first sample. `places` are `points` on the page. */
 typedef struct bat_samples {
+    int dimension; /* of places: 2 on the page, else 3; as the first sample's ground has it */
     size_t count, room;
     double *pixels; /* x y */
-    double *points; /* x y, document units */
+    double *points; /* x y, drawing coordinates (stage.h) */
+    double *places; /* x y [z], on the ground */
     double *pressure, *time;
     double *tilt; /* x y, degrees */
     double start; /* host's time of the first sample */
@@ -21,7 +23,7 @@ typedef struct bat_samples {
 /* Empties it and keeps the memory. */
 void bat_samples_clear(bat_samples *samples);
 void bat_samples_free(bat_samples *samples);
-/* view: of the stroke. BAT_COUNT when full, BAT_MEMORY; nothing added then. */
+/* stage: of the stroke. BAT_COUNT when full, BAT_MEMORY, or as bat_stage_place; nothing added then. */
 bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
                            double pressure, double time, const double tilt[2]);
 /* The samples from `first` on, as the sketch hand takes them; borrowed. */

@@ -9,14 +9,14 @@ static bool box_near(const double box[4], const double point[2], double within) 
     return bat_hypot(dx, dy) <= within;
 }
 
-bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within) {
+bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], double within) {
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
         if (scene->entries[i].hidden || scene->entries[i].locked) continue;
         if (!box_near(scene->entries[i].box, point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
-            if (bat_curve_dimension(bat_object_curve(object, j)) != 2) continue;
+            if (bat_curve_dimension(bat_object_curve(object, j)) != dimension) continue;
             const bat_finder *finder = bat_scene_finder(scene, i, j);
             if (!finder) continue;
             bat_near near;
@@ -28,6 +28,10 @@ bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within
         }
     }
     return best;
+}
+
+bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within) {
+    return bat_pick_curve(scene, 2, point, within);
 }
 
 bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, bat_id but_object,

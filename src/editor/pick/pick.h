@@ -10,7 +10,10 @@ typedef struct bat_pick {
     bat_near near;
 } bat_pick;
 
-/* The planar curve nearest to the point (document units) within `within`; of equals the one in front. */
+/* The curve of that dimension whose picture is nearest to the point (drawing coordinates) within `within`; of equals the
+ * one in front. near.point: of the picture. */
+bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], double within);
+/* The planar curve nearest to the point within `within`. */
 bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within);
 /* The end of an open planar curve nearest to the point within `within`, but for one curve (object 0: none
  * left out). near.u is that end's parameter. */

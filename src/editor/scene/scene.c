@@ -13,9 +13,11 @@ void bat_scene_init(bat_scene *scene) {
 }
 
 static void free_entry(bat_scene_entry *entry) {
-    if (entry->finders)
-        for (int i = 0; i < bat_object_curve_count(entry->object); i++) bat_finder_free(entry->finders[i]);
-    free(entry->finders);
+    for (int i = 0; entry->lines && i < bat_object_curve_count(entry->object); i++) {
+        bat_finder_free(entry->lines[i].finder);
+        bat_curve_free(entry->lines[i].picture);
+    }
+    free(entry->lines);
     free(entry->path);
     bat_object_release(entry->object);
 }
@@ -250,11 +252,17 @@ void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
 
 const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
     bat_scene_entry *entry = &scene->entries[index];
-    if (!entry->finders) {
-        entry->finders = calloc((size_t)bat_object_curve_count(entry->object), sizeof *entry->finders);
-        if (!entry->finders) return NULL;
+    if (!entry->lines) {
+        entry->lines = calloc((size_t)bat_object_curve_count(entry->object), sizeof *entry->lines);
+        if (!entry->lines) return NULL;
     }
-    if (!entry->finders[curve])
-        bat_finder_create(bat_object_curve(entry->object, curve), &entry->finders[curve]);
-    return entry->finders[curve];
+    bat_scene_line *line = &entry->lines[curve];
+    const bat_curve *seen = bat_object_curve(entry->object, curve);
+    if (line->finder) return line->finder;
+    if (bat_curve_dimension(seen) != 2) {
+        if (!line->picture && bat_curve_to_dimension(seen, 2, &line->picture) != BAT_OK) return NULL;
+        seen = line->picture;
+    }
+    bat_finder_create(seen, &line->finder);
+    return line->finder;
 }

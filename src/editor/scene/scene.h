@@ -11,6 +11,12 @@
 #include "editor/view/stage.h"
 #include <batten/nearest.h>
 
+/* What finds a place on a curve. */
+typedef struct bat_scene_line {
+    bat_finder *finder; /* NULL until asked for */
+    bat_curve *picture; /* of a space curve: its x y, which the finder looks at */
+} bat_scene_line;
+
 typedef struct bat_scene_entry {
     bat_object *object; /* retained */
     double box[4];      /* of the outline, document units */
@@ -18,7 +24,7 @@ typedef struct bat_scene_entry {
     bat_item item;
     bool hidden, locked;  /* itself, or a group it is in; what is not isolated is locked */
     bool pale;            /* it is not isolated */
-    bat_finder **finders; /* one a curve, each NULL until asked for; NULL altogether before */
+    bat_scene_line *lines; /* one a curve; NULL until asked for */
 } bat_scene_entry;
 
 typedef struct bat_scene {
@@ -47,7 +53,8 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
 /* Moves the origin to the view's middle when floats would show (a quarter of a pixel). */
 void bat_scene_rebase(bat_scene *scene, const bat_stage *stage);
-/* The finder of a curve of an entry, made at first use; NULL when memory is out. */
+/* The finder of a curve of an entry, of a space curve of its picture (x y, at the same parameters); made at first use,
+ * NULL when memory is out. */
 const bat_finder *bat_scene_finder(bat_scene *scene, int entry, int curve);
 
 #endif

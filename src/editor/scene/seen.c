@@ -5,7 +5,17 @@
 #include "editor/tables/settings.h"
 #include <string.h>
 
+/* The ground is where its object is now; the page when it is gone. */
+static void follow_ground(bat_context *c) {
+    bat_ground *ground = &c->stage->ground;
+    if (!ground->object) return;
+    int at = bat_document_find(c->session->document, ground->object);
+    const double *plane = at < 0 ? NULL : bat_object_plane(bat_document_at(c->session->document, at));
+    *ground = plane ? bat_ground_plane(plane, ground->object) : bat_ground_page();
+}
+
 void bat_seen_sync(bat_context *c) {
+    follow_ground(c);
     bat_scene_look(c->scene, c->settings->values[BAT_PROPERTY_OUTLINE] != 0, &c->choice->isolation);
     if (bat_scene_sync(c->scene, c->session->document, c->session->revision) != BAT_OK)
         bat_notice(c, BAT_STRING_NOTICE_MEMORY);

@@ -54,6 +54,10 @@ bat_ground bat_ground_plane(const double frame[9], bat_id object) {
     return ground;
 }
 
+const char *bat_ground_name(int index) {
+    return index >= 0 && (size_t)index < sizeof GROUNDS / sizeof *GROUNDS ? GROUNDS[index].name : NULL;
+}
+
 bool bat_ground_named(const char *name, int count, const double *numbers, bat_ground *out) {
     for (size_t i = 0; i < sizeof GROUNDS / sizeof *GROUNDS; i++) {
         const bat_ground_type *type = &GROUNDS[i];

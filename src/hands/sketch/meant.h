@@ -18,7 +18,7 @@ typedef struct bat_sketch_meaning {
     bat_end_rule end[2]; /* redraw; in the stroke's order */
     bat_closing closing; /* new */
     bool put;            /* new: it starts at `start` (document units) */
-    double start[2];
+    double start[BAT_DIMENSION_MAX];
 } bat_sketch_meaning;
 
 /* As bat_sketch and bat_sketch_new; meaning: NULL for none. */
@@ -30,7 +30,7 @@ bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_optio
                                 bat_sketch_report *report);
 /* Told before the first preview or commit. */
 void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning);
-/* One stroke over several curves, cut at the points between them (document units, x y each, count - 1 of them): every
+/* One stroke over several curves, cut at the points between them (document units, x y [z] each, count - 1 of them): every
  * part redraws its curve, and curves meet where it is cut. meaning: one a curve. All or none are made; BAT_TOLERANCE with
  * the best there is. */
 bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const double *cuts,

@@ -6,16 +6,17 @@
 static const double put_over = 24; /* px along which the stroke's start gives way to where it is put */
 
 /* The stroke starts at `start` (document units), and lies as it did from a little way on. */
-static void put_start(bat_clean *clean, const double start[2], const double *origin, double pixel) {
-    double move[2], off = 0;
-    for (int k = 0; k < 2; k++) {
+static void put_start(bat_clean *clean, const double *start, const double *origin, double pixel) {
+    const size_t d = (size_t)clean->dimension;
+    double move[BAT_DIMENSION_MAX], off = 0;
+    for (size_t k = 0; k < d; k++) {
         move[k] = (start[k] - origin[k]) / pixel - clean->points[k];
         off += move[k] * move[k];
     }
     const double over = fmin(fmax(put_over, 4 * sqrt(off)), 0.5 * clean->length);
     for (size_t i = 0; i < clean->count && clean->arc[i] < over; i++) {
         const double f = 1 - clean->arc[i] / over, fade = f * f * (3 - 2 * f);
-        for (size_t k = 0; k < 2; k++) clean->points[2 * i + k] += fade * move[k];
+        for (size_t k = 0; k < d; k++) clean->points[d * i + k] += fade * move[k];
     }
     bat_clean_cut(clean, 0, clean->count - 1); /* measures it again */
 }
@@ -48,7 +49,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     plan.end[0].kind = plan.end[1].kind = BAT_END_FREE;
     plan.periodic = meaning->closing == BAT_CLOSING_YES ||
                     (meaning->closing == BAT_CLOSING_AUTO && bat_clean_closes(&clean));
-    if (meaning->put && !plan.periodic && clean.dimension == 2)
+    if (meaning->put && !plan.periodic)
         put_start(&clean, meaning->start, origin, o.pixel);
     bat_sketch_report facts = {0};
     status = plan.periodic ? bat_plan_ring(&plan) : bat_plan_target(&plan);

@@ -268,12 +268,13 @@ bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke,
 /* The sample nearest to the cut, after `first` and with some samples left on either side. */
 static size_t cut_sample(const bat_clean *clean, const double *cut, const double *origin, double pixel,
                          size_t first) {
+    const size_t dimension = (size_t)clean->dimension;
     double least = INFINITY;
     size_t best = first + 2;
     for (size_t i = first + 2; i + 2 < clean->count; i++) {
         double d = 0;
-        for (size_t k = 0; k < 2; k++) {
-            const double r = clean->points[2 * i + k] - (cut[k] - origin[k]) / pixel;
+        for (size_t k = 0; k < dimension; k++) {
+            const double r = clean->points[dimension * i + k] - (cut[k] - origin[k]) / pixel;
             d += r * r;
         }
         if (d < least) least = d, best = i;
@@ -283,11 +284,12 @@ static size_t cut_sample(const bat_clean *clean, const double *cut, const double
 
 static bat_status copy_part(const bat_clean *clean, size_t first, size_t last, bat_clean *out) {
     *out = *clean;
-    out->points = malloc(clean->count * 2 * sizeof *out->points);
+    const size_t numbers = clean->count * (size_t)clean->dimension;
+    out->points = malloc(numbers * sizeof *out->points);
     out->arc = malloc(clean->count * sizeof *out->arc);
     out->corners = malloc((clean->corner_count + 1) * sizeof *out->corners);
     if (!out->points || !out->arc || !out->corners) return BAT_MEMORY;
-    memcpy(out->points, clean->points, clean->count * 2 * sizeof *out->points);
+    memcpy(out->points, clean->points, numbers * sizeof *out->points);
     memcpy(out->arc, clean->arc, clean->count * sizeof *out->arc);
     if (clean->corner_count) memcpy(out->corners, clean->corners, clean->corner_count * sizeof *out->corners);
     bat_clean_cut(out, first, last);
@@ -301,7 +303,6 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
     if (count < 1 || !curves || !out || !meaning || (count > 1 && !cuts)) return BAT_ARGUMENT;
     bat_status status = bat_sketch_check(stroke, given, &o), met = BAT_OK;
     if (status != BAT_OK) return status;
-    if (stroke->dimension != 2) return BAT_DIMENSION;
     double origin[BAT_DIMENSION_MAX];
     bat_clean clean;
     status = clean_for(stroke, &o, NULL, origin, &clean);
@@ -310,7 +311,7 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
     size_t first = 0;
     for (int i = 0; i < count && status == BAT_OK; i++) {
         size_t last = clean.count - 1;
-        if (i + 1 < count) last = cut_sample(&clean, cuts + 2 * (size_t)i, origin, o.pixel, first);
+        if (i + 1 < count) last = cut_sample(&clean, cuts + (size_t)(i * stroke->dimension), origin, o.pixel, first);
         if (last >= clean.count || first + 1 >= last) status = BAT_DOT;
         bat_clean part = {0};
         if (status == BAT_OK) status = copy_part(&clean, first, last, &part);

@@ -88,11 +88,13 @@ static bool boxes_meet(const double a[4], const double b[4]) {
 /* Box of the control points, which holds the curve. */
 static void hull(const bat_curve *curve, double box[4]) {
     const double *p = bat_curve_points(curve);
+    const int d = bat_curve_dimension(curve);
     box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
-    for (int i = 0; i < 2 * bat_point_count(curve); i++) {
-        box[i & 1] = fmin(box[i & 1], p[i]);
-        box[2 + (i & 1)] = fmax(box[2 + (i & 1)], p[i]);
-    }
+    for (int i = 0; i < bat_point_count(curve); i++, p += d)
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], p[k]);
+            box[2 + k] = fmax(box[2 + k], p[k]);
+        }
 }
 
 static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, const double map[6],
@@ -100,7 +102,12 @@ static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, con
     const bat_object *object = c->scene->entries[entry].object;
     bat_id id = bat_object_id(object);
     if (!room_for(m)) return BAT_MEMORY;
-    bat_status status = bat_intent_line(m->intent, bat_object_curve(object, index), map, meant);
+    const bat_curve *curve = bat_object_curve(object, index);
+    bat_curve *picture = NULL; /* of a curve in space */
+    bat_status status = BAT_OK;
+    if (bat_curve_dimension(curve) != 2) status = bat_curve_to_dimension(curve, 2, &picture);
+    if (status == BAT_OK) status = bat_intent_line(m->intent, picture ? picture : curve, map, meant);
+    bat_curve_free(picture);
     if (status == BAT_OK) {
         *place_of(m, id, index) = m->curve_count;
         m->curves[m->curve_count++] = (bat_meaning_curve){id, entry, index};
@@ -113,6 +120,7 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage
                           double within) {
     const bat_scene *scene = c->scene;
     const double box[4] = {point[0] - within, point[1] - within, point[0] + within, point[1] + within};
+    const int dimension = bat_stage_dimension(stage);
     double map[6];
     bat_stage_map(stage, map);
     bat_status status = BAT_OK;
@@ -124,7 +132,7 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage
         for (int j = 0; j < count && status == BAT_OK; j++) {
             const bat_curve *curve = bat_object_curve(entry->object, j);
             double own[4];
-            if (bat_curve_dimension(curve) != 2 || has(m, bat_object_id(entry->object), j)) continue;
+            if (bat_curve_dimension(curve) != dimension || has(m, bat_object_id(entry->object), j)) continue;
             if (count > 1) hull(curve, own);
             if (count == 1 || boxes_meet(own, box)) status = take(c, m, i, j, map, meant);
         }
@@ -173,15 +181,15 @@ static bat_sketch_meaning meaning_of(const bat_intent_part *part) {
     return (bat_sketch_meaning){.sense = part->sense, .end = {rule(part, 0), rule(part, 1)}};
 }
 
-/* The sample where the stroke is so long. */
-static const double *point_along(const bat_samples *samples, double along) {
+/* The place of the sample where the stroke is so long. */
+static const double *place_along(const bat_samples *samples, double along) {
     double length = 0;
     size_t i = 1;
     for (; i + 1 < samples->count && length < along; i++) {
         const double *p = samples->pixels + 2 * i;
         length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
     }
-    return samples->points + 2 * (i < samples->count ? i : 0);
+    return samples->places + (size_t)samples->dimension * (i < samples->count ? i : 0);
 }
 
 static const bat_edit_kind KINDS[] = {
@@ -193,17 +201,33 @@ static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_reading
     return &m->curves[reading->part[part].line];
 }
 
+/* Whether the curve passes at u where the ground is, within two pixels; its place. */
+static bool meets(const bat_curve *curve, double u, const bat_stage *stage, double *at) {
+    bat_hit hit;
+    double pixel[2], apart = 0;
+    bat_curve_eval(curve, u, 0, at);
+    bat_stage_project(stage, at, pixel);
+    if (bat_stage_place(stage, pixel, &hit) != BAT_OK) return false;
+    for (int k = 0; k < 3; k++) apart = bat_hypot(apart, at[k] - hit.at[k]);
+    return apart <= 2 * hit.pixel;
+}
+
 static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
     if (reading->onto < 0 || !edit->samples.count) return;
     const bat_meaning_curve *curve = &m->curves[reading->onto];
     const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
     bat_near near;
     if (!finder) return;
-    double from[2];
+    double from[2], at[BAT_DIMENSION_MAX] = {0};
     bat_stage_seen(&edit->stage, reading->start, from);
     bat_finder_nearest(finder, from, &near);
+    const bat_curve *onto = bat_edit_curve(c->session->document, edit, curve->object, curve->curve);
+    if (edit->samples.dimension == 2)
+        memcpy(at, near.point, 2 * sizeof *near.point);
+    else if (!onto || !meets(onto, near.u, &edit->stage, at))
+        return; /* seen there, but it lies before the ground or behind it */
     edit->meaning.put = true;
-    memcpy(edit->meaning.start, near.point, 2 * sizeof *near.point);
+    memcpy(edit->meaning.start, at, sizeof at);
 }
 
 bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level) {
@@ -251,7 +275,8 @@ void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *
         *part = (bat_edit_part){.object = curve_of(m, reading, i)->object,
                                 .curve = curve_of(m, reading, i)->curve,
                                 .meaning = meaning_of(from)};
-        memcpy(part->end, point_along(&edit->samples, from->along[1]), sizeof part->end);
+        memcpy(part->end, place_along(&edit->samples, from->along[1]),
+               (size_t)edit->samples.dimension * sizeof *part->end);
     }
 }
 

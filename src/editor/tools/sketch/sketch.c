@@ -49,7 +49,7 @@ static bat_pick pick_at(bat_context *c, const double pixel[2], bat_device device
     double point[2];
     bat_seen_sync(c);
     bat_stage_seen(c->stage, pixel, point);
-    return bat_pick_nearest(c->scene, point, reach(device) * bat_stage_pixel(c->stage));
+    return bat_pick_curve(c->scene, bat_stage_dimension(c->stage), point, reach(device) * bat_stage_pixel(c->stage));
 }
 
 /* ---- preview ---- */
@@ -86,10 +86,11 @@ static bat_status feed(bat_context *c, bat_sketching *s) {
                                                                : BAT_SKETCH_NEW;
         const bat_curve *target = NULL;
         if (kind != BAT_SKETCH_NEW)
-            target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
+            target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
         if (kind != BAT_SKETCH_NEW && !target) return BAT_STATE;
         s->fed = 0;
-        bat_status status = bat_sketch_live_begin(target, 2, kind, &s->edit.options, &s->live);
+        bat_status status = bat_sketch_live_begin(target, bat_stage_dimension(&s->edit.stage), kind,
+                                                  &s->edit.options, &s->live);
         if (status != BAT_OK) return status;
     }
     if (s->edit.kind != BAT_EDIT_SMOOTH) bat_sketch_mean(s->live, &s->edit.meaning);
@@ -100,15 +101,17 @@ static bat_status feed(bat_context *c, bat_sketching *s) {
     return status;
 }
 
-/* The points before and after the stroke proper: where the fit blends into the old curve. */
-static void keep_blends(bat_sketching_preview *preview, const bat_sketch_live_info *info) {
+/* The points before and after the stroke proper: where the fit blends into the old curve; x y of them. */
+static void keep_blends(bat_sketching_preview *preview, int dimension, const bat_sketch_live_info *info) {
     if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
         return;
     size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
     double *blends = malloc((counts[0] + counts[1]) * 2 * sizeof *blends);
     if (!blends) return; /* only a picture */
-    memcpy(blends, info->target, counts[0] * 2 * sizeof *blends);
-    memcpy(blends + 2 * counts[0], info->target + 2 * info->stroke_last, counts[1] * 2 * sizeof *blends);
+    for (size_t i = 0; i < counts[0] + counts[1]; i++) {
+        size_t at = i < counts[0] ? i : info->stroke_last + i - counts[0];
+        memcpy(blends + 2 * i, info->target + at * (size_t)dimension, 2 * sizeof *blends);
+    }
     preview->blends = blends;
     memcpy(preview->blend_counts, counts, sizeof counts);
 }
@@ -129,7 +132,7 @@ static void refresh_preview(bat_context *c, bat_sketching *s) {
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
     s->preview.report = info.report;
-    if (curve && one_changes(&s->edit)) keep_blends(&s->preview, &info);
+    if (curve && one_changes(&s->edit)) keep_blends(&s->preview, bat_stage_dimension(&s->edit.stage), &info);
 }
 
 /* ---- the stroke ---- */
@@ -192,8 +195,12 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
 }
 
 static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
+    bool edge_on = status == BAT_SINGULAR && !s->edit.samples.count;
     end_stroke(s);
-    bat_notice_failure(c, status);
+    if (edge_on)
+        bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
+    else
+        bat_notice_failure(c, status);
 }
 
 /* Before anything is known a stroke is a new curve; forced: it redraws what was picked. */
@@ -567,7 +574,7 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
     for (int i = 0; i < count && marks < 2000; i++) {
         if (i && knots[i] == knots[i - 1]) continue;
         for (int k = closed ? -1 : 0; k <= (closed ? 1 : 0); k++) {
-            double u = knots[i] + k * period, point[2];
+            double u = knots[i] + k * period, point[BAT_DIMENSION_MAX];
             if (!(u > u0 && u < u1) || (closed && i == count - 1)) continue;
             bat_curve_eval(curve, u, 0, point);
             bat_overlay_mark(overlay, point, radius);
@@ -600,14 +607,14 @@ static float stretch_width(const bat_context *c, bat_id id) {
 
 static void show_stretch(const bat_context *c, bat_overlay *overlay, const bat_edit *edit,
                          const bat_sketch_report *report) {
-    const bat_curve *target = bat_edit_target(c->session->document, edit->object, edit->curve);
+    const bat_curve *target = bat_edit_curve(c->session->document, edit, edit->object, edit->curve);
     if (!target || !(report->changed[0] < report->changed[1])) return;
     bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
     bat_overlay_stretch(overlay, target, report->changed[0], report->changed[1]);
 }
 
-static void highlight(const bat_context *c, bat_overlay *overlay, bat_id object, int curve) {
-    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
+static void highlight(const bat_context *c, bat_overlay *overlay, int dimension, bat_id object, int curve) {
+    const bat_curve *target = bat_edit_target_in(c->session->document, dimension, object, curve);
     if (!target) return;
     bat_overlay_item(overlay, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, HIGHLIGHT_WIDTH);
     bat_path_curve(&overlay->path, target);
@@ -625,12 +632,13 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
-    if (one_changes(&s->edit)) target = bat_edit_target(c->session->document, s->edit.object, s->edit.curve);
+    const int dimension = bat_stage_dimension(&s->edit.stage);
+    if (one_changes(&s->edit)) target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
     if (s->edit.kind != BAT_EDIT_NEW && (!target || !preview->curve))
-        highlight(c, overlay, s->edit.object, s->edit.curve);
-    if (s->edit.kind == BAT_EDIT_JOIN) highlight(c, overlay, s->edit.other, s->edit.other_curve);
+        highlight(c, overlay, dimension, s->edit.object, s->edit.curve);
+    if (s->edit.kind == BAT_EDIT_JOIN) highlight(c, overlay, dimension, s->edit.other, s->edit.other_curve);
     for (int i = 1; i < s->edit.part_count; i++)
-        highlight(c, overlay, s->edit.part[i].object, s->edit.part[i].curve);
+        highlight(c, overlay, dimension, s->edit.part[i].object, s->edit.part[i].curve);
     if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
@@ -667,7 +675,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     if (s->state == BAT_SKETCHING_DRAWING)
         show_stroke(c, s, list);
     else if (s->pick.object && !c->input->holding_pan && bat_contacts_clear(c))
-        highlight(c, list, s->pick.object, s->pick.curve);
+        highlight(c, list, bat_stage_dimension(c->stage), s->pick.object, s->pick.curve);
 }
 
 static bat_string doing(const bat_edit *edit) {
@@ -721,7 +729,7 @@ static const char *check(const bat_context *c, const void *state) {
     if (s->state == BAT_SKETCHING_PENDING && !s->has_pending) return "nothing is pending";
     if (s->state == BAT_SKETCHING_IDLE && s->has_pending) return "a pending fit is forgotten";
     if (drawing && s->edit.kind != BAT_EDIT_NEW &&
-        !bat_edit_target(c->session->document, s->edit.object, s->edit.curve))
+        !bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve))
         return "the curve under the pen is gone";
     return NULL;
 }
