@@ -36,6 +36,9 @@ typedef struct bat_kind_type {
     /* The image under {a, b, c, d, e, f}; the style is kept. NULL: there is none. *out NULL with BAT_OK: what the curves
      * are made of does not give the image; the curves as a path do. */
     bat_status (*transform)(const bat_object *object, const double matrix[6], bat_object **out);
+    /* What can be drawn on: the numbers that say where it lies, so many; the ground has the kind's name in journals. NULL:
+     * it is no ground. */
+    const double *(*ground)(const bat_object *object, int *count);
     /* JSON: writes its own members, each with a comma before it; makes an object of the members of a node, with id and
      * name. NULL: it has no members. */
     void (*write)(const bat_object *object, struct bat_text *text);

@@ -98,11 +98,17 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
                              "two directions that span a plane", f->problem);
 }
 
+static const double *ground(const bat_object *object, int *count) {
+    *count = NUMBERS;
+    return bat_object_plane(object);
+}
+
 const bat_kind_type bat_kind_of_plane = {.number = BAT_KIND_PLANE,
                                          .name = "plane",
                                          .size = sizeof(plane),
                                          .check = check,
                                          .digest = digest_plane,
                                          .transform = transform,
+                                         .ground = ground,
                                          .write = write,
                                          .read = read};

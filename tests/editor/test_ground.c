@@ -121,7 +121,7 @@ static void a_pixel_is_a_place(void **state) {
         assert_true(hit.at[0] == at[0] && hit.at[1] == at[1] && hit.at[2] == 0 && hit.pixel == 0.4);
         memcpy(frame, ORIGIN, sizeof ORIGIN);
         memcpy(frame + 3, axes, sizeof axes);
-        stage.ground = bat_ground_plane(frame, 0);
+        assert_true(bat_ground_named("plane", 9, frame, &stage.ground));
         assert_int_equal(bat_stage_dimension(&stage), 3);
         assert_int_equal(bat_stage_place(&stage, pixel, &hit), BAT_OK);
         assert_true(fabs(hit.at[2] - height(at[0], at[1])) < 1e-9 && hit.at[0] == at[0]);
@@ -138,7 +138,8 @@ static void edge_on_is_refused(void **state) {
     bat_hit hit = {.pixel = -1};
     for (int degrees = 0; degrees <= 90; degrees++) { /* from lying on the page to standing on it */
         double a = degrees * 3.14159265358979323846 / 180;
-        stage.ground = bat_ground_plane((double[]){0, 0, 0, 1, 0, 0, 0, cos(a), sin(a)}, 0);
+        assert_true(
+            bat_ground_named("plane", 9, (double[]){0, 0, 0, 1, 0, 0, 0, cos(a), sin(a)}, &stage.ground));
         bat_status status = bat_stage_place(&stage, (double[]){10, 20}, &hit);
         if (degrees == 85) continue; /* just there */
         assert_int_equal(status, degrees < 85 ? BAT_OK : BAT_SINGULAR);

@@ -6,18 +6,17 @@
 #include "editor/tables/words.h"
 #include "editor/view/stage.h"
 
-/* The plane that comes after the ground in the drawing, or the first; what is hidden with its layer is left out. */
-static const bat_object *next_plane(const bat_context *c) {
+/* What can be drawn on and comes after the ground in the drawing, or the first; not what is hidden with its layer. */
+static const bat_object *next_ground(const bat_context *c, bat_ground *out) {
     const bat_document *document = c->session->document;
-    const bat_object *first = NULL;
     int now = c->stage->ground.object ? bat_document_find(document, c->stage->ground.object) : -1;
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        if (!bat_object_plane(object) || bat_document_level(document, i).hidden) continue;
-        if (i > now) return object;
-        if (!first) first = object;
+    int count = bat_document_count(document);
+    for (int i = 1; i <= count; i++) {
+        int at = (now + i) % count;
+        const bat_object *object = bat_document_at(document, at);
+        if (!bat_document_level(document, at).hidden && bat_ground_of(object, out)) return object;
     }
-    return first;
+    return NULL;
 }
 
 bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
@@ -27,13 +26,12 @@ bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
         bat_notice(c, BAT_STRING_NOTICE_ON_PAGE);
         return BAT_OK;
     }
-    const bat_object *plane = next_plane(c);
-    if (!plane) {
+    const bat_object *ground = next_ground(c, &c->stage->ground);
+    if (!ground) {
         bat_notice(c, BAT_STRING_NOTICE_NO_PLANE);
         return BAT_STATE;
     }
-    const char *name = bat_object_name(plane);
-    c->stage->ground = bat_ground_plane(bat_object_plane(plane), bat_object_id(plane));
-    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, *name ? name : bat_word(c, BAT_STRING_KIND_PLANE));
+    const char *name = bat_object_name(ground);
+    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, *name ? name : bat_word(c, BAT_STRING_A_PLANE));
     return BAT_OK;
 }

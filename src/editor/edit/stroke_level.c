@@ -60,7 +60,8 @@ bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape 
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, edit->object));
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
-    if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != bat_stage_dimension(&edit->stage)) return BAT_ARGUMENT;
+    if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != bat_stage_dimension(&edit->stage))
+        return BAT_ARGUMENT;
     int top = bat_shape_levels(from);
     if (edit->level > top) return BAT_ARGUMENT;
     if (edit->level >= 0) return at_level(from, edit, edit->level, out, report);

@@ -288,8 +288,8 @@ static bool read_numbers(reader *r, const char *name, int count, double limit, d
     uint32_t node = bat_json_member(r->json, r->object, name);
     if (!node || r->status != BAT_OK) return false;
     if (!item_numbers(r->json, node, (uint32_t)count, limit, out))
-        r->status = bat_json_complain(r->json, node, BAT_SYNTAX, name, count == 2 ? "two numbers" : "three numbers",
-                                      r->problem);
+        r->status = bat_json_complain(r->json, node, BAT_SYNTAX, name,
+                                      count == 2 ? "two numbers" : "three numbers", r->problem);
     return r->status == BAT_OK;
 }
 
@@ -360,7 +360,8 @@ static bat_status read_ground(const bat_json *json, bat_ground *ground, bat_prob
             bat_ground_named(name, (int)count, numbers, ground))
             return BAT_OK;
     }
-    return node ? bat_json_complain(json, node, BAT_SYNTAX, "ground", "a ground's name with its numbers", problem)
+    return node ? bat_json_complain(json, node, BAT_SYNTAX, "ground", "a ground's name with its numbers",
+                                    problem)
                 : BAT_OK;
 }
 
@@ -368,7 +369,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     static const double one = 1, three = 3, none = 0;
     bat_samples samples = out->samples;
     bat_samples_clear(&samples);
-    *out = (bat_edit){.samples = samples, .style = bat_style_defaults()};
+    *out = (bat_edit){.samples = samples, .stage = bat_stage_defaults(), .style = bat_style_defaults()};
     const char *name = bat_json_text(json, bat_json_member(json, 1, "do"));
     out->kind = bat_edit_named(name ? name : "");
     if (out->kind == BAT_EDIT_COUNT)

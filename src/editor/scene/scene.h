@@ -22,8 +22,8 @@ typedef struct bat_scene_entry {
     double box[4];      /* of the outline, document units */
     float *path;        /* NULL until made */
     bat_item item;
-    bool hidden, locked;  /* itself, or a group it is in; what is not isolated is locked */
-    bool pale;            /* it is not isolated */
+    bool hidden, locked;   /* itself, or a group it is in; what is not isolated is locked */
+    bool pale;             /* it is not isolated */
     bat_scene_line *lines; /* one a curve; NULL until asked for */
 } bat_scene_entry;
 

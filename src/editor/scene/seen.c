@@ -10,8 +10,8 @@ static void follow_ground(bat_context *c) {
     bat_ground *ground = &c->stage->ground;
     if (!ground->object) return;
     int at = bat_document_find(c->session->document, ground->object);
-    const double *plane = at < 0 ? NULL : bat_object_plane(bat_document_at(c->session->document, at));
-    *ground = plane ? bat_ground_plane(plane, ground->object) : bat_ground_page();
+    if (at < 0 || !bat_ground_of(bat_document_at(c->session->document, at), ground))
+        *ground = bat_ground_page();
 }
 
 void bat_seen_sync(bat_context *c) {

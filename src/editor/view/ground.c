@@ -1,4 +1,5 @@
 #include "editor/view/ground.h"
+#include "document/kind.h"
 #include <math.h>
 #include <string.h>
 
@@ -48,12 +49,6 @@ static const bat_ground_type GROUNDS[] = {{"page", 2, 0, NULL, hit_page},
 
 bat_ground bat_ground_page(void) { return (bat_ground){.type = &GROUNDS[0]}; }
 
-bat_ground bat_ground_plane(const double frame[9], bat_id object) {
-    bat_ground ground = {.type = &GROUNDS[1], .object = object};
-    memcpy(ground.numbers, frame, sizeof ground.numbers);
-    return ground;
-}
-
 const char *bat_ground_name(int index) {
     return index >= 0 && (size_t)index < sizeof GROUNDS / sizeof *GROUNDS ? GROUNDS[index].name : NULL;
 }
@@ -68,6 +63,15 @@ bool bat_ground_named(const char *name, int count, const double *numbers, bat_gr
         return true;
     }
     return false;
+}
+
+bool bat_ground_of(const bat_object *object, bat_ground *out) {
+    const bat_kind_type *kind = bat_object_type(object);
+    int count = 0;
+    const double *numbers = kind->ground ? kind->ground(object, &count) : NULL;
+    bool found = numbers && bat_ground_named(kind->name, count, numbers, out);
+    if (found) out->object = bat_object_id(object);
+    return found;
 }
 
 bool bat_ground_same(const bat_ground *a, const bat_ground *b) {

@@ -36,8 +36,8 @@ struct bat_ground {
 };
 
 bat_ground bat_ground_page(void);
-/* frame: origin, x axis, y axis, both of length 1 and at a right angle, as bat_object_plane gives it. */
-bat_ground bat_ground_plane(const double frame[9], bat_id object);
+/* The object as a ground; false: nothing is drawn on it. */
+bool bat_ground_of(const bat_object *object, bat_ground *out);
 /* The names, by number; NULL after the last. */
 const char *bat_ground_name(int index);
 /* Of this name with these numbers; false: there is none, or the numbers are no such ground. */

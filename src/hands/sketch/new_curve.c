@@ -49,8 +49,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     plan.end[0].kind = plan.end[1].kind = BAT_END_FREE;
     plan.periodic = meaning->closing == BAT_CLOSING_YES ||
                     (meaning->closing == BAT_CLOSING_AUTO && bat_clean_closes(&clean));
-    if (meaning->put && !plan.periodic)
-        put_start(&clean, meaning->start, origin, o.pixel);
+    if (meaning->put && !plan.periodic) put_start(&clean, meaning->start, origin, o.pixel);
     bat_sketch_report facts = {0};
     status = plan.periodic ? bat_plan_ring(&plan) : bat_plan_target(&plan);
     if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);

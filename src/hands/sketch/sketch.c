@@ -311,7 +311,8 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
     size_t first = 0;
     for (int i = 0; i < count && status == BAT_OK; i++) {
         size_t last = clean.count - 1;
-        if (i + 1 < count) last = cut_sample(&clean, cuts + (size_t)(i * stroke->dimension), origin, o.pixel, first);
+        if (i + 1 < count)
+            last = cut_sample(&clean, cuts + (size_t)(i * stroke->dimension), origin, o.pixel, first);
         if (last >= clean.count || first + 1 >= last) status = BAT_DOT;
         bat_clean part = {0};
         if (status == BAT_OK) status = copy_part(&clean, first, last, &part);

@@ -49,7 +49,8 @@ static bat_pick pick_at(bat_context *c, const double pixel[2], bat_device device
     double point[2];
     bat_seen_sync(c);
     bat_stage_seen(c->stage, pixel, point);
-    return bat_pick_curve(c->scene, bat_stage_dimension(c->stage), point, reach(device) * bat_stage_pixel(c->stage));
+    return bat_pick_curve(c->scene, bat_stage_dimension(c->stage), point,
+                          reach(device) * bat_stage_pixel(c->stage));
 }
 
 /* ---- preview ---- */
@@ -633,7 +634,8 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
     const int dimension = bat_stage_dimension(&s->edit.stage);
-    if (one_changes(&s->edit)) target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
+    if (one_changes(&s->edit))
+        target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
     if (s->edit.kind != BAT_EDIT_NEW && (!target || !preview->curve))
         highlight(c, overlay, dimension, s->edit.object, s->edit.curve);
     if (s->edit.kind == BAT_EDIT_JOIN) highlight(c, overlay, dimension, s->edit.other, s->edit.other_curve);
