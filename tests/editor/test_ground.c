@@ -37,17 +37,19 @@ static double height(double x, double y) { return ORIGIN[2] - off((double[]){x, 
 
 /* The curve on the plane that looks like a planar one. */
 static bat_curve *lifted(bat_curve *flat) {
-    int count = (int)bat_curve_count(flat);
+    size_t count = bat_curve_count(flat);
     double points[3 * 32];
     bat_curve *curve = NULL;
-    for (int i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         const double *p = bat_curve_points(flat) + 2 * i;
         memcpy(points + 3 * i, (double[]){p[0], p[1], height(p[0], p[1])}, 3 * sizeof *points);
     }
     bat_curve_to_dimension(flat, 3, &curve);
     bat_curve_free(flat);
     bat_curve *made = NULL;
-    assert_int_equal(bat_curve_create(3, 3, false, count, bat_curve_knots(curve), points, &made), BAT_OK);
+    assert_int_equal(bat_curve_create(3, 3, false, count, points, bat_curve_knot_count(curve),
+                                      bat_curve_knots(curve), &made),
+                     BAT_OK);
     bat_curve_free(curve);
     return made;
 }
@@ -66,7 +68,7 @@ static bat_editor *in_space(void) {
     pen_add(document, lifted(pen_curve(200, 600, 60, 0, 11)));
     assert_int_equal(bat_object_create_plane(bat_document_new_id(document), "Slope", ORIGIN, axes, &plane),
                      BAT_OK);
-    assert_int_equal(bat_document_put(document, PLANE, plane), BAT_OK);
+    assert_int_equal(bat_document_insert(document, PLANE, plane), BAT_OK);
     bat_object_release(plane);
     bat_editor_create(&editor);
     bat_editor_resize(editor, 1000, 800, 1);
@@ -227,7 +229,7 @@ static void the_page_is_a_ground(void **state) {
     pen_line(&p, 400, 300, 600, 300, 30);
     assert_int_equal(bat_document_count(bat_editor_document(editor)), 5);
     assert_int_equal(bat_curve_dimension(bat_object_curve(object(editor, 4), 0)), 2);
-    assert_true(bat_curve_equal(before, bat_object_curve(object(editor, HIGH), 0)));
+    assert_true(bat_curve_is_equal(before, bat_object_curve(object(editor, HIGH), 0)));
     bat_curve_free(before);
     expect_replayed(editor);
     bat_editor_free(editor);
@@ -242,10 +244,10 @@ static void a_plane_can_go(void **state) {
     bat_document_create(&document);
     bat_id id = bat_document_new_id(document);
     assert_int_equal(bat_object_create_group(id, "", false, &group), BAT_OK);
-    bat_document_put(document, 0, group);
+    bat_document_insert(document, 0, group);
     bat_object_create_plane(bat_document_new_id(document), "Slope", ORIGIN, axes, &plane);
     assert_int_equal(bat_object_with_parent(plane, id, &within), BAT_OK);
-    assert_int_equal(bat_document_put(document, 1, within), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 1, within), BAT_OK);
     bat_object_release(plane);
     bat_object_release(within);
     bat_object_release(group);
@@ -279,7 +281,7 @@ static void edge_on_is_said(void **state) {
     bat_document_create(&document);
     bat_object_create_plane(bat_document_new_id(document), "", ORIGIN, (double[]){1, 0, 0, 0, 0.01, 1},
                             &plane);
-    bat_document_put(document, 0, plane);
+    bat_document_insert(document, 0, plane);
     bat_object_release(plane);
     bat_editor_create(&editor);
     bat_editor_resize(editor, 1000, 800, 1);
