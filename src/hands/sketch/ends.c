@@ -123,8 +123,8 @@ void bat_plan_leads(bat_plan *plan) {
         bat_end *e = &plan->end[side];
         e->lead = e->blend = 0;
         if (e->kind == BAT_END_FREE) continue;
-        e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)),
-                       fmax(rho * e->angle, 12));
+        e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)), rho * e->angle);
+        e->lead = fmax(fmin(e->lead, 0.6 * L + 4 * e->offset), 12); /* a dab has no wide blend */
         e->blend = fmin(rho * e->angle, 0.2 * L);
     }
 }

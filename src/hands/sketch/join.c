@@ -153,7 +153,7 @@ static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke 
     bat_plan plan = {.degree = j.degree,
                      .dimension = stroke->dimension,
                      .pins = o.pins == 2 ? j.degree - 1 : j.degree,
-                     .tolerance = tolerance,
+                     .tolerance = j.clean.share * tolerance,
                      .width = o.width,
                      .keep_corners = o.keep_corners,
                      .stroke = &j.clean};

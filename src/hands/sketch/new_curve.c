@@ -41,7 +41,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     bat_plan plan = {.degree = 3,
                      .dimension = stroke->dimension,
                      .pins = 3,
-                     .tolerance = tolerance,
+                     .tolerance = clean.share * tolerance,
                      .width = o.width,
                      .keep_corners = true,
                      .stroke = &clean,

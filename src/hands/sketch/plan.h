@@ -72,7 +72,9 @@ bat_status bat_plan_add_kept(bat_plan *plan, int side, double step);
 double bat_plan_joint_speed(const bat_end *end, int side, double mean);
 /* Parameters of a target whose samples 0..a-1 and b+1.. are kept portions. */
 void bat_plan_parameters(bat_plan *plan, size_t a, size_t b);
-/* The same for a stroke that closes upon itself: the gap is bridged. */
+/* Parameters of the stroke's kept corners, samples `index` of the target, once parameters are known. */
+bat_status bat_plan_fix_corners(bat_plan *plan, const size_t *index, size_t count);
+/* The same for a stroke that closes upon itself: the gap is bridged, or its ends meet in a corner. */
 bat_status bat_plan_ring(bat_plan *plan);
 void bat_plan_free(bat_plan *plan);
 
@@ -87,6 +89,8 @@ void bat_target_speed(bat_target *target, int dimension, size_t a, size_t b, dou
 typedef struct bat_frame {
     double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX], curvature[BAT_DIMENSION_MAX];
 } bat_frame;
+/* The frame of a cleaned stroke at arc length s; its curvature is that of a circle of 20 px at most. */
+void bat_stroke_frame(const bat_clean *stroke, double s, bat_frame *out);
 void bat_bridge(int dimension, const bat_frame *from, const bat_frame *to, size_t count, double *points);
 /* Greatest discrete curvature, and the sum of squared changes of curvature, of evenly meant points. */
 void bat_fairness(int dimension, size_t count, const double *points, double *tightest, double *variation);

@@ -197,7 +197,7 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
     bat_plan plan = {.degree = p,
                      .dimension = clean->dimension,
                      .pins = o->pins == 2 ? p - 1 : p,
-                     .tolerance = o->tolerance / o->pixel,
+                     .tolerance = clean->share * o->tolerance / o->pixel,
                      .width = o->width,
                      .keep_corners = o->keep_corners,
                      .closed = curve->closed,

@@ -1,4 +1,5 @@
 #include "hands/sketch/stroke.h"
+#include "hands/sketch/corners.h"
 #include "hands/sketch/whittaker.h"
 #include "base/real.h"
 
@@ -10,58 +11,9 @@ enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
 /* While the pen is down: samples that are smoothed again before those that are not settled, samples that the
  * noise is judged by, and how finely the whole is resampled. */
 enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
-static const double dot_length = 8, hook_reach = 12, noise_cap = 1.5, noise_floor = 0.05;
-static const double corner_chord = 8, corner_turn = BAT_PI / 4;
-
-static double distance(const double *a, const double *b, size_t m) {
-    double sum = 0;
-    for (size_t c = 0; c < m; c++) sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return sqrt(sum);
-}
-
-/* Angle between a - b and c - b continued: 0 when straight on. */
-static double turn_at(const double *a, const double *b, const double *c, size_t m) {
-    double dot = 0, p = 0, q = 0;
-    for (size_t k = 0; k < m; k++) {
-        const double x = b[k] - a[k], y = c[k] - b[k];
-        dot += x * y, p += x * x, q += y * y;
-    }
-    if (!(p > 0 && q > 0)) return 0;
-    const double cosine = dot / sqrt(p * q);
-    return bat_acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine);
-}
-
-static void measure(const double *points, size_t count, size_t m, double *arc) {
-    arc[0] = 0;
-    for (size_t i = 1; i < count; i++)
-        arc[i] = arc[i - 1] + distance(points + i * m, points + (i - 1) * m, m);
-}
-
-/* Index i with arc[i] <= s < arc[i + 1], 0..count - 2. */
-static size_t locate(const double *arc, size_t count, double s) {
-    size_t low = 0, high = count - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (arc[middle] <= s)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-static void at(const double *points, const double *arc, size_t count, size_t m, double s, double *out) {
-    if (count < 2) {
-        memcpy(out, points, m * sizeof *out);
-        return;
-    }
-    const size_t i = locate(arc, count, s);
-    const double h = arc[i + 1] - arc[i];
-    double f = h > 0 ? (s - arc[i]) / h : 0;
-    f = f < 0 ? 0 : f > 1 ? 1 : f;
-    for (size_t c = 0; c < m; c++)
-        out[c] = points[i * m + c] + f * (points[(i + 1) * m + c] - points[i * m + c]);
-}
+static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
+/* What is drawn so large has the whole tolerance, px; what is drawn smaller has its share of it, this at least. */
+static const double full_grain = 50, least_share = 0.3, most_grain = 200;
 
 /* Finite samples in pixels, repeats dropped; far too dense strokes averaged in groups. */
 static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, double *y) {
@@ -74,11 +26,11 @@ static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, doubl
             p[c] = (stroke->points[i * m + c] - o->origin[c]) * o->scale;
             finite = finite && fabs(p[c]) < 1e100;
         }
-        if (finite && (count == 0 || distance(p, p - m, m) > 1e-9)) count++;
+        if (finite && (count == 0 || bat_path_distance(p, p - m, m) > 1e-9)) count++;
     }
     if (count <= SMOOTH_MAX) return count;
     double length = 0;
-    for (size_t i = 1; i < count; i++) length += distance(y + i * m, y + (i - 1) * m, m);
+    for (size_t i = 1; i < count; i++) length += bat_path_distance(y + i * m, y + (i - 1) * m, m);
     const double room = 2 / (length / (double)count); /* samples to two pixels of path */
     size_t group = (count + SMOOTH_MAX - 1) / SMOOTH_MAX;
     if (room < (double)group) group = room > 1 ? (size_t)room : 1;
@@ -94,54 +46,6 @@ static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, doubl
     }
     memmove(y + kept * m, y + (count - 1) * m, m * sizeof *y);
     return kept + 1;
-}
-
-/* How much of the start is a hook: the arc length after the last sharp turn within reach. */
-static double hook(const double *z, const double *arc, size_t count, size_t m, bool at_end) {
-    const double total = arc[count - 1];
-    const double reach = fmin(hook_reach, 0.12 * total), chord = fmin(4, 0.06 * total);
-    double cut = 0;
-    for (double s = 0.5 * chord; s < reach; s += 0.5) {
-        double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
-        const double before = fmax(s - chord, 0), after = s + 1.5 * chord;
-        at(z, arc, count, m, at_end ? total - before : before, a);
-        at(z, arc, count, m, at_end ? total - s : s, b);
-        at(z, arc, count, m, at_end ? total - after : after, c);
-        if (turn_at(a, b, c, m) > 50 * BAT_PI / 180) cut = s + 0.5;
-    }
-    return cut;
-}
-
-static bool is_corner(const double *z, const double *arc, size_t count, size_t m, double s, double chord,
-                      double *turn) {
-    double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
-    at(z, arc, count, m, s - chord, a);
-    at(z, arc, count, m, s, b);
-    at(z, arc, count, m, s + chord, c);
-    *turn = turn_at(a, b, c, m);
-    return *turn > corner_turn;
-}
-
-/* Sample indices of corners: sharpest of each run of sharp turns, confirmed at half the chord, where a bow
- * turns half as much and a corner as much as before. */
-static size_t find_corners(const double *z, const double *arc, size_t count, size_t m, double chord,
-                           size_t *corners) {
-    size_t found = 0, best = 0;
-    double best_turn = 0, run_end = 0;
-    const double total = arc[count - 1];
-    for (size_t i = 1; i + 1 < count; i++) {
-        if (arc[i] < chord || arc[i] > total - chord) continue;
-        double turn, half;
-        const bool sharp = is_corner(z, arc, count, m, arc[i], chord, &turn) &&
-                           is_corner(z, arc, count, m, arc[i], 0.5 * chord, &half) && half > 0.65 * turn;
-        if (best > 0 && arc[i] > run_end) {
-            corners[found++] = best;
-            best = 0, best_turn = 0;
-        }
-        if (sharp && turn > best_turn) best = i, best_turn = turn, run_end = arc[i] + chord;
-    }
-    if (best > 0) corners[found++] = best;
-    return found;
 }
 
 void bat_clean_free(bat_clean *clean) {
@@ -164,6 +68,7 @@ static bat_status resample(const double *z, const double *arc, size_t count, siz
     out->arc = malloc(room * sizeof *out->arc);
     out->corners = malloc((corner_count + 1) * sizeof *out->corners);
     if (!out->points || !out->arc || !out->corners) return BAT_MEMORY;
+    const bat_path path = {z, arc, count, m};
     size_t n = 0;
     for (size_t k = 0; k <= corner_count; k++) {
         const double from = k == 0 ? 0 : arc[corners[k - 1]],
@@ -172,11 +77,11 @@ static bat_status resample(const double *z, const double *arc, size_t count, siz
         if (pieces < 1) pieces = 1;
         if (k == 0 && corner_count == 0 && pieces < 4) pieces = 4;
         for (size_t i = k == 0 ? 0 : 1; i <= pieces; i++)
-            at(z, arc, count, m, from + (to - from) * (double)i / (double)pieces, out->points + n++ * m);
+            bat_path_at(&path, from + (to - from) * (double)i / (double)pieces, out->points + n++ * m);
         if (k < corner_count) out->corners[out->corner_count++] = n - 1;
     }
     out->count = n;
-    measure(out->points, n, m, out->arc);
+    bat_path_measure(out->points, n, m, out->arc);
     out->length = out->arc[n - 1];
     return BAT_OK;
 }
@@ -246,7 +151,8 @@ static bat_status remember(bat_clean_memory *memory, double *z, size_t first, si
     return BAT_OK;
 }
 
-/* A stroke on its way: y as it was drawn, z smoothed; samples first .. first + count - 1 are left of it. */
+/* A stroke on its way: y as it was drawn, light hardly smoothed, z smoothed; samples first .. first + count - 1 are left
+ * of it. */
 typedef struct cleaning {
     const bat_clean_options *options;
     bat_clean_memory *memory;
@@ -254,7 +160,8 @@ typedef struct cleaning {
     size_t m, count, first, corner_count;
     size_t *corners;
     double sigma, lambda; /* noise; the weight of the smoothing, 0: none */
-    double *y, *z, *work, *arc;
+    double grain;
+    double *y, *light, *z, *work, *arc;
 } cleaning;
 
 static void cleaning_free(cleaning *k) {
@@ -273,10 +180,23 @@ static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_option
     if (!k->y) return BAT_MEMORY;
     k->count = gather(stroke, o, k->y);
     if (k->count < 2) return BAT_DOT;
-    k->z = malloc(k->count * (m + 6) * sizeof *k->z);
+    k->z = malloc(k->count * (2 * m + 6) * sizeof *k->z);
     k->corners = malloc(k->count * sizeof *k->corners);
     if (!k->z || !k->corners) return BAT_MEMORY;
-    k->work = k->z + k->count * m, k->arc = k->work + k->count * 5;
+    k->light = k->z + k->count * m, k->work = k->light + k->count * m, k->arc = k->work + k->count * 5;
+    return BAT_OK;
+}
+
+static bool noisy(const cleaning *k) { return k->sigma >= noise_floor && k->count >= 16; }
+
+/* Without the worst of the noise, the size of what is drawn shows; and corners do, which the full smoothing rounds off. */
+static bat_status look(cleaning *k) {
+    bat_status status = BAT_OK;
+    memcpy(k->light, k->y, k->count * k->m * sizeof *k->light);
+    if (noisy(k)) status = bat_whittaker(k->count, k->dimension, k->y, NULL, 2, k->work, k->light);
+    bat_path_measure(k->light, k->count, k->m, k->arc);
+    if (status != BAT_OK) return status;
+    k->grain = bat_grain(&(bat_path){k->light, k->arc, k->count, k->m}, k->sigma, most_grain);
     return BAT_OK;
 }
 
@@ -289,8 +209,8 @@ static void judge_noise(cleaning *k) {
 static bool cut_hooks(cleaning *k) {
     const double total = k->arc[k->count - 1];
     if (total < dot_length) return false;
-    const double head = hook(k->z, k->arc, k->count, k->m, false),
-                 tail = hook(k->z, k->arc, k->count, k->m, true);
+    const bat_path path = {k->z, k->arc, k->count, k->m};
+    const double head = bat_hook(&path, k->grain, false), tail = bat_hook(&path, k->grain, true);
     if (head <= 0 && tail <= 0) return false;
     while (k->count > 4 && k->arc[k->count - 1] > total - tail) k->count--;
     size_t drop = 0;
@@ -303,9 +223,9 @@ static bat_status smooth_once(cleaning *k) {
     bat_status status = BAT_OK;
     k->lambda = 0;
     memcpy(k->z, k->y + k->first * k->m, k->count * k->m * sizeof *k->z);
-    if (k->sigma >= noise_floor && k->count >= 16)
+    if (noisy(k))
         status = smooth_rest(k->memory, k->y, k->first, k->count, k->m, k->sigma, k->work, k->z, &k->lambda);
-    measure(k->z, k->count, k->m, k->arc);
+    bat_path_measure(k->z, k->count, k->m, k->arc);
     return status;
 }
 
@@ -315,7 +235,7 @@ static bat_status smooth_without_hooks(cleaning *k) {
     if (status == BAT_OK && cut_hooks(k)) status = smooth_once(k);
     if (status == BAT_OK && k->memory && k->count > 1) {
         status = remember(k->memory, k->z, k->first, k->count, k->m);
-        measure(k->z, k->count, k->m, k->arc);
+        bat_path_measure(k->z, k->count, k->m, k->arc);
     }
     return status;
 }
@@ -331,32 +251,27 @@ static bool is_dot(const cleaning *k) {
             low[c] = fmin(low[c], k->z[i * m + c]);
             high[c] = fmax(high[c], k->z[i * m + c]);
         }
-    return k->arc[k->count - 1] < dot_length || distance(low, high, m) < fmax(4, 5 * k->sigma);
+    return k->arc[k->count - 1] < dot_length || bat_path_distance(low, high, m) < fmax(4, 5 * k->sigma);
 }
 
-/* The full smoothing rounds corners off before they could be seen: they are looked for after a light one, and what lies
- * between them is smoothed by itself. */
+/* What lies between corners is smoothed by itself. */
 static bat_status keep_corners(cleaning *k) {
     const size_t m = k->m, count = k->count;
-    const double *y = k->y + k->first * m;
-    const double chord = fmax(corner_chord, 10 * k->sigma);
+    const double *light = k->light + k->first * m;
+    bat_path_measure(light, count, m, k->arc);
+    k->corner_count = bat_corners(&(bat_path){light, k->arc, count, m}, k->sigma, k->grain, k->corners);
     bat_status status = BAT_OK;
-    if (k->lambda > 0) {
-        double *light = malloc(count * (m + 1) * sizeof *light);
-        if (!light) return BAT_MEMORY;
-        status = bat_whittaker(count, k->dimension, y, NULL, 2, k->work, light);
-        measure(light, count, m, light + count * m);
-        if (status == BAT_OK)
-            k->corner_count = find_corners(light, light + count * m, count, m, chord, k->corners);
-        free(light);
-    } else {
-        k->corner_count = find_corners(k->z, k->arc, count, m, chord, k->corners);
-    }
-    if (status == BAT_OK && k->corner_count > 0 && k->lambda > 0) {
-        status = smooth_pieces(y, count, m, k->lambda, k->corners, k->corner_count, k->work, k->z);
-        measure(k->z, count, m, k->arc);
-    }
+    if (k->corner_count > 0 && k->lambda > 0)
+        status = smooth_pieces(k->y + k->first * m, count, m, k->lambda, k->corners, k->corner_count, k->work,
+                               k->z);
+    bat_path_measure(k->z, count, m, k->arc);
     return status;
+}
+
+/* Of small things the whole tolerance would leave little. */
+static double share_of_tolerance(const cleaning *k) {
+    const double size = fmin(k->grain, 2 * k->arc[k->count - 1]);
+    return fmin(1, fmax(size / full_grain, fmax(2 * k->sigma, least_share)));
 }
 
 bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o, bat_clean *out) {
@@ -367,13 +282,15 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
     if (status == BAT_OK) {
         judge_noise(&k);
         out->sigma = k.sigma;
-        status = smooth_without_hooks(&k);
+        status = look(&k);
+        if (status == BAT_OK) status = smooth_without_hooks(&k);
+        if (status == BAT_OK) out->share = share_of_tolerance(&k);
     }
     if (status == BAT_OK && is_dot(&k)) status = BAT_DOT;
     if (status == BAT_OK && o->corners) status = keep_corners(&k);
     if (status == BAT_OK)
-        status = resample(k.z, k.arc, k.count, k.m, k.count, k.corners, k.corner_count, o->tolerance,
-                          o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
+        status = resample(k.z, k.arc, k.count, k.m, k.count, k.corners, k.corner_count,
+                          out->share * o->tolerance, o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
     cleaning_free(&k);
     if (status != BAT_OK) {
         const double sigma = out->sigma;
@@ -397,12 +314,13 @@ void bat_clean_reverse(bat_clean *clean) {
         clean->corners[i] = clean->corners[--j];
         clean->corners[j] = swap;
     }
-    measure(clean->points, clean->count, m, clean->arc);
+    bat_path_measure(clean->points, clean->count, m, clean->arc);
     clean->length = clean->arc[clean->count - 1]; /* to the last bit: what lies beyond it is left out */
 }
 
 void bat_clean_at(const bat_clean *clean, double s, double *point) {
-    at(clean->points, clean->arc, clean->count, (size_t)clean->dimension, s, point);
+    const bat_path path = {clean->points, clean->arc, clean->count, (size_t)clean->dimension};
+    bat_path_at(&path, s, point);
 }
 
 void bat_clean_frame(const bat_clean *clean, double s, double window, double *point, double *direction,
@@ -455,7 +373,7 @@ double bat_clean_turning(const bat_clean *clean) {
         bat_clean_at(clean, s - step, a);
         bat_clean_at(clean, s, b);
         bat_clean_at(clean, s + step, c);
-        sum += turn_at(a, b, c, m);
+        sum += bat_path_turn(a, b, c, m);
     }
     return sum;
 }
@@ -469,13 +387,13 @@ void bat_clean_cut(bat_clean *clean, size_t first, size_t last) {
             clean->corners[kept++] = clean->corners[i] - first;
     clean->corner_count = kept;
     clean->count = n;
-    measure(clean->points, n, m, clean->arc);
+    bat_path_measure(clean->points, n, m, clean->arc);
     clean->length = clean->arc[n - 1];
 }
 
 bool bat_clean_closes(const bat_clean *clean) {
     const size_t m = (size_t)clean->dimension;
-    const double gap = distance(clean->points, clean->points + (clean->count - 1) * m, m);
+    const double gap = bat_path_distance(clean->points, clean->points + (clean->count - 1) * m, m);
     return gap <= fmax(15, 0.04 * clean->length) && gap < 0.25 * clean->length &&
            bat_clean_turning(clean) > 1.5 * BAT_PI;
 }

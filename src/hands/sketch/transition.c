@@ -113,7 +113,7 @@ static void curve_frame(const bat_end *e, int side, double s, bat_frame *out) {
     }
 }
 
-static void stroke_frame(const bat_clean *stroke, double s, bat_frame *out) {
+void bat_stroke_frame(const bat_clean *stroke, double s, bat_frame *out) {
     const size_t m = (size_t)stroke->dimension;
     double wide[BAT_DIMENSION_MAX];
     bat_clean_frame(stroke, s, 12, out->point, out->direction, out->curvature);
@@ -131,7 +131,7 @@ static void transition(const bat_plan *plan, int side, size_t count, double *poi
     const double e_s = side == 0 ? e->blend : L - e->blend;
     const double total = e->lead + e->blend;
     bat_frame to, from, base;
-    stroke_frame(plan->stroke, e_s, &to);
+    bat_stroke_frame(plan->stroke, e_s, &to);
     if (e->lead <= 0) { /* a corner the stroke starts at: its first stretch leans over to it */
         double point[BAT_DIMENSION_MAX], begin[BAT_DIMENSION_MAX], at[BAT_DIMENSION_MAX];
         bat_curve_eval(e->curve, e->cut, 0, point);
@@ -265,8 +265,7 @@ double bat_plan_joint_speed(const bat_end *e, int side, double mean) {
     return length_of(jet + m, m);
 }
 
-/* Parameters of the stroke's kept corners, once parameters are known. */
-static bat_status fix_corners(bat_plan *plan, const size_t *index, size_t count) {
+bat_status bat_plan_fix_corners(bat_plan *plan, const size_t *index, size_t count) {
     plan->fixed_count = 0;
     if (count == 0) return BAT_OK;
     plan->fixed = malloc(count * sizeof *plan->fixed);
@@ -339,66 +338,7 @@ bat_status bat_plan_target(bat_plan *plan) {
         status = bat_plan_add_kept(plan, 1, step);
     if (status == BAT_OK) {
         bat_plan_parameters(plan, a, b);
-        status = fix_corners(plan, corners, corner_count);
-    }
-    free(points);
-    free(corners);
-    return status;
-}
-
-bat_status bat_plan_ring(bat_plan *plan) {
-    const bat_clean *stroke = plan->stroke;
-    const size_t m = (size_t)plan->dimension;
-    const double L = stroke->length;
-    bat_target *t = &plan->target;
-    t->count = 0;
-    t->rate = plan->speed;
-    /* Ends that overlap are cut back to where the end passes the start. */
-    double from = 0, to = L, nearest = INFINITY, tail[BAT_DIMENSION_MAX];
-    bat_clean_at(stroke, L, tail);
-    for (size_t i = 0; i < stroke->count && stroke->arc[i] <= 0.2 * L; i++) {
-        double d = 0;
-        for (size_t c = 0; c < m; c++) d = bat_hypot(d, stroke->points[i * m + c] - tail[c]);
-        if (d < nearest) nearest = d, from = stroke->arc[i];
-    }
-    /* Ends that all but meet give way to the bridge; ends far apart stay where the pen put them. */
-    const bool meets = nearest <= fmax(15, 0.04 * L);
-    if (!meets) {
-        from = nearest = 0;
-        for (size_t c = 0; c < m; c++) nearest = bat_hypot(nearest, stroke->points[c] - tail[c]);
-    }
-    const double give = meets ? fmin(fmax(8, nearest), 0.05 * L) : 0;
-    from += give, to -= give;
-    bat_frame a, b;
-    stroke_frame(stroke, to, &a);
-    stroke_frame(stroke, from, &b);
-    bat_status status = BAT_OK;
-    const double step = L / (double)(stroke->count - 1);
-    const size_t count = (size_t)fmin(fmax(ceil((2 * give + nearest) / fmin(step, 2)), 12), 4096) + 1;
-    double *points = malloc(count * m * sizeof *points);
-    size_t *corners = malloc((stroke->corner_count + 1) * sizeof *corners), corner_count = 0;
-    if (!points || !corners) status = BAT_MEMORY;
-    t->first = 0;
-    for (size_t i = 0, corner = 0; i < stroke->count && status == BAT_OK; i++) {
-        const bool is_corner = corner < stroke->corner_count && stroke->corners[corner] == i;
-        corner += is_corner;
-        if (stroke->arc[i] <= from || stroke->arc[i] >= to) continue;
-        if (is_corner) corners[corner_count++] = t->count;
-        status = bat_target_add(t, plan->dimension, stroke->points + i * m, plan->tolerance);
-        t->last = t->count - 1;
-    }
-    if (status == BAT_OK) {
-        bat_bridge(plan->dimension, &a, &b, count, points);
-        for (size_t i = 0; i < count && status == BAT_OK; i++)
-            status = bat_target_add(t, plan->dimension, points + i * m, 2 * plan->tolerance);
-        double first[BAT_DIMENSION_MAX]; /* apart: the samples move when their room grows */
-        memcpy(first, t->x, m * sizeof *first);
-        if (status == BAT_OK) status = bat_target_add(t, plan->dimension, first, plan->tolerance);
-    }
-    if (status == BAT_OK) {
-        bat_target_speed(t, plan->dimension, 0, t->count - 1, 1, 1, 1);
-        t->end = t->w[--t->count]; /* the first sample again */
-        status = fix_corners(plan, corners, corner_count);
+        status = bat_plan_fix_corners(plan, corners, corner_count);
     }
     free(points);
     free(corners);

@@ -1,0 +1,63 @@
+#include "hands/sketch/path.h"
+#include "base/real.h"
+
+#include <math.h>
+#include <string.h>
+
+double bat_path_distance(const double *a, const double *b, size_t m) {
+    double sum = 0;
+    for (size_t c = 0; c < m; c++) sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return sqrt(sum);
+}
+
+void bat_path_measure(const double *points, size_t count, size_t m, double *arc) {
+    arc[0] = 0;
+    for (size_t i = 1; i < count; i++)
+        arc[i] = arc[i - 1] + bat_path_distance(points + i * m, points + (i - 1) * m, m);
+}
+
+/* Index i with arc[i] <= s < arc[i + 1], 0..count - 2. */
+static size_t locate(const bat_path *path, double s) {
+    size_t low = 0, high = path->count - 1;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (path->arc[middle] <= s)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+void bat_path_at(const bat_path *path, double s, double *out) {
+    const size_t m = path->m;
+    if (path->count < 2) {
+        memcpy(out, path->points, m * sizeof *out);
+        return;
+    }
+    const size_t i = locate(path, s);
+    const double h = path->arc[i + 1] - path->arc[i];
+    double f = h > 0 ? (s - path->arc[i]) / h : 0;
+    f = f < 0 ? 0 : f > 1 ? 1 : f;
+    const double *a = path->points + i * m;
+    for (size_t c = 0; c < m; c++) out[c] = a[c] + f * (a[m + c] - a[c]);
+}
+
+double bat_path_turn(const double *a, const double *b, const double *c, size_t m) {
+    double dot = 0, p = 0, q = 0;
+    for (size_t k = 0; k < m; k++) {
+        const double x = b[k] - a[k], y = c[k] - b[k];
+        dot += x * y, p += x * x, q += y * y;
+    }
+    if (!(p > 0 && q > 0)) return 0;
+    const double cosine = dot / sqrt(p * q);
+    return bat_acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine);
+}
+
+double bat_path_turn_at(const bat_path *path, double s, double chord) {
+    double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
+    bat_path_at(path, s - chord, a);
+    bat_path_at(path, s, b);
+    bat_path_at(path, s + chord, c);
+    return bat_path_turn(a, b, c, path->m);
+}
