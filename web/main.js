@@ -117,6 +117,10 @@ async function settleIn(shell) {
   }
   // A screen reader may read without touching anything.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
+  if (shell.server.there) {
+    const { watch } = await want(import('./keep/watch.js'));
+    watch(shell.server, shell.files, shell.notices);
+  }
   if (!shell.server.passing) {
     const { settle } = await want(import('./keep/offline.js'));
     await settle(shell.notices, () => shell.pack());

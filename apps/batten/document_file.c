@@ -96,3 +96,49 @@ file_result document_file_save(const char *path, const bat_format *format, const
     if (result == FILE_DONE) make_tag(data, size, true, new_tag);
     return result;
 }
+
+enum { COPIES_MAX = 99 };
+
+/* The ending stays where it is. */
+static bool name_copy(const char *name, int number, char out[NAME_ROOM]) {
+    const char *dot = strrchr(name, '.');
+    int stem = dot && dot > name ? (int)(dot - name) : (int)strlen(name), size;
+    if (number == 1)
+        size = snprintf(out, NAME_ROOM, "%.*s (copy)%s", stem, name, name + stem);
+    else
+        size = snprintf(out, NAME_ROOM, "%.*s (copy %d)%s", stem, name, number, name + stem);
+    if (size < NAME_ROOM) return true;
+    errno = ENAMETOOLONG;
+    return false;
+}
+
+/* A name that is taken in the last moment is not written over, either. */
+static file_result put_beside(io_place *place, const char *data, size_t size, char name[NAME_ROOM]) {
+    static const io_stamp nothing = {.exists = false};
+    char first[NAME_ROOM];
+    if (snprintf(first, NAME_ROOM, "%s", place->name) >= NAME_ROOM) {
+        errno = ENAMETOOLONG;
+        return FILE_FAILED;
+    }
+    for (int number = 1; number <= COPIES_MAX; number++) {
+        if (!name_copy(first, number, name) || !io_place_rename(place, name)) return FILE_FAILED;
+        if (io_place_taken(place)) continue;
+        io_result result = io_replace(place, data, size, &nothing);
+        if (result == IO_DONE || result == IO_FAILED) return result_of(result);
+    }
+    return FILE_CHANGED;
+}
+
+file_result document_file_save_beside(const char *path, const bat_format *format, const char *data,
+                                      size_t size, char name[NAME_ROOM], bat_problem *problem) {
+    file_result result = check(format, data, size, problem);
+    if (result != FILE_DONE) return result;
+    io_place place;
+    if (!io_place_open(&place, path)) return FILE_FAILED;
+    struct stat original; /* what only its owner may read stays so */
+    if (stat(place.path, &original) == 0) place.like = &original;
+    io_place_lock(&place);
+    result = put_beside(&place, data, size, name);
+    io_place_close(&place);
+    return result;
+}

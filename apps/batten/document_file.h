@@ -5,7 +5,7 @@
 #include "drawing.h"
 #include "io.h"
 
-enum { TAG_ROOM = 40 };
+enum { TAG_ROOM = 40, NAME_ROOM = 256 };
 
 typedef enum file_result {
     FILE_DONE,
@@ -24,5 +24,10 @@ file_result document_file_load(const char *path, const bat_format *format, char 
  * at once over one version, in this process or in others, one is FILE_DONE. */
 file_result document_file_save(const char *path, const bat_format *format, const char *data, size_t size,
                                const char *tag, char new_tag[TAG_ROOM], bat_problem *problem);
+
+/* Writes a new file beside it, "NAME (copy).svg" or the first "NAME (copy 2).svg" ... that nothing has: never over
+ * anything. FILE_CHANGED: all are taken. name: what it is called, without the folder. */
+file_result document_file_save_beside(const char *path, const bat_format *format, const char *data,
+                                      size_t size, char name[NAME_ROOM], bat_problem *problem);
 
 #endif

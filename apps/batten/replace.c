@@ -25,6 +25,12 @@ enum {
 
 /* ---- places ---- */
 
+static io_stamp stamp_at(int folder, const char *name) {
+    struct stat status;
+    return fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 ? io_stamp_of(&status)
+                                                                    : (io_stamp){.exists = false};
+}
+
 /* Follows symbolic links by hand, since the last may lead to a file that is not there yet. */
 static bool follow_links(const char *path, char out[PATH_ROOM]) {
     if (strlen(path) >= PATH_ROOM) {
@@ -51,6 +57,7 @@ static bool follow_links(const char *path, char out[PATH_ROOM]) {
 
 bool io_place_open(io_place *place, const char *path) {
     char folder[PATH_ROOM] = ".";
+    place->like = NULL;
     if (!follow_links(path, place->path)) return false;
     const char *slash = strrchr(place->path, '/');
     place->name = slash ? slash + 1 : place->path;
@@ -67,6 +74,20 @@ bool io_place_open(io_place *place, const char *path) {
     return place->folder >= 0;
 }
 
+bool io_place_rename(io_place *place, const char *name) {
+    const char *slash = strrchr(place->path, '/');
+    size_t keep = slash ? (size_t)(slash - place->path) + 1 : 0;
+    if (keep + strlen(name) >= PATH_ROOM) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    strcpy(place->path + keep, name);
+    place->name = place->path + keep;
+    return true;
+}
+
+bool io_place_taken(const io_place *place) { return stamp_at(place->folder, place->name).exists; }
+
 void io_place_close(io_place *place) {
     int reason = errno;
     close(place->folder);
@@ -81,12 +102,6 @@ void io_place_lock(const io_place *place) {
         if (io_place_try_lock(place) || (errno != EWOULDBLOCK && errno != EINTR)) return;
         nanosleep(&(struct timespec){.tv_nsec = LOCK_PAUSE}, NULL);
     }
-}
-
-static io_stamp stamp_at(int folder, const char *name) {
-    struct stat status;
-    return fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 ? io_stamp_of(&status)
-                                                                    : (io_stamp){.exists = false};
 }
 
 /* ---- the file beside the place ---- */
@@ -123,7 +138,7 @@ static bool aside_open(int folder, aside_file *aside) {
     return false;
 }
 
-/* The new content, on the disk, with the old one's mode and owner. */
+/* The new content, on the disk, with the mode and owner of an old one. */
 static bool aside_write(const aside_file *aside, const void *data, size_t size, const struct stat *old) {
     mode_t mode;
     if (old) {
@@ -214,7 +229,7 @@ io_result io_replace(const io_place *place, const void *data, size_t size, const
 
     aside_file aside;
     if (!aside_open(place->folder, &aside)) return IO_FAILED;
-    io_result result = aside_write(&aside, data, size, exists ? &old : NULL)
+    io_result result = aside_write(&aside, data, size, exists ? &old : place->like)
                            ? put_in_place(place, &aside, expected)
                            : IO_FAILED;
     int reason = errno;

@@ -9,12 +9,17 @@ enum { PATH_ROOM = 4096 };
 /* Where a file stands, or will: symbolic links followed, the folder open, so that it stays the same folder. */
 typedef struct io_place {
     int folder;
-    const char *name;     /* in the folder; points into path */
-    char path[PATH_ROOM]; /* both */
+    const char *name;        /* in the folder; points into path */
+    char path[PATH_ROOM];    /* both */
+    const struct stat *like; /* whose mode and owner a file gets where none was; NULL: as any new one */
 } io_place;
 
 /* False: errno says why. The place is borrowed by nobody, but must not be moved. */
 bool io_place_open(io_place *place, const char *path);
+/* Another name in the same folder. False: it is too long. */
+bool io_place_rename(io_place *place, const char *name);
+/* Something has that name. */
+bool io_place_taken(const io_place *place);
 /* Keeps errno. */
 void io_place_close(io_place *place);
 /* One after the other: until the place is closed no other process that locks a place in this folder goes on. A

@@ -190,13 +190,14 @@ static bool is_type(const char *value, const char *type) {
            (value[size] == '\0' || value[size] == ';' || value[size] == ' ');
 }
 
-/* What can be said of a PUT before its body is read. *size: bytes that will come. */
-static http_refusal refuse_put(const http_server *server, struct MHD_Connection *connection, size_t *size) {
+/* What can be said of a PUT or POST before its body is read. *size: bytes that will come. */
+static http_refusal refuse_body(const http_server *server, struct MHD_Connection *connection, bool put,
+                                size_t *size) {
     const char *type = header(connection, "Content-Type", NULL);
     if (!type || !is_type(type, server->format->media_type)) {
         return (http_refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
     }
-    if (!header(connection, "If-Match", NULL)) {
+    if (put && !header(connection, "If-Match", NULL)) {
         return (http_refusal){MHD_HTTP_PRECONDITION_REQUIRED, "The header If-Match is missing."};
     }
     const char *length = header(connection, "Content-Length", NULL);
@@ -218,6 +219,26 @@ static http_refusal refuse_put(const http_server *server, struct MHD_Connection 
 
 /* ---- the document ---- */
 
+static char *percent_encoded(const char *text) {
+    static const char hex[] = "0123456789ABCDEF";
+    char *out = malloc(3 * strlen(text) + 1), *to = out;
+    if (!out) return NULL;
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                     (c && strchr("-._~", c));
+        if (plain) {
+            *to++ = (char)c;
+        } else {
+            *to++ = '%';
+            *to++ = hex[c >> 4];
+            *to++ = hex[c & 15];
+        }
+    }
+    *to = '\0';
+    return out;
+}
+
 /* What the file itself refuses. */
 static enum MHD_Result say_failure(struct MHD_Connection *connection, file_result result) {
     switch (result) {
@@ -229,6 +250,8 @@ static enum MHD_Result say_failure(struct MHD_Connection *connection, file_resul
         return say(connection, MHD_HTTP_CONFLICT, "In the file's place stands what is no regular file.", NULL,
                    NULL);
     default:
+        if (errno == EACCES || errno == EPERM || errno == EROFS)
+            return say(connection, MHD_HTTP_CONFLICT, "The folder is read-only.", NULL, NULL);
         return say(connection,
                    errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? MHD_HTTP_INSUFFICIENT_STORAGE
                                                                         : MHD_HTTP_INTERNAL_SERVER_ERROR,
@@ -251,22 +274,48 @@ static enum MHD_Result get_document(const http_server *server, struct MHD_Connec
     return answer(connection, MHD_HTTP_OK, response, server->format->media_type);
 }
 
-static enum MHD_Result put_document(const http_server *server, struct MHD_Connection *connection,
-                                    const http_request *request) {
-    const char *wanted = header(connection, "If-Match", NULL);
-    char tag[TAG_ROOM], line[sizeof(bat_problem) + 64];
-    bat_problem problem = {.place = ""};
-    file_result result = document_file_save(server->path, server->format, request->body, request->size,
-                                            wanted, tag, &problem);
+/* What became of a body: 204 with the new tag, 201 with the name of the new file, or why not. */
+static enum MHD_Result say_saved(struct MHD_Connection *connection, file_result result,
+                                 const bat_problem *problem, unsigned status, const char *name,
+                                 const char *value) {
+    char line[sizeof *problem + 64];
     if (result == FILE_MALFORMED) {
-        snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem.place, problem.place[0] ? ": " : "",
-                 problem.message);
+        snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem->place, problem->place[0] ? ": " : "",
+                 problem->message);
         return say(connection, MHD_HTTP_UNPROCESSABLE_CONTENT, line, NULL, NULL);
     }
     if (result != FILE_DONE) return say_failure(connection, result);
     struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
-    if (response) MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
-    return answer(connection, MHD_HTTP_NO_CONTENT, response, NULL);
+    if (response) MHD_add_response_header(response, name, value);
+    return answer(connection, status, response, NULL);
+}
+
+static enum MHD_Result put_document(const http_server *server, struct MHD_Connection *connection,
+                                    const http_request *request) {
+    const char *wanted = header(connection, "If-Match", NULL);
+    char tag[TAG_ROOM] = "";
+    bat_problem problem = {.place = ""};
+    file_result result = document_file_save(server->path, server->format, request->body, request->size,
+                                            wanted, tag, &problem);
+    return say_saved(connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
+}
+
+/* A new file beside it. */
+static enum MHD_Result post_document(const http_server *server, struct MHD_Connection *connection,
+                                     const http_request *request) {
+    char name[NAME_ROOM] = "", shown[CLEAN_ROOM * NAME_ROOM];
+    bat_problem problem = {.place = ""};
+    file_result result = document_file_save_beside(server->path, server->format, request->body, request->size,
+                                                   name, &problem);
+    if (result == FILE_CHANGED)
+        return say(connection, MHD_HTTP_CONFLICT, "There are too many copies beside the file.", NULL, NULL);
+    clean_text(name, shown, sizeof shown);
+    char *value = percent_encoded(shown);
+    if (!value) return MHD_NO;
+    enum MHD_Result answered = say_saved(connection, result, &problem, MHD_HTTP_CREATED, "X-Batten-Name",
+                                         value);
+    free(value);
+    return answered;
 }
 
 /* ---- requests ---- */
@@ -307,16 +356,16 @@ static enum MHD_Result begin(http_server *server, struct MHD_Connection *connect
     const web_file *file = document ? NULL : find_file(path);
     if (!document && !file) return say(connection, MHD_HTTP_NOT_FOUND, "There is no such path.", NULL, NULL);
     bool get = strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0;
-    bool put = document && strcmp(method, "PUT") == 0;
-    if (!get && !put) {
+    bool put = document && strcmp(method, "PUT") == 0, post = document && strcmp(method, "POST") == 0;
+    if (!get && !put && !post) {
         return say(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "This method is not known here.", "Allow",
-                   document ? "GET, HEAD, PUT" : "GET, HEAD");
+                   document ? "GET, HEAD, PUT, POST" : "GET, HEAD");
     }
     if (document) refusal = refuse_token(server, connection);
     note_guest(server, connection, document && !refusal.status);
-    if (!refusal.status && put) refusal = refuse_put(server, connection, &request->room);
+    if (!refusal.status && !get) refusal = refuse_body(server, connection, put, &request->room);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
-    if (put) {
+    if (!get) {
         request->body = malloc(request->room + 1);
         if (!request->body) return MHD_NO;
     }
@@ -344,7 +393,8 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
         return MHD_YES;
     }
     if (strcmp(path, "/document") != 0) return get_file(server, connection, find_file(path));
-    return request->body ? put_document(server, connection, request) : get_document(server, connection);
+    if (!request->body) return get_document(server, connection);
+    return (strcmp(method, "PUT") == 0 ? put_document : post_document)(server, connection, request);
 }
 
 /* The first thing that is known of a request: its address, before anything is taken out of it. */
@@ -395,26 +445,6 @@ static void on_completed(void *user, struct MHD_Connection *connection, void **s
 }
 
 /* ---- start and end ---- */
-
-static char *percent_encoded(const char *text) {
-    static const char hex[] = "0123456789ABCDEF";
-    char *out = malloc(3 * strlen(text) + 1), *to = out;
-    if (!out) return NULL;
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                     (c && strchr("-._~", c));
-        if (plain) {
-            *to++ = (char)c;
-        } else {
-            *to++ = '%';
-            *to++ = hex[c >> 4];
-            *to++ = hex[c & 15];
-        }
-    }
-    *to = '\0';
-    return out;
-}
 
 static bool make_token(char token[TOKEN_ROOM]) {
     static const char hex[] = "0123456789abcdef";

@@ -6,7 +6,8 @@
  *   403 a foreign or null Origin, a fetch from another site, a token that is missing or wrong
  *   404 a path that is not in the table (there is no file system behind it)
  *   405 another method
- *   409 the file is read-only, or a pipe, a folder or a device stands in its place
+ *   409 the file or its folder is read-only, a pipe, a folder or a device stands in its place, all names for a copy
+ *       are taken
  *   411 a body without its length; 413 one above SERVE_BODY_MAX
  *   412 the file on disk is not the one that If-Match names
  *   415 another media type than the file's
@@ -18,7 +19,7 @@
  * Connections of other users of the machine are closed at once, where the system tells whose they are.
  *
  * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with
- * If-Match saves. Both need the header X-Batten-Token, which stands in the page in place of %TOKEN%. The page at
+ * If-Match saves. POST /document makes a new file beside it and gives its X-Batten-Name (201). All need the header X-Batten-Token, which stands in the page in place of %TOKEN%. The page at
  * "/index.html" is the one without a token, which a browser may keep: "/sw.js" keeps it and the files beside it where
  * %ADDRESS% says "lasting", that is, where the port was asked for, and asks "/" for the token of each start.
  */

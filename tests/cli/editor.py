@@ -61,6 +61,12 @@ class Editor:
         headers = {"Content-Type": kind, "If-Match": tag or self.tag(), **(headers or {})}
         return self.request("PUT", "/document", {k: v for k, v in headers.items() if v is not None}, body)
 
+    def post(self, body, headers=None, kind="application/json"):
+        """A new file beside the document. Status, its name, what was said."""
+        headers = {k: v for k, v in {"Content-Type": kind, **(headers or {})}.items() if v is not None}
+        status, headers, text = self.request("POST", "/document", headers, body)
+        return status, urllib.parse.unquote(headers["X-Batten-Name"] or ""), text
+
     def raw(self, text):
         """The status that a request written by hand is answered with; 0: the connection was closed."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=HANG) as connection:

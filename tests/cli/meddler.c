@@ -8,6 +8,7 @@
  *   0.kill     the process is killed
  *   0.wait     is removed, to say that this point is reached; then 0.go is waited for
  *   0.refuse   the file system cannot do this (EINVAL)
+ *   0.nolinks  the file system has no links (EPERM)
  */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -44,8 +45,8 @@ static int meddle(int place_folder, const char *place) {
         unlink(path);
         while (!there(folder, ".go", path)) nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     }
-    int refused = there(folder, ".refuse", path);
-    if (refused) errno = EINVAL;
+    int refused = there(folder, ".refuse", path) ? EINVAL : there(folder, ".nolinks", path) ? EPERM : 0;
+    if (refused) errno = refused;
     moments++;
     return !refused;
 }

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import signal
 import socket
 import stat
@@ -237,11 +238,12 @@ class Refusals(EditTest):
                 self.assertIn(self.editor.raw(f"GET {path} HTTP/1.1\nHost: {self.editor.host}\n\n"), (400, 404))
 
     def test_methods(self):
-        for method in ("POST", "DELETE", "OPTIONS", "PATCH", "TRACE", "BREW"):
+        for method in ("DELETE", "OPTIONS", "PATCH", "TRACE", "BREW"):
             status, headers, _ = self.editor.request(method, "/document")
-            self.assertEqual((status, headers["Allow"]), (405, "GET, HEAD, PUT"))
+            self.assertEqual((status, headers["Allow"]), (405, "GET, HEAD, PUT, POST"))
             self.assertEqual(self.editor.request(method, "/")[0], 405)
-        self.assertEqual(self.editor.request("PUT", "/", {"X-Batten-Token": self.editor.token}, b"x")[0], 405)
+        for method in ("PUT", "POST"):
+            self.assertEqual(self.editor.request(method, "/", {"X-Batten-Token": self.editor.token}, b"x")[0], 405)
 
     def test_media_type(self):
         for kind in ("image/svg+xml", "text/plain", "application/jsonp", "", None):
@@ -334,6 +336,107 @@ class Replaced(EditTest):
         (self.folder / "zero.svg").symlink_to("/dev/zero")
         for name in ("pipe.svg", "zero.svg"):
             self.assertIn("not a regular file", self.refused(1, "edit", self.folder / name, "--no-open"))
+
+
+class Beside(EditTest):
+    """A new file beside the document: for whoever finds that another program has changed it."""
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    def test_a_copy_has_a_name_of_its_own(self):
+        editor = self.start(content=drawing())
+        self.assertEqual(editor.post(drawing(2))[:2], (201, "d (copy).batten"))
+        self.assertEqual(editor.post(drawing(3))[:2], (201, "d (copy 2).batten"))
+        self.assertEqual((self.folder / "d (copy).batten").read_bytes(), drawing(2))
+        self.assertEqual((self.folder / "d (copy 2).batten").read_bytes(), drawing(3))
+        self.assertEqual(self.path.read_bytes(), drawing())
+        self.assertEqual(self.files(), ["d (copy 2).batten", "d (copy).batten", "d.batten"])
+
+    def test_names(self):
+        for name, copy in (("roof.svg", "roof (copy).svg"), ("a.b.svg", "a.b (copy).svg"), (".svg.svg", ".svg (copy).svg"),
+                           ("\uc9c0\ubd95 (copy).svg", "\uc9c0\ubd95 (copy) (copy).svg")):
+            with self.subTest(name=name):
+                editor = self.start(name)
+                body = editor.get("/document")[2]
+                self.assertEqual(editor.post(body, kind="image/svg+xml")[:2], (201, copy))
+                self.assertEqual((self.folder / copy).read_bytes(), body)
+                editor.end()
+
+    def test_nothing_is_written_over(self):
+        editor = self.start(content=drawing())
+        self.file("d (copy).batten", b"mine")
+        (self.folder / "d (copy 2).batten").mkdir()
+        (self.folder / "d (copy 3).batten").symlink_to("nowhere")
+        (self.folder / "d (copy 4).batten").symlink_to("d.batten")
+        os.mkfifo(self.folder / "d (copy 5).batten")
+        self.file("d (copy 6).batten", b"mine")
+        (self.folder / "d (copy 6).batten").chmod(0o444)
+        before = self.files()
+        self.assertEqual(editor.post(drawing(2))[:2], (201, "d (copy 7).batten"))
+        self.assertEqual(self.files(), sorted([*before, "d (copy 7).batten"]))
+        self.assertEqual((self.folder / "d (copy).batten").read_bytes(), b"mine")
+        self.assertEqual(self.path.read_bytes(), drawing())
+
+    def test_all_names_taken(self):
+        editor = self.start(content=drawing())
+        self.file("d (copy).batten", b"mine")
+        for number in range(2, 100):
+            self.file(f"d (copy {number}).batten", b"mine")
+        before = self.files()
+        status, _, text = editor.post(drawing(2))
+        self.assertEqual((status, self.files()), (409, before))
+        self.assertIn(b"too many copies", text)
+
+    def test_a_name_without_room_for_more(self):
+        editor = self.start("n" * 245 + ".batten", drawing())
+        status, _, text = editor.post(drawing(2))
+        self.assertEqual(status, 500)
+        self.assertIn(b"too long", text)
+        self.assertEqual(self.files(), [self.path.name])
+
+    def test_beside_the_file_that_a_link_leads_to_and_with_its_mode(self):
+        self.path = self.folder / "real" / "d.batten"
+        self.path.parent.mkdir()
+        self.path.write_bytes(drawing())
+        self.path.chmod(0o600)
+        (self.folder / "link.batten").symlink_to("real/d.batten")
+        editor = self.editor_on(self.folder / "link.batten")
+        self.assertEqual(editor.post(drawing(2))[:2], (201, "d (copy).batten"))
+        self.assertEqual(stat.S_IMODE((self.path.parent / "d (copy).batten").stat().st_mode), 0o600)
+        self.assertEqual(self.files(), ["link.batten", "real"])
+
+    def test_a_read_only_file_has_copies_all_the_same(self):
+        self.file("d.batten", drawing())
+        (self.folder / "d.batten").chmod(0o444)
+        editor = self.start()
+        self.assertEqual(editor.post(drawing(2))[:2], (201, "d (copy).batten"))
+
+    @unittest.skipIf(os.geteuid() == 0, "root writes into any folder")
+    def test_a_read_only_folder(self):
+        editor = self.start(content=drawing())
+        self.folder.chmod(0o555)
+        self.addCleanup(self.folder.chmod, 0o755)
+        status, _, text = editor.post(drawing(2))
+        self.assertEqual((status, self.files()), (409, ["d.batten"]))
+        self.assertIn(b"read-only", text)
+
+    def test_no_room_on_the_disk(self):
+        editor = self.start(content=drawing())
+        resource.prlimit(editor.process.pid, resource.RLIMIT_FSIZE, (100, 100))
+        self.assertEqual(editor.post(drawing(2))[0], 507)
+        self.assertEqual(editor.put(drawing(2))[0], 507)
+        self.assertEqual((self.files(), self.path.read_bytes()), (["d.batten"], drawing()))
+
+    def test_what_a_put_is_refused_for(self):
+        editor = self.start(content=drawing())
+        self.assertEqual(editor.post(b"{")[0], 422)
+        self.assertEqual(editor.post(drawing(2), kind="image/svg+xml")[0], 415)
+        self.assertEqual(editor.post(drawing(2), {"X-Batten-Token": "0" * 32})[0], 403)
+        self.assertEqual(editor.post(drawing(2), {"Origin": "http://evil.example"})[0], 403)
+        self.assertEqual(editor.post(drawing(2), {"Sec-Fetch-Site": "cross-site"})[0], 403)
+        self.assertEqual(editor.post(drawing(2), {"Content-Length": str((64 << 20) + 1)})[0], 413)
+        self.assertEqual(self.files(), ["d.batten"])
 
 
 class Saving(EditTest):

@@ -127,6 +127,47 @@ class Meddled(WithMeddler):
         self.assertEqual((self.path.read_bytes(), self.left()), (drawing(4), ["d.batten"]))
 
 
+class NewFiles(WithMeddler):
+    """What has no version that could be exchanged: it is linked into its place, which nothing may have taken meanwhile."""
+
+    def test_nobody_else(self):
+        editor = self.meddled({}, None)
+        self.assertEqual(editor.put(drawing(2))[0], 204)
+        self.assertEqual((self.path.read_bytes(), self.left()), (drawing(2), ["d.batten"]))
+        self.assertEqual(self.path.stat().st_nlink, 1)
+
+    def test_file_system_without_links(self):
+        editor = self.meddled({"0.nolinks": b""}, None)
+        self.assertEqual(editor.put(drawing(2))[0], 204)
+        self.assertEqual((self.path.read_bytes(), self.left()), (drawing(2), ["d.batten"]))
+
+    def test_another_program_makes_it_where_there_are_no_links(self):
+        editor = self.meddled({"0": b"other", "0.nolinks": b""}, None)
+        self.assertEqual(editor.put(drawing(2))[0], 412)
+        self.assertEqual((self.path.read_bytes(), self.left()), (b"other", ["d.batten"]))
+
+    def test_link_that_fails(self):
+        editor = self.meddled({"0.refuse": b""}, None)
+        self.assertEqual(editor.put(drawing(2))[0], 500)
+        self.assertEqual(self.left(), [])
+        self.assertEqual(editor.put(drawing(2))[0], 204)
+
+    def test_what_is_given_back_is_linked_or_moved(self):
+        """Another program saves and removes: what it saved goes back, with or without links."""
+        for how in ({}, {"2.nolinks": b""}):
+            with self.subTest(how=how):
+                editor = self.meddled({"0": b"other", "1.gone": b"", **how})
+                self.assertEqual(editor.put(drawing(2))[0], 412)
+                self.assertEqual((self.path.read_bytes(), self.left()), (b"other", ["d.batten"]))
+                subprocess.run(["rm", "-r", self.folder / "work", self.folder / "meddler"], check=True)
+
+    def test_a_copy_whose_name_is_taken_in_the_last_moment(self):
+        editor = self.meddled({"0": b"other"})
+        self.assertEqual(editor.post(drawing(2))[:2], (201, "d (copy 2).batten"))
+        self.assertEqual((self.folder / "work" / "d (copy).batten").read_bytes(), b"other")
+        self.assertEqual(self.left(), ["d (copy 2).batten", "d (copy).batten", "d.batten"])
+
+
 class Leftovers(WithMeddler):
     """What a killed process leaves beside a file goes at the next start; nothing else does."""
 

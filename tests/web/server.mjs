@@ -41,13 +41,14 @@ function shellFiles(build) {
 const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
 
 /**
- * Its `version` names the build, `without` files that it does not have.
+ * Its `version` names the build, `without` files that it does not have, `beside` a new file beside the document ('': none
+ * can be made); `heard` counts how often it was asked for nothing but the version.
  * @param {{ name?: string, bytes?: Buffer }} [document] none: the page is served without a token
  * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
  */
 export async function serve(document, lasting = false) {
   const token = crypto.randomBytes(16).toString('hex');
-  const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, saves: 0, address: '', close: () => {} };
+  const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, saves: 0, heard: 0, beside: '', address: '', close: () => {} };
   const server = http.createServer((request, response) => {
     const where = new URL(request.url, 'http://localhost').pathname;
     if (state.stranger) {
@@ -84,9 +85,17 @@ export async function serve(document, lasting = false) {
   function answerDocument(request, response) {
     if (!document || request.headers['x-batten-token'] !== token) {
       response.writeHead(403).end();
-    } else if (request.method === 'GET') {
+    } else if (request.method === 'GET' || request.method === 'HEAD') {
+      state.heard += Number(request.method === 'HEAD');
       response.writeHead(200, { 'X-Batten-Name': encodeURIComponent(document.name), ETag: tagOf(state.bytes) });
       response.end(state.bytes);
+    } else if (request.method === 'POST') {
+      request.resume();
+      if (state.beside) {
+        response.writeHead(201, { 'X-Batten-Name': encodeURIComponent(state.beside) }).end();
+      } else {
+        response.writeHead(409, { 'Content-Type': 'text/plain' }).end('The folder is read-only.\n');
+      }
     } else if (request.headers['if-match'] !== tagOf(state.bytes)) {
       request.resume();
       response.writeHead(412).end();
@@ -129,6 +138,11 @@ export async function edit(bytes, name, ...words) {
     get bytes() {
       return fs.readFileSync(file);
     },
+    set bytes(bytes) {
+      fs.writeFileSync(file, bytes);
+    },
+    /** @param {string} other */
+    beside: (other) => fs.readFileSync(path.join(folder, other)),
     /** At the same port, when it is free. */
     async start() {
       const program = spawn(PROGRAM, ['edit', file, '--no-open', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });

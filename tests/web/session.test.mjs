@@ -144,7 +144,7 @@ const shown = (page) => page.waitForFunction(() => [...document.querySelectorAll
   .filter((picture) => picture.complete && picture.naturalWidth > 0).length === 2);
 
 test('a file that changed on disk: both can be seen, and nothing is written over unless it is wanted', async (t) => {
-  expectFaults(/status of 412/);
+  expectFaults(/status of 412/, /status of 409/);
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(server.close);
   const { page, hand, context } = await open(browser, server.address);
@@ -155,12 +155,21 @@ test('a file that changed on disk: both can be seen, and nothing is written over
   await page.keyboard.press('Control+S');
   await page.waitForSelector('[data-about=changed]');
   assert.match((await state(page)).notice, /changed on disk/);
-  assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Download a copy', '×']);
+  assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Save beside it', '×']);
   assert.equal((await state(page)).unsaved, true);
 
+  // Nothing can be written beside it: the reason, and a download in its place.
+  await page.click('text=Save beside it');
+  await page.waitForSelector('[data-about=changed] >> text=read-only');
+  assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Download a copy', '×']);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('text=Download a copy')]);
   assert.equal(download.suggestedFilename(), 'car.svg');
-  assert.equal(await page.isVisible('[data-about=changed]'), true, 'it is as it was');
+  assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Save beside it', '×'], 'it is as it was');
+
+  server.beside = 'car (copy).svg';
+  await page.click('text=Save beside it');
+  await page.waitForSelector('[data-about=changed] >> text=car (copy).svg');
+  assert.equal((await state(page)).unsaved, true, 'the drawing is still that of the file');
 
   await page.click('text=Look at both');
   await shown(page);
@@ -187,6 +196,84 @@ test('a file that changed on disk: both can be seen, and nothing is written over
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
   assert.match(server.bytes.toString(), /batten:document/);
   assert.equal(await page.isVisible('[data-about=changed]'), false);
+  await context.close();
+});
+
+/** As when its window is looked at again. */
+const lookedAt = (page) => page.evaluate(() => dispatchEvent(new Event('focus')));
+
+test('the program saves beside a file that changed on disk, which is noticed before the next save', async (t) => {
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close());
+  const { page, hand, context } = await open(browser, program.address);
+  await page.waitForLoadState('networkidle');
+  await hand.stroke(bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y)))));
+  await lookedAt(page);
+  await settle(page);
+  assert.equal(await page.isVisible('[data-about=changed]'), false);
+  const foreign = program.bytes = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><path d="M10 90Q100 0 190 90"/></svg>');
+  await lookedAt(page);
+  await page.waitForSelector('[data-about=changed] >> text=changed on disk');
+  for (const name of ['car (copy).svg', 'car (copy 2).svg']) {
+    await page.click('text=Save beside it');
+    await page.waitForSelector(`[data-about=changed] >> text=${name}`);
+    assert.match(program.beside(name).toString(), /batten:document/);
+  }
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'beside.png') });
+  assert.deepEqual(program.bytes, foreign);
+  // Once it was closed it is not asked again of the same version.
+  await page.click('[data-about=changed] button:last-of-type');
+  await lookedAt(page);
+  await settle(page);
+  assert.equal(await page.isVisible('[data-about=changed]'), false);
+  await context.close();
+});
+
+test('a program that ends and is started again is noticed while nobody saves', async (t) => {
+  expectFaults(/status of 403/, /ERR_CONNECTION_REFUSED/, /ERR_CONNECTION_RESET/);
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close());
+  const { page, hand, context } = await open(browser, program.address);
+  await page.waitForLoadState('networkidle');
+  await hand.stroke(bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y)))));
+  await program.kill();
+  await lookedAt(page);
+  await page.waitForSelector('[data-about=silent] >> text=does not answer');
+  // Asked again soon, and by itself.
+  await page.evaluate(() => { globalThis.hasty = true; });
+  await lookedAt(page);
+  await program.start();
+  await page.waitForSelector('[data-about=silent]', { state: 'detached' });
+  await page.waitForFunction(() => /answers again/.test(document.getElementById('notice-text').textContent));
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(program.bytes.toString(), /batten:document/);
+  await context.close();
+});
+
+test('a page that nobody sees asks for nothing', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const { page, context } = await open(browser, server.address);
+  await page.waitForLoadState('networkidle');
+  await lookedAt(page);
+  await page.waitForLoadState('networkidle');
+  await settle(page);
+  const heard = server.heard;
+  assert.ok(heard > 0);
+  const turn = (hidden) => page.evaluate((hidden) => {
+    Object.defineProperty(document, 'hidden', { configurable: true, value: hidden });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }, hidden);
+  await turn(true);
+  await lookedAt(page);
+  await settle(page);
+  assert.equal(server.heard, heard);
+  await turn(false);
+  while (server.heard === heard) {
+    await settle(page);
+  }
+  assert.equal(server.heard, heard + 1);
   await context.close();
 });
 

@@ -223,6 +223,13 @@ export class Files {
     }
   }
 
+  /** The file changed on disk: said at once, not at the next save. @param {string} tag of the file as it is */
+  tellOf(tag) {
+    if (this.bound && !this.saving && tag !== this.server.tag) {
+      this.#tellChanged(word('shell.changed'));
+    }
+  }
+
   /** Asks before something of the file is lost. @returns {Promise<boolean>} it may be written over */
   async #mayLose() {
     const { losses } = this.engine;
@@ -283,15 +290,30 @@ export class Files {
     }
   }
 
-  /** The file is another one than the drawing was made of: nothing is written over until the user says so. @param {string} text */
-  #tellChanged(text) {
+  /**
+   * The file is another one than the drawing was made of: nothing is written over until the user says so.
+   * @param {string} text
+   * @param {boolean} [apart] nothing can be written beside it: a download is offered
+   */
+  #tellChanged(text, apart = false) {
     this.notices.ask('changed', text, [
       { label: word('shell.look-both'), run: () => void this.#compare(text) },
       { label: word('shell.overwrite'), run: () => void this.#overwrite() },
-      { label: word('shell.copy'), run: () => {
+      apart ? { label: word('shell.copy'), run: () => {
         this.download();
         this.#tellChanged(text); // it still is
-      } }]);
+      } } : { label: word('shell.beside'), run: () => void this.#saveBeside() }]);
+  }
+
+  /** A new file beside the one that changed, which it leaves alone; the drawing stays the changed one's. */
+  async #saveBeside() {
+    const native = isNative(this.name);
+    try {
+      const name = await this.server.saveBeside(this.engine.save(native), native ? JSON_TYPE : SVG);
+      this.#tellChanged(word('shell.saved-beside', name));
+    } catch (error) {
+      this.#tellChanged(error instanceof Error ? error.message : String(error), true);
+    }
   }
 
   async #overwrite() {
@@ -312,10 +334,11 @@ export class Files {
         await this.save(file.tag); // what was looked at, and nothing newer
         return;
       }
-      if (answer === 'copy') {
-        this.download();
+      if (answer === 'beside') {
+        await this.#saveBeside();
+      } else {
+        this.#tellChanged(text);
       }
-      this.#tellChanged(text);
     } catch (error) {
       this.#complain(error);
     }

@@ -56,6 +56,19 @@ export class Server {
   }
 
   /**
+   * A new file beside it, over nothing. @param {Uint8Array} bytes @param {string} type
+   * @returns {Promise<string>} its name
+   */
+  async saveBeside(bytes, type) {
+    return nameIn(await this.#ask('POST', { 'Content-Type': type }, bytes));
+  }
+
+  /** Whether it answers, and with which version; one that was started anew is met again. @returns {Promise<string>} its tag */
+  async hear() {
+    return (await this.#ask('HEAD', {}, null)).headers.get('ETag') ?? '';
+  }
+
+  /**
    * @param {string} method
    * @param {Record<string, string>} headers
    * @param {Uint8Array | null} bytes

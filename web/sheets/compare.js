@@ -35,13 +35,13 @@ function figure(svg, title) {
 /**
  * @param {Engine} engine of the drawing
  * @param {import('../keep/server.js').FileBytes} file
- * @returns {Promise<string>} 'overwrite', 'copy', or '' for neither
+ * @returns {Promise<string>} 'overwrite', 'beside', or '' for neither
  */
 export async function compare(engine, file) {
   await dress('styles/compare.css');
   const both = document.createElement('div');
   both.className = 'both';
   both.append(figure(engine.save(false), word('shell.drawn-here')), figure(pictureOf(engine, file), word('shell.on-disk')));
-  return question('compare', word('shell.changed'), [both], [answer('copy', word('shell.copy')),
+  return question('compare', word('shell.changed'), [both], [answer('beside', word('shell.beside')),
     answer('overwrite', word('shell.overwrite')), answer('', word('command.cancel'))]);
 }

@@ -1,0 +1,51 @@
+// The server and its file while the page is looked at: whether it still answers, was started anew, or has another file now.
+// Asked when the page is seen again, now and then while it is seen, and soon again after no answer; never while it is hidden.
+
+import { word } from '../page/words.js';
+
+const NOW_AND_THEN = 30000; // milliseconds
+const SOON = 2000;
+
+/**
+ * @param {import('./server.js').Server} server
+ * @param {import('./files.js').Files} files
+ * @param {import('../page/notice.js').Notices} notices
+ */
+export function watch(server, files, notices) {
+  let timer = 0;
+  let pause = 0; // after no answer
+  let told = ''; // which other version of the file was spoken of
+  let asking = false;
+
+  async function hear() {
+    clearTimeout(timer);
+    if (document.hidden || asking || !files.bound) {
+      return;
+    }
+    asking = true;
+    try {
+      const tag = await server.hear();
+      if (pause) {
+        notices.over('silent');
+        notices.say(word('shell.back'));
+      }
+      pause = 0;
+      if (tag !== told) {
+        told = tag;
+        files.tellOf(tag);
+      }
+    } catch (error) {
+      if (!pause) {
+        notices.ask('silent', error instanceof Error ? error.message : String(error), []);
+      }
+      pause = Math.min(pause ? 2 * pause : SOON, NOW_AND_THEN);
+    } finally {
+      asking = false;
+      timer = setTimeout(() => void hear(), pause || NOW_AND_THEN);
+    }
+  }
+
+  document.addEventListener('visibilitychange', () => void hear());
+  addEventListener('focus', () => void hear());
+  timer = setTimeout(() => void hear(), NOW_AND_THEN);
+}
