@@ -13,7 +13,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     double x[MOST * 3];
     int corners[4];
     if (size < 8) return 0;
-    bat_fit_options options = bat_fit_defaults();
+    bat_fit_options options;
+    bat_fit_options_init(&options, sizeof options);
     const int dimension = data[0] & 1 ? 3 : 2, wide = data[0] & 2;
     options.degree = 1 + data[1] % 7, options.closed = data[0] & 4;
     options.tolerance = ldexp(1, (int)(data[2] % 40) - 20), options.smoothing = data[0] & 8 ? data[3] : 0;

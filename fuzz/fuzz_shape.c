@@ -88,7 +88,8 @@ static bat_shape *make(source *s) {
     bat_curve *curve;
     if (bat_curve_create(dimension, degree, closed, (size_t)count, points, total, knots, &curve) != BAT_OK)
         return NULL;
-    bat_shape_options options = bat_shape_defaults();
+    bat_shape_options options;
+    bat_shape_options_init(&options, sizeof options);
     int rules = byte(s);
     options.frame = (bat_frame_rule)(rules % 8 < 3 ? rules % 8 : 0);
     options.nodes = (bat_node_rule)(rules / 8 % 2);
@@ -154,7 +155,8 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
         for (int d = 0; d < dimension; d++) points[i * dimension + d] += (byte(s) - 128) / 32.0;
     }
     bat_stroke stroke = {dimension, (size_t)count, points, NULL, NULL};
-    bat_sketch_options options = bat_sketch_defaults();
+    bat_sketch_options options;
+    bat_sketch_options_init(&options, sizeof options);
     options.pixel = fmax(bat_curve_size(base) / 8, 0.5); /* fine fits are those of fuzz_sketch */
     bat_shape *before, *out = NULL;
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
@@ -219,7 +221,8 @@ static void sketch(source *s, bat_shape *shape) {
 static void frames(source *s, const bat_shape *shape) {
     enum { MOST = 3 };
     const bat_curve *curve = bat_shape_curve(shape, byte(s) % (bat_shape_levels(shape) + 1));
-    bat_frame_options options = bat_frame_defaults();
+    bat_frame_options options;
+    bat_frame_options_init(&options, sizeof options);
     options.rule = (bat_frame_rule)(byte(s) % 3);
     double domain[2], u[MOST], x[3 * MOST], t[3 * MOST], n[3 * MOST];
     bat_frame_chain *chain;

@@ -25,7 +25,8 @@ static void check_insert(const bat_spline *spline, const bat_tangents_options *o
 
 /* k of a direction is in its range, and a shape stands on the spline as on its curve. */
 static void check_base(const bat_spline *spline) {
-    bat_tangents_options options = bat_tangents_defaults();
+    bat_tangents_options options;
+    bat_tangents_options_init(&options, sizeof options);
     bat_shape *shape = NULL;
     const int size = spline->dimension;
     for (int i = 1; (size_t)i + 1 < spline->count; i++) {
@@ -42,7 +43,8 @@ static void check_base(const bat_spline *spline) {
 
 static void check_spline(const bat_spline *spline) {
     for (int choice = 0; choice < 6; choice++) {
-        bat_tangents_options options = {(bat_tangents_mode)(choice % 2), (bat_tangents_default)(choice / 2)};
+        bat_tangents_options options = {sizeof options, (bat_tangents_mode)(choice % 2),
+                                        (bat_tangents_default)(choice / 2)};
         bat_joint *joints = malloc((spline->count + 1) * sizeof *joints);
         double *bezier = NULL;
         int segments = 0, size = spline->dimension;

@@ -76,7 +76,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_document *document = NULL;
     bat_svg_report report;
     bat_problem problem;
-    bat_svg_options options = size % 2 ? bat_svg_defaults() : bat_svg_merging();
+    bat_svg_options options;
+    if (size % 2)
+        bat_svg_options_init(&options, sizeof options);
+    else
+        bat_svg_options_init_merging(&options, sizeof options);
     char *text = malloc(size + 1);
     if (!text || bat_svg_reader_create(&options, &reader) != BAT_OK) {
         free(text);

@@ -67,7 +67,7 @@ static int run(const cli_arguments *arguments) {
     bat_status status = bat_spline_read(data, size, &spline, &block, &problem);
     free(data);
     if (status != BAT_OK) return fail_problem(name, status, &problem);
-    bat_tangents_options options = {(bat_tangents_mode)mode, (bat_tangents_default)missing};
+    bat_tangents_options options = {sizeof options, (bat_tangents_mode)mode, (bat_tangents_default)missing};
     bat_joint *joints = malloc((spline.count + 1) * sizeof *joints);
     double *bezier = NULL;
     int segments = 0;

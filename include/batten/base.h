@@ -63,6 +63,14 @@ typedef enum bat_status {
  * options, results. Text and bytes are a pointer and their size.
  */
 
+/*
+ * Options begin with the size of their struct, which bat_x_defaults sets (bat_x_options_init where inline functions can
+ * not be called). So a program goes on working when a later version of the library adds members at the end: those that
+ * the program does not know keep their defaults. A size below that of the first version is BAT_ARGUMENT. Wherever a call
+ * takes options, NULL means the defaults. All other structs (data such as bat_stroke and bat_style, results such as
+ * bat_sketch_report) stay as they are for as long as the shared library keeps its SONAME.
+ */
+
 /* One short English line, without a final stop; never NULL, static storage. */
 BAT_API const char *bat_status_message(bat_status status);
 

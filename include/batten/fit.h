@@ -9,13 +9,14 @@ extern "C" {
 #endif
 
 typedef struct bat_fit_options {
+    size_t size;      /* of this struct, as base.h says */
     double tolerance; /* greatest true distance from a point to the curve, document units, > 0 */
     double smoothing; /* shortest wavelength that may bend, document units; 0: none (math-sketch 5.7) */
     int degree;       /* 3 by default */
     bool closed;
+    int solves_max;      /* 0: the default budget */
     size_t corner_count; /* corners[i]: indices into the points, ascending, kept as multiplicity-p knots */
     const int *corners;
-    int solves_max; /* 0: the default budget */
 } bat_fit_options;
 
 typedef struct bat_fit_report {
@@ -24,8 +25,14 @@ typedef struct bat_fit_report {
     int solves;
 } bat_fit_report;
 
-BAT_API bat_fit_options bat_fit_defaults(void); /* tolerance 1, cubic, open, no corners */
-/* count points in order. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
+/* Tolerance 1, cubic, open, no corners. */
+BAT_API void bat_fit_options_init(bat_fit_options *options, size_t size);
+static inline bat_fit_options bat_fit_defaults(void) {
+    bat_fit_options options;
+    bat_fit_options_init(&options, sizeof options);
+    return options;
+}
+/* count points in order; options may be NULL. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
 BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
                            bat_curve **out, bat_fit_report *report);
 

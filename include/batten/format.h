@@ -33,6 +33,7 @@ BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t siz
 
 /* SVG in: fed by any XML parser (expat natively, the browser's own in the page), in document order. */
 typedef struct bat_svg_options {
+    size_t size;      /* of this struct, as base.h says */
     double tolerance; /* knots of imported paths are removed within it, document units; 0: exact only */
     double corner;    /* radians: joints that turn more are corners */
     double share; /* of a path's larger side, which bounds the tolerance for small ones; 0: nothing does */
@@ -98,10 +99,22 @@ typedef struct bat_svg_report {
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
-BAT_API bat_svg_options bat_svg_defaults(void); /* exact; corners from 0.05 on */
+/* Exact; corners from 0.05 on. */
+BAT_API void bat_svg_options_init(bat_svg_options *options, size_t size);
+static inline bat_svg_options bat_svg_defaults(void) {
+    bat_svg_options options;
+    bat_svg_options_init(&options, sizeof options);
+    return options;
+}
 /* For drawings that are going to be edited: nodes are merged where the curve is the same within 0.001, of small paths
  * within a ten-thousandth of their size. */
-BAT_API bat_svg_options bat_svg_merging(void);
+BAT_API void bat_svg_options_init_merging(bat_svg_options *options, size_t size);
+static inline bat_svg_options bat_svg_merging(void) {
+    bat_svg_options options;
+    bat_svg_options_init_merging(&options, sizeof options);
+    return options;
+}
+/* options may be NULL: the defaults. */
 BAT_API bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out);
 /* attributes: name, value, name, value, ..., NULL. Namespaced names as written ("xlink:href"). */
 BAT_API bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name,

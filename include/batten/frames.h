@@ -20,6 +20,7 @@ typedef enum bat_frame_rule {
 } bat_frame_rule;
 
 typedef struct bat_frame_options {
+    size_t size; /* of this struct, as base.h says */
     bat_frame_rule rule;
     int substeps;   /* steps of the chain a span, at least; 0: 8, more where the turn exceeds 30 degrees */
     bool has_first; /* first: s at the start, projected on the normal plane there */
@@ -37,9 +38,16 @@ typedef struct bat_frame3 {
     double point[3], t[3], s[3], r[3];
 } bat_frame3;
 
-BAT_API bat_frame_options bat_frame_defaults(void);
+/* RMF, 8 steps a span, any first normal. */
+BAT_API void bat_frame_options_init(bat_frame_options *options, size_t size);
+static inline bat_frame_options bat_frame_defaults(void) {
+    bat_frame_options options;
+    bat_frame_options_init(&options, sizeof options);
+    return options;
+}
 
 /*
+ * options may be NULL: the defaults, here and below.
  * Frames at count parameters in any order (closed curves: any period; open: clamped). A frame depends on the
  * curve and the options alone, not on which others are asked for. *holonomy (may be NULL): on closed curves
  * the angle of s, transported once round, from s(0), signed about t(0), in (-pi, pi], before it is spread by

@@ -32,6 +32,7 @@ typedef enum bat_propagation {
 } bat_propagation;
 
 typedef struct bat_shape_options {
+    size_t size; /* of this struct, as base.h says */
     bat_frame_rule frame;
     bat_node_rule nodes;
     bat_propagation propagation;
@@ -42,11 +43,17 @@ typedef struct bat_shape_options {
     double first[3], reference_t[3], reference_s[3];
 } bat_shape_options;
 
-BAT_API bat_shape_options bat_shape_defaults(void); /* RMF, Greville, local */
+/* RMF, Greville, local. */
+BAT_API void bat_shape_options_init(bat_shape_options *options, size_t size);
+static inline bat_shape_options bat_shape_defaults(void) {
+    bat_shape_options options;
+    bat_shape_options_init(&options, sizeof options);
+    return options;
+}
 
 typedef struct bat_shape bat_shape;
 
-/* Copies the base. The shape has no level yet. */
+/* Copies the base. The shape has no level yet. options may be NULL: the defaults, here and below. */
 BAT_API bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *options, bat_shape **out);
 /* The base is a G1 spline through points (bat_tangents). */
 BAT_API bat_status bat_shape_from_spline(const bat_spline *spline, const bat_tangents_options *tangents,

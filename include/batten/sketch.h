@@ -21,6 +21,7 @@ typedef struct bat_stroke {
 } bat_stroke;
 
 typedef struct bat_sketch_options {
+    size_t size;         /* of this struct, as base.h says */
     double tolerance;    /* document units; 0: one pixel */
     double pixel;        /* a pen pixel in document units, > 0 */
     int pins;            /* control points a side taken from the kept piece: 3 (exact), or the paper's 2 */
@@ -46,9 +47,16 @@ typedef struct bat_sketch_report {
     double spans;          /* at a level of a shape: how many of its spans the stroke covers; else 0 */
 } bat_sketch_report;
 
-BAT_API bat_sketch_options bat_sketch_defaults(void); /* 1 px, pixel 1, 3 pins, width 3, corners not kept */
+/* 1 px, pixel 1, 3 pins, width 3, corners not kept. */
+BAT_API void bat_sketch_options_init(bat_sketch_options *options, size_t size);
+static inline bat_sketch_options bat_sketch_defaults(void) {
+    bat_sketch_options options;
+    bat_sketch_options_init(&options, sizeof options);
+    return options;
+}
 
 /*
+ * options may be NULL: the defaults, here and below; so may report.
  * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
  * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
  * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.

@@ -24,6 +24,7 @@ typedef enum bat_tangents_default {
 } bat_tangents_default;
 
 typedef struct bat_tangents_options {
+    size_t size; /* of this struct, as base.h says */
     bat_tangents_mode mode;
     bat_tangents_default missing;
 } bat_tangents_options;
@@ -50,13 +51,20 @@ typedef struct bat_joint {
     bool dropped; /* the point repeats the one before it and was left out */
 } bat_joint;
 
-BAT_API bat_tangents_options bat_tangents_defaults(void); /* faithful, centripetal */
+/* Faithful, centripetal. */
+BAT_API void bat_tangents_options_init(bat_tangents_options *options, size_t size);
+static inline bat_tangents_options bat_tangents_defaults(void) {
+    bat_tangents_options options;
+    bat_tangents_options_init(&options, sizeof options);
+    return options;
+}
 
 /* k of a direction at a joint between chords c0 (incoming) and c1 (outgoing); math 1.2. NaN outside the wedge
  * or when the chords are parallel. Cost O(1), no trigonometry. */
 BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1, const double *direction);
 
 /*
+ * options may be NULL: the defaults, here and below.
  * Builds the spline. joints: count of them, or NULL. *bezier: bat_free'd by the caller, *segments * 4 *
  * dimension doubles, or bezier and segments NULL. *out: the same as one B-spline (math 1.3), or out NULL:
  * cubic, knots x4 at the ends, x2 inside, x3 where C1 is out of reach (width ratio above 1e5, or the seam of

@@ -10,6 +10,7 @@
 #include <batten/fit.h>
 
 #include "curve/banded.h"
+#include "base/options.h"
 #include "curve/lsq.h"
 #include "base/real.h"
 
@@ -385,10 +386,15 @@ static void thin(fitting *f) {
 
 /* ---- The whole ---- */
 
-bat_fit_options bat_fit_defaults(void) { return (bat_fit_options){.tolerance = 1, .degree = 3}; }
+static const bat_fit_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 1, .degree = 3};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+
+void bat_fit_options_init(bat_fit_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
+}
 
 static bat_status check(int dimension, size_t count, const double *points, const bat_fit_options *options) {
-    if (!points || !options) return BAT_ARGUMENT;
+    if (!points) return BAT_ARGUMENT;
     if (dimension != 2 && dimension != 3) return BAT_DIMENSION;
     if (count < 2 || count > BAT_POINTS_MAX) return BAT_COUNT;
     if (options->degree < 1 || options->degree > BAT_DEGREE_MAX) return BAT_DEGREE;
@@ -543,10 +549,12 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     return used;
 }
 
-bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
+bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *given,
                    bat_curve **out, bat_fit_report *report) {
     if (!out) return BAT_ARGUMENT;
-    bat_status status = check(dimension, count, points, options);
+    bat_fit_options chosen = DEFAULTS, *options = &chosen;
+    bat_status status = bat_options_read(given, LEAST, sizeof chosen, &chosen);
+    if (status == BAT_OK) status = check(dimension, count, points, options);
     if (status != BAT_OK) return status;
     fitting f = {
         .options = options, .degree = options->degree, .dimension = dimension, .closed = options->closed};

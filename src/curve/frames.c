@@ -1,5 +1,6 @@
 /* The chain: a walk over the whole curve, kept (math 2.1 to 2.3). */
 #include "curve/frames_walk.h"
+#include "base/options.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -13,7 +14,12 @@ struct bat_frame_chain {
     bat_frame_node *nodes; /* ascending in u; at each knot two: the end of a span, the start of the next */
 };
 
-bat_frame_options bat_frame_defaults(void) { return (bat_frame_options){.rule = BAT_FRAMES_RMF}; }
+static const bat_frame_options DEFAULTS = {sizeof DEFAULTS, .rule = BAT_FRAMES_RMF};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+
+void bat_frame_options_init(bat_frame_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
+}
 
 static bat_status check(const bat_frame_options *o) {
     if ((unsigned)o->rule > BAT_FRAMES_FIXED || o->substeps < 0 || o->substeps > 1024) return BAT_ARGUMENT;
@@ -60,8 +66,9 @@ static bat_status keep_run(bat_frame_chain *chain, const bat_frame_walk *walk) {
 bat_status bat_frame_chain_create(const bat_curve *curve, const bat_frame_options *options,
                                   bat_frame_chain **out) {
     if (!curve || !out) return BAT_ARGUMENT;
-    bat_frame_options chosen = options ? *options : bat_frame_defaults();
-    bat_status status = check(&chosen);
+    bat_frame_options chosen = DEFAULTS;
+    bat_status status = bat_options_read(options, LEAST, sizeof chosen, &chosen);
+    if (status == BAT_OK) status = check(&chosen);
     if (status != BAT_OK) return status;
     bat_frame_chain *chain = calloc(1, sizeof *chain);
     bat_frame_walk *walk = malloc(sizeof *walk);
@@ -103,6 +110,7 @@ void bat_frame_chain_free(bat_frame_chain *chain) {
 double bat_frame_chain_holonomy(const bat_frame_chain *chain) { return chain->holonomy; }
 
 void bat_frame_chain_follow(const bat_frame_chain *chain, bat_frame_options *options) {
+    if (options->size < LEAST) return;
     options->has_reference = true;
     vec_store(chain->nodes->t, options->reference_t);
     vec_store(chain->nodes->s, options->reference_s);

@@ -44,7 +44,7 @@ static kept_spline *copy(const bat_spline *spline, const bat_tangents_options *o
         for (int d = 0; d < spline->dimension; d++) tangents[at + d] = given ? spline->tangents[at + d] : 0;
     }
     for (size_t i = 0; i < 2 * count; i++) tension[i] = spline->tension ? spline->tension[i] : 1;
-    *kept = (kept_spline){BAT_USERS_ONE, *spline, options ? *options : bat_tangents_defaults()};
+    *kept = (kept_spline){BAT_USERS_ONE, *spline, *options};
     kept->spline.points = points;
     kept->spline.tangents = tangents;
     kept->spline.tension = tension;
@@ -56,9 +56,11 @@ static kept_spline *copy(const bat_spline *spline, const bat_tangents_options *o
 static bat_status keep(const bat_spline *spline, const bat_tangents_options *options, kept_spline **out,
                        bat_curve **curve) {
     /* First the check of everything, so that the copy can trust counts and pointers. */
-    bat_status status = bat_tangents(spline, options, NULL, NULL, NULL, NULL);
+    bat_tangents_options own;
+    bat_status status = bat_tangents_options_read(options, &own);
+    if (status == BAT_OK) status = bat_tangents(spline, &own, NULL, NULL, NULL, NULL);
     if (status != BAT_OK) return status;
-    kept_spline *kept = copy(spline, options);
+    kept_spline *kept = copy(spline, &own);
     if (!kept) return BAT_MEMORY;
     status = bat_tangents(&kept->spline, &kept->options, NULL, NULL, NULL, curve);
     if (status == BAT_OK)

@@ -36,7 +36,8 @@ static void random_setup(random_source *r, setup *s, int round) {
                              s->points,
                              round % 5 ? s->tangents : NULL,
                              round % 3 ? s->tension : NULL};
-    s->options = (bat_tangents_options){(bat_tangents_mode)(round % 2), (bat_tangents_default)(round % 3)};
+    s->options = (bat_tangents_options){sizeof(bat_tangents_options), (bat_tangents_mode)(round % 2),
+                                        (bat_tangents_default)(round % 3)};
 }
 
 static bat_object *make(const setup *s, bat_id id) {
@@ -142,9 +143,9 @@ static void digest_tells_apart(void **state) {
     enum { COUNT = sizeof splines / sizeof *splines };
     uint64_t digests[COUNT + 2];
     for (int i = 0; i < COUNT + 2; i++) {
-        setup s = {
-            .spline = splines[i < COUNT ? i : 5],
-            .options = {BAT_TANGENTS_FAITHFUL, i == COUNT ? BAT_TANGENTS_UNIFORM : BAT_TANGENTS_CENTRIPETAL}};
+        setup s = {.spline = splines[i < COUNT ? i : 5],
+                   .options = {sizeof s.options, BAT_TANGENTS_FAITHFUL,
+                               i == COUNT ? BAT_TANGENTS_UNIFORM : BAT_TANGENTS_CENTRIPETAL}};
         bat_object *object = make(&s, 1), *path = NULL;
         if (i == COUNT + 1) { /* the same curve, but free */
             assert_int_equal(bat_object_to_path(object, &path), BAT_OK);

@@ -57,7 +57,7 @@ static void cubic(const double *b, int n, double s, double *out) {
 static void segments_are_equation_4(void **state) {
     (void)state;
     seed = 1;
-    bat_tangents_options paper = {BAT_TANGENTS_PAPER, BAT_TANGENTS_CENTRIPETAL};
+    bat_tangents_options paper = {sizeof paper, BAT_TANGENTS_PAPER, BAT_TANGENTS_CENTRIPETAL};
     for (int round = 0; round < 500; round++) {
         double p[5][2];
         for (int i = 0; i < 5; i++) p[i][0] = 100 * i + uniform(-40, 40), p[i][1] = uniform(-100, 100);
@@ -309,7 +309,8 @@ static void degenerate(void **state) {
                          .points = p,
                          .tangents = t,
                          .tension = round % 5 ? NULL : tension};
-        bat_tangents_options options = {round % 7 ? BAT_TANGENTS_FAITHFUL : BAT_TANGENTS_PAPER,
+        bat_tangents_options options = {sizeof options,
+                                        round % 7 ? BAT_TANGENTS_FAITHFUL : BAT_TANGENTS_PAPER,
                                         (bat_tangents_default)(round % 3)};
         bat_status status = bat_tangents(&s, &options, NULL, &segments, &bezier, &curve);
         if (status == BAT_COUNT) continue;
@@ -328,7 +329,7 @@ static void defaults(void **state) {
     bat_joint joints[3];
     const double expected[3] = {0.4, 0.5, 4.0 / 13};
     for (int rule = 0; rule < 3; rule++) {
-        bat_tangents_options options = {BAT_TANGENTS_FAITHFUL, (bat_tangents_default)rule};
+        bat_tangents_options options = {sizeof options, BAT_TANGENTS_FAITHFUL, (bat_tangents_default)rule};
         assert_int_equal(bat_tangents(&s, &options, joints, NULL, NULL, NULL), BAT_OK);
         assert_true(fabs(joints[1].k - expected[rule]) < 1e-15);
         if (rule == 0) assert_true(fabs(joints[1].angle_in - PI / 4) < 1e-15);

@@ -83,7 +83,7 @@ static bat_status read_options(const bat_json *json, uint32_t object, bat_tangen
         status = read_word(json, object, "default", DEFAULTS, "centripetal, uniform or chordal", &missing,
                            problem);
     if (status == BAT_OK)
-        *options = (bat_tangents_options){(bat_tangents_mode)mode, (bat_tangents_default)missing};
+        options->mode = (bat_tangents_mode)mode, options->missing = (bat_tangents_default)missing;
     return status;
 }
 

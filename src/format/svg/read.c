@@ -1,5 +1,6 @@
 /* SVG in: elements are collected, then drawn into a document once all are known. */
 #include "document/digest.h"
+#include "base/options.h"
 #include "document/document.h"
 #include "document/nesting.h"
 #include "text/utf8.h"
@@ -37,14 +38,22 @@ struct bat_svg_reader {
     uint32_t failed_at; /* elements begun when it came */
 };
 
-bat_svg_options bat_svg_defaults(void) { return (bat_svg_options){.corner = 0.05}; }
+static const bat_svg_options DEFAULTS = {sizeof DEFAULTS, .corner = 0.05};
+static const bat_svg_options MERGING = {sizeof MERGING, .tolerance = 1e-3, .corner = 0.05, .share = 1e-4};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
 
-bat_svg_options bat_svg_merging(void) {
-    return (bat_svg_options){.tolerance = 1e-3, .corner = 0.05, .share = 1e-4};
+void bat_svg_options_init(bat_svg_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
+}
+
+void bat_svg_options_init_merging(bat_svg_options *options, size_t size) {
+    bat_options_give(&MERGING, sizeof MERGING, size, options);
 }
 
 bat_status bat_svg_reader_create(const bat_svg_options *options, bat_svg_reader **out) {
-    bat_svg_options chosen = options ? *options : bat_svg_defaults();
+    bat_svg_options chosen = DEFAULTS;
+    bat_status status = bat_options_read(options, LEAST, sizeof chosen, &chosen);
+    if (status != BAT_OK) return status;
     if (!out || !(chosen.tolerance >= 0 && chosen.tolerance <= BAT_COORDINATE_MAX) ||
         !(chosen.corner >= 0 && chosen.corner <= 4) || !(chosen.share >= 0))
         return BAT_ARGUMENT;

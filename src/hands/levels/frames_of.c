@@ -7,7 +7,8 @@
 #include <string.h>
 
 bat_frame_options bat_shape_frame_options(const bat_shape_options *o, double holonomy_near) {
-    bat_frame_options frames = {.rule = o->frame,
+    bat_frame_options frames = {.size = sizeof frames,
+                                .rule = o->frame,
                                 .has_first = o->has_first,
                                 .has_reference = o->has_reference,
                                 .holonomy_near = holonomy_near};

@@ -1,5 +1,6 @@
 /* A shape: base, levels, and how the curves follow from them (math 3.1). */
 #include "hands/levels/shape.h"
+#include "base/options.h"
 
 #include <batten/refine.h>
 
@@ -8,7 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-bat_shape_options bat_shape_defaults(void) { return (bat_shape_options){.frame = BAT_FRAMES_RMF}; }
+static const bat_shape_options DEFAULTS = {sizeof DEFAULTS, .frame = BAT_FRAMES_RMF};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+
+void bat_shape_options_init(bat_shape_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
+}
 
 static void level_free(bat_level *level) {
     free(level->details);
@@ -92,8 +98,9 @@ static bat_status check(const bat_shape_options *o) {
 
 bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *options, bat_shape **out) {
     if (!base || !out) return BAT_ARGUMENT;
-    bat_shape_options chosen = options ? *options : bat_shape_defaults();
-    bat_status status = check(&chosen);
+    bat_shape_options chosen = DEFAULTS;
+    bat_status status = bat_options_read(options, LEAST, sizeof chosen, &chosen);
+    if (status == BAT_OK) status = check(&chosen);
     if (status != BAT_OK) return status;
     /* Bad numbers in the options show here. */
     bat_frame_options frames = bat_shape_frame_options(&chosen, 0);

@@ -1,13 +1,18 @@
 /* Draw over a curve (sketch-2005 sections 2 to 4, docs/math sketch 5). */
 #include "hands/sketch/sketch.h"
+#include "base/options.h"
 #include <batten/refine.h>
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-bat_sketch_options bat_sketch_defaults(void) {
-    return (bat_sketch_options){.tolerance = 0, .pixel = 1, .pins = 3, .width = 3};
+static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1, .pins = 3,
+                                            .width = 3};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+
+void bat_sketch_options_init(bat_sketch_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
 }
 
 bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *given,
@@ -15,7 +20,9 @@ bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *
     if (!stroke || !stroke->points) return BAT_ARGUMENT;
     if (stroke->dimension < 2 || stroke->dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
     if (stroke->count > BAT_POINTS_MAX) return BAT_COUNT;
-    *o = given ? *given : bat_sketch_defaults();
+    *o = DEFAULTS;
+    bat_status status = bat_options_read(given, LEAST, sizeof *o, o);
+    if (status != BAT_OK) return status;
     if (isnan(o->pixel) || isnan(o->tolerance) || isnan(o->width) || isnan(o->smooth_limit))
         return BAT_NUMBER;
     if (!(o->pixel > 1e-100 && o->pixel < 1e100) || o->tolerance < 0 || o->smooth_limit < 0)

@@ -6,6 +6,7 @@
 #include <batten/tangents.h>
 
 #include "curve/curve.h"
+#include "base/options.h"
 #include "hands/tangents/spline.h"
 #include "base/vec.h"
 
@@ -305,17 +306,28 @@ static bat_status assemble(const bat_spline *s, int segments, const double *bezi
     return bat_curve_finish(curve, out);
 }
 
-bat_tangents_options bat_tangents_defaults(void) {
-    return (bat_tangents_options){BAT_TANGENTS_FAITHFUL, BAT_TANGENTS_CENTRIPETAL};
+static const bat_tangents_options DEFAULTS = {sizeof DEFAULTS, BAT_TANGENTS_FAITHFUL,
+                                              BAT_TANGENTS_CENTRIPETAL};
+enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+
+void bat_tangents_options_init(bat_tangents_options *options, size_t size) {
+    bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
+}
+
+bat_status bat_tangents_options_read(const bat_tangents_options *given, bat_tangents_options *own) {
+    *own = DEFAULTS;
+    return bat_options_read(given, LEAST, sizeof *own, own);
 }
 
 bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options, bat_joint *joints,
                         int *segments, double **bezier, bat_curve **out) {
     if (!spline || (bezier && !segments)) return BAT_ARGUMENT;
-    bat_tangents_options chosen = options ? *options : bat_tangents_defaults();
+    bat_tangents_options chosen;
+    bat_status status = bat_tangents_options_read(options, &chosen);
+    if (status != BAT_OK) return status;
     if ((unsigned)chosen.mode > BAT_TANGENTS_PAPER || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)
         return BAT_ARGUMENT;
-    bat_status status = check(spline);
+    status = check(spline);
     if (status != BAT_OK) return status;
 
     size_t room = spline->count + 1;
