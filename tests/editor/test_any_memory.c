@@ -10,10 +10,9 @@
 #include "growth/acts.c"
 #include "growth/scenes.c"
 #include "support/alloc_fail.h"
+#include "support/editing.h"
 
 enum { THINGS = 6 };
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static void command(bat_editor *editor, int which) {
     bat_editor_command(editor, bat_command_at((bat_command_id)which)->name);

@@ -4,20 +4,14 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/editor.h>
 #include <batten/measure.h>
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
 static const bat_curve *curve_at(const bat_editor *editor, int index) {
     return bat_object_curve(bat_document_at(bat_editor_document(editor), index), 0);
-}
-
-static void check(const bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
 }
 
 static bat_curve *ring(void) {
@@ -33,17 +27,8 @@ static bat_curve *ring(void) {
 }
 
 /* A curve, and a ring about (500, 400). */
-static bat_editor *editor_with(bat_curve *curve, const char *tool) {
-    bat_document *document = NULL;
-    bat_editor *editor = NULL;
-    bat_document_create(&document);
-    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
-    pen_add(document, curve);
-    pen_add(document, ring());
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+static bat_editor *brush_with(bat_curve *curve, const char *tool) {
+    bat_editor *editor = editor_with(2, (bat_curve *[]){curve, ring()});
     bat_editor_set(editor, "pressure",
                    0); /* all of the reach, always: tests/editor/test_pressure.c has the rest */
     bat_editor_command(editor, tool);
@@ -52,29 +37,12 @@ static bat_editor *editor_with(bat_curve *curve, const char *tool) {
 
 /* A wave through y = 150, with knots 0 to 8. */
 static bat_editor *brush_editor(const char *tool) {
-    return editor_with(pen_curve(200, 150, 60, 30, 11), tool);
+    return brush_with(pen_curve(200, 150, 60, 30, 11), tool);
 }
 
 /* A trembling line through y = 150. */
 static bat_editor *trembling_editor(const char *tool) {
-    return editor_with(pen_curve(200, 150, 20, 2.5, 31), tool);
-}
-
-static void round_trip(bat_editor *editor, uint64_t first) {
-    uint64_t last = digest(editor);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor_create(&again);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == last);
-    bat_editor_free(again);
-    while (bat_editor_command(editor, "undo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == first);
-    while (bat_editor_command(editor, "redo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == last);
+    return brush_with(pen_curve(200, 150, 20, 2.5, 31), tool);
 }
 
 /* Every piece is the old curve, point for point, and keeps out of the eraser's way. */

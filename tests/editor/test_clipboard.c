@@ -9,12 +9,11 @@
 #include "curve/curve.h"
 #include "editor/editor.h"
 #include "support/alloc_fail.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include "support/pictures.h"
 #include "support/xml.h"
 #include <batten/bezier.h>
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 static const bat_object *object(const bat_editor *editor, int i) {
     return bat_document_at(bat_editor_document(editor), i);

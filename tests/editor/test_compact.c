@@ -9,8 +9,7 @@
 #include <batten/base.h>
 #include <batten/document.h>
 #include <batten/editor.h>
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+#include "support/editing.h"
 
 static bat_editor *replayed(const bat_editor *editor) {
     bat_editor *again = NULL;

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "curve/curve.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/editor.h>
 #include <batten/measure.h>
 
@@ -14,8 +14,6 @@ static const bat_object *object_at(const bat_editor *editor, int index) {
 }
 
 static int objects(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
-
 static bat_curve *ring(double x, double y) {
     double points[16], knots[9];
     for (int i = 0; i < 8; i++) {
@@ -35,15 +33,6 @@ static void add(bat_document *document, int count, bat_curve **curves) {
     assert_int_equal(bat_object_create_path(id, "compound", &style, count, curves, &object), BAT_OK);
     assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
     bat_object_release(object);
-}
-
-static bat_editor *editor_of(bat_document *document) {
-    bat_editor *editor = NULL;
-    assert_int_equal(bat_editor_create(&editor), BAT_OK);
-    bat_editor_resize(editor, 1000, 800, 1);
-    assert_int_equal(bat_editor_open(editor, document, "test"), BAT_OK);
-    bat_editor_command(editor, "zoom-100");
-    return editor;
 }
 
 /* One object: lines at y = 200 and y = 600, x from 200 to 800, and a ring about (500, 400) between them. */

@@ -6,11 +6,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/alloc_fail.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/base.h>
 #include <batten/editor.h>
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 typedef void work(bat_editor *editor);
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/batten.h>
 #include <math.h>
 #include <stdio.h>
@@ -70,10 +70,7 @@ static bat_editor *in_space(void) {
                      BAT_OK);
     assert_int_equal(bat_document_insert(document, PLANE, plane), BAT_OK);
     bat_object_release(plane);
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+    editor = editor_of(document);
     bat_editor_command(editor, "tool-sketch");
     return editor;
 }

@@ -6,25 +6,11 @@
 #include <cmocka.h>
 #include "base/real.h"
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/curve.h>
 #include <math.h>
 
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
-
-static void tap(pen *p, double x, double y) {
-    pen_event(p, BAT_POINTER_DOWN, x, y);
-    pen_event(p, BAT_POINTER_UP, x, y);
-    assert_null(bat_editor_check(p->editor));
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    pen_event(p, BAT_POINTER_MOVE, (x0 + x1) / 2, (y0 + y1) / 2);
-    pen_event(p, BAT_POINTER_UP, x1, y1);
-    bat_editor_frame(p->editor);
-    assert_null(bat_editor_check(p->editor));
-}
 
 /* The curve runs straight from corner to corner, at even speed, with three knots at each. */
 static void expect_corners(const bat_editor *editor, int corners, const double *at) {

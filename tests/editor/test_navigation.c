@@ -5,15 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "support/pen.h"
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    pen_event(p, BAT_POINTER_MOVE, (x0 + x1) / 2, (y0 + y1) / 2);
-    pen_event(p, BAT_POINTER_UP, x1, y1);
-}
+#include "support/editing.h"
 
 static void expect_view(bat_editor *editor, double x, double y, double zoom) {
     const bat_frame *frame = bat_editor_frame(editor);

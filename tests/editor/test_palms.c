@@ -6,11 +6,9 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 
 enum { LARGE = 90, FINGER = 24 }; /* px */
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static void touch(bat_editor *editor, bat_pointer_phase phase, uint32_t contact, double x, double y,
                   double size, double time) {
@@ -40,7 +38,7 @@ static void slide(bat_editor *editor, uint32_t contact, const double from[2], co
 }
 
 /* So many fingers, or palms, tap. */
-static void tap(bat_editor *editor, int fingers, double size, double time) {
+static void tap_of(bat_editor *editor, int fingers, double size, double time) {
     for (int i = 0; i < fingers; i++)
         touch(editor, BAT_POINTER_DOWN, (uint32_t)i + 10, 300 + 90 * i, 400, size, time + 5 * i);
     for (int i = 0; i < fingers; i++)
@@ -157,8 +155,8 @@ static void large_contacts_do_nothing(void **state) {
             if (rejects) pen_goes(editor);
             bat_editor_command(editor, tools[tool]);
             outcome before = outcome_of(editor);
-            tap(editor, 2, LARGE, 9000);
-            tap(editor, 3, LARGE, 10000);
+            tap_of(editor, 2, LARGE, 9000);
+            tap_of(editor, 3, LARGE, 10000);
             slide(editor, 1, (double[]){400, 600}, (double[]){500, 500}, LARGE, 11000);
             slide(editor, 2, (double[]){450, 600}, (double[]){300, 500}, LARGE, 11200);
             touch(editor, BAT_POINTER_UP, 1, 500, 500, 0, 12000);

@@ -4,22 +4,15 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/base.h>
 #include <batten/editor.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
-
 static const bat_curve *curve_at(const bat_editor *editor, int index) {
     return bat_object_curve(bat_document_at(bat_editor_document(editor), index), 0);
-}
-
-static void check(const bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
 }
 
 /* A wavy curve, and one with points and knots that are not even. */
@@ -30,47 +23,9 @@ static bat_editor *points_editor(void) {
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, pen_curve(200, 200, 60, 70, 11));
     pen_add(document, pen_curve(200, 600, 60, 0, 11));
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+    editor = editor_of(document);
     bat_editor_command(editor, "tool-points");
     return editor;
-}
-
-static void tap(pen *p, double x, double y) {
-    pen_event(p, BAT_POINTER_DOWN, x, y);
-    pen_event(p, BAT_POINTER_UP, x, y);
-    p->time += 1000;
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    for (int i = 1; i <= 8; i++) {
-        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 8, y0 + (y1 - y0) * i / 8);
-        bat_editor_frame(p->editor);
-        check(p->editor);
-    }
-    pen_event(p, BAT_POINTER_UP, x1, y1);
-    p->time += 1000;
-}
-
-/* The journal replays to the same; undo gives the first document back, redo the last. */
-static void round_trip(bat_editor *editor, uint64_t first) {
-    uint64_t last = digest(editor);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor_create(&again);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == last);
-    bat_editor_free(again);
-    while (bat_editor_command(editor, "undo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == first);
-    while (bat_editor_command(editor, "redo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == last);
 }
 
 /* Grabbed a little beside: the point moves by the drag, not to the pen. All else stays bitwise. */
@@ -151,10 +106,7 @@ static void joints_that_look_smooth_stay_so(void **state) {
     bat_document_create(&document);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, curve);
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+    editor = editor_of(document);
     bat_editor_command(editor, "tool-points");
     pen p = pen_for(editor);
     uint64_t first = digest(editor);

@@ -13,8 +13,7 @@
 #include "support/session.h"
 #include <batten/bezier.h>
 #include "editor/tools/modes/guides.h"
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+#include "support/editing.h"
 
 /* A polyline of degree 1. */
 static bat_curve *polyline(int count, const double *points) {
@@ -27,20 +26,6 @@ static bat_curve *polyline(int count, const double *points) {
 
 static bat_curve *segment(double x0, double y0, double x1, double y1) {
     return polyline(2, (double[]){x0, y0, x1, y1});
-}
-
-/* An empty page of 1000 x 800 px, one to one. */
-static bat_editor *editor_with(int count, bat_curve **curves) {
-    bat_document *document = NULL;
-    bat_editor *editor = NULL;
-    bat_document_create(&document);
-    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
-    for (int i = 0; i < count; i++) pen_add(document, curves[i]);
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "precise");
-    bat_editor_command(editor, "zoom-100");
-    return editor;
 }
 
 static void at_once(const bat_snap *snap, bat_snap_kind kind, double x, double y) {
@@ -171,19 +156,6 @@ static pen mouse(bat_editor *editor) {
     pen p = pen_for(editor);
     p.device = BAT_DEVICE_MOUSE;
     return p;
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    pen_event(p, BAT_POINTER_HOVER, x0, y0);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    for (int i = 1; i <= 6; i++) {
-        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 6, y0 + (y1 - y0) * i / 6);
-        bat_editor_frame(p->editor);
-        assert_null(bat_editor_check(p->editor));
-    }
-    pen_event(p, BAT_POINTER_UP, x1, y1);
-    assert_null(bat_editor_check(p->editor));
 }
 
 static int guides(const bat_editor *editor, int axis, double *at) {

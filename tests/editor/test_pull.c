@@ -8,7 +8,7 @@
 #include "curve/curve.h"
 #include "editor/edit/pull.h"
 #include "editor/edit/smooth_node.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include "support/random_curve.h"
 
 static double apart(const double *a, const double *b) { return hypot(a[0] - b[0], a[1] - b[1]); }
@@ -228,16 +228,8 @@ static void odd_handles(void **state) {
 
 /* ---- in the tool ---- */
 
-static bat_editor *editor_with(bat_curve *curve) {
-    bat_document *document = NULL;
-    bat_editor *editor = NULL;
-    bat_document_create(&document);
-    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
-    pen_add(document, curve);
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+static bat_editor *points_with(bat_curve *curve) {
+    bat_editor *editor = editor_with(1, &curve);
     bat_editor_command(editor, "tool-points");
     return editor;
 }
@@ -246,35 +238,23 @@ static const bat_curve *the_curve(const bat_editor *editor) {
     return bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0);
 }
 
-static void drag(pen *p, const double from[2], double dx, double dy) {
-    pen_event(p, BAT_POINTER_HOVER, from[0], from[1]);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_DOWN, from[0], from[1]);
-    for (int i = 1; i <= 6; i++) pen_event(p, BAT_POINTER_MOVE, from[0] + dx * i / 6, from[1] + dy * i / 6);
-    bat_editor_frame(p->editor);
-    const char *wrong = bat_editor_check(p->editor);
-    if (wrong) fail_msg("%s", wrong);
-    pen_event(p, BAT_POINTER_UP, from[0] + dx, from[1] + dy);
-    p->time += 1000;
-}
-
 /* Anywhere along a free curve: both ends stay, until the end itself is taken. */
 static void the_tool_leaves_ends_alone(void **state) {
     (void)state;
     for (int share = 1; share < 20; share++) {
-        bat_editor *editor = editor_with(pen_curve(200, 300, 60, 40, 8));
+        bat_editor *editor = points_with(pen_curve(200, 300, 60, 40, 8));
         pen p = pen_for(editor);
         double ends[2][2], at[2], now[2];
         for (int side = 0; side < 2; side++) place(the_curve(editor), 5.0 * side, ends[side]);
         place(the_curve(editor), share / 4.0, at);
-        drag(&p, at, 12, -35);
+        drag(&p, at[0], at[1], at[0] + 12, at[1] - 35);
         for (int side = 0; side < 2; side++) {
             place(the_curve(editor), 5.0 * side, now);
             assert_memory_equal(now, ends[side], sizeof now);
         }
         assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
-        drag(&p, (double[]){ends[0][0] + 6, ends[0][1] + 1}, -20,
-             10); /* 6 px off it is the end that is taken */
+        drag(&p, ends[0][0] + 6, ends[0][1] + 1, ends[0][0] - 14,
+             ends[0][1] + 11); /* 6 px off it is the end that is taken */
         place(the_curve(editor), 0, now);
         assert_true(fabs(now[0] - ends[0][0] + 20) < 0.02 && fabs(now[1] - ends[0][1] - 10) < 0.02);
         bat_editor_free(editor);
@@ -289,7 +269,7 @@ static void the_tool_keeps_nodes_smooth(void **state) {
     for (int alt = 0; alt < 3; alt++) { /* 2: let go before the end */
         bat_curve *curve = NULL;
         bat_curve_create(2, 3, false, 7, points, 11, knots, &curve);
-        bat_editor *editor = editor_with(curve);
+        bat_editor *editor = points_with(curve);
         pen p = pen_for(editor);
         double on[2] = {240, 273};
         pen_event(&p, BAT_POINTER_DOWN, on[0], on[1]);
@@ -317,7 +297,7 @@ static void the_tool_keeps_nodes_smooth(void **state) {
         } else {
             assert_true(greatest_turn(the_curve(editor), 2) < 1e-9);
             assert_true(fabs(hypot(now[8] - 400, now[9] - 240.2) - hypot(100, 0.2)) < 1e-9);
-            drag(&p, (double[]){400, 240.2}, 30, 15); /* the node: both handles go along */
+            drag(&p, 400, 240.2, 430, 255.2); /* the node: both handles go along */
             assert_true(greatest_turn(the_curve(editor), 2) < 1e-9);
             now = bat_curve_points(the_curve(editor));
             assert_true(fabs(now[4] - 312) < 0.02 && fabs(now[5] - 327) < 0.02);

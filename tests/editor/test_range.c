@@ -4,22 +4,15 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/editor.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
 static const bat_curve *curve_at(const bat_editor *editor, int index) {
     return bat_object_curve(bat_document_at(bat_editor_document(editor), index), 0);
-}
-
-static void check(bat_editor *editor) {
-    bat_editor_frame(editor);
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
 }
 
 /* Presses a key some times, as a keyboard does; the last answer. */
@@ -28,27 +21,10 @@ static bool keys(bat_editor *editor, const char *key, uint32_t modifiers, int ti
     for (int i = 0; i < times; i++) {
         used = bat_editor_key(editor, key, true, modifiers, 1000);
         bat_editor_key(editor, key, false, modifiers, 1000);
+        bat_editor_frame(editor);
         check(editor);
     }
     return used;
-}
-
-static void round_trip(bat_editor *editor, uint64_t first) {
-    uint64_t last = digest(editor);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor_create(&again);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == last);
-    bat_editor_free(again);
-    while (bat_editor_command(editor, "undo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == first);
-    while (bat_editor_command(editor, "redo") == BAT_OK) check(editor);
-    assert_true(digest(editor) == last);
-    bat_editor_free(editor);
 }
 
 /* The value that the range shows: its length, to four figures. */
@@ -84,10 +60,7 @@ static bat_editor *ring_editor(void) {
     bat_document_create(&document);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, ring());
-    bat_editor_create(&editor);
-    bat_editor_resize(editor, 1000, 800, 1);
-    bat_editor_open(editor, document, "test");
-    bat_editor_command(editor, "zoom-100");
+    editor = editor_of(document);
     return editor;
 }
 
@@ -202,6 +175,7 @@ static void redraws_a_range(void **state) {
     assert_true(nearest(now, 500, 200) > 30);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_CHOSEN)); /* done */
     round_trip(editor, first);
+    bat_editor_free(editor);
 }
 
 /* Waypoints that nobody has moved redraw the stretch as it is. */
@@ -244,6 +218,7 @@ static void redraws_over_the_seam(void **state) {
     assert_true(same > 4 && same < 60);
     bat_curve_free(was);
     round_trip(editor, first);
+    bat_editor_free(editor);
 }
 
 static void waypoints_are_added_and_taken_out(void **state) {
@@ -286,6 +261,7 @@ static void draws_a_curve_by_keys(void **state) {
     assert_true(nearest(made, 700, 300) < 1.5);
     assert_false(bat_curve_is_closed(made));
     round_trip(editor, first);
+    bat_editor_free(editor);
 }
 
 /* One place is no line; Escape leaves nothing behind; the last point put is taken back. */
@@ -335,6 +311,7 @@ static void begins_a_spline_by_keys(void **state) {
         spline = bat_object_spline(bat_document_at(bat_editor_document(editor), 2));
         assert_float_equal(spline->points[0], 501, 1e-9);
         round_trip(editor, first);
+        bat_editor_free(editor);
     }
 }
 
@@ -359,6 +336,7 @@ static void rubs_out_a_range(void **state) {
         assert_float_equal(b[0], 600, 1e-6);
         assert_float_equal(a[1], 200, 1e-9);
         round_trip(editor, first);
+        bat_editor_free(editor);
     }
     bat_editor *editor = ring_editor();
     uint64_t first = digest(editor);
@@ -372,6 +350,7 @@ static void rubs_out_a_range(void **state) {
     assert_false(bat_curve_is_closed(curve_at(editor, 0)));
     assert_float_equal(bat_curve_length(curve_at(editor, 0), domain[0], domain[1], 1e-9), left, 0.1);
     round_trip(editor, first);
+    bat_editor_free(editor);
 }
 
 static double trembling(const bat_curve *curve, double from, double to) {
@@ -419,6 +398,7 @@ static void smooths_a_range(void **state) {
         assert_true(moved / 100 < before / 2);
         bat_curve_free(old);
         round_trip(editor, first);
+        bat_editor_free(editor);
     }
 }
 
@@ -447,6 +427,7 @@ static void scales_and_turns_the_selection(void **state) {
     assert_true(keys(editor, "Tab", 0, 1));
     assert_false(keys(editor, "Tab", 0, 1)); /* no trap */
     round_trip(editor, first);
+    bat_editor_free(editor);
 }
 
 /* A pen that comes down takes over; undo takes the curve from under the range. */
@@ -458,6 +439,7 @@ static void the_pen_takes_over(void **state) {
     keys(editor, "r", 0, 1);
     keys(editor, "Enter", 0, 1);
     pen_line(&p, 300, 400, 500, 380, 20);
+    bat_editor_frame(editor);
     check(editor);
     assert_int_equal(count(editor), 3);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_CHOSEN));
@@ -465,9 +447,11 @@ static void the_pen_takes_over(void **state) {
     keys(editor, "Enter", 0, 1);
     keys(editor, "z", BAT_CTRL, 2);
     assert_true(digest(editor) == first);
+    bat_editor_frame(editor);
     check(editor);
     keys(editor, "r", 0, 1);
     bat_editor_key(editor, "+", true, 0, 0);
+    bat_editor_frame(editor);
     check(editor);
     keys(editor, "Enter", 0, 1);
     bat_editor_key(editor, "+", true, 0, 0); /* another view: the stroke is another */
@@ -475,6 +459,7 @@ static void the_pen_takes_over(void **state) {
     bat_document *empty = NULL;
     bat_document_create(&empty);
     bat_editor_open(editor, empty, "");
+    bat_editor_frame(editor);
     check(editor);
     assert_false(keys(editor, "r", 0, 1));
     bat_editor_free(editor);
@@ -524,8 +509,10 @@ static void wild_keys(void **state) {
             keys(editor, all[k].key, all[k].modifiers, 1);
         }
         keys(editor, "Escape", 0, 3);
-        while (bat_editor_command(editor, "redo") == BAT_OK) check(editor);
+        while (bat_editor_command(editor, "redo") == BAT_OK) bat_editor_frame(editor);
+        check(editor);
         round_trip(editor, first);
+        bat_editor_free(editor);
     }
 }
 

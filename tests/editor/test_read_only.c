@@ -6,8 +6,7 @@
 #include <cmocka.h>
 #include "support/session.h"
 #include <batten/editor.h>
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+#include "support/editing.h"
 
 static size_t journal_size(const bat_editor *editor) {
     size_t size = 0;

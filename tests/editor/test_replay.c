@@ -6,12 +6,10 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/base.h>
 #include <batten/document.h>
 #include <batten/editor.h>
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static bat_status replay(bat_editor *editor, const char *text, bat_problem *problem) {
     return bat_editor_replay(editor, text, strlen(text), true, problem);

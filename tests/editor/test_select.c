@@ -11,9 +11,13 @@
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+static void drag_holding(pen *p, double x0, double y0, double x1, double y1, uint32_t modifiers) {
+    p->modifiers = modifiers;
+    drag(p, x0, y0, x1, y1);
+    p->modifiers = 0;
+}
 
 static bat_editor *select_editor(void) {
     bat_editor *editor = pen_editor(); /* lines 1 (y = 200) and 2 (y = 600), x 200 to 800 */
@@ -32,19 +36,6 @@ static void click(pen *p, double x, double y, uint32_t modifiers) {
     pen_event(p, BAT_POINTER_HOVER, x, y);
     pen_event(p, BAT_POINTER_DOWN, x, y);
     pen_event(p, BAT_POINTER_UP, x, y);
-    p->modifiers = 0;
-    assert_null(bat_editor_check(p->editor));
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1, uint32_t modifiers) {
-    p->modifiers = modifiers;
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    for (int i = 1; i <= 8; i++) {
-        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 8, y0 + (y1 - y0) * i / 8);
-        if (i % 3 == 0) bat_editor_frame(p->editor);
-        assert_null(bat_editor_check(p->editor));
-    }
-    pen_event(p, BAT_POINTER_UP, x1, y1);
     p->modifiers = 0;
     assert_null(bat_editor_check(p->editor));
 }
@@ -125,11 +116,11 @@ static void marquee_selects_what_it_touches(void **state) {
     (void)state;
     bat_editor *editor = select_editor();
     pen p = mouse(editor);
-    drag(&p, 300, 100, 350, 300, 0); /* crosses the first */
+    drag_holding(&p, 300, 100, 350, 300, 0); /* crosses the first */
     assert_true(selected(editor) == 1 && has(editor, 1));
-    drag(&p, 810, 700, 100, 500, BAT_SHIFT); /* holds the second */
+    drag_holding(&p, 810, 700, 100, 500, BAT_SHIFT); /* holds the second */
     assert_int_equal(selected(editor), 2);
-    drag(&p, 300, 300, 350, 500, 0); /* in between */
+    drag_holding(&p, 300, 300, 350, 500, 0); /* in between */
     assert_int_equal(selected(editor), 0);
     pen_event(&p, BAT_POINTER_DOWN, 300, 100);
     pen_event(&p, BAT_POINTER_MOVE, 350, 300);
@@ -185,10 +176,10 @@ static void drags_move(void **state) {
     bat_editor *editor = select_editor();
     pen p = mouse(editor);
     uint64_t first = digest(editor);
-    drag(&p, 500, 200, 530, 260, 0); /* a drag selects what it takes hold of */
+    drag_holding(&p, 500, 200, 530, 260, 0); /* a drag selects what it takes hold of */
     assert_true(selected(editor) == 1 && has(editor, 1));
     expect_box(editor, 1, 230, 260, 830, 260);
-    drag(&p, 500, 260, 502, 290, BAT_SHIFT);
+    drag_holding(&p, 500, 260, 502, 290, BAT_SHIFT);
     expect_box(editor, 1, 230, 290, 830, 290);
     assert_false(editor->session.transaction.open);
     assert_int_equal(editor->session.history.done, 2);
@@ -217,35 +208,35 @@ static void handles_scale_and_rotate(void **state) {
     pen p = mouse(editor);
     uint64_t first = digest(editor);
     bat_editor_command(editor, "select-all"); /* box 200 200 800 600 */
-    drag(&p, 800, 600, 500, 400, 0);
+    drag_holding(&p, 800, 600, 500, 400, 0);
     expect_box(editor, 1, 200, 200, 500, 200);
     expect_box(editor, 2, 200, 400, 500, 400);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
-    drag(&p, 800, 600, 500, 580, BAT_SHIFT); /* the greater factor leads: y, 0.95 */
+    drag_holding(&p, 800, 600, 500, 580, BAT_SHIFT); /* the greater factor leads: y, 0.95 */
     expect_box(editor, 1, 200, 200, 770, 200);
     expect_box(editor, 2, 200, 580, 770, 580);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
-    drag(&p, 800, 600, 650, 500, BAT_ALT);
+    drag_holding(&p, 800, 600, 650, 500, BAT_ALT);
     expect_box(editor, 1, 350, 300, 650, 300);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
-    drag(&p, 800, 400, 500, 450, 0); /* the right side: x alone */
+    drag_holding(&p, 800, 400, 500, 450, 0); /* the right side: x alone */
     expect_box(editor, 2, 200, 600, 500, 600);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
-    drag(&p, 200, 200, 1000, 200, 0); /* through the other side: mirrored */
+    drag_holding(&p, 200, 200, 1000, 200, 0); /* through the other side: mirrored */
     expect_box(editor, 1, 800, 200, 1000, 200);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
     /* The rotation handle is above the middle of the top; about the middle (500, 400). */
-    drag(&p, 500, 174, 730, 400, BAT_SHIFT);
+    drag_holding(&p, 500, 174, 730, 400, BAT_SHIFT);
     expect_box(editor, 1, 700, 100, 700, 700);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "select-all");
     double away = 226, angle = 0.3; /* 17.2 degrees snap to 15 */
-    drag(&p, 500, 174, 500 + away * sin(angle), 400 - away * cos(angle), BAT_SHIFT);
+    drag_holding(&p, 500, 174, 500 + away * sin(angle), 400 - away * cos(angle), BAT_SHIFT);
     double c = cos(acos(-1) / 12), s = sin(acos(-1) / 12), box[4];
     box_of(editor, 1, box);
     assert_true(fabs(box[2] - box[0] - 600 * c) < 1e-9 && fabs(box[3] - box[1] - 600 * s) < 1e-9);
@@ -684,7 +675,7 @@ static void alt_drags_a_copy(void **state) {
     bat_editor_free(editor);
 }
 
-static void tap(pen *p, double x, double y) {
+static void tap_place(pen *p, double x, double y) {
     double at[2];
     bat_view_to_screen(&p->editor->stage.view, (double[]){x, y}, at);
     pen_event(p, BAT_POINTER_DOWN, at[0], at[1]);
@@ -702,19 +693,19 @@ static void double_click_enters(void **state) {
     bat_editor_command(editor, "group");
     bat_id group = editor->choice.selection.ids[0];
     bat_editor_command(editor, "deselect");
-    tap(&p, 400, 200);
+    tap_place(&p, 400, 200);
     assert_true(bat_selection_has(&editor->choice.selection, group) && !editor->choice.entered);
     p.time += 1000;
-    tap(&p, 400, 200); /* too late to be a double click */
+    tap_place(&p, 400, 200); /* too late to be a double click */
     assert_true(!editor->choice.entered);
-    tap(&p, 400, 200);
+    tap_place(&p, 400, 200);
     assert_true(editor->choice.entered == group && editor->choice.selection.count == 1);
     bat_id first = editor->choice.selection.ids[0];
     assert_true(first != group);
     assert_true(bat_object_parent(bat_document_at(
                     editor->session.document, bat_document_find(editor->session.document, first))) == group);
     p.time += 1000;
-    tap(&p, 400, 600);
+    tap_place(&p, 400, 600);
     assert_true(editor->choice.selection.count == 1 && editor->choice.selection.ids[0] != first &&
                 editor->choice.entered == group);
     bat_editor_command(editor, "select-all");
@@ -724,17 +715,17 @@ static void double_click_enters(void **state) {
     assert_true(!editor->choice.entered && bat_selection_has(&editor->choice.selection, group));
     p.time += 1000;
     bat_editor_command(editor, "deselect");
-    tap(&p, 400, 200);
-    tap(&p, 400, 200);
+    tap_place(&p, 400, 200);
+    tap_place(&p, 400, 200);
     assert_true(editor->choice.entered == group);
     p.time += 1000;
-    tap(&p, 400, 400); /* nothing there */
+    tap_place(&p, 400, 400); /* nothing there */
     assert_true(!editor->choice.entered && !editor->choice.selection.count);
     /* What is gone cannot be in force. */
-    tap(&p, 400, 200);
+    tap_place(&p, 400, 200);
     p.time += 1000;
-    tap(&p, 400, 200);
-    tap(&p, 400, 200);
+    tap_place(&p, 400, 200);
+    tap_place(&p, 400, 200);
     assert_true(editor->choice.entered == group);
     bat_editor_command(editor, "undo");
     assert_true(!editor->choice.entered);

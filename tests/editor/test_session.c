@@ -8,8 +8,7 @@
 #include "support/session.h"
 #include <batten/document.h>
 #include <batten/editor.h>
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+#include "support/editing.h"
 
 static void fill(uint8_t *bytes, size_t size, uint64_t seed) {
     for (size_t i = 0; i < size; i++) {
@@ -18,7 +17,7 @@ static void fill(uint8_t *bytes, size_t size, uint64_t seed) {
     }
 }
 
-static void check(const bat_editor *editor, uint64_t seed, size_t at) {
+static void check_at(const bat_editor *editor, uint64_t seed, size_t at) {
     const char *wrong = bat_editor_check(editor);
     if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, at, wrong);
 }
@@ -53,7 +52,7 @@ static int wild_session(bat_editor *editor, uint64_t seed) {
     double time = 0;
     while (bytes.at < bytes.size) {
         session_event(editor, &bytes, &time);
-        check(editor, seed, bytes.at);
+        check_at(editor, seed, bytes.at);
     }
     settle(editor);
     uint64_t last = digest(editor);
@@ -82,11 +81,11 @@ static int wild_session(bat_editor *editor, uint64_t seed) {
         if (undone == back) assert_true(digest(editor) == here);
     }
     assert_true(digest(editor) == first);
-    check(editor, seed, 0);
+    check_at(editor, seed, 0);
     while (bat_editor_command(editor, "redo") == BAT_OK) {
     }
     assert_true(digest(editor) == top);
-    check(editor, seed, 0);
+    check_at(editor, seed, 0);
     bat_editor_free(editor);
     return commits;
 }
@@ -107,11 +106,11 @@ static void ids_run_out(void **state) {
     int count = bat_document_count(bat_editor_document(editor));
     for (int i = 0; i < 4; i++) pen_line(&p, 300, 350 + 40 * i, 700, 350 + 40 * i, 5);
     assert_int_equal(bat_document_count(bat_editor_document(editor)), count + 2);
-    check(editor, 0, 0);
+    check_at(editor, 0, 0);
     assert_true(*bat_editor_frame(editor)->notice); /* it is said */
     pen_line(&p, 300, 205, 700, 205, 0);            /* a curve that is there can be redrawn */
     assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
-    check(editor, 0, 0);
+    check_at(editor, 0, 0);
     bat_editor_free(editor);
 }
 

@@ -4,20 +4,14 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/editor.h>
 #include <batten/nearest.h>
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
 static bool journal_has(const bat_editor *editor, const char *text) {
     return strstr(bat_editor_journal(editor, NULL), text) != NULL;
-}
-
-static void check(const bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
 }
 
 static void hover_lights_the_curve_up(void **state) {

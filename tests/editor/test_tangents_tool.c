@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include "support/session.h"
 #include <batten/bezier.h>
 #include "editor/tools/tangents/state.h"
@@ -32,35 +32,6 @@ static const bat_frame *show(bat_editor *editor) {
     return frame;
 }
 
-/* Far apart in time, so that two taps at one place are two taps. */
-static void tap(pen *p, double x, double y) {
-    p->time += 1000;
-    pen_event(p, BAT_POINTER_HOVER, x, y);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_DOWN, x, y);
-    sound(p->editor);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_UP, x, y);
-    show(p->editor);
-}
-
-static void drag_begin(pen *p, double x0, double y0, double x1, double y1) {
-    p->time += 1000;
-    pen_event(p, BAT_POINTER_HOVER, x0, y0);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    for (int i = 1; i <= 10; i++) {
-        pen_event(p, BAT_POINTER_MOVE, x0 + (x1 - x0) * i / 10, y0 + (y1 - y0) * i / 10);
-        show(p->editor);
-    }
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    drag_begin(p, x0, y0, x1, y1);
-    pen_event(p, BAT_POINTER_UP, x1, y1);
-    show(p->editor);
-}
-
 static void twice(pen *p, double x, double y) {
     tap(p, x, y);
     p->time += 100;
@@ -82,8 +53,6 @@ static const bat_object *newest(const bat_editor *editor) {
     return bat_document_at(bat_editor_document(editor), objects(editor) - 1);
 }
 static const bat_spline *spline_of(const bat_editor *editor) { return bat_object_spline(newest(editor)); }
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
-
 /* A zigzag of four points, y 300 and 500, placed and ended. */
 static void four_points(pen *p) {
     for (int i = 0; i < 4; i++) tap(p, 200 + 150 * i, i % 2 ? 500 : 320);
@@ -230,7 +199,7 @@ static void the_arrow_turns_the_direction(void **state) {
         double d[2], start[2];
         bat_splining_direction(spline_of(editor), before, 2, d);
         for (int k = 0; k < 2; k++) start[k] = (k ? 320 : 400) + 44 * d[k];
-        drag_begin(&p, start[0], start[1], x, y);
+        drag_to(&p, start[0], start[1], x, y);
         const bat_frame *frame = show(editor);
         assert_true(frame->busy);
         assert_non_null(pen_live(frame, BAT_ROLE_WEDGE));
@@ -338,7 +307,7 @@ static void cancel_changes_nothing(void **state) {
     uint64_t before = digest(editor);
     size_t size, later;
     bat_editor_journal(editor, &size);
-    drag_begin(&p, 350, 500, 380, 540);
+    drag_to(&p, 350, 500, 380, 540);
     assert_true(digest(editor) != before); /* the drag shows */
     assert_true(key(editor, "Escape", 0));
     assert_true(digest(editor) == before);

@@ -5,11 +5,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include "editor/show/handles.h"
 #include "editor/tools/points.h"
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static void touch(bat_editor *editor, bat_device device, bat_pointer_phase phase, uint32_t contact, double x,
                   double y, double time) {
@@ -27,7 +25,7 @@ static void touch(bat_editor *editor, bat_device device, bat_pointer_phase phase
 }
 
 /* So many fingers down from `time` on, 15 ms apart, each moved by `travel`, up after `hold` ms. */
-static void tap(bat_editor *editor, int fingers, double time, double hold, double travel) {
+static void tap_of(bat_editor *editor, int fingers, double time, double hold, double travel) {
     for (int i = 0; i < fingers; i++)
         touch(editor, BAT_DEVICE_TOUCH, BAT_POINTER_DOWN, (uint32_t)i + 10, 300 + 90 * i, 400, time + 15 * i);
     bat_editor_frame(editor);
@@ -62,11 +60,11 @@ static void two_undo_and_three_redo(void **state) {
             bat_editor_command(editor, tools[i]);
             double view[4];
             memcpy(view, bat_editor_frame(editor)->view, sizeof view);
-            tap(editor, 2, 5000, 120, 3);
+            tap_of(editor, 2, 5000, 120, 3);
             assert_true(digest(editor) == plain);
-            tap(editor, 3, 6000, 180, 3);
+            tap_of(editor, 3, 6000, 180, 3);
             assert_true(digest(editor) == drawn);
-            tap(editor, 3, 7000, 180, 3); /* nothing to do again */
+            tap_of(editor, 3, 7000, 180, 3); /* nothing to do again */
             assert_true(digest(editor) == drawn);
             assert_memory_equal(view, bat_editor_frame(editor)->view, sizeof view); /* not a pixel */
             assert_false(bat_editor_frame(editor)->busy);
@@ -84,7 +82,7 @@ static void what_is_no_tap(void **state) {
     for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
         uint64_t drawn, plain;
         bat_editor *editor = with_a_stroke(&drawn, &plain);
-        tap(editor, none[i].fingers, 5000, none[i].hold, none[i].travel);
+        tap_of(editor, none[i].fingers, 5000, none[i].hold, none[i].travel);
         assert_true(digest(editor) == drawn);
         bat_editor_free(editor);
     }
@@ -175,15 +173,15 @@ static void a_hand_beside_the_pen_is_none(void **state) {
     pen p = pen_for(editor);
     p.time = 5000;
     pen_begin(&p, pen_arch, (double[]){350, 600, 650, 600, 30}, 30);
-    tap(editor, 2, p.time, 100, 0);
+    tap_of(editor, 2, p.time, 100, 0);
     assert_true(digest(editor) == drawn && bat_editor_frame(editor)->busy);
     for (int i = 0; i < 5; i++) pen_event(&p, BAT_POINTER_MOVE, 650 + i, 600);
     pen_event(&p, BAT_POINTER_UP, 655, 600);
     uint64_t both = digest(editor);
     assert_true(both != drawn);
-    tap(editor, 2, p.time + 300, 100, 0);
+    tap_of(editor, 2, p.time + 300, 100, 0);
     assert_true(digest(editor) == both);
-    tap(editor, 2, p.time + 1300, 100, 0);
+    tap_of(editor, 2, p.time + 1300, 100, 0);
     assert_true(digest(editor) == drawn);
     bat_editor_free(editor);
 }
@@ -198,8 +196,8 @@ static void a_stroke_is_never_ended_by_a_tap(void **state) {
     p.device = BAT_DEVICE_TOUCH;
     p.time = 5000;
     pen_begin(&p, pen_arch, (double[]){350, 600, 650, 600, 30}, 90);
-    tap(editor, 2, p.time, 100, 0);
-    tap(editor, 3, p.time + 150, 100, 0);
+    tap_of(editor, 2, p.time, 100, 0);
+    tap_of(editor, 3, p.time + 150, 100, 0);
     assert_true(digest(editor) == drawn && bat_editor_frame(editor)->busy);
     pen_event(&p, BAT_POINTER_UP, 650, 600);
     assert_true(digest(editor) != drawn && digest(editor) != plain);
@@ -225,10 +223,10 @@ static void a_pending_fit_goes_first(void **state) {
     }
     pen_event(&p, BAT_POINTER_UP, 550, 400);
     assert_true(bat_editor_frame(editor)->pending);
-    tap(editor, 2, p.time + 2000, 120, 0);
+    tap_of(editor, 2, p.time + 2000, 120, 0);
     assert_false(bat_editor_frame(editor)->pending);
     assert_true(digest(editor) == drawn);
-    tap(editor, 2, p.time + 4000, 120, 0);
+    tap_of(editor, 2, p.time + 4000, 120, 0);
     assert_true(digest(editor) == plain);
     bat_editor_free(editor);
 }

@@ -7,10 +7,8 @@
 #include <cmocka.h>
 #include "editor/editor.h"
 #include "support/alloc_fail.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include "support/pictures.h"
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static const bat_object *last(const bat_editor *editor) {
     return bat_document_at(bat_editor_document(editor), 0);
@@ -26,16 +24,6 @@ static int times(const char *text, const char *what) {
     int count = 0;
     for (const char *at = text; (at = strstr(at, what)); at++) count++;
     return count;
-}
-
-static void drag(pen *p, double x0, double y0, double x1, double y1) {
-    pen_event(p, BAT_POINTER_HOVER, x0, y0);
-    pen_event(p, BAT_POINTER_DOWN, x0, y0);
-    pen_event(p, BAT_POINTER_MOVE, x0 + 10, y0);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_MOVE, x1, y1);
-    bat_editor_frame(p->editor);
-    pen_event(p, BAT_POINTER_UP, x1, y1);
 }
 
 /* In the middle of an 800 x 600 view, four fifths of it at most; small ones pixel by pixel. */

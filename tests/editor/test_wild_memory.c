@@ -8,8 +8,7 @@
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/wild.h"
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+#include "support/editing.h"
 
 static void must_be_sound(const bat_editor *editor, uint64_t seed, size_t at) {
     const char *wrong = bat_editor_check(editor);
