@@ -6,7 +6,7 @@
  * remainder, fmin, fmax, copysign, frexp, ldexp, nextafter.
  *
  * Special values (NaN, infinities, signed zeros, domain errors) are as in C17 annex F. Errors are measured in
- * units in the last place against long double by tests/curve/test_real.c.
+ * units in the last place against long double by tests/base/test_real.c.
  */
 #ifndef BATTEN_BASE_REAL_H
 #define BATTEN_BASE_REAL_H

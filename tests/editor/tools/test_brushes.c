@@ -30,7 +30,7 @@ static bat_curve *ring(void) {
 static bat_editor *brush_with(bat_curve *curve, const char *tool) {
     bat_editor *editor = editor_with(2, (bat_curve *[]){curve, ring()});
     bat_editor_set(editor, "pressure",
-                   0); /* all of the reach, always: tests/editor/test_pressure.c has the rest */
+                   0); /* all of the reach, always: tests/editor/input/test_pressure.c has the rest */
     bat_editor_command(editor, tool);
     return editor;
 }
