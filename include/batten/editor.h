@@ -307,7 +307,8 @@ typedef struct bat_frame {
     uint32_t tool;                      /* index into the tables' tools */
     uint32_t knots_before, knots_after; /* while drawing; 0, 0: not */
     uint32_t busy;                      /* a stroke or a drag is under way */
-    uint32_t pending;                   /* a fit waits for yes (command "accept") or no ("cancel") */
+    uint32_t pending; /* 1: a fit waits for yes (command "accept") or no ("cancel"); 2: what is made goes on with every
+                       * press, until "accept" ends it */
     double error;                       /* of the fit shown, document units; 0 when there is none */
     double tolerance;                   /* document units */
     const char *hint;                   /* one line on what the pen would do; UTF-8 */

@@ -65,6 +65,22 @@ static void cancel_uncommitted(bat_context *c) {
         cancel_tool(c);
 }
 
+/* What the button on a pen's barrel does, held as the pen comes down. */
+enum { BARREL_SMOOTHS, BARREL_PANS, BARREL_IS_NOTHING };
+static bool barrel_is(const bat_context *c, const bat_pointer *event, int way) {
+    return event->device == BAT_DEVICE_PEN && event->buttons & BAT_BUTTON_SECONDARY &&
+           c->settings->values[BAT_PROPERTY_BARREL_BUTTON] == way;
+}
+
+/* Until it lifts, the pen is another tool. */
+static void turn(bat_context *c, unsigned trait) {
+    bat_range_end(c);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    cancel_uncommitted(c);
+    if (tool->is->leave) tool->is->leave(c, tool->state);
+    c->input->brush = trait;
+}
+
 /* What a contact that comes down is to do; may end what the tool does. */
 static bat_duty assign(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
@@ -94,17 +110,13 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
         return BAT_DUTY_NAVIGATE;
     }
     if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && only_pens)) return BAT_DUTY_NAVIGATE;
-    if (event->buttons & BAT_BUTTON_ERASER) {
-        bat_range_end(c);
-        const bat_slot *tool = bat_toolbox_tool(c);
-        cancel_uncommitted(c);
-        if (tool->is->leave) tool->is->leave(c, tool->state);
-        c->input->erasing = true;
+    if (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS)) {
+        turn(c, event->buttons & BAT_BUTTON_ERASER ? BAT_ERASES : BAT_SMOOTHS);
         return BAT_DUTY_TOOL;
     }
     if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
         return BAT_DUTY_TOOL;
-    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE ||
+    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || barrel_is(c, event, BARREL_PANS) ||
         bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)
         return BAT_DUTY_NAVIGATE;
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
@@ -176,12 +188,12 @@ static void predict(bat_context *c, const bat_pointer *event, int index) {
     tool->is->move(c, tool->state, &bound);
 }
 
-/* The pen's other end is lifted: the tool is the chosen one again. */
+/* It is lifted: the tool is the chosen one again. */
 static void turn_back(bat_context *c) {
-    if (!c->input->erasing) return;
+    if (!c->input->brush) return;
     const bat_slot *tool = bat_toolbox_tool(c);
     if (tool->is->leave) tool->is->leave(c, tool->state);
-    c->input->erasing = false;
+    c->input->brush = 0;
 }
 
 static void end(bat_context *c, const bat_pointer *event, int index) {

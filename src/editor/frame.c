@@ -32,7 +32,7 @@ static const char *hint(bat_context *c) {
 }
 
 static void drawing(const bat_readout *made, bat_frame *frame) {
-    frame->pending = made->waits;
+    frame->pending = made->waits ? 1 : made->goes_on ? 2 : 0;
     if (!made->report) return;
     frame->knots_before = (uint32_t)made->report->knots_before;
     frame->knots_after = (uint32_t)made->report->knots_after;

@@ -212,9 +212,11 @@ export class Hand {
    * A stroke through window positions, samples `step` pixels apart, 4 ms each. Sent without waiting for each other,
    * as a tablet sends them. `lift`: false leaves the pen down. `during` runs while it is still down; `end`: where it is then.
    */
-  async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null, end = points.at(-1) } = {}) {
+  async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null, end = points.at(-1),
+    button = 'left' } = {}) {
     const dense = densify(points, step);
-    const pen = (force) => ({ pointerType, button: 'left', buttons: 1, force, tiltX: 20, tiltY: 10, modifiers });
+    const buttons = button === 'left' ? 1 : 2;
+    const pen = (force) => ({ pointerType, button, buttons, force, tiltX: 20, tiltY: 10, modifiers });
     const sent = [];
     await this.#mouse('mouseMoved', dense[0], { pointerType, button: 'none', buttons: 0, modifiers });
     sent.push(this.#mouse('mousePressed', dense[0], { ...pen(0.3), clickCount: 1 }));

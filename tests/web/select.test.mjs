@@ -131,6 +131,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.waitForSelector('#actions:not([hidden])');
     const one = await shown();
     assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
+    assert.equal(one.at(-1), 'delete');
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions-one.png`) });
     await page.focus('#stage');
     await page.keyboard.press('Control+a');

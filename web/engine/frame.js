@@ -55,7 +55,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     tool: word('frame.tool'),
     knotsBefore: word('frame.knots_before'),
     knotsAfter: word('frame.knots_after'),
-    pending: word('frame.pending') !== 0,
+    pending: word('frame.pending'),
     busy: word('frame.busy') !== 0,
     error: double('frame.error'),
     tolerance: double('frame.tolerance'),

@@ -81,7 +81,7 @@
  * @property {number} tool
  * @property {number} knotsBefore
  * @property {number} knotsAfter
- * @property {boolean} pending a fit waits for a yes or a no
+ * @property {number} pending 1: a fit waits for a yes or a no; 2: what is made goes on until a yes; 0: neither
  * @property {boolean} busy a stroke or a drag is under way
  * @property {number} error of the fit shown, document units; 0: there is none
  * @property {number} tolerance document units

@@ -59,15 +59,15 @@ export class Foot {
     return text;
   }
 
-  /** A fit that misses the tolerance waits for a yes or a no; a pen has no Enter key. */
+  /** A fit that misses the tolerance waits for a yes or a no, what is made of many presses for its end; a pen has no Enter key. */
   #fillPending() {
     part('first').querySelector('button')?.addEventListener('click', () => {
       this.engine.set('first-hints', 3);
       this.controls.wake();
     });
-    for (const name of ['accept', 'cancel']) {
-      part('pending').append(this.buttons.word(name));
-    }
+    const done = tell(this.buttons.word('accept'), { text: 'shell.done', help: '' });
+    this.pending = [done, this.buttons.word('accept'), this.buttons.word('cancel')];
+    part('pending').append(...this.pending);
   }
 
   /** @param {Frame} frame @param {string} reach the tolerance, in the drawing @param {string | null} values null: they still run */
@@ -82,8 +82,11 @@ export class Foot {
       hint.hidden = !(frame.first >> i & 1);
     });
     part('pending').hidden = !frame.pending;
+    this.pending.forEach((button, i) => {
+      button.hidden = frame.pending !== (i ? 1 : 2);
+    });
     const missed = frame.error > 0 ? word('shell.missed-by', short(frame.error)) : word('shell.missed');
-    part('pending-text').textContent = frame.pending ? missed : '';
+    part('pending-text').textContent = frame.pending === 1 ? missed : '';
     /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     this.knots.textContent = `${before}${frame.knotsAfter}`;

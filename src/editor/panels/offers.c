@@ -43,6 +43,7 @@ static bat_status find(const bat_context *c, facts *f) {
 
 static bool possible(const facts *f, bat_command_id id, bool point) {
     switch (id) {
+    case BAT_COMMAND_DELETE:
     case BAT_COMMAND_ORDER_FRONT:
     case BAT_COMMAND_ORDER_FORWARD:
     case BAT_COMMAND_ORDER_BACKWARD:

@@ -179,6 +179,12 @@ static bool busy(const bat_context *c, const void *state) {
     return ((const lining *)state)->pressed;
 }
 
+static void readout(const bat_context *c, const void *state, bat_readout *out) {
+    (void)c;
+    const lining *l = state;
+    out->goes_on = l->placed && !l->pressed;
+}
+
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     lining *l = state;
     settle(c, l);
@@ -217,6 +223,7 @@ const bat_tool *bat_tool_line(void) {
                                   .busy = busy,
                                   .overlay = overlay,
                                   .hint = hint,
+                                  .readout = readout,
                                   .check = check};
     return &tool;
 }

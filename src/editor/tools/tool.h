@@ -18,6 +18,7 @@ typedef struct bat_readout {
     const bat_curve *curve;          /* as it would be; NULL: nothing to show */
     const bat_sketch_report *report; /* of its fit; NULL: none */
     bool waits;                      /* it waits for a yes */
+    bool goes_on;                    /* it is made piece by piece, until a yes ends it */
 } bat_readout;
 
 /* A stretch of a curve; closed curves: u[1] may lie in the next period. */

@@ -39,7 +39,7 @@ const bat_slot *bat_toolbox_tool(const bat_context *c) {
     const bat_slot *slots = c->toolbox->slots;
     for (int i = BAT_TOOL_COUNT; i < BAT_SLOTS; i++)
         if (slots[i].is->on(slots[i].state)) return &slots[i];
-    return c->input->erasing ? bat_toolbox_that(c, BAT_ERASES) : bat_toolbox_chosen(c);
+    return c->input->brush ? bat_toolbox_that(c, c->input->brush) : bat_toolbox_chosen(c);
 }
 
 const bat_slot *bat_toolbox_chosen(const bat_context *c) { return &c->toolbox->slots[c->choice->tool]; }
@@ -138,7 +138,8 @@ void bat_toolbox_interrupt(bat_context *c) {
     let_go(c);
     bat_toolbox_end_modes(c);
     bat_toolbox_leave(c);
-    c->input->erasing = c->input->calming = false;
+    c->input->brush = 0;
+    c->input->calming = false;
     c->input->contacts.count = 0;
     c->input->holding_pan = false;
 }

@@ -166,6 +166,41 @@ static void eraser_end_of_the_pen(void **state) {
     }
 }
 
+/* The button on its barrel, held as it comes down, smooths with any tool that does not navigate, or moves the view, or does nothing. */
+static void barrel_of_the_pen(void **state) {
+    (void)state;
+    for (uint32_t tip = 0; tip <= BAT_BUTTON_PRIMARY; tip++) /* some tablets tell of the tip besides */
+        for (int way = 0; way < 3; way++) {
+            bat_editor *editor = brush_editor("tool-points");
+            pen p = pen_for(editor);
+            uint64_t first = digest(editor);
+            double x = bat_editor_frame(editor)->view[0];
+            uint32_t tool = bat_editor_frame(editor)->tool;
+            assert_int_equal(bat_editor_set(editor, "barrel-button", way), BAT_OK);
+            p.buttons = BAT_BUTTON_SECONDARY | tip;
+            pen_event(&p, BAT_POINTER_DOWN, 480, 100);
+            for (int i = 0; i <= 20; i++) pen_event(&p, BAT_POINTER_MOVE, 440 + 4 * i, 200);
+            assert_int_equal(pen_live(bat_editor_frame(editor), BAT_ROLE_REACH) != NULL, way == 0);
+            check(editor);
+            pen_event(&p, BAT_POINTER_UP, 520, 200);
+            check(editor);
+            const bat_frame *frame = bat_editor_frame(editor);
+            assert_int_equal(frame->tool, tool);
+            if (way == 0) assert_true(frame->view[0] == x);
+            if (way == 1) assert_true(fabs(frame->view[0] - x) > 30 && digest(editor) == first);
+            if (way == 2) assert_true(frame->view[0] == x && (tip || digest(editor) == first));
+            bat_editor_free(editor);
+        }
+    /* A mouse's second button is none of it. */
+    bat_editor *editor = brush_editor("tool-sketch");
+    pen p = pen_for(editor);
+    p.device = BAT_DEVICE_MOUSE, p.buttons = BAT_BUTTON_SECONDARY;
+    pen_event(&p, BAT_POINTER_DOWN, 480, 200);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_REACH));
+    pen_event(&p, BAT_POINTER_UP, 480, 200);
+    bat_editor_free(editor);
+}
+
 /* Integral of the squared curvature: what fairing lowers. */
 static double roughness(const bat_curve *curve, double x0, double x1) {
     double domain[2], sum = 0;
@@ -344,6 +379,7 @@ int main(void) {
         cmocka_unit_test(eraser_opens_a_closed_curve_and_takes_all),
         cmocka_unit_test(eraser_over_the_seam),
         cmocka_unit_test(eraser_end_of_the_pen),
+        cmocka_unit_test(barrel_of_the_pen),
         cmocka_unit_test(brush_fairs_within_its_limit),
         cmocka_unit_test(calming_keeps_the_tolerance),
         cmocka_unit_test(calming_the_selection),

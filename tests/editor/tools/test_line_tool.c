@@ -90,6 +90,23 @@ static void clicks(void **state) {
     bat_editor_free(editor);
 }
 
+static void done_ends_it(void **state) {
+    (void)state;
+    bat_editor *editor = with_lines();
+    pen p = pen_for(editor);
+    const int before = count(editor);
+    assert_int_equal(bat_editor_frame(editor)->pending, 0);
+    tap(&p, 100, 100);
+    assert_int_equal(bat_editor_frame(editor)->pending, 2);
+    tap(&p, 200, 100);
+    assert_int_equal(bat_editor_frame(editor)->pending, 2);
+    assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+    assert_int_equal(bat_editor_frame(editor)->pending, 0);
+    drag(&p, 300, 300, 400, 300);
+    assert_int_equal(count(editor), before + 2);
+    bat_editor_free(editor);
+}
+
 static void shift_keeps_to_steps(void **state) {
     (void)state;
     bat_editor *editor = with_lines();
@@ -113,6 +130,7 @@ static void shift_keeps_to_steps(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(drags_and_goes_on), cmocka_unit_test(clicks),
+                                       cmocka_unit_test(done_ends_it),
                                        cmocka_unit_test(shift_keeps_to_steps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -741,9 +741,9 @@ static bool offered(bat_editor *editor, const char *name) {
 /* What is offered can be done, and what is not cannot. */
 static void actions_of_the_selection(void **state) {
     (void)state;
-    static const char *const names[] = {"align-left", "distribute-across", "group",
-                                        "ungroup",    "curve-close",       "curve-open",
-                                        "curve-join", "curve-reverse",     "curve-split"};
+    static const char *const names[] = {
+        "align-left", "distribute-across", "group",         "ungroup",     "curve-close",
+        "curve-open", "curve-join",        "curve-reverse", "curve-split", "delete"};
     bat_editor *editor = pen_editor();
     bat_editor_command(editor, "select-all");
     bat_editor_command(editor, "tool-points");

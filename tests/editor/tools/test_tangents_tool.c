@@ -147,6 +147,33 @@ static void backspace_takes_the_last_back(void **state) {
     bat_editor_free(editor);
 }
 
+/* So does the host's "Done". */
+static void a_tap_on_the_last_ends(void **state) {
+    (void)state;
+    for (int done = 0; done < 2; done++) {
+        bat_editor *editor;
+        pen p = begin(&editor);
+        const int before = bat_document_count(bat_editor_document(editor));
+        assert_int_equal(show(editor)->pending, 0);
+        tap(&p, 100, 400);
+        assert_int_equal(show(editor)->pending, 2);
+        tap(&p, 200, 350);
+        tap(&p, 300, 420);
+        assert_int_equal(show(editor)->pending, 2);
+        if (done)
+            assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+        else
+            tap(&p, 301, 421);
+        assert_int_equal(show(editor)->pending, 0);
+        tap(&p, 600, 420); /* the first of another */
+        tap(&p, 700, 420);
+        assert_int_equal(bat_document_count(bat_editor_document(editor)), before + 2);
+        const bat_object *made = bat_document_at(bat_editor_document(editor), before);
+        assert_int_equal(bat_object_spline(made)->count, 3);
+        bat_editor_free(editor);
+    }
+}
+
 static void a_tap_on_the_first_closes(void **state) {
     (void)state;
     bat_editor *editor;
@@ -515,6 +542,7 @@ int main(void) {
         cmocka_unit_test(undo_while_placing_goes_back_a_point),
         cmocka_unit_test(backspace_takes_the_last_back),
         cmocka_unit_test(a_tap_on_the_first_closes),
+        cmocka_unit_test(a_tap_on_the_last_ends),
         cmocka_unit_test(a_drag_while_placing_gives_the_direction),
         cmocka_unit_test(the_arrow_turns_the_direction),
         cmocka_unit_test(directions_snap),

@@ -241,6 +241,12 @@ static bat_status add_point(bat_context *c, const double point[2]) {
 
 /* ---- taps ---- */
 
+/* The last point of a spline that is being placed. */
+static bool ends_placing(bat_context *c, const bat_spline_hit *press) {
+    const bat_spline *spline = bat_splining_of(c)->placing ? bat_splining_spline(c) : NULL;
+    return spline && press->point == bat_spline_count(spline) - 1;
+}
+
 static bool taps_twice(bat_splining *s, const bat_pointer *event) {
     bool twice = event->time - s->tap_time <= DOUBLE_TAP && event->time >= s->tap_time && s->tap_time > 0 &&
                  bat_hypot(event->x - s->tap_at[0], event->y - s->tap_at[1]) <= 2 * TAP &&
@@ -256,6 +262,7 @@ static void tap(bat_context *c, const bat_pointer *event) {
     bat_spline_hit press = s->press;
     bool twice = taps_twice(s, event);
     let_go(s);
+    if (press.part == BAT_PART_POINT && ends_placing(c, &press)) bat_splining_stop(c);
     switch (press.part) {
     case BAT_PART_FIRST: bat_splining_close(c); break;
     case BAT_PART_POINT:
@@ -465,6 +472,12 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
                                                                                       : BAT_CURSOR_GRAB;
 }
 
+static void readout(const bat_context *c, const void *state, bat_readout *out) {
+    const bat_splining *s = state;
+    (void)c;
+    out->goes_on = s->placing && s->state == BAT_SPLINING_IDLE;
+}
+
 static const char *check(const bat_context *c, const void *state) {
     (void)state;
     const bat_splining *s = bat_splining_of(c);
@@ -524,6 +537,7 @@ const bat_tool *bat_tool_tangents(void) {
                                   .update = update,
                                   .overlay = overlay,
                                   .hint = hint,
+                                  .readout = readout,
                                   .cursor = cursor,
                                   .check = check};
     return &tool;
