@@ -307,12 +307,11 @@ typedef struct bat_frame {
     uint32_t tool;                      /* index into the tables' tools */
     uint32_t knots_before, knots_after; /* while drawing; 0, 0: not */
     uint32_t busy;                      /* a stroke or a drag is under way */
-    uint32_t pending; /* 1: a fit waits for yes (command "accept") or no ("cancel"); 2: what is made goes on with every
-                       * press, until "accept" ends it */
-    double error;                       /* of the fit shown, document units; 0 when there is none */
-    double tolerance;                   /* document units */
-    const char *hint;                   /* one line on what the pen would do; UTF-8 */
-    const char *notice;      /* something just happened that the user should know; "" when it has passed */
+    uint32_t pending;   /* 1: a fit waits for "accept" or "cancel"; 2: "accept" ends what is being made */
+    double error;       /* of the fit shown, document units; 0 when there is none */
+    double tolerance;   /* document units */
+    const char *hint;   /* one line on what the pen would do; UTF-8 */
+    const char *notice; /* something just happened that the user should know; "" when it has passed */
     uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
     const char *name;        /* of the document */
     uint32_t revision;       /* grows with every change of the document */

@@ -16,9 +16,9 @@ typedef struct bat_input {
     bool pen_near;     /* a pointer is over the drawing */
     double pen[2];     /* where it was last, view pixels */
     bat_device points; /* what kind it is */
-    unsigned brush;    /* a trait: the tool that the pen's other end, or its button, is down for; 0: neither */
-    bool drawing_new;  /* the key that makes each stroke a new curve is held */
-    bool calming;      /* the key that calms is held */
+    unsigned brush;   /* a trait: the tool that the pen's other end, or its button, is down for; 0: neither */
+    bool drawing_new; /* the key that makes each stroke a new curve is held */
+    bool calming;     /* the key that calms is held */
 } bat_input;
 
 #endif
