@@ -24,7 +24,7 @@ extern "C" {
 #define BAT_API
 #endif
 
-#define BAT_VERSION "0.1.0"
+#define BAT_VERSION "0.2.0"
 
 enum {
     BAT_DEGREE_MAX = 7,      /* degrees run from 1 to 7 */

@@ -16,6 +16,9 @@
 #include <batten/levels.h>
 #include <batten/document.h>
 #include <batten/format.h>
+#include <batten/input.h>
+#include <batten/frame.h>
+#include <batten/panels.h>
 #include <batten/editor.h>
 
 #endif

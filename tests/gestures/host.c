@@ -15,7 +15,7 @@
  *   level ACT LEVEL VALUE DONE       as bat_editor_level
  *   before                           the document as it is now is the one to compare with
  *   mark                             the view is noted
- *   p PHASE DEVICE CONTACT BUTTONS MODIFIERS X Y PRESSURE TIME   phase, device as in editor.h; TIME in ms
+ *   p PHASE DEVICE CONTACT BUTTONS MODIFIERS X Y PRESSURE TIME   phase, device as in input.h; TIME in ms
  *   frame                            a frame is taken
  *   report                           prints the JSON; the last order
  * Pointer events are handed over in one call when another order comes.

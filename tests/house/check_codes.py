@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The numbers that the engine and the page have in common stand in one list, include/batten/editor.h (and the caps and
-joins of document.h): web/engine/codes.js is made of it, and no other script of the page may have them.
+"""The numbers that the engine and the page have in common stand in one list, input.h, frame.h and panels.h of
+include/batten (and the caps and joins of document.h): web/engine/codes.js is made of it, and no other script of the page may have them.
 
 Usage: check_codes.py ROOT [--write]. Exit status 1 when codes.js is not what the headers say. --write: makes it so.
 """
@@ -18,9 +18,9 @@ WIDTH = 118
 
 
 def enums(root):
-    """Every name of an enum of the two headers, with its number."""
+    """Every name of an enum of these headers, with its number."""
     found = {}
-    for name in ("editor", "document"):
+    for name in ("input", "frame", "panels", "document"):
         text = (root / "include" / "batten" / f"{name}.h").read_text("utf-8")
         text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
         for body in re.findall(r"enum(?:\s+\w+)?\s*\{(.*?)\}", text, re.S):
@@ -61,7 +61,7 @@ def main():
     if "--write" in sys.argv:
         codes.write_text(wanted, "utf-8")
     faults = [] if codes.read_text("utf-8") == wanted else [
-        "web/engine/codes.js is not what include/batten/editor.h says: python3 tests/house/check_codes.py . --write"]
+        "web/engine/codes.js is not what the headers in include/batten say: python3 tests/house/check_codes.py . --write"]
     count = 0
     for path in sorted((root / "web").rglob("*.js")):
         if path == codes or "node_modules" in path.parts:

@@ -20,7 +20,7 @@ for way in find_package pkg_config; do
         cmake --build "$work/$way" >> "$work/$way.log" 2>&1 || { cat "$work/$way.log"; exit 1; }
     for program in static_c shared_c static_cpp shared_cpp; do
         LD_LIBRARY_PATH=$lib "$work/$way/$program"
-        needs=$(readelf -d "$work/$way/$program" | grep -c 'NEEDED.*libbatten.so.0' || true)
+        needs=$(readelf -d "$work/$way/$program" | grep -c 'NEEDED.*libbatten.so.0.2' || true)
         case $program in
             static_*) [ "$needs" = 0 ] || { echo "$way/$program is not static"; exit 1; } ;;
             shared_*) [ "$needs" = 1 ] || { echo "$way/$program is not shared"; exit 1; } ;;

@@ -33,7 +33,7 @@ ROOM_OF_HEADER = {
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "document": "document",
     "format": "document",
-    "editor": "editor/tables",
+    "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",
     "batten": None,  # the umbrella: for users, not for us
 }
 

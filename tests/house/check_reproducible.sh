@@ -17,7 +17,7 @@ built() {
 }
 built "$root" "$work/one"
 built "$copy" "$work/the_other"
-for file in libbatten.a "$(basename "$work"/one/libbatten.so.*.*)" batten; do
+for file in libbatten.a "$(basename "$work"/one/libbatten.so.*.*.*)" batten; do
     cmp "$work/one/$file" "$work/the_other/$file"
     ! grep -q "$root" "$work/one/$file" || { echo "$file tells where it was built"; exit 1; }
 done

@@ -29,6 +29,6 @@ missing=$(comm -23 "$1/declared.txt" "$1/shown.txt")
 [ -z "$missing" ] || { echo "declared with BAT_API but not in libbatten.so:"; echo "$missing"; fail=1; }
 
 soname=$(readelf -d "$shared" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
-[ "$soname" = libbatten.so.0 ] || { echo "SONAME is '$soname', expected libbatten.so.0"; fail=1; }
+[ "$soname" = libbatten.so.0.2 ] || { echo "SONAME is '$soname', expected libbatten.so.0.2"; fail=1; }
 echo "$(echo "$shown" | wc -l) symbols shown, $(echo "$declared" | wc -l) declared"
 exit $fail

@@ -1,4 +1,4 @@
-// The shapes of what crosses between the engine and the shell; include/batten/editor.h says what they mean.
+// The shapes of what crosses between the engine and the shell; include/batten/frame.h says what they mean.
 
 /**
  * @typedef {object} Pointer one sample of a pen, a mouse or a finger

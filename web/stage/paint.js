@@ -23,7 +23,7 @@ const IDLE = 90; // milliseconds without a move
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
 
 /**
- * @param {Float32Array} path commands and coordinates, as editor.h says
+ * @param {Float32Array} path commands and coordinates, as frame.h says
  * @returns {Path2D}
  */
 function shapeOf(path) {

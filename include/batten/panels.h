@@ -1,0 +1,79 @@
+/* Batten: what panels show and change: layers and objects by their ids, readings of the last stroke, levels. */
+#ifndef BATTEN_PANELS_H
+#define BATTEN_PANELS_H
+
+#include <batten/document.h>
+#include <batten/input.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- layers and objects by id ---- */
+
+/* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
+ * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_layers(bat_editor *editor);
+/* The commands that arrange or mend what is selected, as far as this selection makes them possible: names, with a
+ * space between. Only while the select tool is in force, which shows what is selected. Owned by the editor, valid until
+ * the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_actions(bat_editor *editor);
+/* Moves a layer to where another one beside it is: in front of it when it comes from behind, else behind it: a step of
+ * the history. BAT_ARGUMENT: they are no layers of one group. */
+BAT_API bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target);
+/* The layer that new curves go into; 0: none. */
+BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
+/* Steps of the history, of any object. BAT_STATE: a drag is under way. */
+BAT_API bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name);
+BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked);
+/* The drawing for those who do not see it, in words. Owned by the editor, valid until the next call of either; NULL:
+ * out of memory.
+ * outline: objects first, first + 1 ... of the document, back to front, at most `count` and 500, as JSON {"total":
+ * objects in all, "at": index of the first selected one or -1, "rows":[{"id","level" (1: in no group),"points",
+ * "selected","words"}]}.
+ * outline_points: {"at": the chosen point or -1, "points":[words]}, at most 1,000: a spline's points, else the control
+ * points of all its curves. */
+BAT_API const char *bat_editor_outline(bat_editor *editor, int first, int count);
+BAT_API const char *bat_editor_outline_points(bat_editor *editor, bat_id id);
+/* Selects the object and chooses a point of it, numbered as outline_points has them, with the tool that moves it.
+ * BAT_ARGUMENT: no such point. BAT_STATE: a drag is under way, or it is hidden or locked. */
+BAT_API bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point);
+/* What has happened since the last call, to be spoken: tool, step, selection, the place of what the keys move; ""
+ * when nothing has, or a drag is under way. What notices tell is left out. Owned by the editor, valid until the
+ * next call of it. */
+BAT_API const char *bat_editor_said(bat_editor *editor);
+/* Selects an object (0: none), alone or besides what is selected. */
+BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
+
+/* ---- the last stroke, read as something else ---- */
+
+/* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y], its end
+ * in view pixels, "chosen": which it was taken for, "words":["New line","Redraw roof", ...]}; no words: it is settled.
+ * Owned by the editor, valid until the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_readings(bat_editor *editor);
+/* Takes it as that one: its step of the history becomes another. BAT_STATE: there is none such any more. */
+BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
+
+/* ---- levels of the chosen curve, for the level strip ---- */
+
+/* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the
+ * curve; "apart": the rows are what taking apart would give; "copying": a tap chooses who gets the detail}. The
+ * three words, muted, solo and active are 0 or 1. Owned by the editor, valid until the next call of it; NULL: out
+ * of memory. */
+BAT_API const char *bat_editor_levels(bat_editor *editor);
+
+typedef enum bat_level_act {
+    BAT_LEVEL_CHOOSE, /* makes it the active one */
+    BAT_LEVEL_GAIN,   /* to value; shown at once, one step of the history when `done` comes, command "cancel"
+                       * takes it back */
+    BAT_LEVEL_MUTE,   /* value 0: sounds, else silent */
+    BAT_LEVEL_SOLO    /* the levels above are silent and the others not; again: all sound */
+} bat_level_act;
+/* BAT_STATE: no levels, or something else is under way; BAT_ARGUMENT: no such level. */
+BAT_API bat_status bat_editor_level(bat_editor *editor, bat_level_act act, int level, double value,
+                                    bool done);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
