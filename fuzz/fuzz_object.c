@@ -85,7 +85,7 @@ static bat_status with_curves(source *s, const bat_object *from, bat_object **ou
     const char *called = name(s);
     bat_status status = from ? bat_object_with_curves(from, count, curves, out)
                              : bat_object_create_path(id, called, &own, count, curves, out);
-    for (int i = status == BAT_OK ? count : 0; i < given; i++) bat_curve_free(curves[i]);
+    for (int i = count; i < given; i++) bat_curve_free(curves[i]);
     return status;
 }
 
@@ -125,7 +125,6 @@ static bat_status alter(source *s, const bat_object *object, bat_object **out) {
     bat_spline other;
     bat_curve *one;
     bat_shape *shape;
-    bat_status status;
     int index = byte(s) % 5 - 1;
     switch (byte(s) % 13) {
     case 0:
@@ -137,17 +136,9 @@ static bat_status alter(source *s, const bat_object *object, bat_object **out) {
     case 4: return bat_object_with_name(object, name(s), out);
     case 5: return bat_object_with_state(object, index & 1, index & 2, out);
     case 6: return bat_object_with_id(object, (bat_id)byte(s), out);
-    case 7:
-        one = curve(s);
-        status = one ? bat_object_with_curve(object, index, one, out) : BAT_ARGUMENT;
-        if (status != BAT_OK) bat_curve_free(one);
-        return status;
+    case 7: one = curve(s); return one ? bat_object_with_curve(object, index, one, out) : BAT_ARGUMENT;
     case 8: return bat_object_with_style(object, &own, out);
-    case 9:
-        shape = levels(s);
-        status = shape ? bat_object_with_shape(object, index, shape, out) : BAT_ARGUMENT;
-        if (status != BAT_OK) bat_shape_free(shape);
-        return status;
+    case 9: shape = levels(s); return shape ? bat_object_with_shape(object, index, shape, out) : BAT_ARGUMENT;
     case 10: other = spline(s, points, tangents); return bat_object_with_spline(object, &other, out);
     case 11: return bat_object_to_path(object, out);
     default: *out = bat_object_retain(object); return BAT_OK;

@@ -64,6 +64,10 @@ typedef enum bat_status {
  */
 
 /*
+ * What takes an object over takes it whatever it returns: after a failure it is gone, and the caller frees nothing. In the
+ * same way commit and finish end a session or a reader whatever they return. All else borrows or copies for the time of
+ * the call, or retains what is counted (bat_document_insert). What comes out of a create or a copy is the caller's to free.
+ *
  * Options begin with the size of their struct, which bat_x_defaults sets (bat_x_options_init where inline functions can
  * not be called). So a program goes on working when a later version of the library adds members at the end: those that
  * the program does not know keep their defaults. A size below that of the first version is BAT_ARGUMENT. Wherever a call

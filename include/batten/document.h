@@ -65,7 +65,7 @@ bat_picture_type(const bat_picture *picture);                    /* "image/png",
 BAT_API uint64_t bat_picture_digest(const bat_picture *picture); /* of its bytes */
 BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
-/* Takes the curves over on success (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
+/* Takes the curves over, all different ones (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
  * BAT_ARGUMENT: id 0 or above BAT_ID_MAX, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,
                                           int curve_count, bat_curve *const *curves, bat_object **out);
@@ -89,7 +89,7 @@ BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, ba
  * its direction, y its side. BAT_NUMBER: beyond BAT_COORDINATE_MAX; BAT_SINGULAR: the axes span no plane. */
 BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3],
                                            const double axes[6], bat_object **out);
-/* A copy that differs in its curves (taken over on success), and is a path; all else, the place in groups too,
+/* A copy that differs in its curves (taken over), and is a path; all else, the place in groups too,
  * is kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                           bat_object **out);
@@ -100,12 +100,12 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy that differs in one curve (taken over on success), or in style (of an image its opacity; groups and guides have
+/* A copy that differs in one curve (taken over), or in style (of an image its opacity; groups and guides have
  * none, and stay as they are). A spline becomes a path by the first, and the curve has no levels any more. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
-/* A copy in which one curve is the finest of a shape (taken over on success), and is edited by its levels from then
+/* A copy in which one curve is the finest of a shape (taken over), and is edited by its levels from then
  * on. A spline becomes a shape by it. */
 BAT_API bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape,
                                          bat_object **out);

@@ -20,8 +20,8 @@ extern "C" {
 BAT_API bat_status bat_editor_create(bat_editor **out);
 BAT_API void bat_editor_free(bat_editor *editor);
 BAT_API const bat_document *bat_editor_document(const bat_editor *editor);
-/* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes the document over
- * on success; on failure nothing changes and it stays the caller's. A stroke under way is cancelled. */
+/* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes the document over;
+ * on failure the editor is as it was. A stroke under way is cancelled. */
 BAT_API bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name);
 
 /* ---- commands, properties, the host ---- */

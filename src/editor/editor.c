@@ -40,10 +40,7 @@ bat_status bat_editor_create(bat_editor **out) {
     bat_document *document = NULL;
     bat_status status = bat_toolbox_fill(&editor->toolbox, tools);
     if (status == BAT_OK) status = bat_document_create(&document);
-    if (status == BAT_OK) {
-        status = bat_editor_open(editor, document, "");
-        if (status != BAT_OK) bat_document_free(document);
-    }
+    if (status == BAT_OK) status = bat_editor_open(editor, document, "");
     if (status != BAT_OK) {
         bat_editor_free(editor);
         return status;
@@ -66,11 +63,17 @@ void bat_editor_free(bat_editor *editor) {
 }
 
 bat_status bat_editor_open(bat_editor *editor, bat_document *document, const char *name) {
-    if (!document) return BAT_ARGUMENT;
+    if (!editor || !document) {
+        bat_document_free(document);
+        return BAT_ARGUMENT;
+    }
     bat_context *c = &editor->context;
     if (c->session->document) bat_toolbox_interrupt(c);
     bat_status status = bat_session_open(c->session, document, name ? name : "");
-    if (status != BAT_OK) return status;
+    if (status != BAT_OK) {
+        bat_document_free(document);
+        return status;
+    }
     bat_choice_forget(c);
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);

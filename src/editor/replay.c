@@ -57,9 +57,7 @@ static bat_status open_snapshot(bat_editor *editor, const bat_json *json, bat_pr
         status = bat_document_create(&document);
     }
     if (status != BAT_OK) return status;
-    status = bat_editor_open(editor, document, name);
-    if (status != BAT_OK) bat_document_free(document);
-    return status;
+    return bat_editor_open(editor, document, name);
 }
 
 static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem *problem) {

@@ -10,16 +10,26 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* What was taken over, and has not become part of an object. */
+static bat_status dropped(bat_status status, int count, bat_curve *const *curves) {
+    for (int i = 0; status != BAT_OK && curves && i < count; i++) bat_curve_free(curves[i]);
+    return status;
+}
+
 bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style, int curve_count,
                                   bat_curve *const *curves, bat_object **out) {
-    return style ? bat_object_make(&bat_kind_of_path, id, name, style, NULL, curve_count, curves, out)
-                 : BAT_ARGUMENT;
+    bat_status status = style ? bat_object_make(&bat_kind_of_path, id, name, style, NULL, curve_count, curves,
+                                                out)
+                              : BAT_ARGUMENT;
+    return dropped(status, curve_count, curves);
 }
 
 bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                   bat_object **out) {
-    if (!object || !bat_object_is(object, BAT_CURVES)) return BAT_ARGUMENT;
-    return bat_object_remake(object, &bat_kind_of_path, NULL, count, curves, out);
+    bat_status status = object && bat_object_is(object, BAT_CURVES)
+                            ? bat_object_remake(object, &bat_kind_of_path, NULL, count, curves, out)
+                            : BAT_ARGUMENT;
+    return dropped(status, count, curves);
 }
 
 /* What its curves are made of says what an object is. */
@@ -27,14 +37,16 @@ bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve 
     bool levels = false;
     for (int i = 0; object && i < bat_object_curve_count(object); i++)
         levels = levels || (i != index && bat_object_shape(object, i));
-    return bat_object_with_part(object, levels ? &bat_kind_of_shape : &bat_kind_of_path, index, curve, NULL,
-                                out);
+    const bat_kind_type *type = levels ? &bat_kind_of_shape : &bat_kind_of_path;
+    return dropped(bat_object_with_part(object, type, index, curve, NULL, out), 1, &curve);
 }
 
 bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape, bat_object **out) {
     if (!shape) return BAT_ARGUMENT;
     const bat_curve *finest = bat_shape_curve(shape, bat_shape_levels(shape));
-    return bat_object_with_part(object, &bat_kind_of_shape, index, finest, shape, out);
+    bat_status status = bat_object_with_part(object, &bat_kind_of_shape, index, finest, shape, out);
+    if (status != BAT_OK) bat_shape_free(shape);
+    return status;
 }
 
 bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
@@ -46,8 +58,9 @@ bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
         status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
         made += status == BAT_OK;
     }
-    if (status == BAT_OK) status = bat_object_with_curves(object, count, curves, out);
-    if (status != BAT_OK)
+    if (status == BAT_OK)
+        status = bat_object_with_curves(object, count, curves, out);
+    else
         while (made > 0) bat_curve_free(curves[--made]);
     free(curves);
     return status;
@@ -63,7 +76,8 @@ bat_status bat_document_of_curves(int count, bat_curve *const *curves, const cha
         if (status == BAT_OK)
             status = bat_object_create_path(bat_document_new_id(document), names ? names[i] : NULL, &style, 1,
                                             &curves[i], &object);
-        if (!object) bat_curve_free(curves[i]);
+        else
+            bat_curve_free(curves[i]);
         if (status == BAT_OK) status = bat_document_insert(document, i, object);
         bat_object_release(object);
     }
@@ -97,8 +111,9 @@ static bat_status image_path(const bat_object *object, const double *m, bat_obje
         status = bat_curve_transform(bat_object_curve(object, made), matrix, &curves[made]);
         if (status == BAT_OK) made++;
     }
-    if (status == BAT_OK) status = bat_object_with_curves(object, count, curves, out);
-    if (status != BAT_OK)
+    if (status == BAT_OK)
+        status = bat_object_with_curves(object, count, curves, out);
+    else
         while (made > 0) bat_curve_free(curves[--made]);
     free(curves);
     return status;
@@ -119,13 +134,14 @@ static bat_status image_shapes(const bat_object *object, const double *m, bat_ob
         if (status == BAT_OK)
             status = similar ? bat_shape_transform(shape, matrix)
                              : bat_shape_reframe(shape, matrix, bat_shape_options_of(shape)->frame);
-        if (status == BAT_OK) status = bat_object_with_shape(*path, i, shape, &next);
+        if (status == BAT_OK)
+            status = bat_object_with_shape(*path, i, shape, &next);
+        else
+            bat_shape_free(shape);
         if (status == BAT_OK) {
             bat_object_release(*path);
             *path = next;
-            continue;
         }
-        bat_shape_free(shape);
         if (status == BAT_MEMORY) return status;
     }
     return BAT_OK;
@@ -179,14 +195,13 @@ static bat_status make_path(bat_id id, const char *name, const bat_style *style,
     for (int i = 0; i < count; i++) curves[i] = makings[i].curve;
     bat_status status = bat_object_create_path(id, name, style, count, curves, &object);
     free(curves);
-    if (status != BAT_OK) return status;
     for (int i = 0; i < count; i++) makings[i].curve = NULL;
     for (int i = 0; i < count && status == BAT_OK; i++) {
         bat_object *next = NULL;
         if (!makings[i].shape) continue;
         status = bat_object_with_shape(object, i, makings[i].shape, &next);
-        if (status != BAT_OK) break;
         makings[i].shape = NULL;
+        if (status != BAT_OK) break;
         bat_object_release(object);
         object = next;
     }

@@ -313,17 +313,18 @@ static void of_objects_and_documents(void **state) {
     ARGUMENT(bat_document_set_page(document, NULL));
     ARGUMENT(bat_object_create_path(7, "", &style, 1, NULL, &made));
     ARGUMENT(bat_object_create_path(7, "", &style, 1, &nothing, &made));
-    ARGUMENT(bat_object_create_path(7, "", &style, 1, &curve, NULL));
-    ARGUMENT(bat_object_create_path(0, "", &style, 1, &curve, &made));
-    ARGUMENT(bat_object_create_path((bat_id)BAT_ID_MAX + 1, "", &style, 1, &curve, &made));
-    ARGUMENT(bat_object_create_path(7, "", &wrong, 1, &curve, &made));
-    ARGUMENT(bat_object_create_path(7, "\xff", &style, 1, &curve, &made));
-    ARGUMENT(bat_object_with_curves(NULL, 1, &curve, &made));
-    ARGUMENT(bat_object_with_curve(NULL, 0, curve, &made));
+    ARGUMENT(bat_object_create_path(7, "", &style, 1, (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, NULL));
+    ARGUMENT(bat_object_create_path(0, "", &style, 1, (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, &made));
+    ARGUMENT(bat_object_create_path((bat_id)BAT_ID_MAX + 1, "", &style, 1,
+                                    (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, &made));
+    ARGUMENT(bat_object_create_path(7, "", &wrong, 1, (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, &made));
+    ARGUMENT(bat_object_create_path(7, "\xff", &style, 1, (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, &made));
+    ARGUMENT(bat_object_with_curves(NULL, 1, (bat_curve *[]){pen_curve(0, 0, 10, 5, 7)}, &made));
+    ARGUMENT(bat_object_with_curve(NULL, 0, pen_curve(0, 0, 10, 5, 7), &made));
     ARGUMENT(bat_object_with_curve(object, 0, NULL, &made));
-    ARGUMENT(bat_object_with_curve(object, 0, curve, NULL));
-    ARGUMENT(bat_object_with_curve(object, -1, curve, &made));
-    ARGUMENT(bat_object_with_curve(object, 1, curve, &made));
+    ARGUMENT(bat_object_with_curve(object, 0, pen_curve(0, 0, 10, 5, 7), NULL));
+    ARGUMENT(bat_object_with_curve(object, -1, pen_curve(0, 0, 10, 5, 7), &made));
+    ARGUMENT(bat_object_with_curve(object, 1, pen_curve(0, 0, 10, 5, 7), &made));
     ARGUMENT(bat_object_with_style(NULL, &style, &made));
     ARGUMENT(bat_object_with_style(object, NULL, &made));
     ARGUMENT(bat_object_with_style(object, &style, NULL));

@@ -39,22 +39,35 @@ static void object_keeps_what_it_was_given(void **state) {
 static void bad_objects_are_refused(void **state) {
     (void)state;
     random_source r = {2};
-    bat_curve *curves[2] = {random_curve(&r, 3, 2, 0, 0), random_curve(&r, 3, 3, 0, 0)};
     bat_style style = bat_style_defaults();
     bat_object *object = NULL;
-    assert_int_equal(bat_object_create_path(0, "", &style, 1, curves, &object), BAT_ARGUMENT);
-    assert_int_equal(bat_object_create_path(BAT_ID_MAX + 1, "", &style, 1, curves, &object), BAT_ARGUMENT);
-    assert_int_equal(bat_object_create_path(1, "", &style, 2, curves, &object), BAT_DIMENSION);
-    assert_int_equal(bat_object_create_path(1, "", &style, 0, curves, &object), BAT_COUNT);
-    assert_int_equal(bat_object_create_path(1, "\xc3(", &style, 1, curves, &object), BAT_ARGUMENT);
+    bat_curve *none = NULL;
+    assert_int_equal(
+        bat_object_create_path(0, "", &style, 1, (bat_curve *[]){random_curve(&r, 3, 2, 0, 0)}, &object),
+        BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_path(BAT_ID_MAX + 1, "", &style, 1,
+                                            (bat_curve *[]){random_curve(&r, 3, 2, 0, 0)}, &object),
+                     BAT_ARGUMENT);
+    assert_int_equal(
+        bat_object_create_path(1, "", &style, 2,
+                               (bat_curve *[]){random_curve(&r, 3, 2, 0, 0), random_curve(&r, 3, 3, 0, 0)},
+                               &object),
+        BAT_DIMENSION);
+    assert_int_equal(bat_object_create_path(1, "", &style, 0, &none, &object), BAT_COUNT);
+    assert_int_equal(
+        bat_object_create_path(1, "\xc3(", &style, 1, (bat_curve *[]){random_curve(&r, 3, 2, 0, 0)}, &object),
+        BAT_ARGUMENT);
     style.opacity = NAN;
-    assert_int_equal(bat_object_create_path(1, "", &style, 1, curves, &object), BAT_ARGUMENT);
+    assert_int_equal(
+        bat_object_create_path(1, "", &style, 1, (bat_curve *[]){random_curve(&r, 3, 2, 0, 0)}, &object),
+        BAT_ARGUMENT);
     style = bat_style_defaults();
     style.width = -1;
-    assert_int_equal(bat_object_create_path(1, "", &style, 1, curves, &object), BAT_ARGUMENT);
+    assert_int_equal(
+        bat_object_create_path(1, "", &style, 1, (bat_curve *[]){random_curve(&r, 3, 2, 0, 0)}, &object),
+        BAT_ARGUMENT);
     assert_null(object);
-    bat_curve_free(curves[0]);
-    bat_curve_free(curves[1]);
+    /* What they were given is freed: nothing is left over. */
 }
 
 /* The box holds a thousand points of the curve and is touched by the curve (degree 1: the corners). */
@@ -91,11 +104,10 @@ static void copies_share_what_stays(void **state) {
     (void)state;
     random_source r = {4};
     bat_object *object = make_object(&r, 5, "five", 3), *copy, *styled;
-    bat_curve *other = random_curve(&r, 2, 2, 0, 5), *space = random_curve(&r, 2, 3, 0, 5);
-    assert_int_equal(bat_object_with_curve(object, 1, space, &copy), BAT_DIMENSION);
-    assert_int_equal(bat_object_with_curve(object, 3, other, &copy), BAT_ARGUMENT);
+    bat_curve *other = random_curve(&r, 2, 2, 0, 5);
+    assert_int_equal(bat_object_with_curve(object, 1, random_curve(&r, 2, 3, 0, 5), &copy), BAT_DIMENSION);
+    assert_int_equal(bat_object_with_curve(object, 3, random_curve(&r, 2, 2, 0, 5), &copy), BAT_ARGUMENT);
     assert_int_equal(bat_object_with_curve(object, 1, other, &copy), BAT_OK);
-    bat_curve_free(space);
     assert_ptr_equal(bat_object_curve(copy, 0), bat_object_curve(object, 0));
     assert_ptr_equal(bat_object_curve(copy, 1), other);
     assert_ptr_not_equal(bat_object_curve(object, 1), other);

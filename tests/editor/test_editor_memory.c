@@ -101,10 +101,7 @@ static void making_and_opening(void **state) {
         bat_status status = bat_editor_open(editor, document, "other");
         done = !alloc_fail_reached();
         assert_int_equal(status, done ? BAT_OK : BAT_MEMORY);
-        if (!done) {
-            assert_true(digest(editor) == before);
-            bat_document_free(document);
-        }
+        if (!done) assert_true(digest(editor) == before); /* the document is gone, whatever it returned */
         assert_null(bat_editor_check(editor));
         bat_editor_free(editor);
         assert_true(alloc_live() == held);

@@ -256,11 +256,46 @@ static void memory_may_end_anywhere(void **state) {
     bat_object_release(object);
 }
 
+/* What takes curves or levels over takes them whatever it returns: nothing is left, whichever allocation fails. */
+static void taken_over_in_any_case(void **state) {
+    (void)state;
+    random_source r = {8};
+    const bat_style style = bat_style_defaults();
+    bat_curve *first = wavy(&r, 2, true, 0);
+    bat_object *path = NULL;
+    assert_int_equal(bat_object_create_path(5, "fin", &style, 1, &first, &path), BAT_OK);
+    for (int what = 0; what < 4; what++)
+        for (int n = 1, done = 0; !done; n++) {
+            const long before = alloc_live();
+            bat_curve *curves[2] = {wavy(&r, 2, true, 0), wavy(&r, 2, true, 0)};
+            bat_shape *shape = NULL;
+            bat_object *made = NULL;
+            assert_int_equal(bat_shape_decompose(curves[1], 1, NULL, &shape), BAT_OK);
+            alloc_fail_at(n);
+            bat_status status = what == 0   ? bat_object_create_path(7, "two", &style, 2, curves, &made)
+                                : what == 1 ? bat_object_with_curves(path, 2, curves, &made)
+                                : what == 2 ? bat_object_with_curve(path, 0, curves[0], &made)
+                                            : bat_object_with_shape(path, 0, shape, &made);
+            done = !alloc_fail_reached();
+            assert_int_equal(status, done ? BAT_OK : BAT_MEMORY);
+            if (what != 3) bat_shape_free(shape);
+            if (what == 3) bat_curve_free(curves[0]);
+            if (what >= 2) bat_curve_free(curves[1]);
+            bat_object_release(made);
+            assert_true(alloc_live() == before);
+        }
+    bat_object_release(path);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(its_curve_is_the_finest), cmocka_unit_test(round_trip),
-        cmocka_unit_test(digest_tells_apart),      cmocka_unit_test(images_keep_levels),
-        cmocka_unit_test(others_are_refused),      cmocka_unit_test(memory_may_end_anywhere),
+        cmocka_unit_test(taken_over_in_any_case),
+        cmocka_unit_test(its_curve_is_the_finest),
+        cmocka_unit_test(round_trip),
+        cmocka_unit_test(digest_tells_apart),
+        cmocka_unit_test(images_keep_levels),
+        cmocka_unit_test(others_are_refused),
+        cmocka_unit_test(memory_may_end_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -254,11 +254,7 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
     if (status != BAT_OK) {
         return (int)status;
     }
-    status = bat_editor_open(editor, document, name);
-    if (status != BAT_OK) {
-        bat_document_free(document);
-    }
-    return (int)status;
+    return (int)bat_editor_open(editor, document, name);
 }
 
 int editor_copy(bat_editor *editor, int cut, module_bytes *out) {

@@ -61,7 +61,6 @@ int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat
     }
     status = bat_editor_open(editor, document, name);
     if (status != BAT_OK) {
-        bat_document_free(document);
         return (int)status;
     }
     return (int)bat_editor_set_losses(editor, &report.lost);

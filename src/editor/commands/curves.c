@@ -88,8 +88,10 @@ static bat_status made_over(const bat_object *object, bat_status (*make)(const b
         if (status == BAT_STATE) status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
         if (status == BAT_OK) made++;
     }
-    if (status == BAT_OK) status = changed ? bat_object_with_curves(object, count, curves, out) : BAT_STATE;
-    if (status != BAT_OK)
+    if (status == BAT_OK && !changed) status = BAT_STATE;
+    if (status == BAT_OK)
+        status = bat_object_with_curves(object, count, curves, out);
+    else
         while (made > 0) bat_curve_free(curves[--made]);
     free(curves);
     return status;
@@ -204,10 +206,7 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
                                &curve);
     if (status != BAT_OK) return status;
     status = bat_object_with_curve(bat_document_at(document, two[0].object), two[0].curve, curve, &after);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
+    if (status != BAT_OK) return status;
     if (two[0].object == two[1].object) { /* the second lies behind the first in the same object */
         status = bat_without_curve(after, two[1].curve, &rest);
         if (status == BAT_OK) status = bat_transaction_replace(c, two[0].object, rest);
@@ -251,18 +250,16 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
     if (status != BAT_OK) return status;
     if (right) {
         status = bat_object_with_curves(object, 1, &right, &other);
-        if (status == BAT_OK) right = NULL;
         if (status == BAT_OK)
             status = bat_object_with_id(other, bat_document_new_id(c->session->document), &placed);
     }
     if (status == BAT_OK) {
         status = bat_object_with_curve(object, curve, left, &after);
-        if (status == BAT_OK) left = NULL;
+    } else {
+        bat_curve_free(left);
     }
     if (status == BAT_OK) status = bat_transaction_replace(c, index, after);
     if (status == BAT_OK && placed) status = bat_transaction_insert(c, index + 1, placed);
-    bat_curve_free(left);
-    bat_curve_free(right);
     bat_object_release(after);
     bat_object_release(other);
     bat_object_release(placed);

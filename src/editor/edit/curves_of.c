@@ -26,8 +26,9 @@ bat_status bat_without_curve(const bat_object *object, int index, bat_object **o
     for (int i = 0; i < count && status == BAT_OK; i++)
         if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
             kept++;
-    if (status == BAT_OK) status = bat_object_with_curves(object, kept, curves, out);
-    if (status != BAT_OK)
+    if (status == BAT_OK)
+        status = bat_object_with_curves(object, kept, curves, out);
+    else
         for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
     free(curves);
     return status;
@@ -38,10 +39,7 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
     const bat_document *document = c->session->document;
     bat_object *object = NULL, *placed = NULL;
     bat_status status = bat_object_create_path(id, NULL, style, 1, &curve, &object);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
+    if (status != BAT_OK) return status;
     int layer = parent ? bat_document_find(document, parent) : -1;
     int index = layer < 0 ? bat_document_count(document) : bat_document_end(document, layer);
     status = parent && layer < 0 ? BAT_ARGUMENT : bat_object_with_parent(object, parent, &placed);
@@ -54,13 +52,9 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     int at = bat_document_find(c->session->document, object);
     bat_object *after = NULL;
-    bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_curve(bat_document_at(c->session->document, at), index,
-                                                       curve, &after);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
+    bat_status status = bat_object_with_curve(bat_document_at(c->session->document, at), index, curve,
+                                              &after);
+    if (status != BAT_OK) return status;
     status = bat_transaction_replace(c, at, after);
     bat_object_release(after);
     return status;
@@ -81,13 +75,9 @@ bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve 
 bat_status bat_put_shape(bat_context *c, bat_id id, int curve, bat_shape *shape) {
     int at = bat_document_find(c->session->document, id);
     bat_object *after = NULL;
-    bat_status status = at < 0 ? BAT_ARGUMENT
-                               : bat_object_with_shape(bat_document_at(c->session->document, at), curve,
-                                                       shape, &after);
-    if (status != BAT_OK) {
-        bat_shape_free(shape);
-        return status;
-    }
+    bat_status status = bat_object_with_shape(bat_document_at(c->session->document, at), curve, shape,
+                                              &after);
+    if (status != BAT_OK) return status;
     status = bat_transaction_replace(c, at, after);
     bat_object_release(after);
     return status;

@@ -403,16 +403,16 @@ static void add_object(walk *w, uint32_t element, bool shown, const bat_style *s
     if (status == BAT_OK && count > 0)
         status = bat_object_create_path(bat_document_new_id(w->document), name, style, count, curves,
                                         &object);
+    else
+        for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
     if (object) {
         put_object(w, element, shown, object);
         if (w->unseen)
             w->report->hidden++;
         else
             count_paths(w->report, count);
-    } else {
-        for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
-        if (count > 0 && status != BAT_OK) /* a stroke width out of all bounds */
-            bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    } else if (count > 0 && status != BAT_OK) { /* a stroke width out of all bounds */
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     }
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
     free(curves);

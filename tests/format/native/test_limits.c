@@ -80,14 +80,15 @@ static void ids_beyond_are_refused_everywhere(void **state) {
     static const bat_id ids[] = {BAT_ID_MAX + 1,  3000000000u, (bat_id)1 << 32,
                                  (bat_id)1 << 53, UINT64_MAX,  0};
     bat_style style = bat_style_defaults();
-    bat_curve *curve = line(0, 1, 1);
     bat_object *small = guide(1);
     for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
         bat_object *object = NULL;
         bat_document *document = NULL;
         bat_problem problem;
         char text[160];
-        assert_int_equal(bat_object_create_path(ids[i], "", &style, 1, &curve, &object), BAT_ARGUMENT);
+        assert_int_equal(
+            bat_object_create_path(ids[i], "", &style, 1, (bat_curve *[]){line(0, 1, 1)}, &object),
+            BAT_ARGUMENT);
         assert_int_equal(bat_object_create_group(ids[i], "", true, &object), BAT_ARGUMENT);
         assert_int_equal(bat_object_create_guide(ids[i], 0, 1, &object), BAT_ARGUMENT);
         assert_int_equal(bat_object_with_id(small, ids[i], &object), BAT_ARGUMENT);
@@ -103,7 +104,6 @@ static void ids_beyond_are_refused_everywhere(void **state) {
         assert_null(document);
     }
     bat_object_release(small);
-    bat_curve_free(curve);
 }
 
 /* The last id given, no other one is: 0 is no id, and no object can be made with it. */

@@ -159,8 +159,8 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
                             bat_object **out) {
     bat_object *same = NULL;
     bat_status status = bat_object_with_curves(object, count, r->curves + first, &same);
-    if (status != BAT_OK) return status;
     for (int i = first; i < first + count; i++) r->curves[i] = NULL;
+    if (status != BAT_OK) return status;
     if (!id) {
         *out = same;
         return BAT_OK;
