@@ -2,7 +2,7 @@
 
 #include "io.h"
 #include "program.h"
-#include "xml.h"
+#include <batten/svg_read.h>
 
 #include <batten/format.h>
 
@@ -15,7 +15,7 @@ enum { LEFT_OUT_ROOM = 1000 };
 
 bat_status drawing_parse(const char *text, size_t size, const bat_format *format,
                          const bat_svg_options *options, drawing_file *out, bat_problem *problem) {
-    bat_reading how = {options ? *options : bat_svg_defaults(), xml_read_svg};
+    bat_reading how = {options ? *options : bat_svg_defaults(), bat_svg_read};
     drawing_file drawing = {.format = format};
     *problem = (bat_problem){.place = ""};
     bat_status status = bat_formats_read(&how, text, size, &drawing.format, &drawing.document,

@@ -1,6 +1,6 @@
 /*
  * A host of the engine for hand gestures: opens a drawing, sets the view, tells pointer events as the browser's shell
- * does, and prints what became of the document. It uses the public headers alone, and expat for SVG.
+ * does, and prints what became of the document. It uses the public headers alone.
  *
  * Reads a script from standard input, one order a line:
  *   open PATH                        .svg or .batten
@@ -21,7 +21,8 @@
  * Pointer events are handed over in one call when another order comes.
  */
 #include <batten/batten.h>
-#include <expat.h>
+#include <batten/svg_read.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,28 +51,6 @@ static void refuse(const char *what, bat_status status) {
 
 /* ---- opening ---- */
 
-typedef struct feed {
-    bat_svg_reader *reader;
-    bat_status status;
-} feed;
-
-static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes) {
-    feed *f = user;
-    if (f->status == BAT_OK)
-        f->status = bat_svg_reader_start(f->reader, name, (const char *const *)attributes);
-}
-
-static void XMLCALL on_text(void *user, const XML_Char *text, int length) {
-    feed *f = user;
-    if (f->status == BAT_OK) f->status = bat_svg_reader_text(f->reader, text, (size_t)length);
-}
-
-static void XMLCALL on_end(void *user, const XML_Char *name) {
-    feed *f = user;
-    (void)name;
-    if (f->status == BAT_OK) f->status = bat_svg_reader_end(f->reader);
-}
-
 static char *read_file(const char *path, size_t *length) {
     FILE *file = fopen(path, "rb");
     if (!file) fail("cannot open", path);
@@ -89,35 +68,16 @@ static char *read_file(const char *path, size_t *length) {
     return text;
 }
 
-static bat_document *read_svg(const char *text, size_t length, const char *path) {
-    bat_svg_options options = bat_svg_defaults();
-    bat_svg_report report;
-    bat_problem problem = {{0}, {0}};
-    bat_document *document = NULL;
-    feed f = {NULL, BAT_OK};
-    XML_Parser parser = XML_ParserCreate(NULL);
-    if (!parser || bat_svg_reader_create(&options, &f.reader) != BAT_OK) fail("memory", "");
-    XML_SetUserData(parser, &f);
-    XML_SetElementHandler(parser, on_start, on_end);
-    XML_SetCharacterDataHandler(parser, on_text);
-    if (XML_Parse(parser, text, (int)length, 1) == XML_STATUS_ERROR) fail("not XML", path);
-    if (bat_svg_reader_finish(f.reader, &document, &report, &problem) != BAT_OK)
-        fail("not read", problem.message);
-    XML_ParserFree(parser);
-    return document;
-}
-
 static void open_drawing(const char *path) {
     size_t length;
     char *text = read_file(path, &length);
     bat_document *document = NULL;
     bat_problem problem;
     const char *dot = strrchr(path, '.');
-    if (dot && !strcmp(dot, ".batten")) {
-        if (bat_document_read(text, length, &document, &problem) != BAT_OK) fail("not read", problem.message);
-    } else {
-        document = read_svg(text, length, path);
-    }
+    bat_status status = dot && !strcmp(dot, ".batten")
+                            ? bat_document_read(text, length, &document, &problem)
+                            : bat_svg_read(text, length, NULL, &document, NULL, &problem);
+    if (status != BAT_OK) fail("not read", problem.message);
     free(text);
     if (bat_editor_open(editor, document, "drawing.svg") != BAT_OK) fail("not opened", path);
 }

@@ -18,7 +18,7 @@ for way in find_package pkg_config; do
     [ $way = pkg_config ] && by=ON
     cmake -G Ninja -S "$2" -B "$work/$way" -DBY_PKG_CONFIG=$by -DCMAKE_PREFIX_PATH="$tree" > "$work/$way.log" 2>&1 &&
         cmake --build "$work/$way" >> "$work/$way.log" 2>&1 || { cat "$work/$way.log"; exit 1; }
-    for program in static_c shared_c static_cpp shared_cpp; do
+    for program in static_c shared_c static_cpp shared_cpp static_svg shared_svg; do
         LD_LIBRARY_PATH=$lib "$work/$way/$program"
         needs=$(readelf -d "$work/$way/$program" | grep -c 'NEEDED.*libbatten.so.0.2' || true)
         case $program in

@@ -20,7 +20,11 @@ mutable=$(nm --defined-only "$static" | awk 'NF == 3 && $2 ~ /^[bBcCdD]$/ { prin
 done | sort -u)
 [ -z "$mutable" ] || { echo "libbatten.a: mutable globals:"; echo "$mutable"; fail=1; }
 
-declared=$(cat "$2"/batten/*.h | tr '\n' ' ' | sed 's/BAT_API/\n&/g' | sed -n 's/^BAT_API[^(;]*[ *]\(bat_[a-z0-9_]*\)(.*/\1/p' | sort -u)
+# libbatten-svg: what svg_read.h declares, and nothing else of its own.
+apart=$(nm -D --defined-only "$1/libbatten-svg.so" | awk '{ print $3 }')
+[ "$apart" = bat_svg_read ] || { echo "libbatten-svg.so shows: $apart"; fail=1; }
+
+declared=$(find "$2/batten" -name '*.h' ! -name svg_read.h -exec cat {} + | tr '\n' ' ' | sed 's/BAT_API/\n&/g' | sed -n 's/^BAT_API[^(;]*[ *]\(bat_[a-z0-9_]*\)(.*/\1/p' | sort -u)
 echo "$declared" > "$1/declared.txt"
 echo "$shown" > "$1/shown.txt"
 hidden=$(comm -13 "$1/declared.txt" "$1/shown.txt")
@@ -30,5 +34,12 @@ missing=$(comm -23 "$1/declared.txt" "$1/shown.txt")
 
 soname=$(readelf -d "$shared" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
 [ "$soname" = libbatten.so.0.2 ] || { echo "SONAME is '$soname', expected libbatten.so.0.2"; fail=1; }
+for library in libbatten.so libbatten-svg.so; do
+    needs=$(readelf -d "$1/$library" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | sed 's/\.so.*//' | sort | tr '\n' ' ')
+    case "$library: $needs" in
+        "libbatten.so: libc libm " | "libbatten-svg.so: libbatten libc libexpat ") ;;
+        *) echo "$library needs $needs"; fail=1 ;;
+    esac
+done
 echo "$(echo "$shown" | wc -l) symbols shown, $(echo "$declared" | wc -l) declared"
 exit $fail

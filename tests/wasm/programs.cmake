@@ -7,7 +7,7 @@ file(GLOB FUZZERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/fuzz_*.c)
 list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
   ${PROJECT_SOURCE_DIR}/tests/format/write_documents.c)
 # Not among them: what a Python program talks with (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and
-set(NATIVE_ONLY test_threads) # WebAssembly has none
+set(NATIVE_ONLY test_threads test_svg_file) # WebAssembly has none, and no expat
 set(files /) # where a test finds the repository
 if(NOT BATTEN_WASM)
   set(files ${PROJECT_SOURCE_DIR})
