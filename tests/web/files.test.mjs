@@ -83,6 +83,28 @@ test('the picker opens a file; Save without a server downloads', async () => {
   await context.close();
 });
 
+test('every format that the engine reads opens, with another name too', async () => {
+  const { page, context } = await open(browser, server.address);
+  const lines = ['v 10 10 0', 'v 60 110 0', 'v 120 -40 0', 'v 200 60 0', 'cstype bspline', 'deg 3', 'curv 0 1 1 2 3 4',
+    'parm u 0 0 0 0 1 1 1 1', 'end'];
+  const curve = JSON.stringify({ degree: 3, points: [[0, 0], [40, 80], [90, -20], [160, 30]], knots: [0, 0, 0, 0, 1, 1, 1, 1] });
+  for (const [name, text] of [['lines.obj', lines.join('\n')], ['curve.json', curve], ['curve', curve]]) {
+    await drop(page, name, text);
+    await page.waitForFunction((title) => document.getElementById('name').textContent === title, name);
+    const saved = {};
+    for (const [command, ending] of [['download-native', 'batten'], ['download-svg', 'svg']]) {
+      await page.click('[data-name=menu]');
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-command=${command}]`)]);
+      assert.equal(download.suggestedFilename(), `${name.replace(/\..*/, '')}.${ending}`);
+      saved[ending] = fs.readFileSync(await download.path(), 'utf8');
+    }
+    const { objects } = JSON.parse(saved.batten);
+    assert.equal(objects.length, 1, name);
+    assert.equal(objects[0].curves[0].points.length, 4, name);
+  }
+  await context.close();
+});
+
 test('bad files are refused with a reason, and change nothing', async () => {
   expectFaults(...MALFORMED);
   const { page, context } = await open(browser, server.address);

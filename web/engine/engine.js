@@ -256,6 +256,18 @@ export class Engine extends Instance {
   }
 
   /**
+   * A file of another format, none of XML.
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   */
+  openFile(bytes, name) {
+    const broken = -1;
+    const status = this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
+      this.wasm.editor_open_file(this.editor, text, size, title, this.scratch))), broken);
+    this.#opened(status);
+  }
+
+  /**
    * An SVG document as the browser's own parser understood it.
    * @param {Element} root
    * @param {string} name

@@ -19,6 +19,9 @@ export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => 
 /** @param {string} name */
 export const isNative = (name) => name.toLowerCase().endsWith('.batten');
 
+/** @param {string} name */
+const stemOf = (name) => name.replace(/\.[a-z]{2,6}$/i, '');
+
 /**
  * The text of an XML file in whatever encoding it declares.
  * @param {Uint8Array} bytes
@@ -166,11 +169,14 @@ export class Files {
    */
   open(bytes, name) {
     try {
-      const native = isNative(name) || bytes.find((byte) => byte > 32) === 123; // a brace
-      if (native) {
+      const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
+      const svg = /\.svg$/i.test(name);
+      if (isNative(name) || (svg && first === '{')) {
         this.engine.openNative(bytes, name);
-      } else {
+      } else if (svg || first === '<' || first === undefined) {
         this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
+      } else {
+        this.engine.openFile(bytes, name);
       }
       this.losses = this.engine.losses;
       const lost = totalOf(this.losses);
@@ -251,7 +257,7 @@ export class Files {
    */
   download(native = isNative(this.name)) {
     try {
-      const stem = this.name.replace(/\.(svg|batten)$/i, '');
+      const stem = stemOf(this.name);
       this.#deliver(this.engine.save(native), `${stem}.${native ? 'batten' : 'svg'}`, native ? JSON_TYPE : SVG);
       return true;
     } catch (error) {
@@ -262,7 +268,7 @@ export class Files {
 
   /** All steps since opening. */
   downloadJournal(journal = this.engine.journal) {
-    const stem = this.name.replace(/\.(svg|batten)$/i, '');
+    const stem = stemOf(this.name);
     this.#deliver(journal, `${stem}.journal`, 'application/x-ndjson');
   }
 

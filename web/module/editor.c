@@ -1,6 +1,8 @@
 /* The engine as exports: one function each, arguments as addresses in the module's memory. */
 #include "module.h"
 
+#include "format/formats.h"
+
 #include <math.h>
 
 MODULE_EXPORT(editor_create) bat_editor *editor_create(void);
@@ -50,6 +52,9 @@ MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
 MODULE_EXPORT(editor_open_native)
 int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
                        bat_problem *problem);
+MODULE_EXPORT(editor_open_file)
+int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
+                     bat_problem *problem);
 MODULE_EXPORT(editor_copy) int editor_copy(bat_editor *editor, int cut, module_bytes *out);
 MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
@@ -255,6 +260,21 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
         return (int)status;
     }
     return (int)bat_editor_open(editor, document, name);
+}
+
+/* Any other format that needs no XML parser, by the table of formats: as its name says, else as its text does. */
+int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
+                     bat_problem *problem) {
+    MODULE_CHECK(editor && name);
+    const bat_reading how = {.svg = bat_svg_merging()};
+    const bat_format *format = bat_format_called(name);
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_status status = bat_formats_read(&how, text, size, &format, &document, &report, problem);
+    if (status == BAT_OK) {
+        status = bat_editor_open(editor, document, name);
+    }
+    return status == BAT_OK ? (int)bat_editor_set_losses(editor, &report.lost) : (int)status;
 }
 
 int editor_copy(bat_editor *editor, int cut, module_bytes *out) {
