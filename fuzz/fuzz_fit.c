@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.tolerance = ldexp(1, (int)(data[2] % 40) - 20), options.smoothing = data[0] & 8 ? data[3] : 0;
     options.corner_count = data[0] & 16 ? data[4] % 4 : 0, options.corners = corners;
     for (int i = 0; i < 4; i++) corners[i] = data[5] % 8 + i * (1 + data[6] % 16);
-    options.solves_max = data[7] % 64;
+    options.solves_max = data[7] % 64, options.hold_ends = data[7] & 64;
     data += 8, size -= 8;
     size_t numbers = 0;
     if (wide) /* raw doubles: every odd number there is */

@@ -14,6 +14,7 @@ typedef struct bat_fit_options {
     double smoothing; /* shortest wavelength that may bend, document units; 0: none (math-sketch 5.7) */
     int degree;       /* 3 by default */
     bool closed;
+    bool hold_ends;      /* open: the curve meets the first and the last point exactly */
     int solves_max;      /* 0: the default budget */
     size_t corner_count; /* corners[i]: indices into the points, ascending, kept as multiplicity-p knots */
     const int *corners;
@@ -35,6 +36,14 @@ static inline bat_fit_options bat_fit_defaults(void) {
 /* count points in order; options may be NULL. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
 BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
                            bat_curve **out, bat_fit_report *report);
+
+/*
+ * The curve again, of the same degree, with as few knots as keep it within tolerance (> 0); corners (multiplicity p knots
+ * whose tangents turn by more than corner radians) and ends stay. Parameters are new. *error (may be NULL): the distance,
+ * measured both ways. Where a fit of its samples has no fewer points than bat_curve_simplify, that is the result.
+ */
+BAT_API bat_status bat_curve_refit(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
+                                   double *error);
 
 #ifdef __cplusplus
 }

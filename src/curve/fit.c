@@ -10,6 +10,7 @@
 #include <batten/fit.h>
 
 #include "curve/banded.h"
+#include "curve/hidden.h"
 #include "base/options.h"
 #include "curve/lsq.h"
 #include "base/real.h"
@@ -386,6 +387,8 @@ static void thin(fitting *f) {
 
 /* ---- The whole ---- */
 
+static const double held = 1e8; /* weight of an end that is met, times its own */
+
 static const bat_fit_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 1, .degree = 3};
 enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
 
@@ -416,6 +419,16 @@ static double chord(const double *a, const double *b, int m) {
     double d = 0;
     for (int c = 0; c < m; c++) d = bat_hypot(d, a[c] - b[c]);
     return d;
+}
+
+static void set_weights(fitting *f, double closing) {
+    const size_t n = f->count;
+    for (size_t i = 0; i < n; i++) {
+        const double before = i > 0 ? f->u[i] - f->u[i - 1] : closing;
+        const double after = i + 1 < n ? f->u[i + 1] - f->u[i] : closing;
+        f->weight[i] = 0.5 * (before + after);
+    }
+    if (f->options->hold_ends && !f->closed) f->weight[0] *= held, f->weight[n - 1] *= held;
 }
 
 /* Takes the points over, without repeats; closed with corners: from the first corner on. Sets u, weight and
@@ -454,11 +467,7 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
     if (!f->closed && corners > 0 && f->order[corners - 1] == (int)n - 1) corners--;
     f->count = n;
     const double end = length + closing;
-    for (size_t i = 0; i < n; i++) {
-        const double before = i > 0 ? f->u[i] - f->u[i - 1] : closing;
-        const double after = i + 1 < n ? f->u[i + 1] - f->u[i] : closing;
-        f->weight[i] = 0.5 * (before + after);
-    }
+    set_weights(f, closing);
     /* Few spans at first; more come where needed, and go again. */
     mesh *t = &f->trial;
     t->count = 0;
@@ -488,6 +497,10 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     /* The rounds only asked whether samples are within tolerance; now how near they truly are. */
     bat_lsq_local(&f->space, m, f->points, f->local);
     const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
+    if (f->options->hold_ends && !f->closed) { /* all but the last digits are there already */
+        memcpy(f->points, f->x, (size_t)m * sizeof *f->points);
+        memcpy(f->points + (n - 1) * m, f->x + (f->count - 1) * (size_t)m, (size_t)m * sizeof *f->points);
+    }
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
@@ -549,6 +562,66 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     return used;
 }
 
+/* Points sampled from a cubic spline at even parameters show its knots: they are tried first, for no search finds them. */
+static bool start_hidden(fitting *f) {
+    const double close = 0.05, noise = 1e-3; /* of the tolerance */
+    const bat_fit_options *o = f->options;
+    const size_t n = f->count;
+    if (f->degree != 3 || f->closed || o->corner_count > 0 || o->smoothing > 0) return false;
+    const size_t found = bat_hidden_knots(f->dimension, n, f->x, noise * f->tolerance, f->distance, f->spare);
+    if (found == 0 || found + 2 > (size_t)f->room) return false;
+    const double step = f->u[n - 1] / (double)(n - 1);
+    for (size_t i = 0; i < n; i++) f->u[i] = (double)i * step;
+    mesh *t = &f->trial;
+    t->count = (int)found + 2;
+    for (int k = 0; k < t->count; k++) {
+        t->at[k] = k == 0 ? 0 : k + 1 == t->count ? f->u[n - 1] : f->spare[k - 1] * step;
+        t->corner[k] = t->firm[k] = false, t->kept[k] = k + 1 == t->count;
+    }
+    const double worst = attempt(f);
+    if (!(worst <= close * f->tolerance)) return false;
+    accept(f, worst);
+    return true;
+}
+
+static bat_status fit_points(fitting *f, size_t count, const double *points, bat_curve **out,
+                             bat_fit_report *report) {
+    double origin[BAT_DIMENSION_MAX];
+    memcpy(origin, points, (size_t)f->dimension * sizeof *origin);
+    bat_curve *first = NULL;
+    bat_fit_report reports[2];
+    bat_status status = take_points(f, count, points, origin);
+    if (status == BAT_OK && start_hidden(f)) {
+        thin(f);
+        status = hand_over(f, origin, &first, &reports[0]);
+    }
+    if (status == BAT_OK) status = take_points(f, count, points, origin);
+    if (status != BAT_OK) {
+        bat_curve_free(first);
+        return status;
+    }
+    const double wave = f->options->smoothing / (2 * BAT_PI);
+    const int order = f->degree < 3 ? f->degree : 3;
+    f->mu = 1; /* chord length is the parameter, so the speed is one */
+    for (int i = 0; i < 2 * order; i++) f->mu *= wave;
+    f->worst = INFINITY, f->fits = false, f->moved = true, f->budget += f->solves;
+    grow(f);
+    if (f->fits) thin(f);
+    bat_curve *second = NULL;
+    status = isfinite(f->worst) ? hand_over(f, origin, &second, &reports[1]) : BAT_SINGULAR;
+    const bool better = first && (status != BAT_OK || bat_curve_count(first) <= bat_curve_count(second));
+    if (first && status != BAT_MEMORY) status = better ? BAT_OK : status;
+    if (status == BAT_OK || status == BAT_TOLERANCE) {
+        *out = better ? first : second;
+        if (report) *report = reports[better ? 0 : 1], report->solves = f->solves;
+        bat_curve_free(better ? second : first);
+    } else {
+        bat_curve_free(first);
+        bat_curve_free(second);
+    }
+    return status;
+}
+
 bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *given,
                    bat_curve **out, bat_fit_report *report) {
     if (!out) return BAT_ARGUMENT;
@@ -564,18 +637,7 @@ bat_status bat_fit(int dimension, size_t count, const double *points, const bat_
     char *block = malloc(lay_out(&f, NULL, count));
     if (!block) return BAT_MEMORY;
     lay_out(&f, block, count);
-    double origin[BAT_DIMENSION_MAX];
-    memcpy(origin, points, (size_t)dimension * sizeof *origin);
-    status = take_points(&f, count, points, origin);
-    if (status == BAT_OK) {
-        const double wave = options->smoothing / (2 * BAT_PI);
-        const int order = f.degree < 3 ? f.degree : 3;
-        f.mu = 1; /* chord length is the parameter, so the speed is one */
-        for (int i = 0; i < 2 * order; i++) f.mu *= wave;
-        grow(&f);
-        if (f.fits) thin(&f);
-        status = isfinite(f.worst) ? hand_over(&f, origin, out, report) : BAT_SINGULAR;
-    }
+    status = fit_points(&f, count, points, out, report);
     free(block);
     return status;
 }

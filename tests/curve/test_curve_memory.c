@@ -7,6 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/bezier.h>
+#include <batten/fit.h>
 #include <batten/refine.h>
 #include "curve/curve.h"
 #include "support/alloc_fail.h"
@@ -64,6 +65,9 @@ static bat_status simplify(bat_curve **a, bat_curve **b) {
 static bat_status simplify_nothing(bat_curve **a, bat_curve **b) {
     return (void)b, bat_curve_simplify(closed_curve, 0, 4, a, NULL);
 }
+static bat_status refit(bat_curve **a, bat_curve **b) {
+    return (void)b, bat_curve_refit(open_curve, 2, 4, a, NULL);
+}
 static bat_status elevate(bat_curve **a, bat_curve **b) {
     return (void)b, bat_curve_elevate(closed_curve, 5, a);
 }
@@ -103,10 +107,10 @@ static bat_status from_bezier(bat_curve **a, bat_curve **b) {
 
 static void every_allocation(void **state) {
     (void)state;
-    operation *const operations[] = {create,    copy,        transform, dimension,   insert,
-                                     refine,    remove_seam, simplify,  elevate,     clamp,
-                                     reverse,   split,       piece,     close_ring,  reparametrise,
-                                     move_seam, join,        to_cubics, from_bezier, simplify_nothing};
+    operation *const operations[] = {
+        create,     copy,          transform, dimension, insert,    refine,      remove_seam,
+        simplify,   refit,         elevate,   clamp,     reverse,   split,       piece,
+        close_ring, reparametrise, move_seam, join,      to_cubics, from_bezier, simplify_nothing};
     make_curves();
     for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
         bat_curve *mark = (bat_curve *)(void *)&marker;

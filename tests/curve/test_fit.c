@@ -10,8 +10,9 @@
 #include <batten/fit.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
+#include <batten/refine.h>
 #include "curve/curve.h"
-#include "support/random_curve.h"
+#include "support/sketch_cases.h"
 
 enum { MOST = 1200 };
 
@@ -215,8 +216,115 @@ static void bad_input(void **state) {
     bat_curve_free(curve);
 }
 
+/* A wiggly curve of that many spans, even or not. */
+static bat_curve *wiggly(random_source *r, int spans, bool even) {
+    enum { MOST_SPANS = 120 };
+    const int n = spans + 3;
+    double points[2 * (MOST_SPANS + 3)], knots[MOST_SPANS + 7], way = 0, at[2] = {0, 0};
+    for (int i = 0; i < n; i++) {
+        way += random_between(r, -1.2, 1.2);
+        at[0] += 14 * cos(way), at[1] += 14 * sin(way);
+        points[2 * i] = at[0], points[2 * i + 1] = at[1];
+    }
+    for (int i = 0; i < n + 4; i++)
+        knots[i] = i < 4           ? 0
+                   : i > spans + 3 ? knots[i - 1]
+                                   : knots[i - 1] + (even ? 1 : random_between(r, 0.5, 1.5));
+    bat_curve *curve = NULL;
+    assert_int_equal(bat_curve_create(2, 3, false, (size_t)n, points, (size_t)n + 4, knots, &curve), BAT_OK);
+    return curve;
+}
+
+/* Samples of a curve without noise never take more spans than the curve has. */
+static void clean_data_take_no_more_spans(void **state) {
+    (void)state;
+    enum { SPANS = 97, COUNT = 2000 };
+    static double x[2 * COUNT];
+    random_source r = {97};
+    for (int n = 0; n < 6; n++) {
+        bat_curve *curve = wiggly(&r, SPANS, n % 2 == 0);
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        for (int i = 0; i < COUNT; i++)
+            bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * i / (COUNT - 1), 0, x + 2 * i);
+        static const double tolerances[] = {0.02, 0.1, 0.45};
+        for (int k = 0; k < 3; k++) {
+            bat_fit_options options = bat_fit_defaults();
+            options.tolerance = tolerances[k];
+            bat_curve *fit = NULL;
+            bat_fit_report report;
+            assert_int_equal(bat_fit(2, COUNT, x, &options, &fit, &report), BAT_OK);
+            assert_true(report.knots <= SPANS - 1 && report.max_error <= tolerances[k]);
+            bat_curve_free(fit);
+        }
+        bat_curve_free(curve);
+    }
+}
+
+static void ends_are_held(void **state) {
+    (void)state;
+    enum { COUNT = 200 };
+    random_source r = {12};
+    double x[2 * COUNT];
+    for (int i = 0; i < COUNT; i++)
+        x[2 * i] = 1e4 + i + random_between(&r, -0.3, 0.3),
+              x[2 * i + 1] = 20 * sin(i * 0.05) + random_between(&r, -0.3, 0.3);
+    bat_fit_options options = bat_fit_defaults();
+    options.hold_ends = true;
+    for (options.degree = 1; options.degree <= 5; options.degree += 2) {
+        bat_curve *fit = NULL;
+        bat_fit_report report;
+        assert_int_equal(bat_fit(2, COUNT, x, &options, &fit, &report), BAT_OK);
+        double domain[2], at[2];
+        bat_curve_domain(fit, domain);
+        for (int end = 0; end < 2; end++) {
+            bat_curve_eval(fit, domain[end], 0, at);
+            for (int c = 0; c < 2; c++) assert_true(fabs(at[c] - x[2 * (end ? COUNT - 1 : 0) + c]) <= 4e-12);
+        }
+        assert_true(true_error(fit, 2, COUNT, x) <= 1);
+        bat_curve_free(fit);
+    }
+}
+
+/* A curve with knots it does not need, corners and all, again with few. */
+static void refit_keeps_the_shape_with_fewer_points(void **state) {
+    (void)state;
+    random_source r = {31};
+    size_t before = 0, removed = 0, refitted = 0;
+    for (int n = 0; n < 12; n++) {
+        bat_curve *curve = n % 3 == 2 ? ring_curve(&r, 60, 4) : wavy_curve(&r, 60, 3), *less = NULL,
+                  *again = NULL;
+        const double tolerance = n % 2 ? 0.3 : 1;
+        double error = -1, there, back;
+        assert_int_equal(bat_curve_simplify(curve, tolerance, 0.05, &less, NULL), BAT_OK);
+        assert_int_equal(bat_curve_refit(curve, tolerance, 0.05, &again, &error), BAT_OK);
+        assert_int_equal(bat_curve_distance(curve, again, 40, &there, &back), BAT_OK);
+        assert_true(error >= 0 && error <= tolerance && fmax(there, back) <= 1.02 * tolerance);
+        assert_true(bat_curve_count(again) <= bat_curve_count(less));
+        assert_true(bat_curve_is_closed(again) == bat_curve_is_closed(curve));
+        before += bat_curve_count(curve), removed += bat_curve_count(less),
+            refitted += bat_curve_count(again);
+        if (!bat_curve_is_closed(curve)) {
+            double a[2], b[2], p[2], q[2];
+            bat_curve_domain(curve, a);
+            bat_curve_domain(again, b);
+            for (int end = 0; end < 2; end++) {
+                bat_curve_eval(curve, a[end], 0, p);
+                bat_curve_eval(again, b[end], 0, q);
+                assert_true(hypot(p[0] - q[0], p[1] - q[1]) < 1e-9);
+            }
+        }
+        bat_curve_free(curve), bat_curve_free(less), bat_curve_free(again);
+    }
+    print_message("%zu points: %zu after removal, %zu after refitting\n", before, removed, refitted);
+    assert_true(refitted < removed);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tolerance_holds),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(clean_data_take_no_more_spans),
+                                       cmocka_unit_test(ends_are_held),
+                                       cmocka_unit_test(refit_keeps_the_shape_with_fewer_points),
+                                       cmocka_unit_test(tolerance_holds),
                                        cmocka_unit_test(exact_shapes),
                                        cmocka_unit_test(corners_are_kept),
                                        cmocka_unit_test(invariance),

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "support/pen.h"
 #include <batten/batten.h>
+#include <batten/fit.h>
 
 static bat_curve *out; /* of every call that makes one: stays NULL */
 
@@ -50,6 +51,11 @@ static void of_refinement(void **state) {
     ARGUMENT(bat_curve_simplify(NULL, 1, 1, &out, &error));
     ARGUMENT(bat_curve_simplify(open, 1, 1, NULL, &error));
     ARGUMENT(bat_curve_simplify(open, -1, 1, &out, &error));
+    ARGUMENT(bat_curve_refit(NULL, 1, 1, &out, &error));
+    ARGUMENT(bat_curve_refit(open, 1, 1, NULL, &error));
+    ARGUMENT(bat_curve_refit(open, 0, 1, &out, &error));
+    ARGUMENT(bat_curve_refit(open, INFINITY, 1, &out, &error));
+    ARGUMENT(bat_curve_refit(open, 1, -1, &out, &error));
     ARGUMENT(bat_curve_simplify(open, 1, NAN, &out, &error));
     ARGUMENT(bat_curve_elevate(NULL, 5, &out));
     ARGUMENT(bat_curve_elevate(open, 5, NULL));

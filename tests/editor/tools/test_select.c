@@ -10,8 +10,12 @@
 #include "base/matrix.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
 #include "editor/editor.h"
+#include "editor/session/transaction.h"
 #include "support/editing.h"
+#include <batten/measure.h>
+#include <batten/refine.h>
 
 static void drag_holding(pen *p, double x0, double y0, double x1, double y1, uint32_t modifiers) {
     p->modifiers = modifiers;
@@ -733,6 +737,38 @@ static void double_click_enters(void **state) {
     bat_editor_free(editor);
 }
 
+/* The selected curves with fewer points, one step; a second time there is nothing left to do. */
+static void simplify(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    bat_editor_command(editor, "deselect");
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE); /* nothing is selected */
+    bat_curve *finer = NULL, *old = NULL;
+    double knots[40], domain[2];
+    bat_curve_copy(curve(editor, 1), &old);
+    bat_curve_domain(old, domain);
+    for (int i = 0; i < 40; i++) knots[i] = domain[0] + (domain[1] - domain[0]) * (i + 0.5) / 40;
+    assert_int_equal(bat_curve_insert_knots(old, 40, knots, &finer), BAT_OK);
+    assert_int_equal(bat_transaction_begin(&editor->context), BAT_OK);
+    assert_int_equal(bat_put_curve(&editor->context, 1, 0, finer), BAT_OK);
+    assert_int_equal(bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL), BAT_OK);
+    const size_t many = bat_curve_count(curve(editor, 1));
+    uint64_t before = digest(editor);
+    only(editor, 1, 0);
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_OK);
+    assert_true(bat_curve_count(curve(editor, 1)) + 38 <= many);
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Simplified: "));
+    double there, back;
+    assert_int_equal(bat_curve_distance(old, curve(editor, 1), 20, &there, &back), BAT_OK);
+    assert_true(fmax(there, back) <= 1.001);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    bat_editor_command(editor, "redo");
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE);
+    bat_curve_free(old);
+    bat_editor_free(editor);
+}
+
 static bool offered(bat_editor *editor, const char *name) {
     const char *list = bat_editor_actions(editor), *at = strstr(list, name);
     return at && (at == list || at[-1] == ' ') && (at[strlen(name)] == ' ' || !at[strlen(name)]);
@@ -838,6 +874,7 @@ int main(void) {
         cmocka_unit_test(random_sessions),
         cmocka_unit_test(alt_drags_a_copy),
         cmocka_unit_test(double_click_enters),
+        cmocka_unit_test(simplify),
         cmocka_unit_test(actions_of_the_selection),
         cmocka_unit_test(layers_are_placed),
     };
