@@ -35,6 +35,8 @@ enum {
 /*
  * What can fail returns a bat_status and leaves its outputs untouched unless it returns BAT_OK
  * (BAT_TOLERANCE is the one exception: the best result found is handed over with it).
+ * Every such call can say BAT_MEMORY, and BAT_ARGUMENT where a pointer is NULL that may not be; comments name the rest.
+ * Calls that return something else take no NULL but where it is said.
  * Numbers are never reused.
  */
 typedef enum bat_status {

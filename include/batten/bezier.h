@@ -8,18 +8,19 @@
 extern "C" {
 #endif
 
-/* Number of polynomial segments (non-empty spans of the domain). */
+/* Number of polynomial segments (non-empty spans of the domain). O(count). */
 BAT_API int bat_curve_segment_count(const bat_curve *curve);
 /* All segments: points has segment_count * (p + 1) * dimension doubles, breaks segment_count + 1; either may
- * be NULL. Exact to rounding. */
+ * be NULL. Exact to rounding. O(count). P&T A5.6. */
 BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
 /* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
+ * tolerance: document units, above 0 where the degree is above 3. BAT_COUNT: more than BAT_POINTS_MAX of them.
  * BAT_TOLERANCE with the best cubics after twelve halvings. *segments of them in *points, which is malloc'ed and freed
  * by bat_free: *segments * 4 * dimension doubles, shared ends repeated. */
 BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *segments,
                                        double **points);
 
-/* Releases an array that the library handed over. */
+/* Releases an array that the library handed over; NULL is fine. */
 BAT_API void bat_free(void *memory);
 
 /*
@@ -30,7 +31,8 @@ BAT_API void bat_free(void *memory);
  * segments are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
  * *error (may be NULL) bounds the deviation. A smooth closed path whose handle ratios do not return to one
  * after a round keeps multiplicity p at one joint; so do joints with a handle of no length, and where the
- * speed would leave 1e-5..1e5 of the run's. BAT_ARGUMENT when a closed path does not end where it starts.
+ * speed would leave 1e-5..1e5 of the run's. corner: radians; tolerance: document units. BAT_ARGUMENT when a closed path
+ * does not end where it starts; BAT_COUNT: no segment of any length, or too many. Cost: that of bat_curve_simplify.
  */
 BAT_API bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments,
                                          const double *points, double corner, double tolerance,

@@ -11,7 +11,7 @@
  * closed curve are still distinct doubles one period away. BAT_NUMBER otherwise.
  *
  * A curve is a value: it never changes after it is made. Operations return new curves, which the caller
- * frees. One allocation a curve.
+ * frees (bat_curve_free). One allocation a curve. Source: Piegl and Tiller (P&T), The NURBS Book; docs/references.md.
  */
 #ifndef BATTEN_CURVE_H
 #define BATTEN_CURVE_H
@@ -38,6 +38,7 @@ BAT_API bat_status bat_curve_create(int dimension, int degree, bool closed, size
  * at the first point and ends at the last. */
 BAT_API bat_status bat_curve_create_clamped(int dimension, int degree, size_t count, const double *points,
                                             bat_curve **out);
+/* O(count). */
 BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
 BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
 
@@ -49,15 +50,16 @@ BAT_API int bat_curve_knot_count(const bat_curve *curve);       /* n + p + 1, or
 BAT_API const double *bat_curve_knots(const bat_curve *curve);  /* owned by the curve */
 BAT_API const double *bat_curve_points(const bat_curve *curve); /* owned by the curve */
 BAT_API void bat_curve_domain(const bat_curve *curve, double domain[2]);
-/* Length of the diagonal of the control points' box: the "size" that relative bounds refer to. */
+/* Length of the diagonal of the control points' box: the "size" that relative bounds refer to. O(count). */
 BAT_API double bat_curve_size(const bat_curve *curve);
-/* Bitwise equality of shape and representation. */
+/* Bitwise equality of shape and representation. O(count). */
 BAT_API bool bat_curve_is_equal(const bat_curve *a, const bat_curve *b);
 
 /*
  * Position and derivatives up to `order` at u: out[(order + 1) * dimension], position first. Orders above
  * the degree are zero. Open curves clamp u to the domain, closed ones take it modulo the period; a NaN u
- * gives NaN. At a knot the limit from the right (at the end of an open domain, from the left).
+ * gives NaN. At a knot the limit from the right (at the end of an open domain, from the left). O(log count + order * p^2);
+ * no allocation.
  */
 BAT_API void bat_curve_eval(const bat_curve *curve, double u, int order, double *out);
 /* The same limit from the left at knots. */
@@ -69,7 +71,7 @@ BAT_API void bat_curve_eval_left(const bat_curve *curve, double u, int order, do
  */
 BAT_API bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const double *u, int order,
                                        double *out);
-/* count parameters spread evenly over the domain, ends included (closed: the end excluded). */
+/* u: count parameters spread evenly over the domain, ends included (closed: the end excluded). */
 BAT_API void bat_curve_spread(const bat_curve *curve, size_t count, double *u);
 
 /* Blossom (polar form) of the polynomial piece that is in force just right of u (left: just left of it),
@@ -77,14 +79,16 @@ BAT_API void bat_curve_spread(const bat_curve *curve, size_t count, double *u);
 BAT_API void bat_curve_blossom(const bat_curve *curve, double u, const double *arguments, bool left,
                                double *out);
 
-/* Greville abscissae: count doubles. */
+/* Greville abscissae, means of p knots: out has bat_curve_count doubles. */
 BAT_API void bat_curve_greville(const bat_curve *curve, double *out);
-/* Non-zero basis functions at u: values[p+1]; *first is the index of the first (closed: modulo n). */
+/* Non-zero basis functions at u (as bat_curve_eval takes it): values[p + 1]; *first is the index of the first control
+ * point that they weigh (closed: modulo n). P&T A2.2. */
 BAT_API void bat_curve_basis(const bat_curve *curve, double u, int *first, double *values);
 
-/* Affine image: matrix is dimension rows of (dimension + 1), row major, translation last. */
+/* Affine image: matrix is dimension rows of (dimension + 1), row major, translation last. BAT_NUMBER: a point goes beyond
+ * BAT_COORDINATE_MAX. O(count). */
 BAT_API bat_status bat_curve_transform(const bat_curve *curve, const double *matrix, bat_curve **out);
-/* The planar curve in space (z = 0), or the space curve's x, y. */
+/* The planar curve in space (z = 0), or the space curve's x, y. BAT_DIMENSION: neither 2 nor 3. O(count). */
 BAT_API bat_status bat_curve_to_dimension(const bat_curve *curve, int dimension, bat_curve **out);
 
 #ifdef __cplusplus

@@ -149,12 +149,12 @@ BAT_API void bat_object_bounds(const bat_object *object, double box[4]);
 typedef struct bat_document bat_document;
 
 BAT_API bat_status bat_document_create(bat_document **out);
-BAT_API void bat_document_free(bat_document *document);
+BAT_API void bat_document_free(bat_document *document); /* NULL is fine */
 BAT_API bat_status bat_document_copy(const bat_document *document, bat_document **out);
 BAT_API int bat_document_count(const bat_document *document);
-BAT_API const bat_object *bat_document_at(const bat_document *document, int index);
-BAT_API int bat_document_find(const bat_document *document, bat_id id); /* index, or -1 */
-BAT_API bat_id bat_document_new_id(bat_document *document);             /* 0: all are used up */
+BAT_API const bat_object *bat_document_at(const bat_document *document, int index); /* NULL: no such index */
+BAT_API int bat_document_find(const bat_document *document, bat_id id);             /* index, or -1 */
+BAT_API bat_id bat_document_new_id(bat_document *document);                         /* 0: all are used up */
 /* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
  * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
 BAT_API bat_status bat_document_insert(bat_document *document, int index, const bat_object *after);

@@ -18,7 +18,7 @@ enum { BAT_DRAG_MAX = 32 };
  */
 BAT_API bat_status bat_curve_drag(const bat_curve *curve, size_t count, const double *u, const double *delta,
                                   bat_curve **out);
-/* Moves control point `index` by delta (dimension doubles). */
+/* Moves control point `index` by delta (dimension doubles). BAT_ARGUMENT: no such point; BAT_NUMBER. O(count). */
 BAT_API bat_status bat_curve_move_point(const bat_curve *curve, int index, const double *delta,
                                         bat_curve **out);
 

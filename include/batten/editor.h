@@ -17,8 +17,9 @@
 extern "C" {
 #endif
 
+/* With an empty document. */
 BAT_API bat_status bat_editor_create(bat_editor **out);
-BAT_API void bat_editor_free(bat_editor *editor);
+BAT_API void bat_editor_free(bat_editor *editor); /* NULL is fine; frees the document, too */
 BAT_API const bat_document *bat_editor_document(const bat_editor *editor);
 /* A document opened anew: history emptied, view fitted, journal begun with a snapshot. Takes the document over;
  * on failure the editor is as it was. A stroke under way is cancelled. */

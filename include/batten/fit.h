@@ -33,7 +33,7 @@ static inline bat_fit_options bat_fit_defaults(void) {
     bat_fit_options_init(&options, sizeof options);
     return options;
 }
-/* count points in order; options may be NULL. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
+/* count points in order, document units; *out is the caller's; report may be NULL; options may be NULL. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
 BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
                            bat_curve **out, bat_fit_report *report);
 

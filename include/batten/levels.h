@@ -64,11 +64,11 @@ BAT_API void bat_shape_free(bat_shape *shape); /* NULL is fine */
 /* Adds a level on top. knots: a superset of the knots below, in the curve's own form (open: n + p + 1,
  * closed: n + 1); NULL: a knot in the middle of every span. details: count * 3 (t, s, r; planar: r is 0), or
  * NULL: none yet. source: count, the level whose frame each detail uses (math 3.7), or NULL: the level below.
- * BAT_KNOTS: not a superset. */
+ * BAT_KNOTS: not a superset; BAT_COUNT: BAT_LEVELS_MAX there are. O(count). */
 BAT_API bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const double *knots,
                                        const double *details, const int *source);
 
-BAT_API int bat_shape_levels(const bat_shape *shape); /* k */
+BAT_API int bat_shape_levels(const bat_shape *shape); /* k; how many, 0 at first */
 /* C^0..C^k; owned by the shape, valid until it changes. */
 BAT_API const bat_curve *bat_shape_curve(const bat_shape *shape, int level);
 /* C^k as a curve of its own. */
@@ -95,7 +95,7 @@ BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, 
 /* Moves control points first..first+count-1 (closed: modulo n) at once. */
 BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, size_t count,
                                        const double *deltas);
-/* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6. */
+/* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6, else BAT_NUMBER. BAT_ARGUMENT: level 0, or no such level. */
 BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
 /* A muted level shows nothing and cannot be edited; its gain is kept for when it sounds again. */
 BAT_API bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted);
@@ -121,7 +121,7 @@ BAT_API bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *st
                                     const bat_sketch_options *options, bat_shape **out,
                                     bat_sketch_report *report);
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
- */
+ * BAT_SINGULAR: it flattens; BAT_NUMBER. */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
 /* Another frame rule, an affine image (matrix NULL: none), or both at once: the details are expressed anew, so
  * that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR: it flattens. */

@@ -234,6 +234,7 @@ static void of_levels(void **state) {
         const bat_spline endless = {.dimension = 2, .count = many[i], .points = delta};
         COUNT(bat_shape_decompose_to(curve, 1, many[i], NULL, &made));
         COUNT(bat_shape_move_many(shape, 0, 0, many[i], delta));
+        COUNT(bat_shape_sketch(shape, 0, many[i], delta, delta));
         COUNT(bat_curve_drag(curve, many[i], delta, delta, &out));
         COUNT(bat_tangents(&endless, NULL, NULL, NULL, NULL, &out));
         COUNT(bat_fit(2, many[i], delta, &fit, &out, NULL));

@@ -271,7 +271,8 @@ static bat_status move(const fit *f, bat_shape *shape, int level) {
 bat_status bat_level_fit(bat_shape *shape, int level, size_t count, const double *u, const double *targets,
                          double *spans) {
     if (!shape || level < 0 || level > bat_shape_levels(shape)) return BAT_ARGUMENT;
-    if (!u || !targets || count < 1 || count > BAT_POINTS_MAX) return BAT_ARGUMENT;
+    if (!u || !targets || count < 1) return BAT_ARGUMENT;
+    if (count > BAT_POINTS_MAX) return BAT_COUNT;
     const bat_curve *curve = bat_shape_curve(shape, level);
     for (size_t i = 0; i < count * (size_t)curve->dimension; i++)
         if (!(fabs(targets[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
