@@ -59,7 +59,7 @@ static inline bat_sketch_options bat_sketch_defaults(void) {
  * options may be NULL: the defaults, here and below; so may report.
  * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
  * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
- * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 50 ms with the best found.
+ * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 20 ms with the best found.
  * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from
  * the curve to be meant for it; of a closed curve it is enough that one end does, unless the stroke closes itself, for
  * a closed curve has no end that the stroke could become.

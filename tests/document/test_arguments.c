@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "hands/sketch/meant.h"
 #include "support/pen.h"
 #include <batten/batten.h>
 #include <batten/fit.h>
@@ -215,6 +216,106 @@ static void of_strokes(void **state) {
     bat_curve_free(closed);
 }
 
+#define DIMENSION(call) refused(BAT_DIMENSION, call, #call, __LINE__)
+
+/* Strokes and curves that do not go together, and options out of their range. */
+static void of_strokes_and_what_they_mean(void **state) {
+    (void)state;
+    bat_curve *open = pen_curve(0, 0, 10, 5, 7), *closed = closed_curve(), *space = NULL;
+    const double points[] = {0, 0, 0, 10, 5, 1, 20, 0, 2, 30, 5, 3}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    assert_int_equal(bat_curve_create(3, 3, false, 4, points, 8, knots, &space), BAT_OK);
+    const bat_stroke flat = {.dimension = 2, .count = 3, .points = points},
+                     deep = {.dimension = 3, .count = 3, .points = points},
+                     thin = {.dimension = 1, .count = 3, .points = points},
+                     wide = {.dimension = 4, .count = 3, .points = points},
+                     endless = {.dimension = 2, .count = SIZE_MAX, .points = points};
+    const bat_curve *both[] = {open, open};
+    const double cuts[] = {5, 5};
+    bat_sketch_meaning meaning[2] = {{0}};
+    bat_curve *made[2] = {NULL, NULL};
+    DIMENSION(bat_sketch(open, &deep, NULL, &out, NULL));
+    DIMENSION(bat_sketch(open, &thin, NULL, &out, NULL));
+    DIMENSION(bat_sketch(open, &wide, NULL, &out, NULL));
+    COUNT(bat_sketch(open, &endless, NULL, &out, NULL));
+    DIMENSION(bat_sketch_smooth(open, &deep, NULL, &out, NULL));
+    DIMENSION(bat_sketch_join(open, space, &flat, NULL, &out, NULL));
+    DIMENSION(bat_sketch_join(space, open, &flat, NULL, &out, NULL));
+    DIMENSION(bat_sketch_join(open, open, &deep, NULL, &out, NULL));
+    ARGUMENT(bat_sketch_close(NULL, &flat, NULL, &out, NULL));
+    ARGUMENT(bat_sketch_close(open, &flat, NULL, NULL, NULL));
+    ARGUMENT(bat_sketch_close(closed, &flat, NULL, &out, NULL));
+    ARGUMENT(bat_sketch_chain(0, both, cuts, meaning, &flat, NULL, made));
+    ARGUMENT(bat_sketch_chain(2, NULL, cuts, meaning, &flat, NULL, made));
+    ARGUMENT(bat_sketch_chain(2, both, NULL, meaning, &flat, NULL, made));
+    ARGUMENT(bat_sketch_chain(2, both, cuts, NULL, &flat, NULL, made));
+    ARGUMENT(bat_sketch_chain(2, both, cuts, meaning, &flat, NULL, NULL));
+    ARGUMENT(bat_sketch_chain(2, both, cuts, meaning, NULL, NULL, made));
+    DIMENSION(bat_sketch_chain(1, both, cuts, meaning, &deep, NULL, made));
+    const bat_curve *mixed[] = {open, space}; /* the first could be made */
+    const double along[] = {0, 0, 10, 5, 20, 0, 30, 5, 40, 0, 50, 5, 60, 0};
+    const bat_stroke stroke = {.dimension = 2, .count = 7, .points = along};
+    DIMENSION(bat_sketch_chain(2, mixed, (double[]){30, 5}, meaning, &stroke, NULL, made));
+    assert_true(!made[0] && !made[1]);
+    for (int i = 0; i < 7; i++) {
+        bat_sketch_options options = bat_sketch_defaults();
+        double *const numbers[] = {&options.pixel,     &options.pixel,     &options.tolerance,
+                                   &options.tolerance, &options.tolerance, &options.smooth_limit,
+                                   &options.pixel};
+        const double bad[] = {0, 1e200, -1, 1e-9, 1e9, -1, -1};
+        *numbers[i] = bad[i];
+        ARGUMENT(bat_sketch(open, &flat, &options, &out, NULL));
+        ARGUMENT(bat_sketch_new(&flat, false, &options, &out, NULL));
+        *numbers[i] = NAN;
+        NUMBER(bat_sketch(open, &flat, &options, &out, NULL));
+        NUMBER(bat_sketch_smooth(open, &flat, &options, &out, NULL));
+        NUMBER(bat_sketch_join(open, open, &flat, &options, &out, NULL));
+        NUMBER(bat_sketch_close(open, &flat, &options, &out, NULL));
+    }
+    bat_sketch_options options = bat_sketch_defaults();
+    options.pins = 4;
+    ARGUMENT(bat_sketch(open, &flat, &options, &out, NULL));
+    bat_curve_free(open);
+    bat_curve_free(closed);
+    bat_curve_free(space);
+}
+
+/* SVG: what a host hands over that is none, and what it asks for without room. */
+static void of_svg(void **state) {
+    (void)state;
+    bat_svg_reader *reader = NULL;
+    bat_svg_options options = bat_svg_defaults();
+    const char *const attributes[] = {"d", "M0 0L1 1", NULL};
+    double *const numbers[] = {&options.tolerance, &options.tolerance, &options.corner, &options.corner,
+                               &options.share};
+    const double bad[] = {-1, 1e80, -1, 5, -1};
+    ARGUMENT(bat_svg_reader_create(&options, NULL));
+    for (int i = 0; i < 5; i++) {
+        options = bat_svg_defaults();
+        *numbers[i] = bad[i];
+        ARGUMENT(bat_svg_reader_create(&options, &reader));
+        *numbers[i] = NAN;
+        ARGUMENT(bat_svg_reader_create(&options, &reader));
+    }
+    ARGUMENT(bat_svg_reader_start(NULL, "svg", attributes));
+    ARGUMENT(bat_svg_reader_text(NULL, "a", 1));
+    ARGUMENT(bat_svg_reader_end(NULL));
+    bat_svg_reader_free(NULL);
+    assert_int_equal(bat_svg_reader_create(NULL, &reader), BAT_OK);
+    ARGUMENT(bat_svg_reader_start(reader, NULL, attributes));
+    ARGUMENT(bat_svg_reader_text(reader, NULL, 1));
+    bat_svg_reader_free(reader);
+    char word[] = "as it was";
+    bat_svg_report report = {.lost.count[BAT_LOSS_TITLE] = 2};
+    bat_loss_words(BAT_LOSS_TITLE, 2, NULL, 9);
+    bat_loss_words(BAT_LOSS_TITLE, 2, word, 0);
+    bat_svg_report_line(NULL, word, sizeof word);
+    bat_svg_report_line(&report, NULL, 9);
+    bat_svg_report_line(&report, word, 0);
+    assert_string_equal(word, "as it was");
+    bat_loss_words(BAT_LOSS_TITLE, 2, word, sizeof word); /* half a word is none */
+    assert_string_equal(word, "");
+}
+
 static void of_levels(void **state) {
     (void)state;
     bat_curve *curve = pen_curve(0, 0, 10, 5, 11);
@@ -388,7 +489,10 @@ static void of_objects_and_documents(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(of_refinement),
-                                       cmocka_unit_test(of_measures_and_drags), cmocka_unit_test(of_strokes),
+                                       cmocka_unit_test(of_measures_and_drags),
+                                       cmocka_unit_test(of_strokes),
+                                       cmocka_unit_test(of_strokes_and_what_they_mean),
+                                       cmocka_unit_test(of_svg),
                                        cmocka_unit_test(of_levels),
                                        cmocka_unit_test(of_objects_and_documents)};
     return cmocka_run_group_tests(tests, NULL, NULL);

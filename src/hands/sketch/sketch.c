@@ -321,6 +321,7 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
         if (i + 1 < count)
             last = cut_sample(&clean, cuts + (size_t)(i * stroke->dimension), origin, o.pixel, first);
         if (last >= clean.count || first + 1 >= last) status = BAT_DOT;
+        if (curves[i]->dimension != clean.dimension) status = BAT_DIMENSION;
         bat_clean part = {0};
         if (status == BAT_OK) status = copy_part(&clean, first, last, &part);
         if (status == BAT_OK) status = redraw(curves[i], &part, &o, origin, &meaning[i], NULL, &out[i], NULL);
@@ -331,6 +332,9 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
     }
     bat_clean_free(&clean);
     if (status == BAT_OK) return met;
-    while (made > 0) bat_curve_free(out[--made]);
+    while (made > 0) {
+        bat_curve_free(out[--made]);
+        out[made] = NULL;
+    }
     return status;
 }
