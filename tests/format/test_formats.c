@@ -28,9 +28,9 @@ static void by_what_stands_in_it(void **state) {
             if (!found || strcmp(found->name, good[i][0]) != 0)
                 fail_msg("%s behind %zu is %s", good[i][0], k, found ? found->name : "nothing");
         }
-    static const char *const none[] = {"",         " \t\r\n",   "\xEF\xBB\xBF", "\xEF",
-                                       "\xEF\xBB", "\xEF\xBB{", "\xEFx\xBF{",   "x",
-                                       "hello <svg",   "\x89PNG"};
+    static const char *const none[] = {"",           " \t\r\n",   "\xEF\xBB\xBF", "\xEF",
+                                       "\xEF\xBB",   "\xEF\xBB{", "\xEFx\xBF{",   "x",
+                                       "hello <svg", "\x89PNG"};
     for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
         const bat_format *found = bat_format_sniffed(none[i], strlen(none[i]));
         if (found) fail_msg("%s is %s", none[i], found->name);
