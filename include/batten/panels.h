@@ -48,11 +48,15 @@ BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 /* ---- the last stroke, read as something else ---- */
 
 /* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y], its end
- * in view pixels, "chosen": which it was taken for, "words":["New line","Redraw roof", ...]}; no words: it is settled.
+ * in view pixels, "chosen": which it was taken for, "amount": how it is fitted (below; -1: it is settled),
+ * "words":["New line","Redraw roof", ...]}; no words: it is that, or can mean nothing else.
  * Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_readings(bat_editor *editor);
 /* Takes it as that one: its step of the history becomes another. BAT_STATE: there is none such any more. */
 BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
+/* Fits it from raw (0: a quarter of the tolerance) over as it was drawn (1/2) to fair (1: four times the tolerance). It is
+ * only shown until `done` comes; then its step of the history becomes another. BAT_STATE: it is settled. */
+BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done);
 
 /* ---- levels of the chosen curve, for the level strip ---- */
 

@@ -213,6 +213,10 @@ bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bo
 
 const char *bat_editor_readings(bat_editor *editor) { return bat_panel_readings(&editor->context); }
 
+bat_status bat_editor_refit(bat_editor *editor, double amount, bool done) {
+    return settled(editor, bat_panel_refit(&editor->context, amount, done));
+}
+
 bat_status bat_editor_read_as(bat_editor *editor, int reading) {
     return settled(editor, bat_panel_read_as(&editor->context, reading));
 }

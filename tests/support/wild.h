@@ -72,7 +72,7 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     uint8_t what = session_byte(bytes), more = session_byte(bytes);
     bat_losses lost = {{0}};
     double value = 0;
-    switch (what % 10) {
+    switch (what % 11) {
     case 0: bat_editor_get(editor, "tolerance", &value); break;
     case 1:
         value = bat_editor_pressure(editor, more / 200.0 - 0.1);
@@ -92,6 +92,7 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
         break;
     case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
     case 8: bat_editor_picture(editor, more); break;
+    case 9: bat_editor_refit(editor, more % 7 / 5.0, more & 8); break;
     default: bat_editor_readings(editor); bat_editor_read_as(editor, more % 5 - 1);
     }
 }

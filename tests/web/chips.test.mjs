@@ -37,6 +37,18 @@ test('a stroke is read again', async (t) => {
   const fresh = await state(page);
   assert.notEqual(fresh.digest, redrawn.digest);
   assert.equal(fresh.check, '');
+  const refit = page.locator('.chips input');
+  assert.equal(await refit.inputValue(), '0.5');
+  await refit.focus();
+  await page.keyboard.press('End');
+  await settle(page);
+  const fair = await state(page);
+  assert.notEqual(fair.digest, fresh.digest, 'the slider refits it');
+  await page.keyboard.press('Home');
+  await settle(page);
+  assert.notEqual((await state(page)).digest, fair.digest);
+  assert.equal(await page.evaluate(() => document.activeElement.type), 'range', 'and keeps the focus');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'chips-refit.png') });
   await page.locator('#stage').focus();
   await page.keyboard.press('Shift+Tab');
   await settle(page);

@@ -160,7 +160,12 @@ export class Engine extends Instance {
   /** @returns {import('../stage/chips.js').Readings} */
   readings() {
     return this.guard(() => JSON.parse(this.string(this.wasm.editor_readings(this.editor))),
-      { at: [0, 0], chosen: -1, words: [] });
+      { at: [0, 0], chosen: -1, amount: -1, words: [] });
+  }
+
+  /** @param {number} amount @param {boolean} done @returns {boolean} */
+  refit(amount, done) {
+    return this.act('editor_refit', amount, Number(done));
   }
 
   /** @param {number} reading @returns {boolean} */

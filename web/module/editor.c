@@ -29,6 +29,7 @@ MODULE_EXPORT(editor_place_layer) int editor_place_layer(bat_editor *editor, uin
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_readings) const char *editor_readings(bat_editor *editor);
 MODULE_EXPORT(editor_read_as) int editor_read_as(bat_editor *editor, int reading);
+MODULE_EXPORT(editor_refit) int editor_refit(bat_editor *editor, double amount, int done);
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
 int editor_level(bat_editor *editor, int act, int level, double value, int done);
@@ -138,6 +139,11 @@ const char *editor_layers(bat_editor *editor) {
 const char *editor_readings(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_readings(editor);
+}
+
+int editor_refit(bat_editor *editor, double amount, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_refit(editor, amount, done != 0);
 }
 
 int editor_read_as(bat_editor *editor, int reading) {

@@ -25,6 +25,8 @@ export class Foot {
     this.tables = tables;
     this.buttons = buttons;
     this.controls = controls;
+    /** Done; yes and no. @type {HTMLButtonElement[]} */
+    this.pending = [];
     const list = part('readouts');
     this.knots = this.#readout(list, 'shell.knots');
     this.tolerance = this.#readout(list, 'property.tolerance');

@@ -1,13 +1,15 @@
-// The chips at the end of a stroke: what else it could mean. A tap reads the stroke that way; they go when the next begins.
+// The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap reads the stroke that way;
+// they go when the next begins.
 
 import { dress } from '../page/build.js';
-import { word } from '../page/words.js';
+import { tell, word } from '../page/words.js';
 
 /**
  * @typedef {object} Readings
  * @property {number[]} at the stroke's end, view pixels
  * @property {number} chosen
- * @property {string[]} words none: the stroke is settled
+ * @property {number} amount from raw, 0, to fair, 1; -1: the stroke is settled
+ * @property {string[]} words none: it can mean nothing else
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -25,17 +27,36 @@ export class Chips {
     this.box.setAttribute('role', 'group');
     this.box.hidden = true;
     this.at = [0, 0];
+    this.amount = this.#slider();
+    this.refit = tell(document.createElement('label'), { help: 'refit.help' });
+    this.refit.className = 'refit';
+    this.refit.append(...['refit.raw', this.amount, 'refit.fair'].map((part) =>
+      (typeof part === 'string' ? tell(document.createElement('span'), { text: part }) : part)));
     stage.after(this.box);
   }
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, words } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, words: [] };
+    const { at, chosen, amount, words } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
-    this.box.hidden = words.length === 0;
+    this.box.hidden = amount < 0;
+    this.amount.valueAsNumber = amount;
     this.box.setAttribute('aria-label', word('command.reading-next'));
-    this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i, i === chosen)));
+    this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i, i === chosen)), this.refit);
     this.#place();
+  }
+
+  /** Live while it is dragged; one step of the history when it is let go. */
+  #slider() {
+    const slider = tell(document.createElement('input'), { label: 'refit' });
+    Object.assign(slider, { type: 'range', min: '0', max: '1', step: '0.05' });
+    for (const event of ['input', 'change']) {
+      slider.addEventListener(event, () => {
+        this.engine.refit(slider.valueAsNumber, event === 'change');
+        this.wake();
+      });
+    }
+    return slider;
   }
 
   /** @param {string} text @param {number} index @param {boolean} chosen */

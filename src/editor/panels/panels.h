@@ -26,6 +26,7 @@ const char *bat_panel_number(bat_context *c, const char *name);
 const char *bat_panel_levels(bat_context *c);
 const char *bat_panel_readings(bat_context *c);
 bat_status bat_panel_read_as(bat_context *c, int reading);
+bat_status bat_panel_refit(bat_context *c, double amount, bool done);
 bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done);
 
 #endif

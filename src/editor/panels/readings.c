@@ -36,12 +36,15 @@ const char *bat_panel_readings(bat_context *c) {
     const bat_again *again = &bat_sketching_of(c)->again;
     bat_text text = {0};
     double at[2] = {0, 0};
-    int count = bat_sketching_readings(c) ? again->count : 0;
-    if (count) bat_stage_project(c->stage, again->place, at);
+    const bool any = bat_sketching_readings(c);
+    const int count = any && again->count > 1 ? again->count : 0;
+    if (any) bat_stage_project(c->stage, again->place, at);
     bat_text_string(&text, "{\"at\":");
     bat_line_numbers(&text, at, 2, 1);
     bat_text_string(&text, ",\"chosen\":");
     bat_line_number(&text, again->at);
+    bat_text_string(&text, ",\"amount\":");
+    bat_line_number(&text, any ? again->amount : -1);
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");
@@ -55,6 +58,10 @@ const char *bat_panel_readings(bat_context *c) {
     }
     free(c->panels->readings);
     return c->panels->readings = text.data;
+}
+
+bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
+    return bat_sketching_refit(c, amount, done);
 }
 
 bat_status bat_panel_read_as(bat_context *c, int reading) { return bat_sketching_read_as(c, reading); }

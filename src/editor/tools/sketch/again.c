@@ -1,15 +1,28 @@
 #include "editor/tools/sketch/again.h"
+#include "base/real.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
 #include "editor/session/session.h"
 #include "editor/session/undo.h"
 #include <math.h>
 #include <string.h>
 
+static const double RANGE = 16;     /* tolerance of the fairest by that of the rawest */
 static const double NOT_MUCH = 0.5; /* pixels a pixel of stroke that a reading may cost more than the best */
 
 static bool same(const bat_edit *a, const bat_edit *b) {
     return a->kind == b->kind && a->object == b->object && a->curve == b->curve && a->other == b->other &&
            a->other_curve == b->other_curve && a->part_count == b->part_count;
+}
+
+/* What the edit, not yet done, will redraw. */
+static void note_before(const bat_context *c, bat_again *again, const bat_edit *edit) {
+    const bat_curve *target = NULL;
+    if (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND)
+        target = bat_edit_target(c->session->document, edit->object, edit->curve);
+    bat_curve_free(again->before);
+    again->before = NULL;
+    if (target) bat_curve_copy(target, &again->before); /* no memory: no preview */
 }
 
 static void offer(bat_again *again, const bat_edit *edit) {
@@ -19,7 +32,8 @@ static void offer(bat_again *again, const bat_edit *edit) {
 }
 
 void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit, bat_again *again) {
-    again->count = 0;
+    bat_again_drop(again);
+    note_before(c, again, edit);
     for (int i = 0; i < m->count; i++) {
         const bat_reading *reading = &m->readings[i];
         bool fresh = reading->kind == BAT_INTENT_NEW;
@@ -56,10 +70,13 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     for (int i = 0; i < again->count; i++)
         if (again->edit[i].kind == edit->kind && (edit->kind == BAT_EDIT_NEW || same(&again->edit[i], edit)))
             again->at = i;
-    if (again->count + hold->on < 2 || again->at < 0 || !samples->count) {
+    again->amount = 0.5;
+    again->tolerance = edit->options.tolerance;
+    if (again->at < 0 || !samples->count) {
         again->count = 0;
         return;
     }
+    again->edit[again->at].object = edit->object;
     take_samples(&again->samples, samples);
     for (int i = 0; i < again->count; i++) again->edit[i].samples = again->samples;
     keep_drawn(again, hold);
@@ -68,15 +85,32 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     again->version++;
 }
 
-void bat_again_drop(bat_again *again) { again->count = 0; }
+static void drop_fit(bat_again *again) {
+    bat_curve_free(again->fit);
+    again->fit = NULL;
+}
+
+void bat_again_drop(bat_again *again) {
+    drop_fit(again);
+    again->count = 0;
+}
+
+void bat_again_free(bat_again *again) {
+    drop_fit(again);
+    bat_curve_free(again->before);
+    again->before = NULL;
+    bat_samples_free(&again->samples);
+    bat_samples_free(&again->drawn);
+}
 
 bool bat_again_holds(const bat_context *c, const bat_again *again) {
     return again->count > 0 && again->revision == c->session->revision;
 }
 
-static bat_status carry_out(bat_context *c, bat_edit *edit) {
+static bat_status carry_out(bat_context *c, bat_again *again, bat_edit *edit) {
     bat_curve *curve = NULL;
     bat_sketch_report report;
+    note_before(c, again, edit);
     bat_status status = bat_edit_compute(c, edit, NULL, &curve, &report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     edit->accepted = status == BAT_TOLERANCE; /* it was asked for by name */
@@ -90,15 +124,53 @@ static bat_status carry_out(bat_context *c, bat_edit *edit) {
 bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
     if (!bat_again_holds(c, again) || at < 0 || at >= again->count) return BAT_STATE;
     if (at == again->at) return BAT_OK;
+    drop_fit(again);
     bat_status status = bat_session_step(c, true);
     if (status != BAT_OK) return status;
-    status = carry_out(c, &again->edit[at]);
-    if (status == BAT_OK)
+    status = carry_out(c, again, &again->edit[at]);
+    if (status == BAT_OK) {
         again->at = at;
-    else
+        again->amount = 0.5;
+        again->tolerance = again->edit[at].options.tolerance;
+    } else {
         bat_session_step(c, false);
+    }
     again->revision = c->session->revision;
     again->version++;
+    return status;
+}
+
+static bat_status preview(bat_again *again, const bat_edit *edit) {
+    const bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    bat_curve *fit = NULL;
+    bat_status status = BAT_STATE;
+    if (edit->kind == BAT_EDIT_NEW)
+        status = bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, &fit, NULL);
+    else if (again->before)
+        status = bat_sketch_meant(again->before, &stroke, &edit->options, &edit->meaning, &fit, NULL);
+    drop_fit(again);
+    again->fit = fit;
+    return status == BAT_MEMORY ? status : BAT_OK;
+}
+
+bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done) {
+    if (!bat_again_holds(c, again)) return BAT_STATE;
+    if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
+    bat_edit *now = &again->edit[again->at], edit = *now;
+    edit.options.tolerance = again->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
+    if (!done) return preview(again, &edit);
+    drop_fit(again);
+    if (amount == again->amount) return BAT_OK;
+    bat_status status = bat_session_step(c, true);
+    if (status != BAT_OK) return status;
+    status = carry_out(c, again, &edit);
+    if (status == BAT_OK) {
+        *now = edit;
+        again->amount = amount;
+    } else {
+        bat_session_step(c, false);
+    }
+    again->revision = c->session->revision;
     return status;
 }
 

@@ -1,6 +1,7 @@
 /*
  * A stroke read again: after it was committed, for as long as the next one has not begun, it can be taken as something
- * else. The step is taken back and the other one made, so the history has one step for the stroke all the while.
+ * else, or fitted closer or fairer. The step is taken back and the other one made, so the history has one step for the
+ * stroke all the while.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
@@ -18,9 +19,14 @@ typedef struct bat_again {
     bat_figure_kind figure;            /* that they are of, or none */
     int raw;                           /* the stroke as it was before it became that; -1: none */
     bat_samples drawn;                 /* its samples, owned */
-    uint64_t revision;                 /* of the document after the stroke */
-    double place[2];                   /* the stroke's end, document units */
-    uint32_t version; /* another number whenever they are others, or another is carried out */
+    double amount;                     /* from raw, 0, to fair, 1; as it was drawn: 1/2 */
+    double tolerance;                  /* of that, document units */
+    bat_curve
+        *before; /* what the reading carried out has redrawn, owned; NULL: nothing, or more than one curve */
+    bat_curve *fit;    /* as it would be, while the amount is being chosen; owned */
+    uint64_t revision; /* of the document after the stroke */
+    double place[2];   /* the stroke's end, document units */
+    uint32_t version;  /* another number whenever they are others, or another is carried out */
 } bat_again;
 
 /* Gathers what the stroke could mean besides: readings not much dearer than the best, and a new line in any case. The
@@ -35,6 +41,9 @@ void bat_again_drop(bat_again *again);
 bool bat_again_holds(const bat_context *c, const bat_again *again);
 /* Takes it as the reading `at`. BAT_STATE: it is none any more; else what computing or committing says, all as it was. */
 bat_status bat_again_read(bat_context *c, bat_again *again, int at);
+/* Fits it with another amount; done: for good, else only `fit` is made, where that is one curve. As bat_again_read. */
+bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done);
+void bat_again_free(bat_again *again);
 /* A reading as the user calls it. */
 bat_string bat_again_word(const bat_again *again, int reading);
 

@@ -408,6 +408,20 @@ static bool accept(bat_context *c, void *state) {
     return true;
 }
 
+/* One of several careless strokes over a line: the line is what all of them mean. */
+static bool converge(bat_context *c, bat_sketching *s) {
+    bat_curve *curve = NULL;
+    if (s->forced || s->smoothing || s->hold.on) return false;
+    if (bat_hairs_join(c, &s->hairs, &s->edit, &curve) != BAT_OK) return false;
+    bat_status status = bat_commit_curve(c, s->edit.object, s->edit.curve, curve, BAT_STRING_STEP_CONVERGE);
+    if (status == BAT_OK) bat_hairs_note(c, &s->hairs, &s->edit, true);
+    if (status == BAT_OK)
+        bat_notice(c, BAT_STRING_COUNT);
+    else
+        bat_notice_failure(c, status);
+    return true;
+}
+
 /* And keeps what else the stroke could mean. */
 static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
                    bool strayed) {
@@ -419,6 +433,10 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
         return;
     }
     say_done(c, &s->edit, report, strayed, closed);
+    if (s->hold.on)
+        s->hairs.count = 0; /* a figure is not careless */
+    else
+        bat_hairs_note(c, &s->hairs, &s->edit, false);
     if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
 }
 
@@ -444,7 +462,9 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             s->edit.object = bat_document_new_id(c->session->document);
             bat_arrange_place(c, &s->edit.parent);
         }
-        if (status == BAT_TOLERANCE) {
+        if (converge(c, s)) {
+            bat_curve_free(curve);
+        } else if (status == BAT_TOLERANCE) {
             keep_pending(s, curve, &report);
             bat_notice(c, BAT_STRING_NOTICE_PENDING);
         } else {
@@ -666,8 +686,19 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
     }
 }
 
+/* The last stroke as it would be, over what it is. */
+static void show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+    const bat_edit *edit = &s->again.edit[s->again.at];
+    const bat_curve *now = bat_edit_target(c->session->document, edit->object, edit->curve);
+    if (!now) return;
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
+    bat_path_curve(&overlay->path, now);
+    show_fit(c, overlay, BAT_ROLE_FIT, s->again.fit, NULL, true);
+}
+
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_sketching *s = state;
+    if (s->again.fit && bat_sketching_readings(c)) show_refit(c, s, list);
     if (s->has_pending) {
         const bat_edit *edit = &s->pending;
         bool whole = !one_changes(edit);
@@ -749,8 +780,8 @@ static void end(void *state) {
     bat_sketching *s = state;
     bat_samples_free(&s->edit.samples);
     bat_samples_free(&s->pending.samples);
-    bat_samples_free(&s->again.samples);
-    bat_samples_free(&s->again.drawn);
+    bat_again_free(&s->again);
+    bat_hairs_free(&s->hairs);
     bat_samples_free(&s->hold.drawn.samples);
     bat_meaning_end(&s->meaning);
 }
@@ -781,11 +812,19 @@ bat_status bat_sketching_read_as(bat_context *c, int reading) {
     return status;
 }
 
+bat_status bat_sketching_refit(bat_context *c, double amount, bool done) {
+    bat_sketching *s = bat_sketching_of(c);
+    if (!bat_sketching_readings(c)) return BAT_STATE;
+    bat_status status = bat_again_refit(c, &s->again, amount, done);
+    if (status != BAT_OK && status != BAT_STATE) bat_notice_failure(c, status);
+    return status;
+}
+
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
     const bat_again *again = &((const bat_sketching *)state)->again;
     int step = id == BAT_COMMAND_READING_PREVIOUS ? again->count - 1 : 1;
     if (id != BAT_COMMAND_READING_NEXT && id != BAT_COMMAND_READING_PREVIOUS) return BAT_STATE;
-    if (!bat_sketching_readings(c)) return BAT_STATE;
+    if (!bat_sketching_readings(c) || again->count < 2) return BAT_STATE;
     return bat_sketching_read_as(c, (again->at + step) % again->count);
 }
 

@@ -7,6 +7,7 @@
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
 #include "editor/tools/sketch/again.h"
+#include "editor/tools/sketch/hairs.h"
 #include "editor/tools/sketch/hold.h"
 #include "editor/tools/sketch/meaning.h"
 
@@ -50,6 +51,7 @@ typedef struct bat_sketching {
     size_t predicted_count;
     double predicted[2 * 16]; /* document units */
 
+    bat_hairs hairs; /* careless strokes over one line, the last ones done */
     bat_again again; /* IDLE: what the last stroke could mean besides */
 
     /* PENDING, and DRAWING over it while it may still be a tap */
@@ -64,5 +66,7 @@ bat_sketching *bat_sketching_of(const bat_context *c);
 /* Whether the last stroke can be read again; takes it as another of its readings (again.h). */
 bool bat_sketching_readings(const bat_context *c);
 bat_status bat_sketching_read_as(bat_context *c, int reading);
+/* Fits it closer or fairer. */
+bat_status bat_sketching_refit(bat_context *c, double amount, bool done);
 
 #endif

@@ -1,0 +1,123 @@
+#include "editor/tools/sketch/hairs.h"
+#include "editor/edit/curves_of.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "hands/sketch/converge.h"
+#include "base/real.h"
+#include <batten/fit.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double SOON = 2000;           /* ms between two of them */
+static const double NEAR = 10, SPREAD = 3; /* px, and scatters, that one of them lies from the line at most */
+static const double ENDS = 30;             /* px at both, at most a sixth, that may lie farther */
+static const double SLACK = 0.3, LEAST = 0.5; /* scatters, px: what the fit may be off the line */
+static const double WAVE = 140;               /* px: shorter waves are the hand's */
+
+static bool redraws(const bat_edit *edit) {
+    return edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND;
+}
+
+/* Whether it can be one of them at all. */
+static bool follows(const bat_context *c, const bat_hairs *h, const bat_edit *edit) {
+    const bat_curve *target = bat_edit_target(c->session->document, edit->object, edit->curve);
+    return h->count > 0 && h->count < BAT_HAIRS_MOST && c->settings->values[BAT_PROPERTY_MANY_STROKES] == 0 &&
+           redraws(edit) && edit->object == h->object && edit->curve == h->curve && target &&
+           bat_curve_dimension(target) == 2 && !bat_curve_is_closed(target) &&
+           h->revision == c->session->revision && edit->samples.start >= h->time &&
+           edit->samples.start - h->time <= SOON;
+}
+
+static double from_segment(const double *p, const double *a, const double *b) {
+    const double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
+    const double f = square > 0 ? fmin(fmax(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / square, 0), 1) : 0;
+    return bat_hypot(p[0] - a[0] - f * x, p[1] - a[1] - f * y);
+}
+
+static double length_of(const bat_samples *samples) {
+    double length = 0;
+    for (size_t i = 1; i < samples->count; i++) {
+        const double *p = samples->points + 2 * i;
+        length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
+    }
+    return length;
+}
+
+/* Greatest distance of the stroke from the line; its ends may stray. */
+static double farthest(const bat_samples *samples, const bat_average *line, double pixel) {
+    const double length = length_of(samples), end = fmin(ENDS * pixel, length / 6);
+    double worst = 0, gone = 0;
+    for (size_t i = 0; i < samples->count; i++) {
+        const double *p = samples->points + 2 * i;
+        double least = INFINITY;
+        if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
+        if (gone < end || gone > length - end) continue;
+        for (size_t k = 0; k + 1 < line->count; k++)
+            least = fmin(least, from_segment(p, line->points + 2 * k, line->points + 2 * k + 2));
+        worst = fmax(worst, least);
+    }
+    return worst;
+}
+
+/* The line as the curve that it is alone, or as a stretch of one. */
+static bat_status shape(const bat_context *c, const bat_hairs *h, const bat_edit *edit,
+                        const bat_average *line, bat_curve **out) {
+    const double pixel = edit->options.pixel;
+    if (h->fresh) {
+        bat_fit_options options = bat_fit_defaults();
+        options.tolerance = fmax(fmax(LEAST * pixel, SLACK * line->scatter), 0.5 * edit->options.tolerance);
+        options.smoothing = WAVE * pixel;
+        return bat_fit(2, line->count, line->points, &options, out, NULL);
+    }
+    const bat_stroke stroke = {.dimension = 2, .count = line->count, .points = line->points};
+    const bat_curve *target = bat_edit_target(c->session->document, h->object, h->curve);
+    bat_sketch_options options = edit->options;
+    options.tolerance = fmax(options.tolerance, SLACK * line->scatter);
+    return bat_sketch(target, &stroke, &options, out, NULL);
+}
+
+bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_edit *edit, bat_curve **out) {
+    bat_stroke strokes[BAT_HAIRS_MOST];
+    const double pixel = edit->options.pixel;
+    bat_average line;
+    if (!follows(c, h, edit)) return BAT_STATE;
+    for (int i = 0; i < h->count; i++) strokes[i] = bat_samples_stroke(&h->strokes[i], 0);
+    strokes[h->count] = bat_samples_stroke(&edit->samples, 0);
+    bat_status status = bat_converge((size_t)h->count + 1, strokes, pixel, &line);
+    if (status != BAT_OK) return status;
+    const bool near = farthest(&edit->samples, &line, pixel) <= fmax(NEAR * pixel, SPREAD * line.scatter);
+    status = near ? shape(c, h, edit, &line, out) : BAT_STATE;
+    free(line.points);
+    return status;
+}
+
+static bat_status copy(bat_samples *to, const bat_samples *from, const bat_stage *stage) {
+    bat_status status = BAT_OK;
+    bat_samples_clear(to);
+    to->start = from->start;
+    for (size_t i = 0; i < from->count && status == BAT_OK; i++)
+        status = bat_samples_add(to, stage, from->pixels + 2 * i, from->pressure[i], from->time[i],
+                                 from->tilt + 2 * i);
+    return status;
+}
+
+void bat_hairs_note(const bat_context *c, bat_hairs *h, const bat_edit *edit, bool joined) {
+    const bat_samples *samples = &edit->samples;
+    const int at = joined ? h->count : 0;
+    h->count = 0;
+    if ((!redraws(edit) && edit->kind != BAT_EDIT_NEW) || !samples->count) return;
+    if (!joined) {
+        h->object = edit->object;
+        h->curve = edit->curve;
+        h->fresh = edit->kind == BAT_EDIT_NEW;
+    }
+    if (copy(&h->strokes[at], samples, &edit->stage) != BAT_OK) return; /* no memory: the next is the first */
+    h->count = at + 1;
+    h->revision = c->session->revision;
+    h->time = samples->start + samples->time[samples->count - 1];
+}
+
+void bat_hairs_free(bat_hairs *h) {
+    for (int i = 0; i < BAT_HAIRS_MOST; i++) bat_samples_free(&h->strokes[i]);
+    h->count = 0;
+}

@@ -1,0 +1,100 @@
+/*
+ * The last stroke refitted, from raw to fair: shown while the amount is being chosen, and one step with the stroke; fewer
+ * points the fairer, farther off the stroke; as it was in the middle; over when the next stroke begins or anything else is
+ * done.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "support/pen.h"
+
+static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
+static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
+
+static int points(const bat_editor *editor, int object) {
+    return (int)bat_curve_count(bat_object_curve(bat_document_at(bat_editor_document(editor), object), 0));
+}
+
+static void check(const bat_editor *editor) {
+    const char *wrong = bat_editor_check(editor);
+    if (wrong) fail_msg("%s", wrong);
+}
+
+/* x y length: with ripples that a close fit follows and a fair one does not. */
+static void rippled(double t, const double *n, double out[2]) {
+    out[0] = n[0] + n[2] * t;
+    out[1] = n[1] - 60 * t * (1 - t) + 1.6 * sin(28 * t);
+}
+
+static void from_raw_to_fair(void **state) {
+    (void)state;
+    for (int over = 0; over < 2; over++) {
+        bat_editor *editor = pen_editor();
+        pen p = pen_for(editor);
+        const uint64_t first = digest(editor);
+        const int object = over ? 0 : 2;
+        pen_stroke(&p, rippled, (double[]){300, over ? 206 : 400, 400}, 200);
+        assert_int_equal(count(editor), over ? 2 : 3);
+        const uint64_t drawn = digest(editor);
+        const int middle = points(editor, object);
+        assert_non_null(strstr(bat_editor_readings(editor), "\"amount\":0.5"));
+        assert_int_equal(bat_editor_refit(editor, 0, false), BAT_OK);
+        assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+        assert_true(digest(editor) == drawn); /* only shown */
+        check(editor);
+        assert_int_equal(bat_editor_refit(editor, 0, true), BAT_OK);
+        assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+        assert_non_null(strstr(bat_editor_readings(editor), "\"amount\":0,"));
+        const int raw = points(editor, object);
+        assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
+        const int fair = points(editor, object);
+        if (!(raw >= middle && middle >= fair && raw > fair + 2)) fail_msg("%d %d %d", raw, middle, fair);
+        check(editor);
+        assert_int_equal(bat_editor_refit(editor, 0.5, true), BAT_OK);
+        assert_int_equal(points(editor, object), middle);
+        assert_int_equal(bat_editor_refit(editor, 0.75, true), BAT_OK);
+        size_t size = 0;
+        bat_editor *again = NULL;
+        bat_problem problem = {"", ""};
+        const char *text = bat_editor_journal(editor, &size);
+        assert_int_equal(bat_editor_create(&again), BAT_OK);
+        if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
+            fail_msg("%s: %s", problem.place, problem.message);
+        assert_true(digest(again) == digest(editor));
+        bat_editor_free(again);
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        assert_true(digest(editor) == first);
+        assert_int_equal(bat_editor_refit(editor, 0.2, true), BAT_STATE);
+        bat_editor_free(editor);
+    }
+}
+
+static void not_for_ever(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    assert_int_equal(bat_editor_refit(editor, 0.5, true), BAT_STATE);
+    assert_non_null(strstr(bat_editor_readings(editor), "\"amount\":-1"));
+    pen_stroke(&p, rippled, (double[]){300, 400, 400}, 200);
+    assert_int_equal(bat_editor_refit(editor, NAN, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_refit(editor, 1.1, false), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_refit(editor, 1, false), BAT_OK);
+    const uint64_t drawn = digest(editor);
+    pen_begin(&p, rippled, (double[]){300, 480, 300},
+              60); /* the next stroke: what was only shown is dropped */
+    assert_int_equal(bat_editor_refit(editor, 0, true), BAT_STATE);
+    check(editor);
+    pen_event(&p, BAT_POINTER_CANCEL, 600, 480);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+    assert_true(digest(editor) == drawn);
+    assert_int_equal(bat_editor_refit(editor, 0, true), BAT_STATE);
+    check(editor);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(from_raw_to_fair), cmocka_unit_test(not_for_ever)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
