@@ -40,6 +40,11 @@ test('a stroke is read again', async (t) => {
   const refit = page.locator('.chips input');
   await refit.waitFor(); // it comes when the hand has paused
   assert.equal(await refit.inputValue(), '0.5');
+  await page.locator('#stage').focus();
+  for (let i = 0; i < 9 && !await page.evaluate(() => document.activeElement.closest('.chips')); i++) {
+    await page.keyboard.press('F6');
+  }
+  assert.equal(await page.evaluate(() => document.activeElement.closest('.chips') !== null), true, 'F6 goes there, too');
   await refit.focus();
   const amount = () => page.evaluate(() => batten.engine.readings().amount);
   for (const [key, wanted] of [['End', 1], ['Home', 0]]) {

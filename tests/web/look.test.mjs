@@ -76,6 +76,7 @@ test('the empty page, and a notice with something to do', async () => {
   });
   await page.evaluate(() => {
     document.getElementById('pending').hidden = false;
+    document.getElementById('pending-text').hidden = false;
     document.getElementById('pending-text').textContent = 'The tolerance could not be met.';
     document.querySelectorAll('#pending button').forEach((button, i) => { button.hidden = i === 0; });
   });

@@ -2,7 +2,7 @@
 // of the Tab key. Fetched once the page is there.
 
 /** In the order of the page. */
-const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '.foot', '.sheet:popover-open', '#asked', '#pending'];
+const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
 const STOPS = 'button, input, select, textarea, [tabindex]';
 
 /** @param {Element} element */

@@ -89,6 +89,7 @@ export class Foot {
     });
     const missed = frame.error > 0 ? word('shell.missed-by', short(frame.error)) : word('shell.missed');
     part('pending-text').textContent = frame.pending === 1 ? missed : '';
+    part('pending-text').hidden = frame.pending !== 1;
     /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     this.knots.textContent = `${before}${frame.knotsAfter}`;
