@@ -109,7 +109,7 @@ test('English: what explains comes with the first touch of the page; without it 
   await page.mouse.move(400, 300);
   await page.waitForFunction(() => /Takes the last change back/.test(document.querySelector('[data-name=undo]').title));
   assert.equal(fetched.filter((where) => where === '/1/words.en.json').length, 1);
-  assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo: Takes the last change back. (Ctrl+Z)');
+  assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo: Reverts the last change. (Ctrl+Z)');
   await context.close();
 
   const alone = await browser.newContext({ locale: 'ko' });

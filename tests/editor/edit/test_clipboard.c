@@ -204,7 +204,7 @@ static void nothing_to_do(void **unused) {
     assert_null(text);
     assert_int_equal(bat_editor_copy(editor, false, NULL, &size), BAT_ARGUMENT);
     assert_int_equal(paste_text(editor, "<svg><g/></svg>"), BAT_STATE);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Nothing to paste"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "holds no drawing"));
     assert_int_equal(bat_editor_paste(editor, NULL, false), BAT_ARGUMENT);
     assert_true(digest(editor) == fresh);
     /* Ctrl+C is the host's own; by another key the host is asked. */

@@ -151,7 +151,7 @@ static void what_happens_is_said_once(void **state) {
     assert_string_equal(bat_editor_frame(editor)->notice, "Undone: Move");
     key(editor, "y", BAT_CTRL);
     assert_string_equal(bat_editor_said(editor), "");
-    assert_string_equal(bat_editor_frame(editor)->notice, "Done again: Move");
+    assert_string_equal(bat_editor_frame(editor)->notice, "Redone: Move");
     key(editor, "a", BAT_CTRL);
     assert_string_equal(bat_editor_said(editor), "3 objects selected");
     key(editor, "Escape", 0);

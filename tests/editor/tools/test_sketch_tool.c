@@ -257,7 +257,7 @@ static void alt_away_from_curves(void **state) {
     pen p = pen_for(editor);
     p.modifiers = BAT_ALT;
     pen_event(&p, BAT_POINTER_HOVER, 500, 400);
-    assert_string_equal(bat_editor_frame(editor)->hint, "Bring the pen to a curve to smooth it");
+    assert_string_equal(bat_editor_frame(editor)->hint, "Move the pen over a curve to smooth it");
     pen_event(&p, BAT_POINTER_HOVER, 500, 200);
     assert_string_equal(bat_editor_frame(editor)->hint, "Draw over to smooth this curve");
     pen_line(&p, 300, 400, 600, 400, 10);
