@@ -32,7 +32,7 @@ export class Foot {
     this.tolerance = this.#readout(list, 'property.tolerance');
     this.#fillTolerance();
     this.zoom = this.#readout(list, 'shell.zoom');
-    this.#fillPending();
+    this.pending = this.#pending();
   }
 
   #fillTolerance() {
@@ -62,14 +62,15 @@ export class Foot {
   }
 
   /** A fit that misses the tolerance waits for a yes or a no, what is made of many presses for its end; a pen has no Enter key. */
-  #fillPending() {
+  #pending() {
     part('first').querySelector('button')?.addEventListener('click', () => {
       this.engine.set('first-hints', 3);
       this.controls.wake();
     });
     const done = tell(this.buttons.word('accept'), { text: 'shell.done', help: '' });
-    this.pending = [done, this.buttons.word('accept'), this.buttons.word('cancel')];
-    part('pending').append(...this.pending);
+    const buttons = [done, this.buttons.word('accept'), this.buttons.word('cancel')];
+    part('pending').append(...buttons);
+    return buttons;
   }
 
   /** @param {Frame} frame @param {string} reach the tolerance, in the drawing @param {string | null} values null: they still run */
