@@ -43,6 +43,7 @@ test('a stroke is read again', async (t) => {
   await page.locator('#stage').focus();
   for (let i = 0; i < 9 && !await page.evaluate(() => document.activeElement.closest('.chips')); i++) {
     await page.keyboard.press('F6');
+    await settle(page);
   }
   assert.equal(await page.evaluate(() => document.activeElement.closest('.chips') !== null), true, 'F6 goes there, too');
   await refit.focus();
