@@ -415,12 +415,6 @@ static bat_status check(int dimension, size_t count, const double *points, const
     return BAT_OK;
 }
 
-static double chord(const double *a, const double *b, int m) {
-    double d = 0;
-    for (int c = 0; c < m; c++) d = bat_hypot(d, a[c] - b[c]);
-    return d;
-}
-
 static void set_weights(fitting *f, double closing) {
     const size_t n = f->count;
     for (size_t i = 0; i < n; i++) {
@@ -447,7 +441,7 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
         for (int c = 0; c < m; c++) to[c] = points[j * (size_t)m + (size_t)c] - origin[c];
         const bool is_corner = corner < o->corner_count && (size_t)o->corners[corner] == j;
         if (is_corner) corner++;
-        const double step = n > 0 ? chord(to, to - m, m) : 1;
+        const double step = n > 0 ? bat_distance(to, to - m, m) : 1;
         if (n > 0 && length + step > length)
             length += step;
         else if (n > 0) { /* a repeat; a corner among them is the one that stays */
@@ -458,10 +452,10 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
         if (is_corner && (n > 0 || f->closed)) f->order[corners++] = (int)n;
         f->u[n++] = length;
     }
-    double closing = f->closed && n > 1 ? chord(f->x, f->x + (n - 1) * (size_t)m, m) : 0;
+    double closing = f->closed && n > 1 ? bat_distance(f->x, f->x + (n - 1) * (size_t)m, m) : 0;
     while (f->closed && n > 1 && !(length + closing > length)) { /* the first point said again */
         if (corners > 0 && f->order[corners - 1] == (int)n - 1) corners--;
-        n--, length = f->u[n - 1], closing = chord(f->x, f->x + (n - 1) * (size_t)m, m);
+        n--, length = f->u[n - 1], closing = bat_distance(f->x, f->x + (n - 1) * (size_t)m, m);
     }
     if (n < 2 || !(length > 0)) return BAT_COUNT;
     if (!f->closed && corners > 0 && f->order[corners - 1] == (int)n - 1) corners--;
