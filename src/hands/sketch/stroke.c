@@ -394,6 +394,6 @@ void bat_clean_cut(bat_clean *clean, size_t first, size_t last) {
 bool bat_clean_closes(const bat_clean *clean) {
     const size_t m = (size_t)clean->dimension;
     const double gap = bat_path_distance(clean->points, clean->points + (clean->count - 1) * m, m);
-    return gap <= fmax(15, 0.04 * clean->length) && gap < 0.25 * clean->length &&
+    return gap <= fmax(15 * clean->share, 0.04 * clean->length) && gap < 0.25 * clean->length &&
            bat_clean_turning(clean) > 1.5 * BAT_PI;
 }

@@ -221,6 +221,24 @@ static void circles_keep_their_size(void **state) {
     }
 }
 
+/* A letter like a C, whose ends lie 9 px apart, is no ring. */
+static void an_open_letter_stays_open(void **state) {
+    (void)state;
+    static hand h;
+    random_source r = {1606};
+    for (int run = 0; run < 20; run++) {
+        take_up(&h, &r, 0.1, 0.1);
+        const double from = random_between(&r, 0, 6);
+        for (int i = 0; i <= 120; i++) {
+            const double a = from + 290 * pi / 180 * i / 120;
+            put(&h, 100 + 8 * cos(a), 100 + 8 * sin(a));
+        }
+        bat_curve *curve = drawn_new(&h, false);
+        assert_false(bat_curve_is_closed(curve));
+        bat_curve_free(curve);
+    }
+}
+
 /* ---- dabs ---- */
 
 static void dabs_stay_small(void **state) {
@@ -280,8 +298,8 @@ static void dabs_stay_small(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(writing_keeps_its_humps), cmocka_unit_test(zigzags_keep_their_corners),
-        cmocka_unit_test(stars_keep_their_corners), cmocka_unit_test(circles_keep_their_size),
-        cmocka_unit_test(dabs_stay_small)};
+        cmocka_unit_test(writing_keeps_its_humps),   cmocka_unit_test(zigzags_keep_their_corners),
+        cmocka_unit_test(stars_keep_their_corners),  cmocka_unit_test(circles_keep_their_size),
+        cmocka_unit_test(an_open_letter_stays_open), cmocka_unit_test(dabs_stay_small)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
