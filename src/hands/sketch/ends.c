@@ -5,6 +5,7 @@
 #include <math.h>
 
 static const double shortest_stub = 2, corner_reach = 8;
+static const double generous = 1.1; /* the few knots of a blend need so much more room than a quintic */
 
 static double angle_between(const double *a, const double *b, size_t m) {
     double dot = 0;
@@ -124,6 +125,7 @@ void bat_plan_leads(bat_plan *plan) {
         e->lead = e->blend = 0;
         if (e->kind == BAT_END_FREE) continue;
         e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)), rho * e->angle);
+        e->lead *= generous;
         e->lead = fmax(fmin(e->lead, 0.6 * L + 4 * e->offset), 12); /* a dab has no wide blend */
         e->blend = fmin(rho * e->angle, 0.2 * L);
     }

@@ -135,7 +135,7 @@ static void machine_free(bat_local_machine *k) {
 
 static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     memset(k, 0, sizeof *k);
-    k->problem = q;
+    k->problem = q, k->stiffness = 1;
     const int p = q->degree;
     k->room = (int)fmin(2 * (double)q->count + 32, 1 << 22) + q->fixed_count * p;
     const size_t n = (size_t)(k->room + 2 * p + 4), m = (size_t)q->dimension;
@@ -206,6 +206,7 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
             if (bat_local_fails(k, i)) k->limit[i] = 1.05 * k->distance[i];
         mark_wild(k);
         if (q->remove) status = bat_local_reduce(k);
+        if (q->remove && status == BAT_OK && !k->missed) status = bat_local_stiffen(k);
     }
     k->exact = true;
     if (status == BAT_OK) bat_local_try(k, &k->best, &status);

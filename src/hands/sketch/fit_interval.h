@@ -77,7 +77,8 @@ typedef struct bat_local_machine {
     bool holds_best; /* the local polynomials are those of best */
     double *slow;    /* w where the last solve left the speed law */
     int slow_count;
-    double ridge; /* relative; 0 unless the equations were singular */
+    double stiffness; /* factor on the penalty */
+    double ridge;     /* relative; 0 unless the equations were singular */
 } bat_local_machine;
 
 /* The speed along the fit, as a share of the law's: beyond these the speed law is broken. */
@@ -91,6 +92,8 @@ bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_st
 int bat_local_fewest(const bat_local_problem *problem);
 /* Removes and merges knots of machine->best while every sample stays within its limit. */
 bat_status bat_local_reduce(bat_local_machine *machine);
+/* After the knots: the stiffest curve with machine->best that stays within the limits. */
+bat_status bat_local_stiffen(bat_local_machine *machine);
 /* Whether more work was spent than that on a stroke that misses its tolerance. */
 static inline bool bat_local_enough(const bat_local_machine *m, double most) {
     return m->work + 4 * m->sought > most;

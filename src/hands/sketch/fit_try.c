@@ -139,7 +139,7 @@ static void assemble(bat_local_machine *k, const bat_knot_set *set) {
     bat_lsq_memo_fill(&k->space, m, k->first, q->w, q->x, q->weight, &k->memo[1], true, &k->memo[0]);
     bat_lsq_memo_add(&k->space, m, &k->memo[0], k->a, k->b);
     const double omega = q->wavelength / (2 * BAT_PI), mu = omega * omega * omega;
-    bat_lsq_memo_penalty(&k->space, 3, mu * mu, k->factor, &k->memo[0], k->a);
+    bat_lsq_memo_penalty(&k->space, 3, k->stiffness * mu * mu, k->factor, &k->memo[0], k->a);
     if (k->ridge > 0)
         for (int i = 0; i < n; i++) {
             double *diagonal = k->a + (size_t)i * (size_t)(p + 1);

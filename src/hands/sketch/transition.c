@@ -9,6 +9,7 @@
 
 enum { PLACES = 33, TRIALS = 6 };
 static const double rho = 20;
+static const double faint = 1e-3; /* of their weight, samples of transitions have */
 
 static double length_of(const double *v, size_t m) {
     double sum = 0;
@@ -290,6 +291,18 @@ void bat_plan_parameters(bat_plan *plan, size_t a, size_t b) {
     for (size_t i = 1; i < t->count; i++) t->w[i] = fmin(fmax(t->w[i], t->w[i - 1]), t->end);
 }
 
+/* Where the curve is kept beyond it, a transition is left to the fit: the least change of curvature between what is kept and
+ * the stroke. The quintic gives its length, its parameters and a tube that it stays in. */
+static void leave_open(bat_plan *plan, size_t a, size_t b) {
+    bat_target *t = &plan->target;
+    for (int side = 0; side < 2; side++) {
+        const bat_end *e = &plan->end[side];
+        if (e->kind != BAT_END_KEPT || !(e->lead > 0)) continue;
+        const size_t from = side == 0 ? a : t->last + 1, to = side == 0 ? t->first : b + 1;
+        for (size_t i = from; i < to; i++) t->weight[i] *= faint;
+    }
+}
+
 bat_status bat_plan_target(bat_plan *plan) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
@@ -338,6 +351,7 @@ bat_status bat_plan_target(bat_plan *plan) {
         status = bat_plan_add_kept(plan, 1, step);
     if (status == BAT_OK) {
         bat_plan_parameters(plan, a, b);
+        leave_open(plan, a, b);
         status = bat_plan_fix_corners(plan, corners, corner_count);
     }
     free(points);

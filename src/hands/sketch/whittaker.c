@@ -55,17 +55,15 @@ double bat_noise(size_t count, int dimension, const double *points, double *work
     for (size_t c = 0; c < m; c++) {
         double least = INFINITY;
         double binomial = 6; /* binom(2k, k), k = 2 */
-        for (size_t k = 3; k <= 6; k++) {
-            binomial *= (double)(2 * (2 * k - 1)) / (double)k;
+        double *difference = work, *size = work + count;
+        for (size_t i = 0; i < count; i++) difference[i] = points[i * m + c];
+        for (size_t k = 1; k <= 6; k++) {
             const size_t n = count - k;
-            for (size_t i = 0; i < n; i++) {
-                double d[7];
-                for (size_t j = 0; j <= k; j++) d[j] = points[(i + j) * m + c];
-                for (size_t order = k; order > 0; order--)
-                    for (size_t j = 0; j < order; j++) d[j] = d[j + 1] - d[j];
-                work[i] = fabs(d[0]);
-            }
-            const double sigma = 1.4826 * select_rank(work, n, n / 2) / sqrt(binomial);
+            for (size_t i = 0; i < n; i++) difference[i] = difference[i + 1] - difference[i];
+            if (k < 3) continue;
+            binomial *= (double)(2 * (2 * k - 1)) / (double)k;
+            for (size_t i = 0; i < n; i++) size[i] = fabs(difference[i]);
+            const double sigma = 1.4826 * select_rank(size, n, n / 2) / sqrt(binomial);
             if (sigma < least) least = sigma;
         }
         worst += least * least;

@@ -12,7 +12,7 @@
 bat_status bat_whittaker(size_t count, int dimension, const double *y, const double *weight, double lambda,
                          double *work, double *z);
 
-/* Standard deviation of the noise of a coordinate: robust, from differences of orders 3 to 6. work: count
+/* Standard deviation of the noise of a coordinate: robust, from differences of orders 3 to 6. work: 2 * count
  * doubles. 0 for fewer than 16 points. */
 double bat_noise(size_t count, int dimension, const double *points, double *work);
 
