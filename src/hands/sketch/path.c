@@ -40,7 +40,8 @@ void bat_path_at(const bat_path *path, double s, double *out) {
     double f = h > 0 ? (s - path->arc[i]) / h : 0;
     f = f < 0 ? 0 : f > 1 ? 1 : f;
     const double *a = path->points + i * m;
-    for (size_t c = 0; c < m; c++) out[c] = f < 1 ? a[c] + f * (a[m + c] - a[c]) : a[m + c]; /* to the last bit */
+    for (size_t c = 0; c < m; c++)
+        out[c] = f < 1 ? a[c] + f * (a[m + c] - a[c]) : a[m + c]; /* to the last bit */
 }
 
 double bat_path_turn(const double *a, const double *b, const double *c, size_t m) {
