@@ -281,20 +281,22 @@ static void wild_session(uint64_t seed, char **journal, char **document) {
     bat_editor_free(editor);
 }
 
+static void spoil_some(const char *text, int tries, random_source *r, reader *read) {
+    const int words = spoil_count(spoil_json, text);
+    for (int i = 0; i < tries; i++) {
+        const int word = random_int(r, 0, words - 1), value = random_int(r, 0, VALUES - 1);
+        spoil_word(spoil_json, text, word, values[value], read);
+    }
+}
+
 static void values_of_sessions(void **state) {
     (void)state;
     for (uint64_t seed = 1; seed <= 40; seed++) {
         char *journal = NULL, *document = NULL;
         random_source r = {seed};
         wild_session(seed, &journal, &document);
-        int words = spoil_count(spoil_json, journal);
-        for (int i = 0; i < 150; i++)
-            spoil_word(spoil_json, journal, random_int(&r, 0, words - 1),
-                       values[random_int(&r, 0, VALUES - 1)], read_journal);
-        words = spoil_count(spoil_json, document);
-        for (int i = 0; i < 400; i++)
-            spoil_word(spoil_json, document, random_int(&r, 0, words - 1),
-                       values[random_int(&r, 0, VALUES - 1)], read_document);
+        spoil_some(journal, 150, &r, read_journal);
+        spoil_some(document, 400, &r, read_document);
         free(journal);
         bat_free(document);
     }
