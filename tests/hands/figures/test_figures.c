@@ -75,13 +75,15 @@ static size_t drawn(const truth *t, double wobble, double tremor, double *out) {
 
 /* Greatest distance of the figure's points from the truth. */
 static double off(const truth *t, const bat_figure *figure) {
+    enum { BEFORE = 20, ALL = 1200, PLACES = ALL + 2 * BEFORE + 1 }; /* a little beyond the ends, too */
+    static double truth_at[2 * PLACES];
     double worst = 0;
+    for (int k = 0; k < PLACES; k++) at(t, (double)(k - BEFORE) / ALL, truth_at + 2 * k);
     for (size_t i = 0; i < figure->count; i++) {
-        double least = INFINITY, p[2];
-        for (int k = -20; k <= 1220; k++) { /* a little beyond the ends, too */
-            at(t, k / 1200.0, p);
-            least = fmin(least, hypot(p[0] - figure->points[2 * i], p[1] - figure->points[2 * i + 1]));
-        }
+        double least = INFINITY;
+        for (int k = 0; k < PLACES; k++)
+            least = fmin(least, hypot(truth_at[2 * k] - figure->points[2 * i],
+                                      truth_at[2 * k + 1] - figure->points[2 * i + 1]));
         worst = fmax(worst, least);
     }
     return worst;
