@@ -11,6 +11,8 @@
 static const double SOON = 2000;           /* ms between two of them */
 static const double NEAR = 10, SPREAD = 3; /* px, and scatters, that one of them lies from the line at most */
 static const double ENDS = 30;             /* px at both, at most a sixth, that may lie farther */
+/* Of its length, that runs along those before: less of it goes on where they ended. */
+static const double ALONG = 0.2;
 static const double SLACK = 0.3, LEAST = 0.5; /* scatters, px: what the fit may be off the line */
 static const double WAVE = 140;               /* px: shorter waves are the hand's */
 
@@ -41,6 +43,31 @@ static double length_of(const bat_samples *samples) {
         length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
     }
     return length;
+}
+
+static double from_stroke(const double *p, const bat_samples *stroke) {
+    double least = INFINITY;
+    for (size_t k = 0; k + 1 < stroke->count; k++)
+        least = fmin(least, from_segment(p, stroke->points + 2 * k, stroke->points + 2 * k + 2));
+    return least;
+}
+
+/* Which share of the stroke runs along one of those before, looked at in at most LOOKS places. */
+static double share_along(const bat_hairs *h, const bat_samples *samples, double near) {
+    enum { LOOKS = 48 };
+    const double length = length_of(samples);
+    double gone = 0;
+    int looks = 0, along = 0;
+    for (size_t i = 0; i < samples->count; i++) {
+        const double *p = samples->points + 2 * i;
+        bool found = false;
+        if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
+        if (gone * LOOKS < length * looks) continue;
+        for (int j = 0; j < h->count && !found; j++) found = from_stroke(p, &h->strokes[j]) <= near;
+        looks++;
+        along += found;
+    }
+    return looks ? (double)along / looks : 0;
 }
 
 /* Greatest distance of the stroke from the line; its ends may stray. */
@@ -80,7 +107,7 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_ed
     bat_stroke strokes[BAT_HAIRS_MOST];
     const double pixel = edit->options.pixel;
     bat_average line;
-    if (!follows(c, h, edit)) return BAT_STATE;
+    if (!follows(c, h, edit) || share_along(h, &edit->samples, 2 * NEAR * pixel) < ALONG) return BAT_STATE;
     for (int i = 0; i < h->count; i++) strokes[i] = bat_samples_stroke(&h->strokes[i], 0);
     strokes[h->count] = bat_samples_stroke(&edit->samples, 0);
     bat_status status = bat_converge((size_t)h->count + 1, strokes, pixel, &line);
