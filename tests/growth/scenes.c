@@ -291,6 +291,25 @@ static bat_editor *guides(int n) {
     return open(made, (const char *const[]){"tool-select", "show-rulers", "select-all", "guide-level", NULL});
 }
 
+/* n lines in space and, behind them, two planes; the pen draws on the first. */
+static bat_editor *planes(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) {
+        bat_curve *flat = wave(100, 100 + i % 600, 20, 8, false), *curve = NULL;
+        if (bat_curve_to_dimension(flat, 3, &curve) != BAT_OK) abort();
+        bat_curve_free(flat);
+        add_curve(made, curve, 0);
+    }
+    for (int i = 0; i < 2; i++) {
+        bat_object *plane = NULL;
+        if (bat_object_create_plane(bat_document_new_id(made), "", (double[]){0, 0, 10.0 * i},
+                                    (double[]){1, 0, 0, 0, 0.8, 0.6}, &plane) != BAT_OK)
+            abort();
+        append(made, plane, 0);
+    }
+    return open(made, (const char *const[]){"tool-sketch", "draw-on-plane", NULL});
+}
+
 static bat_editor *pictures(int n) {
     bat_document *made = document();
     unsigned char head[HEAD_ROOM];
@@ -409,6 +428,7 @@ const growth_scene growth_scenes[] = {
     {"a range of a ring of n points, to be rubbed out", range_eraser},
     {"waypoints over n lines", waypoints},
     {"n guides", guides},
+    {"n lines in space, and planes", planes},
     {"n pictures", pictures},
     {"n lines, moved", stepped},
     {"n rings, half deleted", deleted},

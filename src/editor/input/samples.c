@@ -50,10 +50,8 @@ bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const d
     bat_status status = bat_stage_place(stage, pixel, &hit);
     if (status != BAT_OK) return status;
     if (!samples->count && samples->dimension != bat_stage_dimension(stage)) {
-        const double start = samples->start;
-        bat_samples_free(samples);
-        samples->start = start;
         samples->dimension = bat_stage_dimension(stage);
+        samples->room = 0; /* the block has other columns */
     }
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
     size_t i = samples->count++;
