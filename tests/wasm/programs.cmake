@@ -7,7 +7,8 @@ file(GLOB FUZZERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/fuzz_*.c)
 list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
   ${PROJECT_SOURCE_DIR}/tests/format/write_documents.c)
 # Not among them: what a Python program talks with (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and
-set(NATIVE_ONLY test_threads test_svg_file) # WebAssembly has none, and no expat
+# WebAssembly has no threads and no expat, and other sizes of structs.
+set(NATIVE_ONLY test_threads test_svg_file test_options)
 set(files /) # where a test finds the repository
 if(NOT BATTEN_WASM)
   set(files ${PROJECT_SOURCE_DIR})
