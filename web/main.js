@@ -22,8 +22,6 @@ import { Loop } from './stage/loop.js';
 import { Painter } from './stage/paint.js';
 import { Theme } from './stage/theme.js';
 
-const UNTOUCHED = 3000; // milliseconds after which the page readies itself for those who do not see it
-
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 /** @param {string} id */
@@ -100,33 +98,6 @@ export class Shell {
   }
 }
 
-/** What the page does once it is there; nobody waits for it. @param {Shell} shell */
-async function settleIn(shell) {
-  // Safari has no time of idleness.
-  (globalThis.requestIdleCallback ?? setTimeout)(() => void shell.whole.complete());
-  const { Clipboard } = await want(import('./keep/clipboard.js'));
-  shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
-  // What explains, and what is seldom called, is fetched when somebody is there.
-  const seen = new AbortController();
-  for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
-    addEventListener(event, () => {
-      seen.abort();
-      void (shell.engine.words ?? shell.words.load());
-      void shell.mirrorDrawing();
-    }, { signal: seen.signal });
-  }
-  // A screen reader may read without touching anything.
-  setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
-  if (shell.server.there) {
-    const { watch } = await want(import('./keep/watch.js'));
-    watch(shell.server, shell.files, shell.notices);
-  }
-  if (!shell.server.passing) {
-    const { settle } = await want(import('./keep/offline.js'));
-    await settle(shell.notices, () => shell.pack());
-  }
-}
-
 async function start() {
   try {
     const keeper = new Keeper();
@@ -140,7 +111,7 @@ async function start() {
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';
-    void settleIn(shell);
+    void want(import('./page/settle_in.js')).then(({ settleIn }) => settleIn(shell));
   } catch (error) {
     console.error(error);
     part('failed').hidden = false;

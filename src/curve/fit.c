@@ -488,13 +488,15 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     const int m = f->dimension;
     set_space(f, &f->accepted);
     const int n = f->space.count;
-    /* The rounds only asked whether samples are within tolerance; now how near they truly are. */
-    bat_lsq_local(&f->space, m, f->points, f->local);
-    const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
-    if (f->options->hold_ends && !f->closed) { /* all but the last digits are there already */
+    const bool held_ends = f->options->hold_ends && !f->closed;
+    if (held_ends) { /* all but the last digits are there already */
         memcpy(f->points, f->x, (size_t)m * sizeof *f->points);
         memcpy(f->points + (n - 1) * m, f->x + (f->count - 1) * (size_t)m, (size_t)m * sizeof *f->points);
     }
+    /* The rounds only asked whether samples are within tolerance; now how near they truly are. */
+    bat_lsq_local(&f->space, m, f->points, f->local);
+    const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
+    if (held_ends) f->worst = worst, f->fits = f->fits && worst <= f->tolerance;
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
