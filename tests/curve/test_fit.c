@@ -231,7 +231,7 @@ static bat_curve *wiggly(random_source *r, int spans, bool even) {
                    : i > spans + 3 ? knots[i - 1]
                                    : knots[i - 1] + (even ? 1 : random_between(r, 0.5, 1.5));
     bat_curve *curve = NULL;
-    assert_int_equal(bat_curve_create(2, 3, false, (size_t)n, points, (size_t)n + 4, knots, &curve), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 3, false, (size_t)n, points, n + 4, knots, &curve), BAT_OK);
     return curve;
 }
 
