@@ -20,5 +20,8 @@
 #include <batten/frame.h>
 #include <batten/panels.h>
 #include <batten/editor.h>
+#ifndef BATTEN_ONLY_0_2
+#include <batten/before_0_2.h>
+#endif
 
 #endif

@@ -269,10 +269,10 @@ static void validation(void **state) {
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         assert_int_equal(
-            bat_curve_create(table[i].dimension, table[i].degree, table[i].closed, (size_t)table[i].count,
-                             points,
-                             table[i].closed ? table[i].count + 1 : table[i].count + table[i].degree + 1,
-                             table[i].knots, &out),
+            bat_curve_create(
+                table[i].dimension, table[i].degree, table[i].closed, (size_t)table[i].count, points,
+                (int)((unsigned)table[i].count + (table[i].closed ? 1 : (unsigned)table[i].degree + 1)),
+                table[i].knots, &out),
             table[i].want);
         assert_ptr_equal(out, mark);
     }
