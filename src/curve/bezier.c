@@ -37,7 +37,7 @@ bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *b
     return BAT_OK;
 }
 
-/* Bézier points of one degree more. In place; room for degree + 2 points. */
+/* Raises the degree of Bézier points by one. In place; room for degree + 2 points. */
 static void raise_degree(double *b, int degree, int size) {
     for (int c = 0; c < size; c++) b[(degree + 1) * size + c] = b[degree * size + c];
     for (int i = degree; i >= 1; i--) {
@@ -47,8 +47,8 @@ static void raise_degree(double *b, int degree, int size) {
     }
 }
 
-/* The cubic with the same ends and end tangents; returns a bound on its distance: control points apart at
- * most, both at the higher degree. */
+/* The cubic with the same ends and end tangents; returns a bound on its distance: the greatest distance
+ * between control points, both at the higher degree. */
 static double hermite_cubic(const double *b, int p, int size, double *cubic) {
     double raised[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX], worst = 0;
     for (int c = 0; c < size; c++) {
@@ -77,7 +77,7 @@ static void halve(double *b, int p, int size, double *right) {
 typedef struct list {
     double *points;
     size_t count, room; /* cubics */
-    size_t block;       /* doubles a cubic */
+    size_t block;       /* doubles per cubic */
 } list;
 
 static bat_status append(list *cubics, const double *cubic) {
@@ -92,7 +92,7 @@ static bat_status append(list *cubics, const double *cubic) {
     return BAT_OK;
 }
 
-enum { DEPTH = 12 }; /* 4,096 cubics a span: the error falls 16-fold each time, so rounding is reached */
+enum { DEPTH = 12 }; /* 4,096 cubics per span: the error falls 16-fold each time, so rounding is reached */
 
 static bat_status reduce(const double *b, int p, int size, double tolerance, list *cubics, bool *met) {
     double stack[DEPTH + 1][(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX], cubic[4 * BAT_DIMENSION_MAX];

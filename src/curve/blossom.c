@@ -1,4 +1,4 @@
-/* The blossom (polar form): Ramshaw 1987, P&T 5; de Boor's triangle with one argument a level. */
+/* The blossom (polar form): Ramshaw 1987, P&T 5; de Boor's triangle with one argument per level. */
 #include "curve/curve.h"
 
 #include <math.h>

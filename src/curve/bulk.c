@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* Derivatives are written as cubics too, with zeros in front: one rule for the whole block, which compilers
- * turn into vectors across the block; without derivatives they do across the points. */
+ * vectorise across the block, or across the points when there are no derivatives. */
 BAT_INLINE void cubic_run(const bat_piece *f, size_t count, const double *restrict u, double *restrict out,
                           int size, int order) {
     double m = f->middle, a[4][3 * BAT_DIMENSION_MAX];
@@ -43,7 +43,7 @@ static void any_run(const bat_piece *f, int p, int size, size_t count, const dou
     }
 }
 
-/* How many of u[0..count) are below `end` (or equal to it, when `with` says so); the first is. */
+/* How many of u[0..count) are below `end` (or equal to it, when `with` says so); u[0] is known to be. */
 static size_t run_length(const double *u, size_t count, double end, bool with) {
     size_t low = 0, step = 1;
     while (low + step < count && (u[low + step] < end || (with && u[low + step] == end)))
@@ -96,7 +96,7 @@ static void any_spans(const bat_curve *curve, size_t count, const double *u, int
     }
 }
 
-/* Not one NaN, and ascending: one pass without branches. */
+/* No NaN, and ascending: one pass without branches. */
 BAT_CLONES static bool ascending(const double *u, size_t count) {
     long long fault = 0;
     for (size_t i = 1; i < count; i++) fault |= !(u[i - 1] <= u[i]);

@@ -41,7 +41,7 @@ static inline int bat_knot_total(int degree, bool closed, int count) {
 }
 /* Checks `count` points' worth of knots: count + degree + 1, or count + 1 when closed. */
 bat_status bat_knots_check(int degree, bool closed, int count, const double *knots);
-/* How often u is a knot (exact equality; closed: within one period, the seam counted as one knot). */
+/* Multiplicity of u as a knot (exact equality; closed: within one period, the seam counted as one knot). */
 int bat_knot_multiplicity(const bat_curve *curve, double u);
 
 /* Index i with knots[i] <= u < knots[i+1], degree <= i < spread; `hint` is tried first (any int). u must lie
@@ -67,13 +67,13 @@ void bat_curve_blossom_span(const bat_curve *curve, int span, const double *argu
 /* The blossom at old knots t_{k+1}..t_{k+p-m} and m new arguments x between t_k and t_{k+p-m+1}, ascending
  * (stored indices): m levels of de Boor's triangle over P_{k-m}..P_k. m = 0 copies P_k. */
 void bat_refined_point(const bat_curve *old, int k, int m, const double *x, double *out);
-/* How a curve whose knots hold those of `old` and more follows from it. rank: one a stored knot of `fresh`, how
- * many of the old ones lie up to it; false when the knots are not nested. Points from..to-1 (stored) are
- * then filled in, each by itself. */
+/* How a curve whose knots contain those of `old` follows from it. rank: for each stored knot of `fresh`, how
+ * many of the old ones lie up to it; false when the knots are not nested. Points from..to-1 (stored) are then
+ * filled in, each by itself. */
 bool bat_refine_rank(const bat_curve *old, const bat_curve *fresh, int *rank);
 void bat_refine_points(const bat_curve *old, bat_curve *fresh, const int *rank, int from, int to);
-/* The points first..last-1 of a closed curve's periodic sequence, and their knots, as an open curve that is
- * only looked at (its ends need not be valid). */
+/* The points first..last-1 of a closed curve's periodic sequence, and their knots, as an open curve for
+ * reading only (its ends need not be valid). */
 bat_status bat_curve_unwind(const bat_curve *curve, int first, int last, bat_curve **out);
 /* Closed: the same curve numbered from knot and point `shift` (-n < shift < n). */
 bat_status bat_curve_rotate(const bat_curve *curve, int shift, bat_curve **out);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* One dragged point: which control points it hangs on, and how much. */
+/* One dragged point: which control points it depends on, and how much. */
 typedef struct pull {
     int points[BAT_DEGREE_MAX + 1];
     double weights[BAT_DEGREE_MAX + 1];

@@ -1,5 +1,5 @@
 /* Degree elevation, exact: F(u_1..u_{p+1}) is the mean of f over the p + 1 ways to leave one argument out
- * (Ramshaw 1987, P&T 5.5). Every knot gains one multiplicity. */
+ * (Ramshaw 1987, P&T 5.5). The multiplicity of every knot grows by one. */
 #include "curve/curve.h"
 
 #include <batten/refine.h>

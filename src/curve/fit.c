@@ -95,8 +95,8 @@ static int slot_of(const fitting *f, const mesh *m, int k) {
     return f->closed ? slot - 1 : slot;
 }
 
-/* A ridge for knots that the points do not determine: derivative orders one and two, so small that it decides
- * only what nothing else does. */
+/* A ridge for knots that the points do not determine: on derivatives of orders one and two, so small that it
+ * decides only what nothing else does. */
 static void add_ridge(fitting *f, double strength) {
     const double length = f->knots[f->space.spread] - f->knots[f->degree];
     bat_lsq_penalty(&f->space, 1, strength * length, NULL, f->a);
@@ -217,7 +217,7 @@ static void find_failing(fitting *f) {
     }
 }
 
-/* Halves every failing span that has samples to tell more about; false when there is none. */
+/* Halves every failing span that has enough samples for it; false when there is none. */
 static bool split_failing(fitting *f) {
     mesh *m = &f->trial;
     find_failing(f);
@@ -267,8 +267,8 @@ static void sort_by(int *order, int count, const double *key) {
         }
 }
 
-/* The trial mesh that the plan makes of the accepted one; place[k]: the trial span in which a knot that goes
- * lay. */
+/* The trial mesh that the plan makes of the accepted one; place[k]: the trial span in which a knot that
+ * goes lay. */
 static void carry_out(fitting *f) {
     const mesh *from = &f->accepted;
     mesh *to = &f->trial;
@@ -286,7 +286,7 @@ static void carry_out(fitting *f) {
     to->count = n;
 }
 
-/* Takes back what was planned near failing spans, and marks it as needed. How much was taken back. */
+/* Takes back what was planned near failing spans, and marks it as needed. Returns how much was taken back. */
 static int take_back(fitting *f, int reach) {
     const int spans = f->trial.count - 1;
     int count = 0;
@@ -332,8 +332,8 @@ static void carry_through(fitting *f) {
     }
 }
 
-/* A plan for at most a part of the knots that may go, cheapest first, never two neighbours. False: nothing
- * left. */
+/* A plan for at most the share `part` of the knots that may go, cheapest first, never two neighbours. False:
+ * nothing left. */
 static bool make_plan(fitting *f, enum plan what, double part) {
     const mesh *m = &f->accepted;
     const int last = m->count - 1, least = f->closed ? 4 : 2; /* a closed curve keeps a few knots */
@@ -387,7 +387,7 @@ static void thin(fitting *f) {
 
 /* ---- The whole ---- */
 
-static const double held = 1e8; /* weight of an end that is met, times its own */
+static const double held = 1e8; /* factor on the weight of an end that has to be met */
 
 static const bat_fit_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 1, .degree = 3};
 enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
@@ -453,7 +453,7 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
         f->u[n++] = length;
     }
     double closing = f->closed && n > 1 ? bat_distance(f->x, f->x + (n - 1) * (size_t)m, m) : 0;
-    while (f->closed && n > 1 && !(length + closing > length)) { /* the first point said again */
+    while (f->closed && n > 1 && !(length + closing > length)) { /* the first point repeated */
         if (corners > 0 && f->order[corners - 1] == (int)n - 1) corners--;
         n--, length = f->u[n - 1], closing = bat_distance(f->x, f->x + (n - 1) * (size_t)m, m);
     }
@@ -493,7 +493,7 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
         memcpy(f->points, f->x, (size_t)m * sizeof *f->points);
         memcpy(f->points + (n - 1) * m, f->x + (f->count - 1) * (size_t)m, (size_t)m * sizeof *f->points);
     }
-    /* The rounds only asked whether samples are within tolerance; now how near they truly are. */
+    /* The rounds only asked whether samples are within tolerance; now find how near they truly are. */
     bat_lsq_local(&f->space, m, f->points, f->local);
     const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
     if (held_ends) f->worst = worst, f->fits = f->fits && worst <= f->tolerance;
@@ -558,7 +558,8 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     return used;
 }
 
-/* Points sampled from a cubic spline at even parameters show its knots: they are tried first, for no search finds them. */
+/* Points sampled from a cubic spline at even parameters show its knots. These are tried first, for no search
+ * finds them. */
 static bool start_hidden(fitting *f) {
     const double close = 0.05, noise = 1e-3; /* of the tolerance */
     const bat_fit_options *o = f->options;

@@ -227,7 +227,7 @@ static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, c
     at *= to->stride;
     if (to->stride == 3 && !to->r) {
         const double none[3] = {-0.0, -0.0,
-                                -0.0}; /* what it is added to keeps its bits, also a zero's sign */
+                                -0.0}; /* what it is added to keeps its bits, even the sign of a zero */
         if (to->point) put_rows(r->count, r->xs, piece->origin, to->point + at);
         if (to->t) put_rows(r->count, r->ts, none, to->t + at);
         if (to->s) put_rows(r->count, r->ss, none, to->s + at);

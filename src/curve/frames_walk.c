@@ -9,12 +9,12 @@
 
 enum { ROOM = BAT_FRAME_ROOM, STEPS = 8, STEPS_MAX = 1024 };
 static const double STEP_COSINE = 0.86602540378443865; /* 30 degrees: the most a tangent turns in one step */
-static const double NOTHING = 1e-12; /* derivatives this small against the others are zero */
+static const double NOTHING = 1e-12; /* derivatives this small next to the others count as zero */
 
 /* ---- one sample at a time ---- */
 
 static const double SMALL =
-    1e-140; /* derivatives below it are brought up: squares and quotients leave the range */
+    1e-140; /* smaller derivatives are scaled up: squares and quotients would leave the range */
 
 /* By a power of two, which changes no bits; only their directions and proportions count. */
 static void bring_up(double most, vec d[4], double size[4]) {
@@ -117,7 +117,7 @@ void bat_frame_span_make(const bat_curve *curve, int span, bat_frame_span *out) 
     out->slow = fmax(1e-14 * most * most, 1e-200);
 }
 
-/* Positions and unit tangents; false where a tangent is not to be had so. */
+/* Positions and unit tangents; false where a tangent cannot be found in this way. */
 BAT_INLINE bool eval_rows(const bat_frame_span *f, int p, int count, const double *restrict u,
                           double *restrict x, double *restrict t) {
     double m = f->middle, slow = f->slow, c[BAT_DEGREE_MAX + 1][3];
@@ -151,7 +151,7 @@ static bool eval_span(const bat_frame_span *f, int count, const double *u, doubl
 #endif
 
 /* One double reflection for each i: s0 at (x0, t0) goes to s1 at (x1, t1). False where
- * neither it nor a moderate least rotation is to be had. */
+ * neither it nor a moderate least rotation exists. */
 BAT_CLONES static bool reflect_rows(int count, const double *restrict x0, const double *restrict t0,
                                     const double *restrict s0, const double *restrict x1,
                                     const double *restrict t1, double *restrict s1) {
@@ -176,7 +176,7 @@ BAT_CLONES static bool reflect_rows(int count, const double *restrict x0, const 
         fault |= (!plain & !(cosine > 0.5)) | !(within | (c1 == 0));
         double x = plain ? lx - k2 * wx : sx + k * (ax + bx), y = plain ? ly - k2 * wy : sy + k * (ay + by),
                z = plain ? lz - k2 * wz : sz + k * (az + bz);
-        /* Exactly at right angles to t and of unit length: one step of Newton's for the root. */
+        /* Exactly at right angles to t and of unit length: one Newton step for the root. */
         double along = x * bx + y * by + z * bz;
         x -= along * bx, y -= along * by, z -= along * bz;
         double scale = 1.5 - 0.5 * (x * x + y * y + z * z);
@@ -234,7 +234,7 @@ bool bat_frame_steps(const bat_frame_span *piece, int dimension, int count, cons
     return reflect_rows(count, from_x, from_t, from_s, xs, ts, ss);
 }
 
-/* The frames of a run whose samples are known: products of turns. False: one at a time, then. */
+/* The frames of a run whose samples are known: products of turns. False: take them one at a time. */
 static bool multiply(bat_frame_walk *walk, vec s) {
     bat_rows e, s1;
     double re[ROOM], im[ROOM], a, b;
@@ -291,8 +291,8 @@ static bool gentle(const bat_frame_walk *walk) {
     return true;
 }
 
-/* Samples the first run of a span: steps are doubled until none turns by more than 30 degrees. Where the curve
- * stops, tangents on its two sides differ by any angle, and some steps more have to do. */
+/* Samples the first run of a span: steps are doubled until none turns by more than 30 degrees. Where the
+ * curve stops, the tangents on its two sides may differ by any angle, and a few more steps have to do. */
 static bool sample_first(bat_frame_walk *walk) {
     walk->steps = walk->wanted > 0 ? walk->wanted : STEPS;
     for (;; walk->steps *= 2) {

@@ -38,7 +38,7 @@ typedef struct bat_frame_node {
 typedef struct bat_frame_walk {
     const bat_curve *curve;
     bat_frame_rule rule;
-    int wanted;      /* steps a span, at least; 0: adaptive */
+    int wanted;      /* least number of steps per span; 0: adaptive */
     bool measured;   /* arc length is */
     int next, left;  /* the span to come (stored index), and how many there are */
     int steps, done; /* of the present span */
@@ -67,12 +67,12 @@ vec bat_frame_first(const bat_frame_options *options, int dimension, vec t);
 /* Frames at u[0..count), in the order in which the walk meets them (those it does not meet are left out, with
  * all behind them): t, s and, when measured, lengths (may be NULL). Returns how many. */
 int bat_frame_walk_along(bat_frame_walk *walk, int count, const double *u, vec *t, vec *s, double *lengths);
-/* Where the frame is brought by the walk just done: s at the start of the span behind it. */
+/* Where the walk just done brings the frame: s at the start of the span behind it. */
 vec bat_frame_walk_end(const bat_frame_walk *walk, vec t);
 
 void bat_frame_span_make(const bat_curve *curve, int span, bat_frame_span *out);
-/* t and s at u[0..count) of one span, each one step from its node: from_x, from_t, from_s. xs: positions. False:
- * not to be had so; take bat_frame_step for each. count is ROOM at most. */
+/* t and s at u[0..count) of one span, each one step from its node: from_x, from_t, from_s. xs: positions.
+ * False: not possible in this way; use bat_frame_step for each. count is ROOM at most. */
 bool bat_frame_steps(const bat_frame_span *piece, int dimension, int count, const double *u,
                      const double *from_x, const double *from_t, const double *from_s, double *xs, double *ts,
                      double *ss);

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SPEED_RANGE = 100000 }; /* a run whose speed leaves 1/range..range of where it began is broken */
+enum { SPEED_RANGE = 100000 }; /* a run is broken where its speed leaves 1/range..range of its first one */
 
 static const double SPAN_LEAST = 1e-10; /* of the mean span */
 

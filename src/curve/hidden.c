@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LONGEST = 5, CLOSE = 4 }; /* samples that feel one knot; samples a knot, where several run together */
+enum { LONGEST = 5, CLOSE = 4 };     /* samples that one knot affects; samples per knot, where several meet */
 static const double stands_out = 12; /* medians */
 
 static void fourth(const double *x, size_t m, double *d) {
@@ -17,7 +17,7 @@ static double size_of(const double *d, size_t m) {
     return sqrt(sum);
 }
 
-/* Middle one, by halving the range of exponents and then of values: no order of the array is needed. */
+/* The median, by halving the range of exponents and then of values: the array need not be sorted. */
 static double median(const double *values, size_t count) {
     double low = 0, high = 0;
     for (size_t i = 0; i < count; i++) high = fmax(high, values[i]);

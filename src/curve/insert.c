@@ -1,6 +1,6 @@
 /*
- * Knot insertion: one blossom a new point (Goldman 1990; the restricted triangle of Boehm 1980), untouched
- * points copied bitwise.
+ * Knot insertion: one blossom for each new point (Goldman 1990; the restricted triangle of Boehm 1980),
+ * untouched points copied bitwise.
  */
 #include "curve/curve.h"
 #include "base/lanes.h"
@@ -36,13 +36,13 @@ BAT_INLINE void fill(const bat_curve *old, const double *tau, const int *rank, i
     for (int j = from; j < to; j++) {
         double x[BAT_DEGREE_MAX];
         int m = 0, k = rank[j] - 1;
-        for (int i = j + 1; i <= j + p; i++) { /* without a branch that nobody can foresee */
+        for (int i = j + 1; i <= j + p; i++) { /* without a branch that cannot be predicted */
             x[m < p ? m : 0] = tau[i];
             m += rank[i] == rank[i - 1];
         }
         const double *t = old->knots + (k - m), *source = old->points + (k - m) * size;
         double *out = points + j * size;
-        /* Known counts make straight code of the loops. */
+        /* Constant counts turn the loops into straight-line code. */
         switch (m) {
         case 0: refined(t, source, p, size, 0, x, out); break;
         case 1: refined(t, source, p, size, 1, x, out); break;

@@ -107,7 +107,7 @@ static bat_status joined(const bat_curve *a, const bat_curve *b, int continuity,
         if (i == j) most = fmax(most, bat_distance(b->points, now, size));
     }
     if (continuity > 0) {
-        /* The conditions hold to rounding, so the knots go for nothing. */
+        /* The conditions hold to rounding, so removing the knots costs nothing. */
         double error;
         int removed;
         status = bat_curve_remove_knot(both, a->knots[a->spread], continuity, 1024 * DBL_EPSILON * greatest,

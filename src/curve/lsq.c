@@ -1,5 +1,5 @@
 /* Normal equations of spline fits by moments: in one slot the samples enter only through sum w s^k and
- * sum w s^k X, so that the work a sample is a handful of multiply-adds whatever the basis. The coordinate s
+ * sum w s^k X, so that the work per sample is a handful of multiply-adds whatever the basis. The coordinate s
  * runs from -1 to 1, which keeps the moments well scaled up to degree 7. */
 #include "curve/lsq.h"
 #include "base/lanes.h"
@@ -166,7 +166,7 @@ void bat_lsq_assemble(const bat_curve *space, int dimension, size_t count, const
     }
 }
 
-/* transforms: one a slot, or NULL. */
+/* transforms: one per slot, or NULL. */
 static void add_penalty(const bat_curve *space, int order, double mu, const double *factor,
                         const double *transforms, double *a) {
     const int p = space->degree, w = p + 1, rows = w - order;

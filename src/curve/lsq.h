@@ -55,7 +55,7 @@ void bat_lsq_add(const bat_curve *space, int slot, int dimension, const double *
                  const double *moments, double *a, double *b);
 
 /* All of the above at once: adds count samples u (ascending, inside the domain), x[count * dimension],
- * weight[count] or NULL. Cost: some 20 multiply-adds a sample for cubics. */
+ * weight[count] or NULL. Cost: some 20 multiply-adds per sample for cubics. */
 void bat_lsq_assemble(const bat_curve *space, int dimension, size_t count, const double *u, const double *x,
                       const double *weight, double *a, double *b);
 
@@ -98,7 +98,7 @@ void bat_lsq_plain(const bat_curve *space, int dimension, const double *local, c
 /*
  * Distance of samples to the curve: `steps` Newton steps from u[i], never farther than where they start.
  * near: the parameters found, or NULL; distance: squared distances, or NULL. Returns the greatest squared
- * distance. u ascending (it costs only time when not). The truth is never greater than what this says.
+ * distance. u ascending (otherwise it only takes longer). The true distances are never greater than these.
  */
 double bat_lsq_error(const bat_curve *space, int dimension, const double *local, size_t count,
                      const double *u, const double *x, int steps, double *near, double *distance);
@@ -116,10 +116,10 @@ double bat_lsq_measure(const bat_curve *space, int dimension, const double *loca
                        double *scratch);
 
 /*
- * rank[slots + 1], one number a knot: rank[s] belongs to knots[degree + s]: the jump of C^(p) there times
- * (h- h+)^(p/2), h the lengths of the neighbouring non-empty slots; a length in document units that says how
- * much the curve moves when the knot goes. INFINITY for ends of open curves, and for every one of a multiple
- * knot. Closed: rank[slots] is INFINITY, too: the seam's knot is rank[0].
+ * rank[slots + 1], one number for each knot: rank[s] belongs to knots[degree + s]: the jump of C^(p) there
+ * times (h- h+)^(p/2), h the lengths of the neighbouring non-empty slots; a length in document units that
+ * says how much the curve moves when the knot goes. INFINITY for ends of open curves, and for every one of a
+ * multiple knot. Closed: rank[slots] is INFINITY, too: the seam's knot is rank[0].
  */
 void bat_lsq_rank(const bat_curve *space, int dimension, const double *local, double *rank);
 

@@ -13,13 +13,14 @@ enum { ORDERS = BAT_DEGREE_MAX + 1 };
 
 /* ---- Length ---- */
 
-/* C' by u, as a polynomial of the local coordinate of one slot, over a power of two that makes its coefficients at
- * most 1: squares neither overflow nor vanish. Lengths taken from it are in units of that scale. */
+/* C' with respect to u, as a polynomial of the local coordinate of one slot, divided by a power of two that
+ * makes its coefficients at most 1: squares neither overflow nor vanish. Lengths taken from it are in units
+ * of that scale. */
 typedef struct hodograph {
     int terms, dimension;
     double middle, half;
     double scale;
-    double density; /* error allowed a unit of u */
+    double density; /* error allowed per unit of u */
     double noise;   /* what the speed may be wrong by, from rounding */
     double c[ORDERS * BAT_DIMENSION_MAX];
 } hodograph;
@@ -36,7 +37,8 @@ static void rescale(hodograph *h, double density) {
         sum += fabs(h->c[i]);
         slope += (double)(i / h->dimension) * fabs(h->c[i]);
     }
-    /* Of the sum, and of u: in a span that is narrow for where it lies, few digits are left of the place in it. */
+    /* From the sum, and from u: in a span that is narrow for where it lies, few digits of the place in it are
+     * left. */
     h->noise = DBL_EPSILON * (4 * sum + (1 + fabs(h->middle) / h->half) * slope);
     h->density = density / h->scale;
 }
@@ -82,8 +84,8 @@ static double gauss(const hodograph *h, double a, double b) {
     return sum * half;
 }
 
-/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to what is allowed a unit of u, or as
- * well as rounding lets them. At a cusp only the one branch goes deep, and the depth is limited. */
+/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to what is allowed per unit
+ * of u, or as well as rounding lets them. At a cusp only one branch goes deep, and the depth is limited. */
 static double adapt(const hodograph *h, double a, double b, double whole, double relative, int depth) {
     const double middle = 0.5 * (a + b);
     const double left = gauss(h, a, middle), right = gauss(h, middle, b), sum = left + right;
@@ -99,7 +101,7 @@ static double piece_length(const hodograph *h, double a, double b, double relati
     return b > a ? adapt(h, a, b, gauss(h, a, b), relative, 40) : 0;
 }
 
-/* Error allowed a unit of u, from the length of the control polygon. */
+/* Error allowed per unit of u, from the length of the control polygon. */
 static double density_of(const bat_curve *curve, double relative) {
     double sum = 0;
     const int m = curve->dimension;

@@ -40,7 +40,7 @@ struct bat_finder {
     double start, end; /* the domain */
     int spans;
     int levels;          /* level 0 holds the spans' boxes, the last level one node */
-    size_t stride;       /* bytes a span */
+    size_t stride;       /* bytes per span */
     size_t base[LEVELS]; /* first node of a level */
     node *nodes;
     char *records;

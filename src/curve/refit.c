@@ -1,6 +1,7 @@
 /*
- * A curve again, with as few knots as keep it within a tolerance: its samples are fitted. Removal alone (simplify) keeps
- * the parameters and can only choose among the knots there are; it is what stays where the fit has no fewer points.
+ * Refits a curve with as few knots as keep it within a tolerance, by fitting its samples. Removal alone
+ * (simplify) keeps the parameters and can only choose among the knots there are; its result is kept where the
+ * fit has no fewer points.
  */
 #include "curve/curve.h"
 
@@ -20,7 +21,8 @@ typedef struct sampling {
     size_t corner_count;
 } sampling;
 
-/* How many samples a span needs so that the polyline stays within a tenth of the tolerance: by its second differences. */
+/* How many samples a span needs so that the polyline stays within a tenth of the tolerance, from its second
+ * differences. */
 static int samples_of(const bat_curve *curve, double a, double b, double tolerance) {
     const int m = curve->dimension;
     double jet[3 * BAT_DIMENSION_MAX], bend = 0;

@@ -29,10 +29,10 @@ static void halve(int degree, piece *left, piece *right) {
     right->depth = ++left->depth;
 }
 
-/* Regula falsi of the Illinois kind; f goes from sign first to the other one. */
+/* Regula falsi in the Illinois variant; f goes from the sign `first` to the other one. */
 static double bracketed(int degree, const double *a, int first) {
     double x0 = 0, x1 = 1, f0 = first * a[0], f1 = first * a[degree];
-    /* A zero at an end has the sign of its inside; a great value there keeps the secant away from it. */
+    /* A zero at an end is given the sign of the inside; a great value there keeps the secant away from it. */
     double greatest = 0;
     for (int i = 0; i <= degree; i++) greatest = fmax(greatest, fabs(a[i]));
     if (f0 <= 0) f0 = greatest;

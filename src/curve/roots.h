@@ -12,10 +12,10 @@ typedef struct bat_signs {
 
 /*
  * Where a polynomial of degree <= BAT_BERNSTEIN_MAX with these coefficients changes sign on [0, 1],
- * ascending, with a change against signs->before told as a crossing at the place where the new sign begins.
- * Coefficients within `zero` of zero have no sign; a polynomial all of them has no crossing. Roots without a
- * change of sign do not count. x: room for degree + 1. Lane & Riesenfeld 1981: subdivision until one sign
- * change is left, then bracketed secants; ends always, to 2^-45.
+ * ascending, and a change against signs->before counts as a crossing at the place where the new sign begins.
+ * Coefficients within `zero` of zero have no sign; a polynomial with no others has no crossing. Roots without
+ * a change of sign do not count. x: room for degree + 1. Lane & Riesenfeld 1981: subdivision until one sign
+ * change is left, then bracketed secants; always terminates, to 2^-45.
  */
 int bat_bernstein_crossings(int degree, const double *coefficients, double zero, bat_signs *signs, double *x);
 

@@ -22,7 +22,7 @@ bool bat_trace_line(const bat_trace *trace, bat_found *out) {
     return true;
 }
 
-/* Least squares of x² + y² + D x + E y + F, to begin with. */
+/* The first guess: least squares of x² + y² + D x + E y + F. */
 static bool begin(const bat_trace *trace, double number[3]) {
     double a[9] = {0}, b[3] = {0};
     for (size_t i = 0; i < BAT_TRACE_POINTS; i++) {
@@ -45,7 +45,7 @@ static double miss_of(const bat_trace *trace, const double number[3]) {
     return sqrt(sum / BAT_TRACE_POINTS);
 }
 
-/* True distances, by Gauss and Newton, for as long as it gets better. */
+/* Gauss-Newton on the true distances, for as long as it improves. */
 static void refine(const bat_trace *trace, double number[3]) {
     for (int round = 0; round < ROUNDS; round++) {
         double a[9] = {0}, b[3] = {0}, trial[3];

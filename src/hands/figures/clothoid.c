@@ -1,4 +1,4 @@
-/* Clothoids: the direction is a quadratic of the arc length. Fitted to places evenly along the stroke. */
+/* Clothoids: the direction is a quadratic in the arc length. Fitted to evenly spaced places on the stroke. */
 #include "hands/figures/trace.h"
 #include "base/real.h"
 
@@ -6,9 +6,10 @@
 #include <string.h>
 
 enum { ROUNDS = 12, FREE = 4, CHORD = 8 /* places on either side of a first direction */ };
-static const double NUDGE = 1e-6, MOST = 4 * BAT_PI; /* that it turns in all */
+static const double NUDGE = 1e-6, MOST = 4 * BAT_PI; /* that it may turn in all */
 
-/* Numbers: direction in the middle, turn along it, change of that turn, length; middle x y. Simpson's rule between places. */
+/* Numbers: direction in the middle, turn along the figure, change of that turn, length; middle x y.
+ * Integrated by Simpson's rule between places. */
 void bat_found_clothoid(const double number[8], size_t count, double *points) {
     const double step = 1 / (double)(count - 1);
     double x = 0, y = 0, mean[2] = {0, 0};
@@ -25,7 +26,7 @@ void bat_found_clothoid(const double number[8], size_t count, double *points) {
     for (size_t i = 0; i < 2 * count; i++) points[i] += number[4 + (i & 1)] - mean[i & 1];
 }
 
-/* Directions of long chords, and the quadratic through them: by powers that are orthogonal over the places. */
+/* Fits a quadratic to the directions of long chords, in polynomials that are orthogonal over the places. */
 static void begin(const bat_trace *trace, double number[8]) {
     double angle = 0, a[9] = {0}, b[3] = {0};
     for (size_t i = 0; i + CHORD < BAT_TRACE_POINTS; i++) {
@@ -51,7 +52,7 @@ static double square(const bat_trace *trace, const double number[8], double *poi
     return sum;
 }
 
-/* One step of Levenberg and Marquardt; false: it does not get better. */
+/* One Levenberg-Marquardt step; false: it brings no improvement. */
 static bool improve(const bat_trace *trace, double number[8], double *damping) {
     double now[2 * BAT_TRACE_POINTS], moved[FREE][2 * BAT_TRACE_POINTS], a[FREE * FREE] = {0}, b[FREE] = {0};
     const double sum = square(trace, number, now);
@@ -78,7 +79,7 @@ static bool improve(const bat_trace *trace, double number[8], double *damping) {
     return better < sum * (1 - 1e-6);
 }
 
-/* Across the figure: along it the places only drift. */
+/* The rms distance across the figure; along it the places only drift. */
 static double across(const bat_trace *trace, const double number[8]) {
     double points[2 * BAT_TRACE_POINTS], sum = 0;
     square(trace, number, points);

@@ -1,6 +1,7 @@
 /*
- * Ellipses: the conic A x² + B x y + (1 - A) y² + D x + E y + F = 0, whose trace is fixed so that lines do not pass for it,
- * by least squares; each sample then counts by the slope of the form there, which makes values into distances (Sampson).
+ * Ellipses: the conic A x² + B x y + (1 - A) y² + D x + E y + F = 0, fitted by least squares. Its trace is
+ * fixed so that lines do not pass for ellipses. Each sample is then weighted by the slope of the form there,
+ * which turns values into distances (Sampson).
  */
 #include "hands/figures/trace.h"
 #include "base/real.h"
@@ -9,9 +10,9 @@
 #include <string.h>
 
 enum { ROUNDS = 10 };
-static const double THINNEST = 0.06; /* shorter axis by the longer one */
+static const double THINNEST = 0.06; /* ratio of the shorter axis to the longer one */
 static const double LEAST_SWEEP = 1.7,
-                    LARGEST = 2.5; /* radians of a part; longer half axis by the stroke's size */
+                    LARGEST = 2.5; /* radians of a part; longer half axis over the stroke's size */
 
 static double value(const double q[5], double x, double y) {
     return q[0] * (x * x - y * y) + q[1] * x * y + y * y + q[2] * x + q[3] * y + q[4];

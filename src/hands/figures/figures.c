@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-static const double FARTHEST =
-    0.05; /* rms share of the stroke's size: beyond, the stroke is like no figure */
-/* What a figure has to be nearer for one more way to bend, share of the stroke's length: a line that is meant straight
- * sags by up to a thirtieth of it, a circle that is meant round has axes that differ by up to a seventh. */
+static const double FARTHEST = 0.05; /* rms over the stroke's size: beyond it the stroke is like no figure */
+/* How much nearer a figure has to be for each further way to bend, as a share of the stroke's length: a line
+ * that is meant straight sags by up to a thirtieth of it, a circle that is meant round has axes that differ
+ * by up to a seventh. */
 static const double DEARER = 0.009;
 static const double STEP = 3; /* px between its points */
 
@@ -31,7 +31,7 @@ static bool near_enough(const bat_trace *trace, bat_found *best) {
     return least < INFINITY && best->miss <= FARTHEST;
 }
 
-/* A place on it, in the trace's units; clothoids apart. */
+/* A place on the figure, in the trace's units; not for clothoids. */
 static void place(const bat_found *found, double f, double out[2]) {
     const double *n = found->number;
     if (found->kind == BAT_FIGURE_LINE) {

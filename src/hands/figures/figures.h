@@ -1,7 +1,7 @@
 /*
- * The figure that a stroke is nearest to: a line, a circle or an arc of one, an ellipse or a part of one, a clothoid
- * (whose curvature changes evenly). Each is fitted by least squares; a figure that bends in more ways has to be nearer by
- * a share of the stroke's length for each, so that a careless line is a line.
+ * The figure that a stroke is nearest to: a line, a circle or an arc of one, an ellipse or a part of one, a
+ * clothoid (whose curvature changes evenly). Each is fitted by least squares; a figure that bends in more
+ * ways has to be nearer by a share of the stroke's length for each, so that a careless line stays a line.
  */
 #ifndef BATTEN_HANDS_FIGURES_FIGURES_H
 #define BATTEN_HANDS_FIGURES_FIGURES_H
@@ -31,7 +31,8 @@ typedef struct bat_figure {
     double points[2 * BAT_FIGURE_POINTS]; /* x y along it, the two ends (closed: the same) among them */
 } bat_figure;
 
-/* count places of a stroke, x y each, view pixels; bad numbers are dropped. Cost: linear in count, and some 0.3 ms. */
+/* count places of a stroke, x y each, view pixels; bad numbers are dropped. Cost: linear in count, plus some
+ * 0.3 ms. */
 void bat_figure_nearest(size_t count, const double *pixels, bat_figure *out);
 /* The figure turned and scaled about its anchor so that what was at `from` comes to `to`. points: out->count of them. */
 void bat_figure_drag(const bat_figure *figure, const double from[2], const double to[2], double *points);

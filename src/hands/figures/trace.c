@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double APART = 1.5; /* px between two samples that count: what trembles nearer is no length */
+static const double APART = 1.5; /* px between two samples that count: trembling within it adds no length */
 static const double LEAST = 12;  /* px: anything shorter is a dab */
 static const double ROUND = 5.2,
                     GAP = 0.15; /* radians all round; share of the length left open by a closed stroke */
@@ -50,7 +50,7 @@ static void spread(size_t count, const double *pixels, double length, double *ou
         gone += piece;
         at[0] = to[0], at[1] = to[1];
     }
-    for (; made < BAT_TRACE_POINTS; made++) memcpy(out + 2 * made, at, sizeof at); /* the last, rounded off */
+    for (; made < BAT_TRACE_POINTS; made++) memcpy(out + 2 * made, at, sizeof at); /* the last: rounding */
 }
 
 static void measure_winding(bat_trace *trace) {

@@ -1,4 +1,4 @@
-/* Inside: a stroke as the fits of figures take it, and what they find. */
+/* Inside: a stroke in the form that the fits of figures take, and what they find. */
 #ifndef BATTEN_HANDS_FIGURES_TRACE_H
 #define BATTEN_HANDS_FIGURES_TRACE_H
 
@@ -7,7 +7,7 @@
 enum { BAT_TRACE_POINTS = 97 };
 
 typedef struct bat_trace {
-    double at[2 * BAT_TRACE_POINTS]; /* evenly along the stroke, about the middle, a unit = `size` pixels */
+    double at[2 * BAT_TRACE_POINTS]; /* evenly along the stroke, about the middle; unit: `size` pixels */
     double middle[2], size;
     double length, winding; /* in these units; radians about the middle, with its sign */
     bool closed;
@@ -31,7 +31,7 @@ bool bat_trace_clothoid(const bat_trace *trace, bat_found *out);
 
 void bat_found_clothoid(const double number[8], size_t count, double *points);
 
-/* a x = b, n by n, rows after each other; a and b are used up, b becomes x. False: singular. */
+/* Solves a x = b, n by n, a stored row by row. Overwrites both; b becomes x. False: singular. */
 bool bat_small_solve(int n, double *a, double *b);
 /* Adds weight * (row, value) to the normal equations. */
 void bat_small_add(int n, const double *row, double value, double weight, double *a, double *b);

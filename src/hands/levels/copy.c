@@ -1,5 +1,5 @@
-/* Levels of one shape put onto another curve: the domains are mapped onto each other, the details are splines of
- * three coordinates that go along, and where the knots allow it they are the very same. */
+/* Puts the levels of one shape onto another curve. The domains are mapped onto each other; the details are
+ * splines of three coordinates that go along, and they stay exactly the same where the knots allow it. */
 #include "hands/levels/shape.h"
 
 #include "curve/curve.h"
@@ -42,7 +42,8 @@ static bat_status begin_at_seam(bat_curve **detail, const bat_curve *below) {
     return BAT_OK;
 }
 
-/* A closed one's first knot is brought to that of `below`; knots that are near those of `below` become these. */
+/* Brings the first knot of a closed curve to that of `below`; knots near those of `below` become equal to
+ * them. */
 static bat_status snap(const bat_curve *detail, const bat_curve *below, bat_curve **out) {
     const double *from = bat_curve_knots(detail), *near = bat_curve_knots(below);
     int count = bat_curve_knot_count(detail), others = bat_curve_knot_count(below);
@@ -88,14 +89,15 @@ static bat_status detail_curve(const bat_level *level, const bat_curve *below, c
     return status;
 }
 
-/* All knots of both, each as often as where it is more often; on a closed curve one period. Returns how many. */
+/* All knots of both, each with the greater of its two multiplicities; of a closed curve one period. Returns
+ * how many. */
 static int united(const bat_curve *below, const bat_curve *detail, double *out) {
     const double *a = bat_curve_knots(below), *b = bat_curve_knots(detail);
     int p = below->degree, inner_a = bat_curve_knot_count(below), inner_b = bat_curve_knot_count(detail),
         n = 0;
     double domain[2];
     bat_curve_domain(below, domain);
-    /* What lies outside the domain, and the ends of an open one, are the curve's own. */
+    /* Knots outside the domain, and at the ends of an open one, are those of `below`. */
     for (int i = 0, k = 0; i < inner_a || k < inner_b;) {
         bool own = k == inner_b || (i < inner_a && a[i] <= b[k]);
         if (k < inner_b && (b[k] >= domain[1] || (below->closed ? b[k] < domain[0] : b[k] <= domain[0]) ||
@@ -111,7 +113,8 @@ static int united(const bat_curve *below, const bat_curve *detail, double *out) 
     return n;
 }
 
-/* For each node of a level the one of `from` that is mapped nearest to it; both ascend but for a wrap at a seam. */
+/* For each node of a level, the node of `from` that is mapped nearest to it; both ascend, except for a wrap
+ * at a seam. */
 static bat_status match(const bat_level *level, const bat_level *from, const bat_knot_map *map,
                         int *nearest) {
     const bat_curve *curve = level->curve;
@@ -144,8 +147,8 @@ static bool redrawn(const bat_knot_map *map, double u, double *depth) {
     return x > 0 && x < length;
 }
 
-/* In space: outside the piece that was drawn anew details stay as they lay; on it their turn goes from that of the
- * one side to that of the other (math 3.4). */
+/* In space: outside the piece that was drawn anew, details stay as they lay; on it their turn passes from
+ * that of one side to that of the other (math 3.4). */
 static void keep_outside(bat_level *level, const bat_level *from, const bat_knot_map *map,
                          const int *nearest) {
     double angle[2] = {0, 0}, gap[2] = {INFINITY, INFINITY}, depth;
@@ -174,7 +177,7 @@ static void keep_outside(bat_level *level, const bat_level *from, const bat_knot
     }
 }
 
-/* Sources, and what the piece that was drawn anew asks for. */
+/* Sets the sources, and does what the piece that was drawn anew asks for. */
 static bat_status settle(bat_shape *shape, bat_level *level, const bat_level *from, const bat_knot_map *map) {
     int *nearest = malloc((size_t)level->count * sizeof *nearest);
     bat_status status = nearest ? match(level, from, map, nearest) : BAT_MEMORY;

@@ -9,8 +9,8 @@
 
 static const double SLOW = 0.5; /* a coarse curve slower than this carries no frame */
 
-/* How many of the knots are the rank-th further copy of the one before; `before` is that before the first. With
- * stays: marks `kept` of them, at equal distances. */
+/* How many of the knots are the rank-th repeat of their value (0: its first copy); `before` is the knot
+ * before the first. With `stays`: marks `kept` of them, evenly spaced. */
 static int copies(const double *knots, int count, double before, int rank, int total, int kept, bool *stays) {
     int copy = 0, seen = 0, chosen = 0;
     for (int i = 0; i < count; i++) {
@@ -25,8 +25,8 @@ static int copies(const double *knots, int count, double before, int rank, int t
     return seen;
 }
 
-/* Interior knots left out until `count` control points are left (closed: the seam stays). Returns a curve with
- * unset points. */
+/* Leaves out interior knots until `count` control points are left (closed: the seam stays). Returns a curve
+ * with unset points. */
 static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     int p = fine->degree, n = fine->count;
     int interior = fine->closed ? n - 1 : n - p - 1, kept = fine->closed ? count - 1 : count - p - 1;
@@ -42,7 +42,7 @@ static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     const double *from = bat_curve_knots(fine);
     double *to = bat_curve_own_knots(coarse);
     int lead = fine->closed ? 1 : p + 1;
-    for (int rank = 0, left = kept; left > 0; rank++) { /* further copies come after all the first ones */
+    for (int rank = 0, left = kept; left > 0; rank++) { /* repeats come after all the first copies */
         int total = copies(from + lead, interior, from[lead - 1], rank, 0, 0, NULL);
         int taken = total < left ? total : left;
         copies(from + lead, interior, from[lead - 1], rank, total, taken, stays);
@@ -57,9 +57,8 @@ static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     return bat_curve_finish(coarse, out);
 }
 
-/* Coefficients of stored fine point i over p + 1 stored coarse points, of which *first is the first: the
- * blossom of the coarse span that holds one of the point's fine spans, at t_{i+1}..t_{i+p} of the fine knots.
- */
+/* Coefficients of the stored fine point i in terms of p + 1 stored coarse points, from *first on: the blossom
+ * of the coarse span that holds one of the point's fine spans, at t_{i+1}..t_{i+p} of the fine knots. */
 static void refinement_row(const bat_curve *coarse, const bat_curve *fine, int i, int *first, double *row) {
     int p = fine->degree, q = i > p ? i : p;
     while (q + 1 < fine->spread && fine->knots[q] == fine->knots[q + 1]) q++;
@@ -151,7 +150,7 @@ static double speed(const bat_curve *curve, double u) {
     return vec_norm(vec_load(at + size, size));
 }
 
-/* The finest level below whose curve, like all below it, is not slow at the node. */
+/* The finest level below this one whose curve, like all those below it, is not slow at the node. */
 static int source_of(const bat_shape *shape, int level, double u) {
     double least = SLOW * speed(shape->base, u);
     int l = 0;
@@ -176,7 +175,7 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
     return bat_level_build(at, bat_shape_curve(shape, level - 1));
 }
 
-/* Control points of the level below one of n: every other interior knot is left out. */
+/* How many control points the level below a level of n has: every other interior knot is left out. */
 static int halved(const bat_curve *curve, int n) {
     int fixed = curve->closed ? 1 : curve->degree + 1;
     return n > fixed ? (n - fixed) / 2 + fixed : n;

@@ -1,7 +1,8 @@
 /*
  * The least squares of a sketch at a level (math 3.6): rows that pull C^level to the stroke, and rows of no
- * displacement beyond both of its ends. Without the latter, coefficients that the stroke barely meets have almost no
- * equation and swing. Lengths along the curve are counted in spans, so that short and long ones are alike.
+ * displacement beyond both of its ends. Without the latter, coefficients that the stroke barely meets have
+ * almost no equation and swing. Lengths along the curve are counted in spans, so that short and long spans
+ * count alike.
  */
 #include "hands/levels/fit.h"
 
@@ -11,15 +12,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 16, ROWS_LEAST = 8, TRIES = 24 }; /* rows of no displacement: a span, a side */
+enum { ROWS = 16, ROWS_LEAST = 8, TRIES = 24 }; /* rows of no displacement: per span; least per side */
 static const double MU = 1e-6, NU = 1e-3;
 static const double FIRM = 1000; /* what a row weighs at two spans from the stroke; 1 at one span */
-/* How much of the stroke's largest displacement is let through beyond its ends, and beyond two spans: a little less
- * than the bars, since rows are apart. */
+/* How much of the stroke's largest displacement is let through beyond its ends, and beyond two spans: a
+ * little less than the bars of math 3.6, since the rows lie some way apart. */
 static const double MOST_OUTSIDE = 0.995, MOST_FAR = 0.055;
-static const double FIRMER = 4; /* the rows weigh that many times more where more than that comes through */
+static const double FIRMER = 4; /* factor on the rows' weight where more than that comes through */
 
-/* Away from one end of the stroke, as far as the curve goes or the other side's half of the gap begins. */
+/* One side: from an end of the stroke outwards, to where the curve ends or the other side's half of the gap
+ * begins. */
 typedef struct side {
     double from, sign, length; /* in spans */
     int rows;
@@ -71,7 +73,7 @@ static bat_status fit_make(const bat_curve *curve, size_t count, fit *f) {
 
 /* ---- where the stroke lies ---- */
 
-/* Spans before u, and back. */
+/* The number of spans before u, and the inverse. */
 static double place_of(const fit *f, double u) {
     int low = 0, high = f->spans;
     while (high - low > 1) {
@@ -96,7 +98,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* An open curve is covered from the first parameter to the last, a closed one but for the longest gap. */
+/* An open curve is covered from the first parameter to the last, a closed one all round except for the
+ * longest gap. */
 static void find_sides(fit *f, size_t count, const double *u) {
     const bat_curve *curve = f->curve;
     double *at = f->places, room[2];
@@ -113,7 +116,7 @@ static void find_sides(fit *f, size_t count, const double *u) {
     room[0] = low, room[1] = f->spans - high;
     if (curve->closed) room[0] = room[1] = (f->spans - f->covered) / 2;
     for (int k = 0; k < 2; k++) {
-        double length = fmin(room[k], curve->degree + 1); /* farther than what the stroke meets */
+        double length = fmin(room[k], curve->degree + 1); /* beyond all that the stroke meets */
         int rows = length > 0 ? (int)ceil(ROWS * length) : 0;
         f->sides[k] = (side){.from = k == 0 ? low : high,
                              .sign = k == 0 ? -1 : 1,
@@ -124,7 +127,8 @@ static void find_sides(fit *f, size_t count, const double *u) {
 
 /* ---- rows ---- */
 
-/* A row of the matrix: basis functions at u. Closed curves of few points may meet one more than once. */
+/* A row of the matrix: basis functions at u. Closed curves of few points may meet one of them twice or
+ * more. */
 typedef struct row {
     int first;
     double basis[BAT_DEGREE_MAX + 1];
@@ -176,8 +180,8 @@ static void add_stroke(fit *f, size_t count, const double *u, const double *targ
     }
 }
 
-/* Their weight a span rises from nothing at the stroke's end to that of the stroke's own rows at one span, and goes on
- * rising to what keeps all the rest in place. */
+/* Their weight per span rises from zero at the stroke's end to that of the stroke's own rows one span away,
+ * and goes on rising until it keeps all the rest in place. */
 static void add_still(fit *f) {
     for (int i = 0; i < 2; i++)
         for (int k = 1; k <= f->sides[i].rows; k++) {
@@ -191,7 +195,7 @@ static void add_still(fit *f) {
 
 /* ---- the solution ---- */
 
-/* What the stroke misses stays exactly: its row and column become the identity. */
+/* A coefficient that the stroke misses stays exactly as it is: its row and column become the identity. */
 static void leave_out(const fit *f, int i) {
     int n = f->curve->count, band = f->band;
     double *a = f->work;
@@ -203,7 +207,7 @@ static void leave_out(const fit *f, int i) {
     a[i * (band + 1)] = 1;
 }
 
-/* firmness: what the rows of no displacement are multiplied with. */
+/* firmness: a factor on the rows of no displacement. */
 static bat_status solve(fit *f, double firmness) {
     int n = f->curve->count, band = f->band, size = f->curve->dimension;
     for (int i = 0; i < n * (band + 1); i++) f->work[i] = f->pull[i] + firmness * f->hold[i];
@@ -237,7 +241,8 @@ static bool strays(const fit *f) {
     return false;
 }
 
-/* The shortest run that holds all that moves; on a closed curve it begins behind the longest gap. */
+/* The shortest run of coefficients that holds all that move; on a closed curve it begins behind the longest
+ * gap. */
 static void moved_run(const fit *f, int *first, int *count) {
     int n = f->curve->count, gap = 0, best = 0;
     *first = 0, *count = n;

@@ -49,7 +49,8 @@ static visit *visit_new(size_t n) {
     return NULL;
 }
 
-/* The nodes that ride on level `from`, ascending: they nearly are, but for those that a seam has wrapped. */
+/* Gathers the nodes that ride on level `from`, ascending: they nearly are, except for those that a seam has
+ * wrapped. */
 static int gather(const bat_level *level, int from, visit *v) {
     int n = 0, least = 0;
     for (int i = 1; i < level->count; i++)

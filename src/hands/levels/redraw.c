@@ -1,11 +1,11 @@
-/* A free stroke over a shape's base: the base gets the sketch's knots, details go where their places went. */
+/* A free stroke over a shape's base: the base takes the sketch's knots, the details follow their places. */
 #include "hands/levels/shape.h"
 
 #include "curve/curve.h"
 
 #include <string.h>
 
-/* Outside the replaced interval parameters are moved as one, on it stretched evenly. */
+/* Outside the replaced interval the parameters move as one; on it they are stretched evenly. */
 static bat_knot_map map_of(const bat_curve *old, const bat_curve *fresh, const bat_sketch_report *r,
                            bool drop) {
     bat_knot_map map = {.closed = old->closed, .drop = drop};

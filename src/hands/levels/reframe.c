@@ -1,4 +1,4 @@
-/* Details expressed anew in other frames: the curves of all levels go where a matrix takes them, or stay. */
+/* Expresses the details in other frames: the curves of all levels go where a matrix takes them, or stay. */
 #include "hands/levels/shape.h"
 
 #include "curve/curve.h"
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The persistent pair of the image, still at right angles. */
+/* The image's persistent pair of reference vectors, again at right angles. */
 static void turn_reference(bat_shape_options *o, const double *matrix, int size) {
     vec t = vec_unit(bat_affine_turn(matrix, size, vec_load(o->reference_t, 3)));
     vec s = bat_affine_turn(matrix, size, vec_load(o->reference_s, 3));
@@ -53,7 +53,7 @@ bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_r
             turn_reference(&edited->options, matrix, size);
         }
     }
-    memset(edited->holonomy, 0, sizeof edited->holonomy); /* the principal ones, whichever the details knew */
+    memset(edited->holonomy, 0, sizeof edited->holonomy); /* the principal ones, whichever the details had */
     for (int l = 1; l <= edited->count && status == BAT_OK; l++) status = reframe_level(edited, l, matrix);
     edited->turned = false;
     if (status == BAT_OK)

@@ -196,7 +196,7 @@ bat_status bat_shape_rebuild(bat_shape *shape, int level) {
     return BAT_OK;
 }
 
-/* A knot in the middle of every span: inserted ones, ascending. Returns how many. */
+/* The knots to insert, ascending: one in the middle of every span. Returns how many. */
 static int middles(const bat_curve *curve, double *out) {
     int n = 0;
     for (int i = curve->degree; i < curve->spread; i++) {

@@ -18,7 +18,7 @@ typedef struct bat_level {
     double *nodes;     /* count, parameters in the domain */
     int *source;       /* count: the level, below this one, whose curve carries the frame */
     bat_triad *frames; /* count: those that the curve was built with */
-    int *rank;         /* how its knots hold those below (bat_refine_rank) */
+    int *rank;         /* how its knots contain those below (bat_refine_rank) */
     bat_curve *curve;  /* C^j */
 } bat_level;
 
@@ -35,8 +35,8 @@ struct bat_shape {
 static inline bat_curve *bat_shape_curve_at(const bat_shape *shape, int level) {
     return level > 0 ? shape->levels[level - 1].curve : shape->base;
 }
-/* C^level of the curve below and the frames that it has, refine(C^{j-1}) + sum g F d N: all of them, and those that lie `count` from `first` on
- * (closed: modulo n). */
+/* Builds C^level, refine(C^{j-1}) + sum g F d N, from the curve below and the frames that it has: all control
+ * points, or the `count` of them from `first` on (closed: modulo n). */
 bat_status bat_level_build(bat_level *level, const bat_curve *below);
 void bat_level_build_some(bat_level *level, const bat_curve *below, int first, int count);
 
@@ -46,38 +46,38 @@ void bat_level_build_some(bat_level *level, const bat_curve *below, int first, i
  */
 bat_status bat_shape_rebuild(bat_shape *shape, int level);
 /*
- * The frames that the curves alone give, nearest to the holonomies as they are (near) or principal, become those
- * of the details; details turn back, so that nothing moves (math 3.4). The same on failure as above.
+ * The details take over the frames that the curves alone give, with holonomies nearest to the present ones
+ * (near) or principal ones. They turn back, so that nothing moves (math 3.4). On failure as above.
  */
 bat_status bat_shape_fold(bat_shape *shape, bool near);
-/* Takes over the contents of an edited copy, and frees the shell of it. */
+/* Takes over the contents of an edited copy, and frees its shell. */
 void bat_shape_adopt(bat_shape *shape, bat_shape *edited);
 
 bat_frame_options bat_shape_frame_options(const bat_shape_options *options, double holonomy_near);
 /* Frames at the nodes of a level, as the curves alone give them. */
 bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out);
 
-/* Whether r is across the plane, so that details have nothing there. Frenet frames of straight stretches have no
- * normal, and take any. */
+/* Whether r is at right angles to the plane, so that details have no part along it. Frenet frames of straight
+ * stretches have no normal, and take any. */
 static inline bool bat_shape_flat(const bat_shape *shape) {
     return bat_curve_dimension(shape->base) == 2 && shape->options.frame != BAT_FRAMES_FRENET;
 }
-/* What the details are multiplied with. */
+/* What the details are multiplied by. */
 static inline double bat_level_gain(const bat_level *level) { return level->muted ? 0 : level->gain; }
 
-/* The linear part of an affine matrix of dimension rows. */
+/* The linear part of an affine matrix of `dimension` rows, applied to v. */
 vec bat_affine_turn(const double *matrix, int dimension, vec v);
 double bat_affine_determinant(const double *matrix, int dimension);
 
 /* Node parameters of a curve's basis functions (math 3.2): count doubles. */
 bat_status bat_nodes(const bat_curve *curve, bat_node_rule rule, double *out);
 
-/* Adds world deltas to control points, or to what the details say there; not yet to the curve. BAT_STATE: a
- * muted level shows no change. */
+/* Adds deltas in world coordinates to control points, or to the details there; the curve is not built yet.
+ * BAT_STATE: a muted level shows no change. */
 bat_status bat_level_add(bat_shape *shape, int level, int first, int count, const double *deltas,
                          double factor);
 
-/* What every edit by deltas checks. BAT_OK with *idle: nothing to do. */
+/* The checks of every edit by deltas. BAT_OK with *idle: nothing to do. */
 bat_status bat_level_check(const bat_shape *shape, int level, int first, size_t count, const double *deltas,
                            bool *idle);
 /* The deltas (degree + 1 of them at most) that move the point at u by delta (math 3.5). */
@@ -87,15 +87,16 @@ bat_status bat_level_pull(const bat_shape *shape, int level, double u, const dou
 bat_status bat_shape_move_all(bat_shape *shape, int level, int first, int count, const double *deltas);
 
 /*
- * What an edit of control points first..first+count-1 of a level touches, and how it was: the edit can be made
- * again and again from there. Costs what it touches (math 3.4). *out is NULL when that is everything.
+ * What an edit of control points first..first+count-1 of a level touches, and its state before: from there
+ * the edit can be made again and again. Costs what it touches (math 3.4). *out is NULL when that is
+ * everything.
  */
 typedef struct bat_touch bat_touch;
 bat_status bat_touch_begin(bat_shape *shape, int level, int first, int count, bat_touch **out);
 bat_status bat_touch_apply(bat_touch *touch, const double *deltas); /* on failure, and before: as it was */
 void bat_touch_revert(bat_touch *touch);
 bool bat_touch_fits(const bat_touch *touch, int level, int first, int count);
-void bat_touch_run(const bat_touch *touch, int level, int *first, int *count); /* what changes of C^level */
+void bat_touch_run(const bat_touch *touch, int level, int *first, int *count); /* which of C^level change */
 void bat_touch_free(bat_touch *touch);
 
 /* Where the parameters of one base lie on another: linear between count breakpoints; on a closed base these make
@@ -109,7 +110,8 @@ double bat_knot_map_at(const bat_knot_map *map, double u);
 bat_status bat_shape_copy_mapped(const bat_shape *from, const bat_curve *onto,
                                  const bat_shape_options *options, const bat_knot_map *map, bat_shape **out);
 
-/* Details in `old` frames, said in `fresh` ones that differ by a turn about t. False: these are the same. */
+/* Details in `old` frames, expressed in `fresh` ones that differ by a turn about t. False: the two are the
+ * same. */
 bool bat_triad_turn_back(const bat_triad *old, const bat_triad *fresh, double *details);
 static inline vec bat_triad_to_world(const bat_triad *f, const double *d) {
     return vec_add(vec_add(vec_scale(f->t, d[0]), vec_scale(f->s, d[1])), vec_scale(f->r, d[2]));

@@ -11,8 +11,8 @@
 
 enum { PROJECTIONS = 3 };
 
-/* Equal fractions of the two lengths, then the nearest point close by: targets then differ across the curve.
- */
+/* Starts at equal fractions of the two lengths and takes the nearest point close by: targets then differ from
+ * the curve across it. */
 static void assign(const bat_canvas *canvas, const bat_clean *clean, const bat_correspondence *found,
                    double *u) {
     for (size_t i = 0; i < clean->count; i++) {
@@ -22,7 +22,8 @@ static void assign(const bat_canvas *canvas, const bat_clean *clean, const bat_c
     }
 }
 
-/* Greatest distance from the stroke to the level as it has become; the samples' parameters are a good start. */
+/* The greatest distance from the stroke to the level's new curve; the samples' parameters are good first
+ * guesses. */
 static double miss(const bat_curve *curve, const bat_clean *clean, const double *u) {
     double worst = 0, at[BAT_DIMENSION_MAX];
     for (size_t i = 0; i < clean->count; i++) {
@@ -33,8 +34,8 @@ static double miss(const bat_curve *curve, const bat_clean *clean, const double 
     return worst;
 }
 
-/* The cleaned stroke, in pixels about the origin, over C^level. Turns it round, and brings it back to document units.
- */
+/* Draws the cleaned stroke, in pixels about the origin, over C^level. Turns it round, and converts it back to
+ * document units. */
 static bat_status draw(bat_shape *shape, int level, bat_clean *clean, const double *origin, double pixel,
                        bat_sketch_report *report) {
     bat_canvas canvas;

@@ -1,8 +1,9 @@
 /*
  * Local edits (math 3.4). Which control points and which frames an edit can change follows from the knots
  * alone. Where the chain of frames runs through the stretch that changes, it is carried from just before it
- * to just behind it, as it was and as it is; frames keep their angle against it, and the angle by which it comes
- * out turned is taken back smoothly on the way. Outside nothing is computed, so nothing changes.
+ * to just behind it, on the old curve and on the new one. Frames keep their angle against the chain, and the
+ * angle by which it comes out turned is taken back smoothly on the way. Outside, nothing is computed, so
+ * nothing changes.
  */
 #include "hands/levels/shape.h"
 
@@ -37,12 +38,12 @@ typedef struct group {
 typedef struct part {
     int first, count; /* control points */
     stretch over;     /* where the curve changes */
-    double *points;   /* as they were, as are: */
-    double *details;  /* (of the edited level) */
+    double *points;   /* as they were, like the next two */
+    double *details;  /* of the edited level only */
     bat_triad *frames;
     int riders;
     rider *rider;
-    double *u;                    /* one a rider */
+    double *u;                    /* one for each rider */
     group groups[BAT_LEVELS_MAX]; /* by the level that they ride on */
 } part;
 
@@ -59,13 +60,13 @@ static int own(const bat_curve *curve, int i) {
     return curve->closed ? (i % curve->count + curve->count) % curve->count : i;
 }
 
-/* At a smooth knot the tangent changes by rounding at most, and does not count in space. In the plane frames are to
- * be, bit for bit, what the curves alone give. */
+/* At a smooth knot the tangent changes by rounding at most, which does not count in space. In the plane,
+ * frames have to be bit for bit what the curves alone give. */
 static bool changes_start(const bat_curve *curve, double start) {
     return curve->dimension == 2 || bat_knot_multiplicity(curve, start) >= curve->degree;
 }
 
-/* False: everywhere. */
+/* Where the curve changes. False: everywhere. */
 static bool stretch_of(const bat_curve *curve, int first, int count, stretch *out) {
     const double *t = bat_curve_knots(curve);
     int p = curve->degree, n = curve->count, last = first + count + p;
@@ -99,8 +100,8 @@ static double depth(const stretch *s, double u) {
     return u - s->start + (s->wraps && u < s->start ? s->period : 0);
 }
 
-/* Control points of a level whose nodes lie inside a stretch of the level below: a run. Their supports meet
- * it. False when there are none. */
+/* The run of control points of a level whose nodes lie inside a stretch of the level below. Their supports
+ * meet it. False when there are none. */
 static bool find_run(const bat_level *level, const stretch *over, int *first, int *count) {
     const bat_curve *curve = level->curve;
     int p = curve->degree, n = curve->count;
@@ -119,7 +120,8 @@ static bool find_run(const bat_level *level, const stretch *over, int *first, in
 
 /* ---- carrying frames through a stretch ---- */
 
-/* The last span at or before `span` that is no point, or -1 (closed: going round). */
+/* The first span from `span` on, in steps of `way`, that is more than a point; -1: none (closed: going
+ * round). */
 static int lively(const bat_curve *curve, int span, int way) {
     for (int tries = curve->spread - curve->degree; tries > 0; tries--, span += way) {
         if (span < curve->degree || span >= curve->spread) {
@@ -135,8 +137,9 @@ static int lively(const bat_curve *curve, int span, int way) {
     return -1;
 }
 
-/* Frames at a group's nodes by transport over the stretch of the level below, from any s that is the same as long
- * as nothing before the stretch changes; `end`: where it comes out. False: not met in order. */
+/* Frames at a group's nodes, by transport over the stretch of the level below. Any s will do to start from
+ * that is the same as long as nothing before the stretch changes; `end`: s as it comes out. False: nodes not
+ * met in order. */
 static bool carry(bat_touch *touch, const part *at, const group *g, int from) {
     const bat_shape *shape = touch->shape;
     const bat_curve *curve = bat_shape_curve(shape, from);
@@ -231,7 +234,7 @@ static void swap_part(const bat_touch *touch, int l, bool back) {
     if (back) bat_curve_unroll(curve);
 }
 
-/* How the frames stand against the carried ones; in space only. False: not to be carried. */
+/* The angles of the frames against the carried ones; in space only. False: they cannot be carried. */
 static bool read_riders(bat_touch *touch, int l) {
     part *at = &touch->parts[l];
     const bat_level *level = &touch->shape->levels[l - 1];
@@ -276,7 +279,7 @@ void bat_touch_run(const bat_touch *touch, int level, int *first, int *count) {
     *first = touch->parts[level].first, *count = touch->parts[level].count;
 }
 
-/* Whether frames follow from what lies around them, or from the whole curve. */
+/* Whether frames follow from what lies around them, not from the whole curve. */
 static bool local(const bat_shape *shape, int level) {
     if (level == shape->count || shape->options.frame == BAT_FRAMES_FIXED) return true;
     return shape->options.frame == BAT_FRAMES_RMF &&
@@ -326,8 +329,8 @@ void bat_touch_revert(bat_touch *touch) {
 
 /* ---- the edit ---- */
 
-/* About the area that the tangents sweep on the unit sphere; there and back it is the same number. The chain comes out
- * turned by no more (Gauss-Bonnet). */
+/* Roughly the area that the tangents sweep on the unit sphere, the same number there and back. The chain
+ * comes out turned by no more than that (Gauss-Bonnet). */
 static double swept_by(const bat_touch *touch, const part *at, const group *g) {
     double area = 0;
     for (int k = 1; k < g->count; k++) {
@@ -379,7 +382,8 @@ static bool within(const bat_curve *curve, const part *at) {
     return true;
 }
 
-/* A part of the deltas, from the state at the beginning; turns are followed from those of the part before. */
+/* Applies a part of the deltas to the state at the beginning; turns are followed from those of the part
+ * before. */
 static bat_status apply(bat_touch *touch, const double *deltas, double factor, double *swept) {
     bat_shape *shape = touch->shape;
     *swept = 0;
@@ -399,8 +403,9 @@ static bat_status apply(bat_touch *touch, const double *deltas, double factor, d
     return status;
 }
 
-/* Turns are told modulo a whole one. Where much is swept they are followed from nothing in small parts of the edit, so
- * that what comes out depends on the edit alone, not on the path that the pen took; and the way back is the same. */
+/* Turns are known modulo a whole turn. Where much is swept, they are followed from zero in small parts of the
+ * edit, so that the result depends on the edit alone, not on the path that the pen took, and the way back is
+ * the same. */
 bat_status bat_touch_apply(bat_touch *touch, const double *deltas) {
     enum { PARTS = 8 };
     bat_status status = BAT_OK;

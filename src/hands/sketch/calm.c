@@ -1,13 +1,14 @@
 /*
- * Calming: the smoothing of smooth.c in the space of the curve's own knots. The control points whose reach lies in the
- * stretch, or in the spans beside it where it fades out, move by the least
+ * Calming: the smoothing of smooth.c in the space of the curve's own knots. The control points whose support
+ * lies in the stretch, or in the spans beside it where it fades out, move so as to minimise
  *
  *     sum |D(s_i)|^2 + lambda sum w_i |third difference of (C + D) + (h k)^2 first difference|^2,
  *
- * D the move at places h apart, k the curvature there (sketch 9.1: what is penalised is the change of curvature, so that
- * arcs cost nothing), w 1 in the stretch and none far from it. lambda is the greatest at which waves longer than the
- * stretch stay, the curve moves by no more than the limit and the guards hold: no more extrema of curvature than before,
- * no more inflections, no higher peak, less variation. Corners and ends stay, smooth nodes stay smooth.
+ * D being the move at places h apart, k the curvature there (sketch 9.1: what is penalised is the change of
+ * curvature, so that arcs cost nothing), and w a weight, 1 in the stretch and 0 far from it. lambda is the
+ * greatest at which waves longer than the stretch stay, the curve moves by no more than the limit and the
+ * guards hold: no more extrema of curvature than before, no more inflections, no higher peak, less variation.
+ * Corners and ends stay, smooth nodes stay smooth.
  */
 #include "base/real.h"
 #include "curve/banded.h"
@@ -20,8 +21,8 @@
 
 enum { DENSE = 80, PLACES = 2000, WIDTH = BAT_BAND_MAX + 1, THRESHOLDS = 12 };
 
-static const double CORNER = 0.06; /* radians of a turn that is none of rounding */
-static const double BEND = 0.2;    /* curvature that counts, per pixel */
+static const double CORNER = 0.06; /* radians: a turn too great to come from rounding */
+static const double BEND = 0.2;    /* greatest curvature that counts, per pixel */
 static const double THRESHOLD[THRESHOLDS] = {
     0, 1e-6, 1e-5, 5e-5, 1e-4, 2e-4, 5e-4, 0.001, 0.002, 0.005, 0.015, 0.04}; /* of the range of curvature */
 
@@ -35,14 +36,13 @@ typedef struct work {
     int first, count;                /* stored control points in question; closed: in any period */
     role *roles;
     int *unknown;  /* of those that move */
-    double *share; /* of those that follow: weight of the point before; that after has the rest */
+    double *share; /* of those that follow: weight of the point before; the point after has the rest */
     int unknowns, places, band;
-    int *from;    /* first unknown of a place's row; -1: none moves it */
-    double *row;  /* places * WIDTH */
-    double *at;   /* places * 2: the curve */
-    double *bent; /* places: (h k)^2 */
-    double *
-        weight; /* places: of the difference that begins there, its root; 1 in the stretch, none far from it */
+    int *from;      /* first unknown of a place's row; -1: none moves it */
+    double *row;    /* places * WIDTH */
+    double *at;     /* places * 2: the curve */
+    double *bent;   /* places: (h k)^2 */
+    double *weight; /* places: root weight of the difference that begins there; 1 in the stretch, 0 far off */
     double *fit, *fair, *sum, *pull, *move; /* matrices, right side, solution */
 } work;
 
@@ -236,7 +236,7 @@ static double furthest(const work *w) {
     return isfinite(worst) ? worst : INFINITY;
 }
 
-/* The moves for lambda; the greatest move of a place, infinite when there is no solution. */
+/* Finds the moves for lambda. Returns the greatest move of a place, infinite when there is no solution. */
 static double solve(work *w, double lambda) {
     size_t size = (size_t)w->unknowns * (size_t)(w->band + 1);
     for (size_t i = 0; i < size; i++) w->sum[i] = w->fit[i] + lambda * w->fair[i];
@@ -275,11 +275,11 @@ static bat_status moved(const work *w, bat_curve **out) {
 
 typedef struct comb {
     double low, high, peak, variation;
-    int inflections, changes; /* of the sign of curvature, and of that of its slope */
+    int inflections, changes; /* changes of the sign of curvature, and of that of its slope */
     int extrema[THRESHOLDS];  /* by prominence */
 } comb;
 
-/* One more value: turns of the sequence that are deeper than the threshold. */
+/* Counts the turns of a sequence that are deeper than the threshold, value by value. */
 typedef struct zigzag {
     double low, high;
     int way, turns;
@@ -339,7 +339,7 @@ static void step(walk *w, double k, double slope) {
     w->sign = k;
 }
 
-/* Places of a span, and where curvature is greatest or least between two of them. */
+/* Visits the places of a span, and where curvature is greatest or least between two of them. */
 static void walk_span(walk *w, const bat_curve *curve, int span, double u0, double u1) {
     double before = 0;
     for (int k = 0; k <= DENSE; k++) {
@@ -368,8 +368,9 @@ static bool no_worse(const comb *now, const comb *old) {
     return good;
 }
 
-/* Curvature along the spans that the stretch reaches and one beside each, both sides of every knot. depths: of the
- * thresholds; NULL: only the range is wanted. old (may be NULL): what is worse than it need not be looked at further. */
+/* Curvature along the spans that the stretch reaches and one on either side, on both sides of every knot.
+ * depths: of the thresholds; NULL: only the range is wanted. old (may be NULL): a curve worse than it is not
+ * looked at further. */
 static void look(const work *w, const bat_curve *curve, const double *depths, const comb *old, comb *out) {
     walk along = {.comb = out, .depths = depths};
     *out = (comb){.low = INFINITY, .high = -INFINITY};
@@ -387,7 +388,7 @@ static void look(const work *w, const bat_curve *curve, const double *depths, co
 
 /* ---- the search ---- */
 
-/* (h k)^2 at the places, of the curve as it is thought to become. */
+/* (h k)^2 at the places, of the curve as it is expected to become. */
 static void bend(work *w, const bat_curve *curve, const double *u) {
     for (int i = 0; i < w->places && curve; i++) {
         double d[8], at = u[i];
@@ -400,14 +401,15 @@ static void bend(work *w, const bat_curve *curve, const double *u) {
     }
 }
 
-/* The moves as they are: *best is replaced when what they make is no worse than the old curve and calmer than *least. */
+/* Judges the present moves: *best is replaced when the curve they make is no worse than the old one and
+ * calmer than *least. */
 static bat_status judge(const work *w, const double *depths, const comb *old, double *least, bat_curve **best,
                         bool *better) {
     bat_curve *made = NULL;
     comb now;
     *better = false;
     bat_status status = moved(w, &made);
-    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_OK; /* out of range: it is none */
+    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_OK; /* out of range: no candidate */
     look(w, made, depths, old, &now);
     *better = no_worse(&now, old) && now.variation < *least;
     bat_curve_free(*better ? *best : made);
@@ -417,7 +419,7 @@ static bat_status judge(const work *w, const double *depths, const comb *old, do
     return BAT_OK;
 }
 
-/* The calmest curve along lambda; *best is replaced when one is calmer than *least. */
+/* Searches lambda for the calmest curve; *best is replaced when one is calmer than *least. */
 static bat_status search(work *w, const double *depths, const comb *old, double *least, bat_curve **best) {
     double reach = 1.4 * w->wave / (2 * BAT_PI * w->step);
     double high = bat_log(fmin(reach * reach * reach * reach * reach * reach, 1e13)), low = bat_log(1e-3),
@@ -456,7 +458,7 @@ static void reach(work *w) {
     if (c->closed && w->count > c->count + c->degree) w->count = c->count + c->degree;
 }
 
-/* A stretch too short to move two control points goes on to the next knots. */
+/* A stretch too short to move two control points is extended to the next knots. */
 static bat_status settle(work *w) {
     const bat_curve *c = w->curve;
     double start = c->knots[c->degree], end = c->knots[c->spread], most = 0.9 * (end - start);
@@ -548,7 +550,7 @@ bat_status bat_sketch_calm(const bat_curve *curve, const double range[2], double
     if (curve->degree < 2) return BAT_STATE;
     double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
     work w = {.curve = curve, .u = {range[0], range[1]}, .pixel = pixel, .limit = limit};
-    if (curve->closed) { /* what lies opposite holds it */
+    if (curve->closed) { /* the opposite part has to stay and hold it */
         double middle = range[0] / 2 + range[1] / 2,
                half = fmin((range[1] - range[0]) / 2, 0.45 * (end - start));
         w.u[0] = middle - half, w.u[1] = middle + half;

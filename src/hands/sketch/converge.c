@@ -47,7 +47,7 @@ static double sorted_middle(double *numbers, size_t count) {
     return count ? numbers[count / 2] : 0;
 }
 
-/* Middle of at most 101 of them, evenly taken. */
+/* The median of at most 101 of them, evenly chosen. */
 static double middle(const double *numbers, size_t count) {
     double some[101];
     const size_t n = count < 101 ? count : 101;
@@ -86,7 +86,7 @@ static void spread(hair *h, const bat_stroke *s, const double *origin, double pi
     h->length = h->count ? (double)(h->count - 1) * step : 0;
 }
 
-/* What a place counts: little at the feathered ends and where the pen was fast, by its share of the length. */
+/* The weight of a place: its share of the length, less at the feathered ends and where the pen was fast. */
 static void weigh(hair *h, bool timed, double step, double press) {
     const double feather = fmin(FEATHER, h->length / 3);
     double *pace = h->u; /* not in use yet */
@@ -162,7 +162,7 @@ static bool draw(line *l) {
     return true;
 }
 
-/* Across the line at a place, of length 1. */
+/* The unit normal of the line at a place. */
 static void normal_at(const line *l, double u, double out[2]) {
     double a[2], b[2];
     place_on(l, u - 1, a);
@@ -176,7 +176,7 @@ static double own_part(const hair *h, size_t i) {
     return h->own[0] + h->own[1] * 2 * f + h->own[2] * (6 * f * f - 0.5);
 }
 
-/* How many strokes there are, by what they count, over each span. */
+/* How many strokes lie over each span, by their weights. */
 static void density(const tangle *t, double *cover) {
     const double step = (t->line.to - t->line.from) / (double)t->line.knots;
     for (size_t k = 0; k < t->line.knots; k++) cover[k] = 0;
@@ -216,7 +216,7 @@ static void assemble(const tangle *t, const double *cover, bool first, double *a
         }
 }
 
-/* The line over all that has been placed. first: there is none to measure from yet. */
+/* Fits the line to all that has been placed. first: there is no line to measure from yet. */
 static bat_status solve(tangle *t, bool first) {
     line *l = &t->line;
     double from = INFINITY, to = -INFINITY;
@@ -255,7 +255,8 @@ static double distance2(const double *a, const double *b) {
     return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-/* The nearest of the line's places, near the last one; refined between its neighbours. u; *beyond: -1, 0, 1. */
+/* The nearest of the line's places near the last one, refined between its neighbours. Returns u; *beyond: -1,
+ * 0, 1. */
 static double foot(const line *l, const double *p, size_t *near, bool anywhere, int *beyond) {
     size_t low = anywhere || *near < WINDOW ? 0 : *near - WINDOW, best = low;
     const size_t high = anywhere || *near + WINDOW >= l->dense ? l->dense - 1 : *near + WINDOW;
@@ -271,7 +272,8 @@ static double foot(const line *l, const double *p, size_t *near, bool anywhere, 
     return l->from + step * ((double)best + (*beyond ? 0 : within(f, -1, 1)));
 }
 
-/* Beyond an end a stroke goes on by its own length. How much of it lies on the line, px; place: keep what is found. */
+/* Lays a stroke along the line; beyond an end it goes on by its own length. Returns how much of it lies on
+ * the line, px; place: keep what is found. */
 static double lay(const line *l, hair *h, bool place) {
     const double step = h->count > 1 ? h->length / (double)(h->count - 1) : 0;
     size_t near = 0, inside = 0, first = h->count, last = 0;

@@ -1,6 +1,6 @@
 /*
- * Inside the sketch hand: careless strokes over one line become one. Source: sketch of "hairy" strokes as a curve with, for
- * each stroke, an offset, a tilt and a bow of its own across it, and noise (docs/math sketch 5.10).
+ * Inside the sketch hand: careless strokes over one line become one. The model of "hairy" strokes: a curve
+ * and, for each stroke, an offset, a tilt and a bow of its own across it, and noise (docs/math sketch 5.10).
  */
 #ifndef BATTEN_HANDS_SKETCH_CONVERGE_H
 #define BATTEN_HANDS_SKETCH_CONVERGE_H
@@ -14,8 +14,9 @@ typedef struct bat_average {
 } bat_average;
 
 /*
- * The line that strokes in the plane mean, drawn over it in any order and direction, in parts: along the longest of them.
- * pixel: a pen pixel in document units. BAT_DOT: none is long enough. Cost: linear in the strokes' lengths, some 0.2 ms each.
+ * The line meant by strokes in the plane that were drawn over it in any order and direction, in parts; it
+ * runs along the longest of them. pixel: a pen pixel in document units. BAT_DOT: none is long enough. Cost:
+ * linear in the strokes' lengths, some 0.2 ms each.
  */
 bat_status bat_converge(size_t count, const bat_stroke *strokes, double pixel, bat_average *out);
 

@@ -8,7 +8,7 @@ static const double degree = BAT_PI / 180, small = 50 /* grain of writing, px */
 
 /* ---- grain ---- */
 
-/* Directions that differ by 135 degrees, cosine; by 180 they would a third later. */
+/* The cosine of 135 degrees between directions; they would differ by 180 a third later. */
 static const double runs_back = -0.70710678118654752, later = 4.0 / 3;
 
 static double middle(double *values, size_t count) {
@@ -74,7 +74,8 @@ static double turn_from_end(const bat_path *path, double s, double chord, bool a
     return bat_path_turn(x[0], x[1], x[2], path->m);
 }
 
-/* In small writing bows are as tight as hooks: between shorter chords a bow turns by as much less, a hook hardly does. */
+/* In small writing bows are as tight as hooks: between shorter chords a bow turns by proportionally less, a
+ * hook by hardly less. */
 static bool sharp_from_end(const bat_path *path, double s, double chord, double grain, bool at_end) {
     const double turn = turn_from_end(path, s, chord, at_end);
     if (!(turn > 50 * degree)) return false;
@@ -100,8 +101,8 @@ double bat_hook(const bat_path *path, double grain, bool at_end) {
 
 /* ---- corners ---- */
 
-/* How sharply the path turns at s if that is a corner, else 0: a bow turns half as much between chords of half the length, a
- * corner as much as before. */
+/* How sharply the path turns at s if that is a corner, else 0: a bow turns half as much between chords of
+ * half the length, a corner as much as before. */
 static double corner_at(const bat_path *path, double s, double chord, double least) {
     const double turn = bat_path_turn_at(path, s, chord);
     if (!(turn > least)) return 0;
@@ -112,7 +113,7 @@ static double corner_at(const bat_path *path, double s, double chord, double lea
 size_t bat_corners(const bat_path *path, double sigma, double grain, size_t *corners) {
     const double total = path->arc[path->count - 1], step = total / (double)(path->count - 1);
     const double chord = fmax(fmin(8, 0.16 * grain), fmax(fmax(3, 3 * step), 10 * sigma));
-    /* What noise turns by, and what the stroke turns by anyhow, is no corner. */
+    /* A turn that is due to noise, or that the stroke makes anyway, is no corner. */
     const double least = fmax((30 + 15 * fmin(1, sigma)) * degree, 1.35 * BAT_PI * chord / grain);
     size_t found = 0, best = 0;
     double best_turn = 0, run_end = 0;

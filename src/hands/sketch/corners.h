@@ -4,12 +4,12 @@
 
 #include "hands/sketch/path.h"
 
-/* How small what is drawn is: the length in which the stroke comes to run back, in the median; at most `most`. sigma:
- * noise. */
+/* How small the drawing is: the median length within which the stroke comes to run back; at most `most`.
+ * sigma: noise. */
 double bat_grain(const bat_path *path, double sigma, double most);
 /* How much of an end is a hook of the pen that lands or lifts: the arc length after its last sharp turn. */
 double bat_hook(const bat_path *path, double grain, bool at_end);
-/* Sample indices of corners: sharpest of each run of sharp turns. */
+/* Sample indices of corners: the sharpest of each run of sharp turns. */
 size_t bat_corners(const bat_path *path, double sigma, double grain, size_t *corners);
 
 #endif

@@ -1,11 +1,11 @@
 /* Inside the sketch hand: the constrained least-squares fit of one interval (docs/math sketch 5.7). Lengths
- * are pixels; the parameter w runs from 0 to `end`, about a pixel of arc length a unit. */
+ * are pixels; the parameter w runs from 0 to `end`, a unit being about a pixel of arc length. */
 #ifndef BATTEN_HANDS_SKETCH_FIT_INTERVAL_H
 #define BATTEN_HANDS_SKETCH_FIT_INTERVAL_H
 
 #include "curve/lsq.h"
 
-/* How the fitted piece hangs on what lies beyond one end of the interval. */
+/* How the fitted piece joins what lies beyond one end of the interval. */
 typedef struct bat_local_side {
     int pins;                         /* control points given at this end: 0, 1 (a point) or p - 1, p */
     double outer[BAT_DEGREE_MAX + 1]; /* p knots, ascending, the end of the interval itself included */
@@ -63,8 +63,8 @@ typedef struct bat_local_machine {
     bat_lsq_memo memo[2]; /* of the last solve, and of the one before */
     double *remembered;   /* their block */
     size_t *first;
-    double *limit;       /* squared allowed error a sample */
-    double *distance;    /* squared error a sample, of the last solve */
+    double *limit;       /* squared allowed error of each sample */
+    double *distance;    /* squared error of each sample, of the last solve */
     double *soft;        /* a sample's factor on the penalty */
     unsigned char *wild; /* a sample where even the dense fit leaves the speed law */
     bat_knot_set best, trial, spare;
@@ -94,7 +94,7 @@ int bat_local_fewest(const bat_local_problem *problem);
 bat_status bat_local_reduce(bat_local_machine *machine);
 /* After the knots: the stiffest curve with machine->best that stays within the limits. */
 bat_status bat_local_stiffen(bat_local_machine *machine);
-/* Whether more work was spent than that on a stroke that misses its tolerance. */
+/* Whether more than `most` work was spent on a stroke that misses its tolerance. */
 static inline bool bat_local_enough(const bat_local_machine *m, double most) {
     return m->work + 4 * m->sought > most;
 }

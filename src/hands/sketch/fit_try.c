@@ -76,7 +76,7 @@ static void pin(double *a, double *b, int n, int band, size_t m, int index, cons
     memcpy(b + (size_t)index * m, value, m * sizeof *b);
 }
 
-/* The penalty's factor a slot: v^-5, so that a wavelength in pixels means the same at every speed. */
+/* The penalty's factor for each slot: v^-5, so that a wavelength in pixels means the same at every speed. */
 static void factors(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int slots = bat_lsq_slots(&k->space);
@@ -117,7 +117,7 @@ static bool speed_kept(bat_local_machine *k) {
             if (v2 < BAT_LOCAL_SLOWEST * BAT_LOCAL_SLOWEST * want * want ||
                 v2 > BAT_LOCAL_FASTEST * BAT_LOCAL_FASTEST * want * want) {
                 k->slow[k->slow_count++] = q->w[i];
-                break; /* one place a span says enough */
+                break; /* one place per span is enough */
             }
         }
     }

@@ -56,8 +56,8 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
     return BAT_OK;
 }
 
-/* Tracks up to date, and what they say. A line that explains nothing sleeps until the stroke is a quarter longer; the
- * whole stroke asks all. */
+/* Brings the tracks up to date and evaluates them. A line that explains nothing sleeps until the stroke is a
+ * quarter longer; for the whole stroke all lines are asked. */
 static bat_status look(bat_intent *intent, bool whole) {
     for (int i = 0; i < intent->line_count; i++) {
         bat_intent_near *near = &intent->line[i];

@@ -31,7 +31,7 @@ typedef struct bat_intent_part {
 typedef struct bat_reading {
     bat_intent_kind kind;
     int count;
-    bat_intent_part part[BAT_INTENT_PARTS]; /* JOIN: the two curves; the others but SEVERAL: one; NEW: none */
+    bat_intent_part part[BAT_INTENT_PARTS]; /* JOIN: two curves; SEVERAL: all; NEW: none; the others: one */
     bool closed;                            /* NEW: it closes */
     int onto;                               /* NEW: the line that its start is put on; -1: none */
     double start[2];                        /* there: where the stroke comes from, its hook left out */

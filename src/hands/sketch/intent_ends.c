@@ -1,6 +1,6 @@
 /*
- * Readings at ends of open curves: extend, join, close. A head is how the stroke gets off an end: it starts there, or it
- * runs along the curve first and passes it. A tail is the same from the other side.
+ * Readings at ends of open curves: extend, join, close. A head is how the stroke leaves an end: it starts
+ * there, or it runs along the curve first and passes it. A tail is the same from the other side.
  */
 #include "hands/sketch/intent_parts.h"
 #include "base/real.h"
@@ -68,7 +68,8 @@ static double run_along(const bat_intent *intent, const bat_polyline *line, int 
     bat_polyline_at(line, foot.s, foot.x);
     const double *p = intent->p + 2 * (size_t)mirror(intent, k, side);
     foot.d = bat_hypot(p[0] - foot.x[0], p[1] - foot.x[1]);
-    /* Twice the same way: first how far they ran together, then, with the reach that gives, what it costs. */
+    /* Goes the same way twice: first for how far they ran together, then, with the reach from that, for the
+     * cost. */
     const bat_foot start = foot;
     for (int round = 0; round < 2; round++) {
         const double reach = bat_intent_reach(intent, ran) * (intent->chosen ? 1.5 : 1);

@@ -1,4 +1,4 @@
-/* A new curve: costs what the stroke is long. */
+/* A new curve: it costs the length of the stroke. */
 #include "hands/sketch/intent_parts.h"
 #include "base/real.h"
 
@@ -6,7 +6,7 @@
 
 enum { WINDING_PLACES = 48 };
 
-/* Degrees that the stroke winds, with sign; by chords, for a hook at either end may turn any way. */
+/* The signed winding of the stroke, in degrees; by chords, for a hook at either end may turn any way. */
 static double winding(const bat_intent *intent) {
     const double whole = intent->length + 2 * intent->hook, h = whole / 12;
     double sum = 0, last[2], now[2];

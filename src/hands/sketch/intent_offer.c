@@ -1,4 +1,4 @@
-/* Readings in order: the cheapest first, and of too many the dearest go. */
+/* Readings in order, the cheapest first; when there are too many, the dearest go. */
 #include "hands/sketch/intent_parts.h"
 
 #include <math.h>

@@ -62,11 +62,11 @@ typedef struct bat_intent_near {
     int best;
     double asleep; /* passed over while the stroke is shorter */
     /* What the present stroke makes of it. */
-    double ran;   /* signed: how far they ran side by side, against the line: negative */
+    double ran;   /* how far they ran side by side; negative: against the line */
     double least; /* distance */
     double reach, sum, cost;
     bool usable;
-    bool open[2]; /* of its ends, when there were so many lines; 0: not known yet */
+    bool open[2]; /* of its ends, found when there were `among` lines; 0: not known yet */
     int among[2];
 } bat_intent_near;
 
@@ -100,12 +100,13 @@ double bat_intent_cosine(const bat_intent *intent, const bat_polyline *line, dou
 double bat_intent_reach(const bat_intent *intent, double ran);
 double bat_intent_e(const bat_foot *foot, double sense, double reach);
 void bat_intent_evidence(bat_intent *intent, int index);
-/* An end of the stroke on the line speaks for it, one off it against. */
+/* An end of the stroke that lies on the line speaks for it, one that lies off it speaks against it. */
 double bat_intent_off(const bat_intent *intent, double d);
 /* How far the stroke's end (side 1; 0: its start) heads away from the line. */
 double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side);
 bool bat_intent_open(bat_intent *intent, int index, int end);
-/* Where the stroke begins (side 0) or ends, run in this sense: whether an end of the line lies there that touches others. */
+/* Whether an end of the line that touches others lies where the stroke, run in this sense, begins (side 0) or
+ * ends. */
 bool bat_intent_held(bat_intent *intent, int index, bool against, int side);
 
 /* Readings; each adds what it finds. */

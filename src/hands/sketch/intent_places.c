@@ -17,7 +17,7 @@ bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points
             intent->box[k] = fmin(intent->box[k], p[k]);
             intent->box[2 + k] = fmax(intent->box[2 + k], p[k]);
         }
-        if (stroke->count) { /* what is nearer is noise more than way */
+        if (stroke->count) { /* anything nearer is noise rather than path */
             const double *q = stroke->x + 2 * (size_t)(stroke->count - 1);
             if (bat_hypot(p[0] - q[0], p[1] - q[1]) < apart) continue;
         }
@@ -44,7 +44,7 @@ static bool room_for(bat_intent *intent, int places) {
     return true;
 }
 
-/* Places are for good once the step is; before, the few there are begin anew. */
+/* Places are final once the step is; before that, the few there are begin anew. */
 bat_status bat_intent_places(bat_intent *intent) {
     const bat_polyline *stroke = &intent->stroke;
     const double whole = bat_polyline_length(stroke);

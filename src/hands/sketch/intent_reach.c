@@ -104,7 +104,8 @@ void bat_intent_evidence(bat_intent *intent, int index) {
     double reach = bat_intent_reach(intent, near->ran);
     if (intent->chosen) reach *= 1.5;
     near->sum = total(intent, near, reach);
-    /* Beside it all the way: rather a further line. What is too far in any case need not be looked at. */
+    /* A stroke beside it all the way is rather a further line. What is too far in any case need not be looked
+     * at. */
     if (near->least > intent->on && near->sum < 1.2 * intent->length + 40) {
         if (!intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
         if (!near->line.closed && share(intent, near) > 0.8) reach /= 2;

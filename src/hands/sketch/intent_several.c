@@ -96,7 +96,7 @@ static void advance(const bat_intent *intent, const chain *c, int place, const c
     }
 }
 
-/* Where the stroke is cut: nearest to the joint within some way of the step. */
+/* Where the stroke is cut: at the place nearest to the joint, within some distance of the step. */
 static double cut_at(const bat_intent *intent, const chain *c, int to, int place) {
     const double *j = c->end[to / 2][to & 1 ? 1 : 0];
     double best = INFINITY;

@@ -30,9 +30,9 @@ bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_optio
                                 bat_sketch_report *report);
 /* Told before the first preview or commit. */
 void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning);
-/* One stroke over several curves, cut at the points between them (document units, x y [z] each, count - 1 of them): every
- * part redraws its curve, and curves meet where it is cut. meaning: one a curve. All or none are made; BAT_TOLERANCE with
- * the best there is. */
+/* One stroke over several curves, cut at the points between them (document units, x y [z] each, count - 1 of
+ * them): every part redraws its curve, and the curves meet where it is cut. meaning: one for each curve. All
+ * or none are made; BAT_TOLERANCE with the best there is. */
 bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const double *cuts,
                             const bat_sketch_meaning *meaning, const bat_stroke *stroke,
                             const bat_sketch_options *options, bat_curve **out);

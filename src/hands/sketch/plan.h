@@ -36,7 +36,7 @@ typedef struct bat_target {
     double *x, *w, *weight, *allowed, *law;
     size_t first, last;   /* the stroke proper */
     double end;           /* w runs from 0 to this */
-    double rate;          /* w a curve parameter */
+    double rate;          /* w per unit of the curve's parameter */
     double before, after; /* w of the kept portions refitted at either end */
 } bat_target;
 
@@ -44,7 +44,7 @@ typedef struct bat_plan {
     int degree, dimension, pins;
     double tolerance, width; /* tolerance in pixels */
     bool keep_corners;
-    double speed;  /* pixels a parameter unit, where the curve has no speed of its own to continue */
+    double speed;  /* pixels per parameter unit, where the curve has no speed of its own to continue */
     bool closed;   /* the curve stays closed: ends 0 and 1 are on one closed curve */
     bool periodic; /* the whole closed curve is the stroke */
     bat_end end[2];
@@ -54,9 +54,9 @@ typedef struct bat_plan {
     double *fixed; /* w of kept corners of the stroke; owned */
 } bat_plan;
 
-/* Too far from the curve to be meant for it: both ends are. around > 0: of a closed curve of that length one far end is
- * enough. An open curve can end with the stroke; a closed one has no end, and would lose the arc up to wherever it comes
- * nearest to the far end of the stroke. */
+/* Whether the stroke is too far from the curve to be meant for it: both ends are far. around > 0: for a
+ * closed curve of that length one far end is enough. An open curve can end with the stroke; a closed one has
+ * no end, and would lose the arc up to wherever it comes nearest to the far end of the stroke. */
 bool bat_ends_far(const bat_clean *stroke, const bat_correspondence *found, double around);
 /* docs/math sketch 5.4: decides the kinds of both ends. BAT_FAR: both are far. */
 bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found);
@@ -92,7 +92,8 @@ typedef struct bat_frame {
 /* The frame of a cleaned stroke at arc length s; its curvature is that of a circle of 20 px at most. */
 void bat_stroke_frame(const bat_clean *stroke, double s, bat_frame *out);
 void bat_bridge(int dimension, const bat_frame *from, const bat_frame *to, size_t count, double *points);
-/* Greatest discrete curvature, and the sum of squared changes of curvature, of evenly meant points. */
+/* Greatest discrete curvature, and the sum of squared changes of curvature, of points meant to be evenly
+ * spaced. */
 void bat_fairness(int dimension, size_t count, const double *points, double *tightest, double *variation);
 
 /* Puts a fitted interval into the curve. origin, pixel: from pixels back to document units. */

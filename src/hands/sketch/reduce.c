@@ -14,7 +14,7 @@ static const double work_missed = 5e5; /* some 10 ms */
 
 typedef struct reduction {
     bat_local_machine *machine;
-    unsigned char *fate, *tried; /* a best knot each */
+    unsigned char *fate, *tried; /* one for each knot of best */
     int *order;
     int budget;
 } reduction;
@@ -121,7 +121,7 @@ static void carry_marks(reduction *r, int before) {
     }
 }
 
-/* The state of the machine is that of best again: ranks need its local polynomials. */
+/* Brings the machine back to the state of best: ranks need its local polynomials. */
 static bool rank_best(reduction *r, bat_status *status) {
     bat_local_machine *k = r->machine;
     if (!k->holds_best) bat_local_try(k, &k->best, status);
@@ -130,7 +130,7 @@ static bool rank_best(reduction *r, bat_status *status) {
     return true;
 }
 
-/* Stable order by rank (insertion into a heap-free merge: n log n, no recursion). */
+/* Stable order by rank (bottom-up merge sort: n log n, no recursion). */
 static void sort_by_rank(const double *rank, int *order, int *spare, int count) {
     for (int width = 1; width < count; width *= 2) {
         for (int i = 0; i < count; i += 2 * width) {
@@ -197,7 +197,7 @@ bat_status bat_local_reduce(bat_local_machine *k) {
     if (status == BAT_OK) {
         /* Batches need few solves; a scribble of thousands of knots must not take seconds. */
         r.budget = k->solves + 40 + (k->best.count < 140 ? k->best.count : 140);
-        /* Cheap thirds; then each that failed in company once more, well apart; then pairs. */
+        /* First cheap thirds; then each knot that failed in company once more, well apart; then pairs. */
         while (remove_batch(&r, 1.0 / 3, 1, &status) && affordable(&r)) {
         }
         for (int round = 0; round < 4 && status == BAT_OK && affordable(&r); round++) {

@@ -192,7 +192,7 @@ static bat_status plan_ring(bat_plan *plan, const bat_canvas *canvas, bat_sketch
     return bat_plan_ring(plan);
 }
 
-/* The cleaned stroke over the curve. Takes no part of `clean` over, but may turn it round. */
+/* Draws the cleaned stroke over the curve. Takes over no part of `clean`, but may turn it round. */
 static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_sketch_options *o,
                          const double *origin, const bat_sketch_meaning *meaning, bat_sketch_hints *hints,
                          bat_curve **out, bat_sketch_report *report) {

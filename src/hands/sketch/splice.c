@@ -152,7 +152,7 @@ static void exact_pins(const bat_end *e, int side, int pins, int p, int interior
 /* What of the old curve is kept on either side of the new piece, and where that lies. Knots are those of the stored
  * curve; points are copied where they do not reach the cut. */
 typedef struct open_parts {
-    int left, left_times, left_points; /* knots[0..left - 1] lie before the cut, which is there so often */
+    int left, left_times, left_points; /* knots[0..left - 1] lie before the cut, a left_times-fold knot */
     int right_from, right, right_times, right_points; /* knots[right_from..] lie after it */
     double start, end, shift;                         /* of the new piece; what the right side is moved by */
 } open_parts;
@@ -177,7 +177,7 @@ static void keep_right(const bat_end *b, int p, open_parts *o) {
     o->right_points = b->original->spread - (b->kind == BAT_END_KEPT ? o->right_from - 1 : o->right_from - p);
 }
 
-/* What is kept keeps its parameters: the left side does, or else the right one. */
+/* The kept left side keeps its parameters; without one, the right side does. */
 static void place_piece(const bat_plan *plan, double length, open_parts *o) {
     const bat_end *a = &plan->end[0], *b = &plan->end[1];
     o->start = a->cut;

@@ -1,11 +1,11 @@
-/* The calmest curve with the knots found (docs/math sketch 5.7, step 3): what the tolerance still allows goes into less
- * change of curvature. */
+/* The calmest curve with the knots found (docs/math sketch 5.7, step 3): what the tolerance still allows is
+ * spent on less change of curvature. */
 #include "hands/sketch/fit_interval.h"
 #include "base/real.h"
 
 #include <math.h>
 
-static const double longest = 190; /* waves that are stiffened, px; nor any longer than the interval */
+static const double longest = 190; /* waves that are stiffened, px; none longer than the interval */
 
 bat_status bat_local_stiffen(bat_local_machine *k) {
     enum { STEPS = 3 };

@@ -12,7 +12,7 @@ enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
  * noise is judged by, and how finely the whole is resampled. */
 enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
-/* What is drawn so large has the whole tolerance, px; what is drawn smaller has its share of it, this at least. */
+/* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
 
 /* Finite samples in pixels, repeats dropped; far too dense strokes averaged in groups. */
@@ -31,7 +31,7 @@ static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, doubl
     if (count <= SMOOTH_MAX) return count;
     double length = 0;
     for (size_t i = 1; i < count; i++) length += bat_path_distance(y + i * m, y + (i - 1) * m, m);
-    const double room = 2 / (length / (double)count); /* samples to two pixels of path */
+    const double room = 2 / (length / (double)count); /* samples in two pixels of path */
     size_t group = (count + SMOOTH_MAX - 1) / SMOOTH_MAX;
     if (room < (double)group) group = room > 1 ? (size_t)room : 1;
     if (group < 2) return count;
@@ -103,8 +103,8 @@ static bat_status smooth_pieces(const double *y, size_t count, size_t m, double 
     return BAT_OK;
 }
 
-/* The filter over samples first.. of y; what is settled is taken from the memory but for a stretch that the
- * rest hangs on, so that a preview costs what is new. */
+/* The filter over samples first.. of y; settled samples are taken from the memory, except for a stretch that
+ * the rest depends on, so that a preview costs only what is new. */
 static bat_status smooth_rest(const bat_clean_memory *memory, const double *y, size_t first, size_t count,
                               size_t m, double sigma, double *work, double *z, double *lambda) {
     size_t done = 0;
@@ -151,8 +151,8 @@ static bat_status remember(bat_clean_memory *memory, double *z, size_t first, si
     return BAT_OK;
 }
 
-/* A stroke on its way: y as it was drawn, light hardly smoothed, z smoothed; samples first .. first + count - 1 are left
- * of it. */
+/* A stroke being cleaned: y is as it was drawn, light is hardly smoothed, z is smoothed; samples first ..
+ * first + count - 1 are left of it. */
 typedef struct cleaning {
     const bat_clean_options *options;
     bat_clean_memory *memory;
@@ -189,7 +189,8 @@ static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_option
 
 static bool noisy(const cleaning *k) { return k->sigma >= noise_floor && k->count >= 16; }
 
-/* Without the worst of the noise, the size of what is drawn shows; and corners do, which the full smoothing rounds off. */
+/* Without the worst of the noise the size of what is drawn shows, and so do corners, which the full smoothing
+ * rounds off. */
 static bat_status look(cleaning *k) {
     bat_status status = BAT_OK;
     memcpy(k->light, k->y, k->count * k->m * sizeof *k->light);
@@ -329,7 +330,7 @@ void bat_clean_frame(const bat_clean *clean, double s, double window, double *po
     double from = s - 0.5 * window, to = s + 0.5 * window;
     if (from < 0) to = fmin(to - from, clean->length), from = 0;
     if (to > clean->length) from = fmax(0, from - (to - clean->length)), to = clean->length;
-    /* Least squares of a + b t + c t^2, t = (arc - s) / window, at 17 even places: weights even out. */
+    /* Least squares of a + b t + c t^2, t = (arc - s) / window, at 17 even places: equal weights will do. */
     double A[3][3] = {{0}}, b[3][BAT_DIMENSION_MAX] = {{0}};
     const double width = fmax(to - from, 1e-6);
     for (int i = 0; i <= 16; i++) {

@@ -11,7 +11,7 @@ typedef struct bat_clean {
     double *arc;    /* arc[i]: length from the start; owned */
     double length;
     double sigma; /* noise */
-    double share; /* of the tolerance, what is drawn so small can bear */
+    double share; /* of the tolerance, that a drawing of this size can bear */
     size_t corner_count;
     size_t *corners; /* indices of kept corners, ascending, ends excluded; owned */
 } bat_clean;
@@ -29,7 +29,7 @@ typedef struct bat_clean_options {
     const double *origin;     /* subtracted first */
     double tolerance;         /* pixels */
     bool corners;             /* look for corners */
-    bat_clean_memory *memory; /* NULL but while the pen is down */
+    bat_clean_memory *memory; /* NULL except while the pen is down */
 } bat_clean_options;
 
 /* BAT_DOT when nothing is left that is 8 px long. NaN and infinite samples are dropped. */

@@ -9,7 +9,7 @@
 
 enum { PLACES = 33, TRIALS = 6 };
 static const double rho = 20;
-static const double faint = 1e-3; /* of their weight, samples of transitions have */
+static const double faint = 1e-3; /* of their weight, that samples of transitions have */
 
 static double length_of(const double *v, size_t m) {
     double sum = 0;
@@ -291,8 +291,8 @@ void bat_plan_parameters(bat_plan *plan, size_t a, size_t b) {
     for (size_t i = 1; i < t->count; i++) t->w[i] = fmin(fmax(t->w[i], t->w[i - 1]), t->end);
 }
 
-/* Where the curve is kept beyond it, a transition is left to the fit: the least change of curvature between what is kept and
- * the stroke. The quintic gives its length, its parameters and a tube that it stays in. */
+/* Where the curve is kept beyond it, a transition is left to the fit: the least change of curvature between
+ * what is kept and the stroke. The quintic gives its length, its parameters and a tube that it stays in. */
 static void leave_open(bat_plan *plan, size_t a, size_t b) {
     bat_target *t = &plan->target;
     for (int side = 0; side < 2; side++) {

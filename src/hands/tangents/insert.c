@@ -51,7 +51,7 @@ static void store(vec v, int size, double *out) {
     memcpy(out, all, (size_t)size * sizeof(double));
 }
 
-/* The direction of the wish; one that a tension of zero has taken is left to the tangent that is there. */
+/* Sets the direction of the wish; where a tension of zero has taken it away, the present tangent stays. */
 static void fix_direction(draft *d, const wish *w) {
     int size = d->spline.dimension;
     vec longer = vec_norm(w->left) > vec_norm(w->right) ? w->left : w->right;
@@ -106,7 +106,7 @@ static bool free_end(const bat_spline *s, const bat_joint *joints, int i) {
     return i >= 0 && !s->closed && (beside(s, joints, i, -1) < 0 || beside(s, joints, i, 1) < 0);
 }
 
-/* How far the control points of the segments lie from where they were; that bounds the curve's way. */
+/* How far the control points of the segments lie from where they were: a bound on how far the curve moves. */
 static double moved(const double *before, int segments, const double *after, int segment, const vec halves[7],
                     int size) {
     double most = 0;

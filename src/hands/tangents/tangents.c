@@ -15,7 +15,7 @@
 #include <string.h>
 
 static const double LONGEST = 6;       /* a derivative is at most six chords long: a handle of two chords */
-static const double FLAT = 1e-9;       /* chords whose sine is below count as parallel */
+static const double FLAT = 1e-9;       /* chords whose sine is below this count as parallel */
 static const double WIDTH_RATIO = 1e5; /* spans of one run of C1 joints stay within it */
 static const double PAPER_K = 0.02;
 
@@ -256,7 +256,7 @@ static void make_segments(const bat_spline *s, const int *keep, int n, const bat
 }
 
 /*
- * Breaks, and how often each is a knot: h_i / h_{i-1} = |D_R| / |D_L| makes a joint C1 with a double knot.
+ * Breaks and their multiplicities: h_i / h_{i-1} = |D_R| / |D_L| makes a joint C1 with a double knot.
  * Where the widths of such a run would spread too far, or a derivative vanishes, a triple knot starts a new
  * run of width 1. The seam of a loop is double only when the widths close.
  */

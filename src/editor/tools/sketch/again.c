@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double RANGE = 16;     /* tolerance of the fairest by that of the rawest */
-static const double NOT_MUCH = 0.5; /* pixels a pixel of stroke that a reading may cost more than the best */
+static const double RANGE = 16;     /* tolerance of the fairest over that of the rawest */
+static const double NOT_MUCH = 0.5; /* how much dearer than the best a reading may be, px per px of stroke */
 
 static bool same(const bat_edit *a, const bat_edit *b) {
     return a->kind == b->kind && a->object == b->object && a->curve == b->curve && a->other == b->other &&

@@ -11,7 +11,7 @@
 static const double SOON = 2000;           /* ms between two of them */
 static const double NEAR = 10, SPREAD = 3; /* px, and scatters, that one of them lies from the line at most */
 static const double ENDS = 30;             /* px at both, at most a sixth, that may lie farther */
-/* Of its length, that runs along those before: less of it goes on where they ended. */
+/* The share of its length that has to run along those before; with less it goes on where they ended. */
 static const double ALONG = 0.2;
 static const double SLACK = 0.3, LEAST = 0.5; /* scatters, px: what the fit may be off the line */
 static const double WAVE = 140;               /* px: shorter waves are the hand's */
@@ -86,7 +86,7 @@ static double farthest(const bat_samples *samples, const bat_average *line, doub
     return worst;
 }
 
-/* The line as the curve that it is alone, or as a stretch of one. */
+/* The line as a curve of its own, or as a stretch of one. */
 static bat_status shape(const bat_context *c, const bat_hairs *h, const bat_edit *edit,
                         const bat_average *line, bat_curve **out) {
     const double pixel = edit->options.pixel;

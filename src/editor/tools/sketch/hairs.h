@@ -14,15 +14,15 @@ typedef struct bat_hairs {
     bat_samples strokes[BAT_HAIRS_MOST]; /* owned */
     bat_id object;
     int curve;
-    bool fresh;        /* it is theirs alone; else they redraw a stretch of it */
+    bool fresh;        /* the object is theirs alone; else they redraw a stretch of it */
     uint64_t revision; /* of the document after the last one */
     double time;       /* when that ended, ms */
 } bat_hairs;
 
-/* The curve as all of them mean it, the stroke of the edit with them. BAT_STATE: it is not one of them. */
+/* The curve as all of them mean it, the edit's stroke included. BAT_STATE: that stroke is not one of them. */
 bat_status bat_hairs_join(const bat_context *c, const bat_hairs *hairs, const bat_edit *edit,
                           bat_curve **out);
-/* The edit is done: its stroke is one more of them when it has joined, else the first of others, if any. */
+/* The edit is done: its stroke is one more of them when it has joined, else the first of new ones, if any. */
 void bat_hairs_note(const bat_context *c, bat_hairs *hairs, const bat_edit *edit, bool joined);
 void bat_hairs_free(bat_hairs *hairs);
 

@@ -4,8 +4,8 @@
 #include <string.h>
 
 static const double STILL = 3, STILL_TOUCH = 6; /* px that a resting hand may wander */
-static const double LOOSE = 4, TIGHT = 12; /* px that a held pen may slip, from which the figure is with it */
-/* Of the tolerance: the figure is to be seen as one, and costs few points all the same. */
+static const double LOOSE = 4, TIGHT = 12; /* px a held pen may slip; px from which the figure is with it */
+/* Share of the tolerance: the figure has to look like one, and costs few points all the same. */
 static const double CLOSER = 0.2;
 
 void bat_hold_begin(bat_hold *hold, const bat_pointer *event) {

@@ -181,7 +181,7 @@ static bat_sketch_meaning meaning_of(const bat_intent_part *part) {
     return (bat_sketch_meaning){.sense = part->sense, .end = {rule(part, 0), rule(part, 1)}};
 }
 
-/* The place of the sample where the stroke is so long. */
+/* The place of the sample up to which the stroke has this length. */
 static const double *place_along(const bat_samples *samples, double along) {
     double length = 0;
     size_t i = 1;

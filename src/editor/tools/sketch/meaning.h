@@ -17,7 +17,7 @@ typedef struct bat_meaning_curve {
 
 typedef struct bat_meaning {
     bat_intent *intent; /* NULL: none under way */
-    size_t fed, asked;  /* samples that the intent has, that curves have been looked for beside */
+    size_t fed, asked;  /* samples that the intent has; samples beside which curves were looked for */
     bool restricts;     /* only what is chosen may change */
     double last[2];     /* pixel where they were looked for last */
     int curve_count, curve_room;
@@ -32,7 +32,7 @@ void bat_meaning_end(bat_meaning *meaning);
 /* Reads the stroke so far, or the whole. view: of the stroke. BAT_DOT: too short to say. */
 bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_stage *stage,
                             const bat_samples *samples, bool whole);
-/* The edit as this reading has it; what is not of the reading stays as it is. */
+/* Sets the edit to what this reading says; everything else in it stays as it is. */
 void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,
                        bat_edit *edit);
 /* Whether the curve has levels, and which of them a stroke over it redraws. */

@@ -41,7 +41,7 @@ static const double TAP = 4;                      /* px that a tap may travel */
 static const float HIGHLIGHT_WIDTH = 3, FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
 static const double KNOT_RADIUS = 3.5; /* px */
 static const double SURE_AFTER = 20,
-                    SURE = 0.1; /* px; by how much the best reading is cheaper, a pixel of stroke */
+                    SURE = 0.1; /* px; how much cheaper the best reading is, per pixel of stroke */
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
@@ -79,7 +79,7 @@ static bool one_changes(const bat_edit *edit) {
            edit->kind == BAT_EDIT_LEVEL;
 }
 
-/* The session, begun at need, is given the samples it has not had. */
+/* Gives the session, begun when needed, the samples it has not had. */
 static bat_status feed(bat_context *c, bat_sketching *s) {
     if (!s->live) {
         bat_sketch_kind kind = s->edit.kind == BAT_EDIT_SMOOTH ? BAT_SKETCH_SMOOTH
@@ -263,7 +263,7 @@ static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning_apply(c, m, shown, &s->edit);
 }
 
-/* Its samples are others now: what they mean is found out anew. */
+/* The samples have been replaced: what they mean is found out anew. */
 static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
     drop_session(s);
     s->preview_due = true;
@@ -355,7 +355,8 @@ static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, b
     return bat_edit_compute(c, &s->edit, live, curve, report);
 }
 
-/* What the whole stroke means, carried out; the next reading where that cannot be. Too far for a redraw: a new curve. */
+/* Carries out what the whole stroke means, or the next reading where that cannot be done. Too far for a
+ * redraw: a new curve. */
 static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report,
                        bool *strayed) {
     bat_edit *edit = &s->edit;
@@ -422,7 +423,7 @@ static bool converge(bat_context *c, bat_sketching *s) {
     return true;
 }
 
-/* And keeps what else the stroke could mean. */
+/* Commits the curve, and keeps what else the stroke could mean. */
 static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
                    bool strayed) {
     bool closed = bat_curve_is_closed(curve), choice = !s->forced && !s->smoothing;
@@ -526,7 +527,7 @@ static bool cancel(bat_context *c, void *state) {
     bat_sketching *s = state;
     if (s->state == BAT_SKETCHING_IDLE) return false;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
-    if (!drawing) drop_pending(s); /* else a tap on what waits for a yes is let go: it goes on waiting */
+    if (!drawing) drop_pending(s); /* else a tap on what waits for a yes is released: it goes on waiting */
     end_stroke(s);
     bat_notice(c, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);
     return true;
@@ -641,7 +642,8 @@ static void highlight(const bat_context *c, bat_overlay *overlay, int dimension,
     bat_path_curve(&overlay->path, target);
 }
 
-/* Of another meaning than a new line: until then the ink and the fit are both as they might become. */
+/* Whether the meaning is sure; a new line needs no more. Until then the ink and the fit are both shown as
+ * they might become. */
 static bool sure(const bat_sketching *s) {
     const bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing || s->edit.kind == BAT_EDIT_NEW || m->count < 2) return true;
@@ -674,7 +676,7 @@ static void show_stroke(const bat_context *c, const bat_sketching *s, bat_overla
         show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
                  !one_changes(&s->edit));
     if ((s->predicted_count || s->steady.reach > 0) &&
-        samples->count) { /* from the ink by the pen to what is to come */
+        samples->count) { /* from the ink through the pen to the predicted places */
         double pen[2];
         bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
         const double *last = samples->points + 2 * (samples->count - 1);
