@@ -492,8 +492,8 @@ double bat_lsq_measure(const bat_curve *space, int dimension, const double *loca
     for (size_t i = 0; i < all && !hopeless; i++)
         hopeless = !(distance[i] <= limit || scratch[i] < 2.25 * limit);
     for (size_t i = 0; i < all; i++) {
-        /* Only where the outcome is open: a sample that fails by far fails, and then one step's expectation
-         * tells enough of the others. */
+        /* Only where the outcome is open: a sample that fails by far fails anyway, and then one step's
+         * expectation says enough about the others. */
         if (!(distance[i] <= limit) && scratch[i] < 2.25 * limit) {
             if (hopeless) {
                 if (scratch[i] <= limit) distance[i] = fmax(scratch[i], 0);

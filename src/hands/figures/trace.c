@@ -50,7 +50,8 @@ static void spread(size_t count, const double *pixels, double length, double *ou
         gone += piece;
         at[0] = to[0], at[1] = to[1];
     }
-    for (; made < BAT_TRACE_POINTS; made++) memcpy(out + 2 * made, at, sizeof at); /* the last: rounding */
+    /* Rounding may have left out the last place. */
+    for (; made < BAT_TRACE_POINTS; made++) memcpy(out + 2 * made, at, sizeof at);
 }
 
 static void measure_winding(bat_trace *trace) {

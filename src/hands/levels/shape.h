@@ -93,14 +93,14 @@ bat_status bat_shape_move_all(bat_shape *shape, int level, int first, int count,
  */
 typedef struct bat_touch bat_touch;
 bat_status bat_touch_begin(bat_shape *shape, int level, int first, int count, bat_touch **out);
-bat_status bat_touch_apply(bat_touch *touch, const double *deltas); /* on failure, and before: as it was */
+bat_status bat_touch_apply(bat_touch *touch, const double *deltas); /* reverts first, and on failure */
 void bat_touch_revert(bat_touch *touch);
 bool bat_touch_fits(const bat_touch *touch, int level, int first, int count);
 void bat_touch_run(const bat_touch *touch, int level, int *first, int *count); /* which of C^level change */
 void bat_touch_free(bat_touch *touch);
 
-/* Where the parameters of one base lie on another: linear between count breakpoints; on a closed base these make
- * one period. Piece `drawn` (-1: none) was drawn anew; drop: details on it go. */
+/* Where the parameters of one base lie on another: linear between count breakpoints; on a closed base these
+ * make one period. Piece `drawn` (-1: none) was drawn anew; drop: its details go. */
 typedef struct bat_knot_map {
     int count, drawn;
     bool closed, drop;

@@ -23,7 +23,7 @@ typedef struct stretch {
 typedef struct rider {
     int index;     /* of the control point */
     vec t;         /* the tangent as it was, */
-    double re, im; /* and its s, against the carried frame as it was */
+    double re, im; /* and the frame's s against the carried one, also as it was */
     double weight; /* how much of the turn is taken back here */
 } rider;
 

@@ -92,7 +92,7 @@ double bat_hook(const bat_path *path, double grain, bool at_end) {
     double cut = 0;
     for (double s = (grain > small ? 0.5 : 1) * chord; s < reach; s += step)
         if (sharp_from_end(path, s, chord, grain, at_end)) cut = s + 0.5;
-    /* What goes on with turns like that is no hook, but writing. */
+    /* Where turns like that go on, there is no hook, but writing. */
     for (double s = cut + 2 * chord; grain <= small && cut > 0 && s < fmin(cut + cut / share, total);
          s += step)
         if (sharp_from_end(path, s, chord, grain, at_end)) return 0;

@@ -5,7 +5,7 @@
 #include <math.h>
 
 static const double shortest_stub = 2, corner_reach = 8;
-static const double generous = 1.1; /* the few knots of a blend need so much more room than a quintic */
+static const double generous = 1.1; /* the few knots of a blend need this much more room than a quintic */
 
 static double angle_between(const double *a, const double *b, size_t m) {
     double dot = 0;

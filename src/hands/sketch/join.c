@@ -58,7 +58,7 @@ static bat_status prepare(const bat_curve *curve, int degree, bool turned, doubl
     return status;
 }
 
-/* Two curves on their way to one. */
+/* Two curves being made one. */
 typedef struct joining {
     const bat_curve *given[2];
     int degree;

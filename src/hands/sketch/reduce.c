@@ -80,7 +80,7 @@ static bool settle(reduction *r, bat_status *status) {
             return true;
         }
         bool local = false;
-        /* Of each run of failing samples the worst one speaks. */
+        /* Only the worst sample of each failing run counts. */
         for (size_t i = 0; i < q->count;) {
             if (!bat_local_fails(k, i)) {
                 i++;

@@ -21,7 +21,7 @@ typedef struct bat_hold {
 } bat_hold;
 
 void bat_hold_begin(bat_hold *hold, const bat_pointer *event);
-/* Told of each event; count: samples so far. True, once a rest, when it has lasted `seconds` (0: never). */
+/* Told of each event; count: samples so far. True once per rest, when it has lasted `seconds` (0: never). */
 bool bat_hold_due(bat_hold *hold, const bat_pointer *event, size_t count, double seconds);
 /* Turns the edit's stroke into the figure it is nearest to. BAT_STATE: it is like none, all is as it was. */
 bat_status bat_hold_take(bat_hold *hold, bat_edit *edit);

@@ -1,7 +1,7 @@
 /*
- * The sketch tool. What a stroke means is decided from the whole of it (meaning.h): a new curve, one redrawn, or
- * several, extended, joined, closed; Alt smooths. What it means so far is shown while the pen is down, with its fit,
- * computed once a frame. Nothing is bound before the pen is lifted.
+ * The sketch tool. What a stroke means is decided from the whole of it (meaning.h): a new curve, or one curve
+ * or several redrawn, an extension, a join, a closing; Alt smooths. What it means so far is shown while the
+ * pen is down, with its fit, computed once a frame. Nothing is binding before the pen is lifted.
  *
  * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be
  * met. PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from
