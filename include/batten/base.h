@@ -1,9 +1,9 @@
 /*
  * Batten: status codes, limits and the export macro that every public header shares.
  *
- * Threads: distinct objects can be used on distinct threads freely, and so can copies, whatever they share. Calls that
- * take an object as const can run at once on the same object; any other call on it needs it alone. There are no
- * globals that change.
+ * Threads: distinct objects can be used on distinct threads freely, and so can copies, whatever they share. Calls
+ * that take an object as const can run at the same time on the same object; any other call needs exclusive access to
+ * it. There are no mutable globals.
  */
 #ifndef BATTEN_BASE_H
 #define BATTEN_BASE_H
@@ -33,11 +33,10 @@ enum {
 };
 
 /*
- * What can fail returns a bat_status and leaves its outputs untouched unless it returns BAT_OK
- * (BAT_TOLERANCE is the one exception: the best result found is handed over with it).
- * Every such call can say BAT_MEMORY, and BAT_ARGUMENT where a pointer is NULL that may not be; comments name the rest.
- * Calls that return something else take no NULL but where it is said.
- * Numbers are never reused.
+ * A function that can fail returns a bat_status and leaves its outputs untouched unless it returns BAT_OK
+ * (BAT_TOLERANCE is the one exception: the best result found is handed over with it). Every such call can return
+ * BAT_MEMORY, and BAT_ARGUMENT if a pointer is NULL that must not be; the comments name the other statuses. Functions
+ * that return something else accept NULL only where the comment says so. The numbers are never reused.
  */
 typedef enum bat_status {
     BAT_OK = 0,
@@ -59,31 +58,33 @@ typedef enum bat_status {
 } bat_status;
 
 /*
- * Counts of points and samples are size_t, and more than BAT_POINTS_MAX points of a curve, a spline or a stroke are
- * BAT_COUNT; degrees, dimensions, knots, segments, levels and indices are int.
- * Arguments come in one order everywhere: what the call is about, dimension, degree and closedness, how many, the data,
- * options, results. Text and bytes are a pointer and their size.
+ * Counts of points and samples are size_t, and more than BAT_POINTS_MAX points in a curve, a spline or a stroke give
+ * BAT_COUNT; degrees, dimensions, knots, segments, levels and indices are int. Arguments come in one order
+ * everywhere: what the call is about, dimension, degree and closedness, how many, the data, options, results. Text
+ * and bytes are a pointer and their size.
  */
 
 /*
- * What takes an object over takes it whatever it returns: after a failure it is gone, and the caller frees nothing. In the
- * same way commit and finish end a session or a reader whatever they return. All else borrows or copies for the time of
- * the call, or retains what is counted (bat_document_insert). What comes out of a create or a copy is the caller's to free.
+ * A call that takes ownership of an object takes it whatever status it returns: after a failure the object is gone,
+ * and the caller frees nothing. In the same way commit and finish end a session or a reader whatever they return. All
+ * other calls borrow for the duration of the call, copy, or retain what is reference-counted (bat_document_insert).
+ * The result of a create or a copy is the caller's to free.
  *
- * Options begin with the size of their struct, which bat_x_defaults sets (bat_x_options_init where inline functions can
- * not be called). So a program goes on working when a later version of the library adds members at the end: those that
- * the program does not know keep their defaults. A size below that of the first version is BAT_ARGUMENT. Wherever a call
- * takes options, NULL means the defaults. All other structs (data such as bat_stroke and bat_style, results such as
- * bat_sketch_report) stay as they are for as long as the shared library keeps its SONAME.
+ * Options begin with the size of their struct, which bat_x_defaults sets (bat_x_options_init where inline functions
+ * cannot be called). So a program goes on working when a later version of the library adds members at the end: those
+ * that the program does not know of keep their defaults. A size below that of the first version gives BAT_ARGUMENT.
+ * Wherever a call takes options, NULL means the defaults. All other structs (data such as bat_stroke and bat_style,
+ * results such as bat_sketch_report) stay as they are for as long as the shared library keeps its SONAME.
  */
 
-/* One short English line, without a final stop; never NULL, static storage. */
+/* One short English line, without a full stop; never NULL, static storage. */
 BAT_API const char *bat_status_message(bat_status status);
 
 /* The library's version, "major.minor.patch"; static storage. */
 BAT_API const char *bat_version(void);
 
-/* What was wrong with what was read: "line 3, column 14" or "curves[2].knots[7]", what was expected, what was found. */
+/* What was wrong with what was read: the place ("line 3, column 14" or "curves[2].knots[7]"), and what was
+ * expected and what was found there. */
 typedef struct bat_problem {
     char place[96];
     char message[160];

@@ -13,10 +13,11 @@ BAT_API int bat_curve_segment_count(const bat_curve *curve);
 /* All segments: points has segment_count * (p + 1) * dimension doubles, breaks segment_count + 1; either may
  * be NULL. Exact to rounding. O(count). P&T A5.6. */
 BAT_API bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks);
-/* Cubic segments for drawing: exact up to degree 3 (raised), for higher degrees split until within tolerance.
- * tolerance: document units, above 0 where the degree is above 3. BAT_COUNT: more than BAT_POINTS_MAX of them.
- * BAT_TOLERANCE with the best cubics after twelve halvings. *segments of them in *points, which is malloc'ed and freed
- * by bat_free: *segments * 4 * dimension doubles, shared ends repeated. */
+/* Cubic segments for drawing: exact up to degree 3 (lower degrees are raised), for higher degrees split until they
+ * are within tolerance. tolerance: document units, above 0 where the degree is above 3. BAT_COUNT: there would be
+ * more than BAT_POINTS_MAX of them. BAT_TOLERANCE with the best cubics after twelve halvings. Their number goes to
+ * *segments and their points to *points, which the caller frees by bat_free: *segments * 4 * dimension doubles,
+ * shared ends repeated. */
 BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *segments,
                                        double **points);
 
@@ -24,15 +25,15 @@ BAT_API bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance,
 BAT_API void bat_free(void *memory);
 
 /*
- * One B-spline from `segments` Bézier segments of one degree that follow each other (the start of each is the
- * end of the one before; points: segments * degree + 1 points, shared ends once; closed: the last point equals
- * the first). Knot spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1;
- * joints that are not are corners: knots of multiplicity p. Closed paths become periodic. Zero-length
- * segments are dropped. Then knots are removed within `tolerance` (0: only exact removals), corners kept.
- * *error (may be NULL) bounds the deviation. A smooth closed path whose handle ratios do not return to one
- * after a round keeps multiplicity p at one joint; so do joints with a handle of no length, and where the
- * speed would leave 1e-5..1e5 of the run's. corner: radians; tolerance: document units. BAT_ARGUMENT when a closed path
- * does not end where it starts; BAT_COUNT: no segment of any length, or too many. Cost: that of bat_curve_simplify.
+ * One B-spline from `segments` Bézier segments of one degree that follow each other (each starts where the one before
+ * ends; points: segments * degree + 1 points, shared ends given once; closed: the last point equals the first). Knot
+ * spacing is chosen so that joints that are G1 (tangents within `corner` radians) become C1; joints that are not are
+ * corners: knots of multiplicity p. Closed paths become periodic. Zero-length segments are dropped. Then knots are
+ * removed within `tolerance` (0: only exact removals), and corners are kept. *error (may be NULL) bounds the
+ * deviation. A smooth closed path whose product of handle ratios all the way round is not one keeps multiplicity p at
+ * one joint; so do joints with a handle of zero length, and joints where the speed would leave the range of 1e-5 to
+ * 1e5 times that of the run. corner: radians; tolerance: document units. BAT_ARGUMENT when a closed path does not end
+ * where it starts; BAT_COUNT: no segment of any length, or too many. Cost: that of bat_curve_simplify.
  */
 BAT_API bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments,
                                          const double *points, double corner, double tolerance,

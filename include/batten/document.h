@@ -1,7 +1,8 @@
 /*
- * Batten: the document. An ordered list of objects (back to front), each an immutable value that is replaced,
- * never changed, so that undo is an exchange of pointers. Objects, curves, shapes, splines and pictures are shared by
- * copies of a document and counted; counts are atomic, so that each copy can be on a thread of its own.
+ * Batten: the document. An ordered list of objects (back to front), each an immutable value that is replaced, never
+ * changed, so that undo is an exchange of pointers. Objects, curves, shapes, splines and pictures are shared by
+ * copies of a document and reference-counted; the counts are atomic, so that each copy can be used on a thread of its
+ * own.
  */
 #ifndef BATTEN_DOCUMENT_H
 #define BATTEN_DOCUMENT_H
@@ -32,11 +33,11 @@ typedef struct bat_style {
 
 BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
 
-/* An object: a path, that is one or more curves of one dimension that share a style (an O has two); or a spline
- * of the tangents hand, whose points and directions stay editable and give its one curve; or a shape, some of
- * whose curves are taken apart into levels, of which the finest is the curve; or a container without curves: a
- * group, or a layer, which is a group of the topmost level; or an image, a placed picture, without curves too; or a
- * guide, an endless line that paints nothing; or a plane in space to draw on. */
+/* An object is one of these: a path, which is one or more curves of one dimension that share a style (an O has
+ * two); a spline of the tangents hand, whose points and directions stay editable and give its one curve; a shape,
+ * some of whose curves are taken apart into levels, of which the finest is the curve; a container without curves,
+ * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
+ * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -49,13 +50,14 @@ typedef enum bat_kind {
 } bat_kind;
 typedef struct bat_object bat_object;
 
-/* A picture to trace: the bytes of a PNG, JPEG or WebP file, of which only the head is read. Immutable, counted. */
+/* A picture to trace: the bytes of a PNG, JPEG or WebP file, of which only the header is read. Immutable,
+ * reference-counted. */
 typedef struct bat_picture bat_picture;
 enum { BAT_PICTURE_SIDE = 65535 };           /* pixels of a side, at most */
 #define BAT_PICTURE_SIZE ((size_t)16 << 20)  /* bytes of one, at most */
 #define BAT_PICTURES_SIZE ((size_t)32 << 20) /* bytes of all in a file or a session, at most */
-/* Copies the bytes. BAT_UNSUPPORTED: none of the three kinds, a broken head, or a side too long; BAT_COUNT: too many
- * bytes. O(size). */
+/* Copies the bytes. BAT_UNSUPPORTED: none of the three kinds, a broken header, or a side too long; BAT_COUNT: too
+ * many bytes. O(size). */
 BAT_API bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out);
 BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users */
 BAT_API void bat_picture_release(bat_picture *picture);              /* NULL is fine */
@@ -65,32 +67,34 @@ bat_picture_type(const bat_picture *picture);                    /* "image/png",
 BAT_API uint64_t bat_picture_digest(const bat_picture *picture); /* of its bytes */
 BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
-/* Takes the curves over, all different ones (the array itself stays the caller's). name: UTF-8, may be NULL or empty.
- * BAT_ARGUMENT: id 0 or above BAT_ID_MAX, a style out of range, a name that is not UTF-8. */
+/* Takes ownership of the curves, which must all be different (the array itself stays the caller's). name: UTF-8,
+ * may be NULL or empty. BAT_ARGUMENT: id 0 or above BAT_ID_MAX, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,
                                           int curve_count, bat_curve *const *curves, bat_object **out);
-/* Copies the spline; its curve is what bat_tangents makes of it (options NULL: the defaults), and what that
- * refuses is refused. */
+/* Copies the spline; its curve is what bat_tangents makes of it (options NULL: the defaults), and what
+ * bat_tangents refuses is refused. */
 BAT_API bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
                                             const bat_spline *spline, const bat_tangents_options *options,
                                             bat_object **out);
-/* An empty container; what is in it names it as its parent. layer: a layer, else a group. */
+/* An empty container; objects in it name it as their parent. layer: true makes a layer, false a group. */
 BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_object **out);
-/* A picture placed by {a, b, c, d, e, f}: its pixel (x, y) lies at (a x + c y + e, b x + d y + f). Retains it. Of a
- * style only the opacity means something. BAT_NUMBER: the matrix is not finite or flattens; BAT_ARGUMENT: opacity. */
+/* A picture placed by {a, b, c, d, e, f}: its pixel (x, y) lies at (a x + c y + e, b x + d y + f). Retains the
+ * picture. Of a style only the opacity applies to an image. BAT_NUMBER: the matrix is not finite or is singular;
+ * BAT_ARGUMENT: the opacity is out of range. */
 BAT_API bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
                                            const double matrix[6], double opacity, bat_object **out);
 BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out);
-/* A guide: the line x = at (axis 0) or y = at (axis 1). BAT_NUMBER: at beyond BAT_COORDINATE_MAX. */
+/* A guide: the line x = at (axis 0) or y = at (axis 1). BAT_NUMBER: at lies beyond BAT_COORDINATE_MAX. */
 BAT_API bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out);
-/* A copy elsewhere along its axis. BAT_ARGUMENT: the object is no guide. */
+/* A copy at another place along its axis. BAT_ARGUMENT: the object is not a guide. */
 BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, bat_object **out);
-/* A plane in space: through the origin, spanned by two axes, x and y, which become unit vectors at right angles: x keeps
- * its direction, y its side. BAT_NUMBER: beyond BAT_COORDINATE_MAX; BAT_SINGULAR: the axes span no plane. */
+/* A plane in space: through the origin, spanned by two axes, x and y, which are made unit vectors at right angles:
+ * x keeps its direction, y stays on its side of x. BAT_NUMBER: beyond BAT_COORDINATE_MAX; BAT_SINGULAR: the axes
+ * span no plane. */
 BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3],
                                            const double axes[6], bat_object **out);
-/* A copy that differs in its curves (taken over), and is a path; all else, the place in groups too,
- * is kept. */
+/* A copy with other curves (ownership is taken), which is a path; all else, including its place in groups, is
+ * kept. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                           bat_object **out);
 /* A copy in another group (0: in none), under another name (UTF-8), hidden or shown, locked or free. */
@@ -100,17 +104,18 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy that differs in one curve (taken over), or in style (of an image its opacity; groups and guides have
- * none, and stay as they are). A spline becomes a path by the first, and the curve has no levels any more. */
+/* A copy with one other curve (ownership is taken), or with another style (of an image only the opacity; groups
+ * and guides have none, and stay as they are). With another curve a spline becomes a path, and the curve no longer
+ * has levels. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
-/* A copy in which one curve is the finest of a shape (taken over), and is edited by its levels from then
- * on. A spline becomes a shape by it. */
+/* A copy in which one curve is the finest of a shape (ownership is taken) and is edited by its levels from then
+ * on. A spline becomes a shape in this way. */
 BAT_API bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape,
                                          bat_object **out);
-/* A copy with another spline, or, as a path, with the curves as they are. BAT_ARGUMENT: the object is no spline
- * (to_path: nor a shape). */
+/* A copy with another spline, or (to_path) a copy that is a path with the curves as they are. BAT_ARGUMENT: the
+ * object is not a spline (to_path: neither a spline nor a shape). */
 BAT_API bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline,
                                           bat_object **out);
 BAT_API bat_status bat_object_to_path(const bat_object *object, bat_object **out);
@@ -123,12 +128,13 @@ BAT_API const char *bat_object_name(const bat_object *object); /* never NULL */
 BAT_API const bat_style *bat_object_style(const bat_object *object);
 BAT_API int bat_object_curve_count(const bat_object *object);
 BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
-/* The spline and how it is drawn; NULL when the object is none. Its tangents and tension are never NULL. */
+/* The spline and how its curve is made; NULL when the object is not a spline. Its tangents and tension are never
+ * NULL. */
 BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
 /* The levels of a curve; NULL: it has none. */
 BAT_API const bat_shape *bat_object_shape(const bat_object *object, int index);
-/* NULL when the object is no image. */
+/* NULL when the object is not an image. */
 BAT_API const bat_picture *bat_object_picture(const bat_object *object);
 BAT_API const double *bat_object_matrix(const bat_object *object);
 /* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */
@@ -137,10 +143,10 @@ BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a laye
 BAT_API bool
 bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
-/* Origin, x axis, y axis: nine numbers, the object's; NULL when it is no plane. */
+/* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */
 BAT_API const double *bat_object_plane(const bat_object *object);
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
-/* Its own: what is in a hidden or locked group is so too. */
+/* The object's own state; objects in a hidden or locked group count as hidden or locked, too. */
 BAT_API bool bat_object_is_hidden(const bat_object *object);
 BAT_API bool bat_object_is_locked(const bat_object *object);
 /* Exact box of the outline, without stroke width: low x, low y, high x, high y. Groups: empty, low > high. */
@@ -155,14 +161,15 @@ BAT_API int bat_document_count(const bat_document *document);
 BAT_API const bat_object *bat_document_at(const bat_document *document, int index); /* NULL: no such index */
 BAT_API int bat_document_find(const bat_document *document, bat_id id);             /* index, or -1 */
 BAT_API bat_id bat_document_new_id(bat_document *document);                         /* 0: all are used up */
-/* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. An id above
- * the next one raises it. BAT_ARGUMENT when index or id do not fit. */
+/* The one way to change a document: insert at index, replace (same id), remove. `after` is retained. Inserting an
+ * id above the next id raises the next id. BAT_ARGUMENT when index or id do not fit. */
 BAT_API bat_status bat_document_insert(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_replace(bat_document *document, int index, const bat_object *after);
 BAT_API bat_status bat_document_remove(bat_document *document, int index);
 
-/* The list is a tree in order: a group stands before (behind) what is in it, all of which follows at once.
- * The index after the last object in the group at index; index + 1 for what is no group. */
+/* The list is a tree in order: a group stands before its contents (and so lies behind them), and all its contents
+ * follow it immediately. Returns the index after the last object in the group at index; for an object that is not
+ * a group, index + 1. */
 BAT_API int bat_document_end(const bat_document *document, int index);
 
 /* The page: x, y, width, height in document units (width 0: none; then the drawing's box is shown). */
@@ -170,9 +177,9 @@ BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
-/* The invariants: ids unique, from 1 to BAT_ID_MAX, below the next id; curves valid; splines and levels give their curves; styles in range; groups
- * hold together, layers are in nothing but layers. NULL when all hold, else which
- * one does not (static storage). */
+/* The invariants: ids unique, from 1 to BAT_ID_MAX, below the next id; curves valid; splines and levels give their
+ * curves; styles in range; the contents of groups follow them, and layers are in nothing but layers. Returns NULL
+ * when all hold, otherwise which one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
 /* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is
  * left out, so that undo brings the digest back. */

@@ -11,8 +11,9 @@ extern "C" {
 typedef struct bat_fit_options {
     size_t size;      /* of this struct, as base.h says */
     double tolerance; /* greatest true distance from a point to the curve, document units, > 0 */
-    double smoothing; /* shortest wavelength that may bend, document units; 0: none (math-sketch 5.7) */
-    int degree;       /* 3 by default */
+    double
+        smoothing; /* shortest wavelength that may bend, document units; 0: none (docs/math/sketch.md 5.7) */
+    int degree;    /* 3 by default */
     bool closed;
     bool hold_ends;      /* open: the curve meets the first and the last point exactly */
     int solves_max;      /* 0: the default budget */
@@ -33,14 +34,17 @@ static inline bat_fit_options bat_fit_defaults(void) {
     bat_fit_options_init(&options, sizeof options);
     return options;
 }
-/* count points in order, document units; *out is the caller's; report may be NULL; options may be NULL. One point or all coincident: BAT_COUNT. Two: a line. BAT_TOLERANCE with the best found. */
+/* Fits count points in order, in document units; *out is the caller's; report may be NULL; options may be NULL.
+ * BAT_COUNT: only one point, or all points coincide. Two points give a line. BAT_TOLERANCE: the best curve found
+ * is handed over. */
 BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
                            bat_curve **out, bat_fit_report *report);
 
 /*
- * The curve again, of the same degree, with as few knots as keep it within tolerance (> 0); corners (multiplicity p knots
- * whose tangents turn by more than corner radians) and ends stay. Parameters are new. *error (may be NULL): the distance,
- * measured both ways. Where a fit of its samples has no fewer points than bat_curve_simplify, that is the result.
+ * Fits the curve again, with the same degree and as few knots as keep it within tolerance (> 0); corners (knots of
+ * multiplicity p at which the tangent turns by more than corner radians) and ends stay. The parametrisation is new.
+ * *error (may be NULL): the distance, measured both ways. Where a fit of samples of the curve has no fewer points
+ * than bat_curve_simplify gives, the result is that of bat_curve_simplify.
  */
 BAT_API bat_status bat_curve_refit(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
                                    double *error);

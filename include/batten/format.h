@@ -15,7 +15,7 @@ extern "C" {
 BAT_API bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem);
 BAT_API bat_status bat_document_write(const bat_document *document, char **text, size_t *size); /* bat_free */
 
-/* One CURVE or STROKE (JSON, strokes also CSV) as docs/format.md says. */
+/* One CURVE or STROKE (JSON; strokes also as CSV), as described in docs/format.md. */
 BAT_API bat_status bat_curve_read(const char *text, size_t size, bat_curve **out, bat_problem *problem);
 BAT_API bat_status bat_curve_write(const bat_curve *curve, char **text, size_t *size);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
@@ -25,8 +25,8 @@ BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *st
 /* One SPLINE of the tangents hand; its arrays lie in one block: bat_free(*block). */
 BAT_API bat_status bat_spline_read(const char *text, size_t size, bat_spline *spline, void **block,
                                    bat_problem *problem);
-/* One SHAPE of the levels hand, and EDITS of it, all made or none. A sketch too short for its level is made as well as
- * that can be; problem then says, with BAT_OK, by how much it is missed. */
+/* One SHAPE of the levels hand, and EDITS of it, of which either all are made or none. A sketch too short for its
+ * level is followed as closely as possible; problem then says, with BAT_OK, by how much it is missed. */
 BAT_API bat_status bat_shape_read(const char *text, size_t size, bat_shape **out, bat_problem *problem);
 BAT_API bat_status bat_shape_write(const bat_shape *shape, char **text, size_t *size);
 BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_problem *problem);
@@ -39,10 +39,10 @@ typedef struct bat_svg_options {
     double share; /* of a path's larger side, which bounds the tolerance for small ones; 0: nothing does */
 } bat_svg_options;
 
-/* What a file can hold that a document can not, so that writing over the file would lose it. Of each kind the elements
- * are counted that have it, once each, however often `use` draws them; hidden ones, too. What is not counted: comments,
- * white space, the order and spelling of attributes, transforms and inherited styles (drawn in), shapes as such (they
- * become paths). */
+/* What a file can hold that a document cannot, so that overwriting the file would lose it. For each kind the
+ * elements that have it are counted, once each, however often `use` draws them, and including hidden ones. Not
+ * counted are comments, white space, the order and spelling of attributes, transforms and inherited styles (their
+ * effect is in the drawing), and shapes as such (they become paths). */
 typedef enum bat_loss {
     BAT_LOSS_TEXT,
     BAT_LOSS_IMAGE,    /* links to files, and other kinds of pictures than PNG, JPEG and WebP */
@@ -99,15 +99,15 @@ typedef struct bat_svg_report {
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
-/* Exact; corners from 0.05 on. */
+/* The defaults: tolerance 0 (exact), corners from 0.05 radians on. */
 BAT_API void bat_svg_options_init(bat_svg_options *options, size_t size);
 static inline bat_svg_options bat_svg_defaults(void) {
     bat_svg_options options;
     bat_svg_options_init(&options, sizeof options);
     return options;
 }
-/* For drawings that are going to be edited: nodes are merged where the curve is the same within 0.001, of small paths
- * within a ten-thousandth of their size. */
+/* For drawings that are going to be edited: nodes are merged where the curve stays the same within 0.001, for
+ * small paths within a ten-thousandth of their size. */
 BAT_API void bat_svg_options_init_merging(bat_svg_options *options, size_t size);
 static inline bat_svg_options bat_svg_merging(void) {
     bat_svg_options options;
@@ -124,8 +124,8 @@ BAT_API bat_status bat_svg_reader_end(bat_svg_reader *reader);
 BAT_API bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,
                                          bat_problem *problem); /* frees the reader whatever it returns */
 BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up early */
-/* "Left out: 3 texts, 1 image." or "" when nothing was; then, if so, that another program changed the file. 1,000 bytes
- * are room enough. */
+/* Writes "Left out: 3 texts, 1 image.", or "" when nothing was left out; if another program has changed the file,
+ * the line goes on to say so. 1,000 bytes are enough room. */
 BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room);
 
 /* SVG out: exact cubic Béziers, and the native document in the metadata. */

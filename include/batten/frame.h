@@ -1,4 +1,5 @@
-/* Batten: what comes out of the engine: one frame, of display lists, of what is to be said, and of what is asked of the host. */
+/* Batten: what comes out of the engine: one frame, which holds display lists, what is to be said, and what is
+ * asked of the host. */
 #ifndef BATTEN_FRAME_H
 #define BATTEN_FRAME_H
 
@@ -9,7 +10,7 @@
 extern "C" {
 #endif
 
-/* Path data: floats, relative to the frame's origin. Command, then its coordinates. */
+/* Path data: floats, relative to the frame's origin. Each command is followed by its coordinates. */
 enum { BAT_PATH_MOVE = 0, BAT_PATH_LINE = 1, BAT_PATH_CUBIC = 2, BAT_PATH_CLOSE = 3 };
 
 /* What an item is; all but OBJECT are coloured by the host's theme. */

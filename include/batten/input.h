@@ -35,9 +35,9 @@ typedef struct bat_pointer {
     bool predicted;               /* for the overlay only, never part of a stroke */
 } bat_pointer;
 
-/* Events in order of time; coalesced ones are simply all there. Bad numbers are dropped. */
+/* Events in order of time, including all coalesced ones. Events with bad numbers are dropped. */
 BAT_API void bat_editor_pointer(bat_editor *editor, size_t count, const bat_pointer *events);
-/* dx, dy in pixels; zoom: Ctrl or a pinch on a trackpad. */
+/* dx, dy in pixels; the wheel zooms with Ctrl (or by a pinch on a trackpad). */
 BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy,
                               uint32_t modifiers, double time);
 /* key: as KeyboardEvent.key. True when the engine used it (the host then prevents its default). */

@@ -1,6 +1,6 @@
 /*
  * Batten: the levels hand. A base curve and levels of detail over it, each in the frames of the level below,
- * so that the sweep and the detail are edited apart. Source: multilevel-2016 sections 3 and 4, as
+ * so that the sweep and the detail can be edited separately. Source: multilevel-2016 sections 3 and 4, as
  * docs/math/levels.md (math 3) corrects and completes them.
  *
  *     C^j = refine(C^{j-1}, U^j) + sum_i F^{j-1}(u_i) g_j d_i^j N_i^j,    U^0 in U^1 in ... in U^k
@@ -18,7 +18,7 @@ extern "C" {
 
 enum {
     BAT_LEVELS_MAX = 24,
-    BAT_LEVEL_SPANS_LEAST = 3 /* a stroke over fewer spans of a level is not met there (math 3.6) */
+    BAT_LEVEL_SPANS_LEAST = 3 /* a stroke over fewer spans cannot be followed at that level (math 3.6) */
 };
 
 typedef enum bat_node_rule {
@@ -43,7 +43,7 @@ typedef struct bat_shape_options {
     double first[3], reference_t[3], reference_s[3];
 } bat_shape_options;
 
-/* RMF, Greville, local. */
+/* The defaults: RMF, Greville, local. */
 BAT_API void bat_shape_options_init(bat_shape_options *options, size_t size);
 static inline bat_shape_options bat_shape_defaults(void) {
     bat_shape_options options;
@@ -55,7 +55,7 @@ typedef struct bat_shape bat_shape;
 
 /* Copies the base. The shape has no level yet. options may be NULL: the defaults, here and below. */
 BAT_API bat_status bat_shape_create(const bat_curve *base, const bat_shape_options *options, bat_shape **out);
-/* The base is a G1 spline through points (bat_tangents). */
+/* The same with a G1 spline through points (bat_tangents) as the base. */
 BAT_API bat_status bat_shape_from_spline(const bat_spline *spline, const bat_tangents_options *tangents,
                                          const bat_shape_options *options, bat_shape **out);
 BAT_API bat_status bat_shape_copy(const bat_shape *shape, bat_shape **out);
@@ -82,63 +82,69 @@ BAT_API bool bat_shape_is_muted(const bat_shape *shape, int level);
 BAT_API const bat_shape_options *bat_shape_options_of(const bat_shape *shape);
 
 /*
- * Edits; world coordinates, dimension doubles; level 0 is the base. On failure the shape is as it was. What
- * lies outside the stretch that an edit touches does not move (math 3.4), unless propagation is plain.
+ * Edits. Displacements are in world coordinates, dimension doubles each; level 0 is the base. On failure the shape is
+ * as it was. What lies outside the stretch that an edit touches does not move (math 3.4), unless propagation is
+ * plain.
  */
 BAT_API bat_status bat_shape_move(bat_shape *shape, int level, int index, const double *delta);
-/* Moves the point of C^level at u by exactly delta, the least change in the control points (math 3.5). */
+/* Moves the point of C^level at u by exactly delta, with the least change of the control points (math 3.5). */
 BAT_API bat_status bat_shape_drag(bat_shape *shape, int level, double u, const double *delta);
 /* The same, repeated until the point of the finest curve at u has moved by delta within tolerance (at most 20
- * times). *left: what is still missing. BAT_TOLERANCE: it does not get there. */
+ * times). *left: what is still missing. BAT_TOLERANCE: the point does not get there. */
 BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta,
                                          double tolerance, double *left);
 /* Moves control points first..first+count-1 (closed: modulo n) at once. */
 BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, size_t count,
                                        const double *deltas);
-/* 0 mutes, 1 as is, above 1 exaggerates; within +-1e6, else BAT_NUMBER. BAT_ARGUMENT: level 0, or no such level. */
+/* 0 mutes the detail, 1 leaves it as it is, above 1 exaggerates it; within +-1e6, else BAT_NUMBER. BAT_ARGUMENT:
+ * level 0, or no such level. */
 BAT_API bat_status bat_shape_set_gain(bat_shape *shape, int level, double gain);
-/* A muted level shows nothing and cannot be edited; its gain is kept for when it sounds again. */
+/* A muted level shows nothing and cannot be edited; its gain is kept for when it is unmuted. */
 BAT_API bat_status bat_shape_set_muted(bat_shape *shape, int level, bool muted);
-/* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level, in any order. Beyond the
- * stroke, which covers an open curve from the first parameter to the last and a closed one but for the longest gap, C^level
- * moves nowhere by more than the largest displacement asked for, beyond two of its spans by 6 % of that at most, and
- * not at all beyond the supports of the basis functions that the stroke meets. */
+/* Sketch at a level (math 3.6): targets[count * dimension] at parameters u[count] of C^level, in any order. The
+ * stroke covers an open curve from the first parameter to the last, and a closed one except for the longest gap.
+ * Beyond the stroke, C^level moves nowhere by more than the largest displacement asked for; more than two of its
+ * spans away, it moves by at most 6 % of that; and it does not move at all beyond the supports of the basis
+ * functions that the stroke meets. */
 BAT_API bat_status bat_shape_sketch(bat_shape *shape, int level, size_t count, const double *u,
                                     const double *targets);
-/* A pen stroke over C^level: cleaned and matched as the sketch hand does it. BAT_DOT, BAT_FAR (also a stroke
- * with a loop). options NULL: defaults. report (may be NULL) says how many spans of the level the stroke covers, and
- * how far it lies from C^level now, at most: over fewer than BAT_LEVEL_SPANS_LEAST spans that is much. */
+/* A pen stroke over C^level: cleaned and matched as the sketch hand does it. BAT_DOT, BAT_FAR (also a stroke with
+ * a loop). options NULL: defaults. report (may be NULL) says how many spans of the level the stroke covers, and
+ * how far at most it lies from C^level afterwards: over fewer than BAT_LEVEL_SPANS_LEAST spans that is far. */
 BAT_API bat_status bat_shape_redraw_level(bat_shape *shape, int level, const bat_stroke *stroke,
                                           const bat_sketch_options *options, bat_sketch_report *report);
 /* The same without a report. */
 BAT_API bat_status bat_shape_sketch_stroke(bat_shape *shape, int level, const bat_stroke *stroke,
                                            const bat_sketch_options *options);
-/* A pen stroke over the base, or over what it looks like, free: the base is redrawn as bat_sketch does it, its knots
- * change there. Details ride along; beyond the interval that was replaced they stay where they were, on it they are
- * kept, spread evenly, or dropped. Bases of degree 1 and 2 become cubics, and details are then taken at the nodes.
- * report may be NULL. BAT_DOT, BAT_FAR, BAT_TOLERANCE (*out is handed over) as bat_sketch. */
+/* A free pen stroke over the base, or over the curve as it appears: the base is redrawn as bat_sketch does it, and
+ * its knots change there. Details ride along; beyond the interval that was replaced they stay where they were,
+ * within it they are kept and spread evenly, or dropped if drop is true. Bases of degree 1 and 2 become cubics,
+ * and details are then taken at the nodes. report may be NULL. BAT_DOT, BAT_FAR, BAT_TOLERANCE (*out is handed
+ * over) as bat_sketch. */
 BAT_API bat_status bat_shape_redraw(const bat_shape *shape, const bat_stroke *stroke, bool drop,
                                     const bat_sketch_options *options, bat_shape **out,
                                     bat_sketch_report *report);
 /* Affine map, dimension rows of dimension + 1. Details turn with it and scale by the root of its determinant.
- * BAT_SINGULAR: it flattens; BAT_NUMBER. */
+ * BAT_SINGULAR: the matrix is singular; BAT_NUMBER. */
 BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
-/* Another frame rule, an affine image (matrix NULL: none), or both at once: the details are expressed anew, so
- * that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR: it flattens. */
+/* Changes the frame rule, applies an affine map (matrix NULL: none), or does both at once: the details are
+ * re-expressed so that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR:
+ * the matrix is singular. */
 BAT_API bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_rule rule);
-/* Ends an edit. Edits in space may have left details in frames that the curves alone would not give: they turn
- * back into those, and the persistent pair is taken anew when the start tangent has turned far from it (math 2.2);
- * nothing moves by more than rounding. A committed shape is what its file reads as, bit for bit. */
+/* Ends an edit. Edits in space may have left details in frames that the curves alone would not give: they are
+ * re-expressed in the frames that the curves give, and a new persistent pair is taken when the start tangent has
+ * turned far from the old one (math 2.2); nothing moves by more than rounding. A committed shape that is written
+ * and read back is the same, bit for bit. */
 BAT_API bat_status bat_shape_commit(bat_shape *shape);
 
 /*
  * Live: the same edits while the pen is down. The session works on a copy of the shape. Every call edits the shape as
- * it was at the beginning, so that what comes out depends on the last call alone, bit for bit what the one-shot
- * call and bat_shape_commit give; a call of nothing gives the shape as it was, bit for bit. Cost: what the edit
- * touches at its level and above (math 3.4), some microseconds, however large the shape, for as long as the same
- * control points move (in space, where tangents sweep much, nine times that); the first call of a run, and edits
- * that touch everything (a base of few points; Frenet frames and plain propagation in space), cost more. On
- * failure: the shape as it was at the beginning.
+ * it was at the beginning, so that the result depends on the last call alone, and is bit for bit what the one-shot
+ * call and bat_shape_commit give; an edit that moves nothing gives the shape as it was, bit for bit. Cost: what the
+ * edit touches at its level and above (math 3.4), some microseconds, however large the shape, for as long as the same
+ * control points move (nine times that in space where tangents turn a lot); the first call of a run, and edits that
+ * touch everything (a base of few points; Frenet frames and plain propagation in space), cost more. On failure: the
+ * shape as it was at the beginning.
  */
 typedef struct bat_shape_live bat_shape_live;
 BAT_API bat_status bat_shape_live_begin(const bat_shape *shape, int level, bat_shape_live **out);
@@ -154,19 +160,19 @@ BAT_API void bat_shape_live_touched(const bat_shape_live *live, int level, int *
 BAT_API bat_status bat_shape_live_commit(bat_shape_live *live, bat_shape **out);
 BAT_API void bat_shape_live_cancel(bat_shape_live *live); /* NULL is fine */
 
-/* Takes a curve apart into `levels` levels, exactly: every other interior knot is left out a level
- * (math 3.7); second and third copies of a knot go before any knot goes altogether, so that the coarse curves
- * are smooth. BAT_COUNT: too few knots for so many levels. */
+/* Takes a curve apart into `levels` levels, exactly: every other interior knot is left out at each level (math
+ * 3.7); second and third copies of a knot are removed before any knot is removed altogether, so that the coarse
+ * curves are smooth. BAT_COUNT: too few knots for so many levels. */
 BAT_API bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_shape_options *options,
                                        bat_shape **out);
 /* The same down to a base of `coarsest` control points (open: at least degree + 1, closed: 3), the numbers of
- * points between in geometric progression. */
+ * points of the levels in between forming a geometric progression. */
 BAT_API bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t coarsest,
                                           const bat_shape_options *options, bat_shape **out);
 
-/* The levels of `from`, with their gains, over another base: domains are mapped onto each other, details stay as
- * long and as they stand to the curve. The same degree and closedness: the details are the same splines, refined;
- * else they are taken at the nodes. BAT_DIMENSION. */
+/* The levels of `from`, with their gains, over another base: the domains are mapped onto each other, and details
+ * keep their length and their orientation to the curve. If degree and closedness are the same, the details are the
+ * same splines, refined; otherwise they are taken at the nodes. BAT_DIMENSION: the dimensions differ. */
 BAT_API bat_status bat_shape_copy_levels(const bat_shape *from, const bat_curve *onto, bat_shape **out);
 
 #ifdef __cplusplus

@@ -14,16 +14,16 @@ extern "C" {
 /* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
  * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
-/* The commands that arrange or mend what is selected, as far as this selection makes them possible: names, with a
- * space between. Only while the select tool is in force, which shows what is selected. Owned by the editor, valid until
- * the next call of it; NULL: out of memory. */
+/* The names of the commands that arrange or mend what is selected, as far as this selection makes them possible,
+ * separated by spaces. Empty unless the select tool is in force, which shows what is selected. Owned by the
+ * editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_actions(bat_editor *editor);
-/* Moves a layer to where another one beside it is: in front of it when it comes from behind, else behind it: a step of
- * the history. BAT_ARGUMENT: they are no layers of one group. */
+/* Moves a layer to the place of another one beside it: in front of it when it comes from behind, otherwise behind
+ * it. This is a step of the history. BAT_ARGUMENT: the two are not layers with the same parent. */
 BAT_API bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target);
 /* The layer that new curves go into; 0: none. */
 BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
-/* Steps of the history, of any object. BAT_STATE: a drag is under way. */
+/* For any object; each call is a step of the history. BAT_STATE: a drag is under way. */
 BAT_API bat_status bat_editor_rename(bat_editor *editor, bat_id id, const char *name);
 BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidden, bool locked);
 /* The drawing for those who do not see it, in words. Owned by the editor, valid until the next call of either; NULL:
@@ -39,23 +39,24 @@ BAT_API const char *bat_editor_outline_points(bat_editor *editor, bat_id id);
  * BAT_ARGUMENT: no such point. BAT_STATE: a drag is under way, or it is hidden or locked. */
 BAT_API bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point);
 /* What has happened since the last call, to be spoken: tool, step, selection, the place of what the keys move; ""
- * when nothing has, or a drag is under way. What notices tell is left out. Owned by the editor, valid until the
- * next call of it. */
+ * when nothing has happened, or a drag is under way. What notices say is left out. Owned by the editor, valid
+ * until the next call of it. */
 BAT_API const char *bat_editor_said(bat_editor *editor);
-/* Selects an object (0: none), alone or besides what is selected. */
+/* Selects an object (0: none), alone or (add) in addition to what is selected. */
 BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 
 /* ---- the last stroke, read as something else ---- */
 
-/* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y], its end
- * in view pixels, "chosen": which it was taken for, "amount": how it is fitted (below; -1: it is settled),
- * "words":["New line","Redraw roof", ...]}; no words: it is that, or can mean nothing else.
- * Owned by the editor, valid until the next call of it; NULL: out of memory. */
+/* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y],
+ * its end in view pixels, "chosen": which it was taken for, "amount": how it is fitted (below; -1: it is settled),
+ * "words":["New line","Redraw roof", ...]}; no words: there is nothing else that it could mean. Owned by the
+ * editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_readings(bat_editor *editor);
-/* Takes it as that one: its step of the history becomes another. BAT_STATE: there is none such any more. */
+/* Takes the stroke in that meaning: its step of the history is replaced. BAT_STATE: that reading no longer exists. */
 BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
-/* Fits it from raw (0: a quarter of the tolerance) over as it was drawn (1/2) to fair (1: four times the tolerance). It is
- * only shown until `done` comes; then its step of the history becomes another. BAT_STATE: it is settled. */
+/* Refits the stroke, from raw (0: a quarter of the tolerance) through the fit as it was made at first (1/2) to
+ * fair (1: four times the tolerance). The result is only shown until `done` is true; then the stroke's step of the
+ * history is replaced. BAT_STATE: the stroke is settled. */
 BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done);
 
 /* ---- levels of the chosen curve, for the level strip ---- */

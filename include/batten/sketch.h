@@ -1,6 +1,6 @@
 /*
- * Batten: the sketch hand. Draw over a curve; it follows there, stays C2, keeps few knots.
- * Source: sketch-2005 sections 2 to 4, as docs/math/sketch.md (5.x) corrects and completes them.
+ * Batten: the sketch hand. Draw over a curve: it follows the stroke there, stays C2, and keeps few knots. Source:
+ * sketch-2005 sections 2 to 4, as docs/math/sketch.md (5.x) corrects and completes them.
  */
 #ifndef BATTEN_SKETCH_H
 #define BATTEN_SKETCH_H
@@ -47,7 +47,7 @@ typedef struct bat_sketch_report {
     double spans;          /* at a level of a shape: how many of its spans the stroke covers; else 0 */
 } bat_sketch_report;
 
-/* 1 px, pixel 1, 3 pins, width 3, corners not kept. */
+/* The defaults: tolerance 1 px, pixel 1, 3 pins, width 3, corners not kept. */
 BAT_API void bat_sketch_options_init(bat_sketch_options *options, size_t size);
 static inline bat_sketch_options bat_sketch_defaults(void) {
     bat_sketch_options options;
@@ -56,17 +56,17 @@ static inline bat_sketch_options bat_sketch_defaults(void) {
 }
 
 /*
- * options may be NULL: the defaults, here and below; so may report.
- * Redraws curve with stroke. Degrees 1 and 2 are raised to 3 first, in every call that takes a curve; higher
- * ones stay. Cost: linear in the samples and in the curve's points; about 0.3 ms for 240 samples on 100 points,
- * 2 ms for 2,400 (one core of a server). A stroke that cannot be met ends after some 20 ms with the best found.
- * BAT_DOT, BAT_FAR, BAT_TOLERANCE (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from
- * the curve to be meant for it; of a closed curve it is enough that one end does, unless the stroke closes itself, for
- * a closed curve has no end that the stroke could become.
+ * options may be NULL: the defaults, here and below; so may report. Redraws the curve with the stroke. Degrees 1 and
+ * 2 are first raised to 3, in every call that takes a curve; higher degrees stay. Cost: linear in the samples and in
+ * the curve's points; about 0.3 ms for 240 samples on 100 points, 2 ms for 2,400 (one core of a server). For a stroke
+ * that cannot be met, the call returns after some 20 ms with the best curve found. BAT_DOT, BAT_FAR, BAT_TOLERANCE
+ * (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from the curve to be meant for it;
+ * for a closed curve it is enough that one end of the stroke does, unless the stroke closes itself, since a closed
+ * curve has no end that could follow the stroke.
  */
 BAT_API bat_status bat_sketch(const bat_curve *curve, const bat_stroke *stroke,
                               const bat_sketch_options *options, bat_curve **out, bat_sketch_report *report);
-/* A new curve from a stroke (math 5.8): closed when its ends meet (or force_closed), corners kept. */
+/* Makes a new curve from a stroke (math 5.8): closed if its ends meet (or with force_closed), with corners kept. */
 BAT_API bat_status bat_sketch_new(const bat_stroke *stroke, bool force_closed,
                                   const bat_sketch_options *options, bat_curve **out,
                                   bat_sketch_report *report);
@@ -75,12 +75,12 @@ BAT_API bat_status bat_sketch_smooth(const bat_curve *curve, const bat_stroke *s
                                      const bat_sketch_options *options, bat_curve **out,
                                      bat_sketch_report *report);
 /*
- * Calms the stretch range[0]..range[1] (closed: in any period, at most nine tenths of one) of a planar curve with the
- * knots there are: the control points that it hangs on move, places by at most `limit` document units; waves shorter
- * than the stretch go as far as that permits. It fades out over the knots beside the stretch; a stretch that moves
- * fewer than two control points goes on to the next knots. Never more extrema or inflections of curvature, no higher
- * peak; corners, ends and their directions stay. pixel: a pen pixel in document units. BAT_STATE: nothing is left to
- * calm. Cost: linear in the stretch, some 1 ms.
+ * Calms the stretch range[0]..range[1] (closed: in any period, at most nine tenths of one) of a planar curve with its
+ * present knots: the control points that determine the stretch move, and points of the curve move by at most `limit`
+ * document units; waves shorter than the stretch are removed as far as that permits. The effect fades out over the
+ * knots beside the stretch; a stretch that moves fewer than two control points is extended to the next knots. Never
+ * more extrema or inflections of curvature, no higher peak; corners, ends and their directions stay. pixel: a pen
+ * pixel in document units. BAT_STATE: nothing is left to calm. Cost: linear in the stretch, some 1 ms.
  */
 BAT_API bat_status bat_sketch_calm(const bat_curve *curve, const double range[2], double limit, double pixel,
                                    bat_curve **out);
@@ -90,10 +90,10 @@ BAT_API bat_status bat_sketch_join(const bat_curve *a, const bat_curve *b, const
                                    bat_sketch_report *report);
 
 /*
- * Live (math 5.9): the same hand while the pen is down.
- * The session copies what it needs of curve (NULL: a new curve). preview gives the fit so far, close to the stroke and
- * with more knots than the commit; what it showed for 125 ms stays where it is. Its cost is bounded, however long the
- * stroke, but for one pass over the samples. commit gives exactly what the one-shot call gives for the whole stroke.
+ * Live (math 5.9): the same hand while the pen is down. The session copies what it needs of the curve (NULL: a new
+ * curve). preview gives the fit so far, close to the stroke and with more knots than the commit; what it showed for
+ * 125 ms stays where it is. Apart from one pass over the samples, its cost is bounded however long the stroke is.
+ * commit gives exactly the result of the one-shot call for the whole stroke.
  */
 typedef enum bat_sketch_kind { BAT_SKETCH_REDRAW, BAT_SKETCH_NEW, BAT_SKETCH_SMOOTH } bat_sketch_kind;
 typedef struct bat_sketch_live bat_sketch_live;
@@ -108,7 +108,8 @@ typedef struct bat_sketch_live_info {
     size_t stroke_first;  /* target[stroke_first..stroke_last] is the stroke proper */
     size_t stroke_last;
 } bat_sketch_live_info;
-/* BAT_DOT while too short. *out is a new curve the caller frees; may be NULL when only info is wanted. */
+/* BAT_DOT while the stroke is too short. *out is a new curve that the caller frees; out may be NULL when only info
+ * is wanted. */
 BAT_API bat_status bat_sketch_live_preview(bat_sketch_live *live, bat_curve **out,
                                            bat_sketch_live_info *info);
 /* Ends the session whatever it returns. */

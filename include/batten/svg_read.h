@@ -14,11 +14,12 @@ extern "C" {
 #define BAT_SVG_SIZE ((size_t)1 << 28) /* bytes of a file, at most */
 
 /*
- * Reads a whole file: UTF-8, UTF-16, or what its XML declaration names (ISO-8859-1, US-ASCII, Windows-1252). options may
- * be NULL: the defaults; so may report and problem. *out is the caller's (bat_document_free). Nothing is fetched: a
- * document type that names a file is passed over, an entity that does is refused, and so are entities that grow out of
- * proportion. BAT_SYNTAX: no XML, nothing at all, or such an entity; BAT_COUNT: more than BAT_SVG_SIZE bytes; else as
- * bat_svg_reader_finish. problem then says where ("line 3, column 14") and why. Cost: linear in size and in what is drawn.
+ * Reads a whole file: UTF-8, UTF-16, or what its XML declaration names (ISO-8859-1, US-ASCII, Windows-1252). options
+ * may be NULL: the defaults; so may report and problem. *out is the caller's (bat_document_free). Nothing is fetched:
+ * a document type that refers to a file is skipped, an entity that does is refused, and so are entities that expand
+ * out of proportion. BAT_SYNTAX: not XML, empty, or such an entity; BAT_COUNT: more than BAT_SVG_SIZE bytes; else as
+ * bat_svg_reader_finish. problem then says where ("line 3, column 14") and why. Cost: linear in size and in what is
+ * drawn.
  */
 BAT_API bat_status bat_svg_read(const char *text, size_t size, const bat_svg_options *options,
                                 bat_document **out, bat_svg_report *report, bat_problem *problem);

@@ -29,7 +29,7 @@ typedef struct bat_tangents_options {
     bat_tangents_default missing;
 } bat_tangents_options;
 
-/* The user's side of a G1 spline; borrowed arrays. */
+/* What the user specifies of a G1 spline; the arrays are borrowed. */
 typedef struct bat_spline {
     int dimension;
     bool closed;
@@ -51,7 +51,7 @@ typedef struct bat_joint {
     bool dropped; /* the point repeats the one before it and was left out */
 } bat_joint;
 
-/* Faithful, centripetal. */
+/* The defaults: faithful, centripetal. */
 BAT_API void bat_tangents_options_init(bat_tangents_options *options, size_t size);
 static inline bat_tangents_options bat_tangents_defaults(void) {
     bat_tangents_options options;
@@ -64,20 +64,20 @@ static inline bat_tangents_options bat_tangents_defaults(void) {
 BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1, const double *direction);
 
 /*
- * options may be NULL: the defaults, here and below.
- * Builds the spline. joints: count of them, or NULL. *bezier: bat_free'd by the caller, *segments * 4 *
- * dimension doubles, or bezier and segments NULL. *out: the same as one B-spline (math 1.3), or out NULL:
- * cubic, knots x4 at the ends, x2 inside, x3 where C1 is out of reach (width ratio above 1e5, or the seam of
- * a loop whose widths do not close). BAT_COUNT: fewer than two distinct points. Cost O(count).
+ * options may be NULL: the defaults, here and below. Builds the spline. joints: count of them, or NULL. *bezier:
+ * *segments * 4 * dimension doubles, which the caller frees by bat_free; or bezier and segments are both NULL. *out
+ * (out may be NULL): the same as one B-spline (math 1.3), cubic, with knots of multiplicity 4 at the ends, 2 inside,
+ * and 3 where C1 is out of reach (width ratio above 1e5, or the seam of a loop whose widths do not close). BAT_COUNT:
+ * fewer than two distinct points. Cost O(count).
  */
 BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
                                 bat_joint *joints, int *segments, double **bezier, bat_curve **out);
 
 /*
- * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The
- * points beside it get the directions that they have and tensions that keep the shape, which FAITHFUL does to
- * rounding. *out: the new spline, all its arrays in *block (bat_free); *index: the new point. *deviation (may be
- * NULL): a bound on how far the curve has moved. BAT_ARGUMENT: no such segment or t.
+ * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The points
+ * beside it are given the directions that the curve has there and tensions that keep the shape; in FAITHFUL mode it
+ * is kept to rounding. *out: the new spline, all its arrays in *block (bat_free); *index: the new point. *deviation
+ * (may be NULL): a bound on how far the curve has moved. BAT_ARGUMENT: no such segment or t.
  */
 BAT_API bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
                                        const bat_tangents_options *options, bat_spline *out, void **block,
