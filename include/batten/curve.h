@@ -1,11 +1,12 @@
 /*
  * Batten: the curve. A non-uniform B-spline of degree 1 to 7 in the plane or in space.
  *
- * Open: n points P_0..P_{n-1}, n + p + 1 knots t_0..t_{n+p}, domain [t_p, t_n]; clamped or not. Closed: n distinct
- * points and one period of knots t_0..t_n, domain [t_0, t_n]; the rest follows from t_{j+n} = t_j + T and P_{i+n} =
- * P_i. N_i has support [t_i, t_{i+p+1}]. There is no seam. Interior knots (closed: all knots) repeat at most p times;
- * end knots of open curves at most p + 1. The first and the last span of an open domain are not empty. A closed curve
- * has at least two points; n may be below p. Knots are equal only when their doubles are; there is no knot tolerance.
+ * Open: n points P_0..P_{n-1}, n + p + 1 knots t_0..t_{n+p}, domain [t_p, t_n]; clamped or not.
+ * Closed: n distinct points and one period of knots t_0..t_n, domain [t_0, t_n]; the rest follows from
+ * t_{j+n} = t_j + T and P_{i+n} = P_i. N_i has support [t_i, t_{i+p+1}]. There is no seam.
+ * Interior knots (closed: all knots) repeat at most p times; end knots of open curves at most p + 1. The first and the
+ * last span of an open domain are not empty. A closed curve has at least two points; n may be below p.
+ * Knots are equal only when their doubles are; there is no knot tolerance.
  * So that no later arithmetic overflows, coordinates and knots are bounded, and distinct knots are no closer than
  * BAT_SPAN_MIN; those of a closed curve must still be distinct doubles one period away. Otherwise the status is
  * BAT_NUMBER.

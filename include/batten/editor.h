@@ -49,10 +49,11 @@ BAT_API bat_status bat_editor_bind(bat_editor *editor, const char *command, cons
 /*
  * The tables as JSON, for menus, panels, the shortcut sheet and the manual, with the present shortcuts:
  * {"commands":[{"name","label","help","keys":[...],"section":key of its word,"hold"}],
- * "properties":[{"name","label","help","type", "default","low","high","step","unit","choices":[keys of their words,
- * of type choice only]}], "tools":[{"name","label","help","command","keys":[...]}], "numbers":[names],
- * "strings":{key:text}}. The browser's module leaves out "help". Owned by the editor, valid until the next call of
- * it; NULL when out of memory.
+ *  "properties":[{"name","label","help","type","default","low","high","step","unit",
+ *                 "choices":[keys of their words, of type choice only]}],
+ *  "tools":[{"name","label","help","command","keys":[...]}], "numbers":[names], "strings":{key:text}}.
+ * The browser's module leaves out "help". Owned by the editor, valid until the next call of it; NULL when out of
+ * memory.
  */
 BAT_API const char *bat_editor_tables(bat_editor *editor);
 /* The words of another language: UTF-8 JSON {key:text}, as the build makes them from the table (words.ko.json). A

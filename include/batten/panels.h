@@ -12,7 +12,8 @@ extern "C" {
 /* ---- layers and objects by id ---- */
 
 /* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
- * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of memory. */
+ * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of
+ * memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
 /* The names of the commands that arrange or mend what is selected, as far as this selection makes them possible,
  * separated by spaces. Empty unless the select tool is in force, which shows what is selected. Owned by the

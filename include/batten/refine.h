@@ -33,8 +33,8 @@ BAT_API bat_status bat_curve_remove_knot(const bat_curve *curve, double u, int t
 BAT_API bat_status bat_curve_simplify(const bat_curve *curve, double tolerance, double corner,
                                       bat_curve **out, double *error);
 
-/* To a higher degree, O(count * p^2); BAT_DEGREE: a lower one, or above 7. P&T A5.9. Clamp and reverse: O(count). A closed
- * curve cannot be clamped: BAT_ARGUMENT. */
+/* To a higher degree, O(count * p^2); BAT_DEGREE: a lower one, or above 7. P&T A5.9. Clamp and reverse: O(count).
+ * A closed curve cannot be clamped: BAT_ARGUMENT. */
 BAT_API bat_status bat_curve_elevate(const bat_curve *curve, int degree, bat_curve **out); /* exact */
 BAT_API bat_status bat_curve_clamp(const bat_curve *curve, bat_curve **out); /* open: end knots p + 1 fold */
 BAT_API bat_status bat_curve_reverse(const bat_curve *curve, bat_curve **out);

@@ -78,9 +78,10 @@ BAT_API bat_status bat_sketch_smooth(const bat_curve *curve, const bat_stroke *s
  * Calms the stretch range[0]..range[1] (closed: in any period, at most nine tenths of one) of a planar curve with its
  * present knots: the control points that determine the stretch move, and points of the curve move by at most `limit`
  * document units; waves shorter than the stretch are removed as far as that permits. The effect fades out over the
- * knots beside the stretch; a stretch that moves fewer than two control points is extended to the next knots. Never
- * more extrema or inflections of curvature, no higher peak; corners, ends and their directions stay. pixel: a pen
- * pixel in document units. BAT_STATE: nothing is left to calm. Cost: linear in the stretch, some 1 ms.
+ * knots beside the stretch; a stretch that moves fewer than two control points is extended to the next knots. There
+ * are never more extrema of curvature or inflections than before, nor is its peak higher; corners, ends and their
+ * directions stay. pixel: a pen pixel in document units. BAT_STATE: nothing is left to calm. Cost: linear in the
+ * stretch, some 1 ms.
  */
 BAT_API bat_status bat_sketch_calm(const bat_curve *curve, const double range[2], double limit, double pixel,
                                    bat_curve **out);

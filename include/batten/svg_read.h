@@ -1,6 +1,6 @@
 /*
- * Batten: SVG files, whole. A library of its own, libbatten-svg, because it needs expat; libbatten needs libc and libm only,
- * and takes the same files from any XML parser (bat_svg_reader in format.h).
+ * Batten: whole SVG files. This is a library of its own, libbatten-svg, because it needs expat; libbatten needs libc
+ * and libm only, and takes the same files from any XML parser (bat_svg_reader in format.h).
  */
 #ifndef BATTEN_SVG_READ_H
 #define BATTEN_SVG_READ_H
