@@ -36,6 +36,7 @@ ROOM_OF_HEADER = {
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",
     "svg_read": None,  # of another library (expat/)
     "batten": None,  # the umbrella: for users, not for us
+    "before_0_2": None,  # what the umbrella brings for programs of old
 }
 
 # libc and libm as far as the WASM build has them; anything else is a dependency.
