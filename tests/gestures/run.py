@@ -5,6 +5,7 @@ Usage: run.py HOST [-v | -vv] [--table FILE] [id or category]
 HOST: build/<tree>/tests/gesture_host. -v: which do not hold, and why; -vv: all. --table: writes the confusion table between
 the marks in FILE. Exit 0 when 95 % of all hold, and of each category of five or more as many as BARS says.
 """
+import argparse
 import os
 import subprocess
 import sys
@@ -54,21 +55,26 @@ def put_table(path, text):
         f.write(old[:first] + MARKS[0] + "\n" + text + "\n" + old[last:])
 
 
+def asked():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("host", help="the program made of host.c, for example build/dev/tests/gesture_host")
+    parser.add_argument("word", nargs="?", help="an id or a part of a category: these alone")
+    parser.add_argument("-v", action="count", default=0, help="those that do not hold, and why; -vv: all")
+    parser.add_argument("--table", metavar="FILE", help="put the confusion table into this file")
+    arguments = parser.parse_args()
+    if not os.access(arguments.host, os.X_OK):
+        parser.error(f"{arguments.host}: no such program; cmake --build --preset dev makes build/dev/tests/gesture_host")
+    return arguments
+
+
 def main():
-    arguments = sys.argv[1:]
-    table = None
-    if "--table" in arguments:
-        at = arguments.index("--table")
-        table = arguments[at + 1]
-        del arguments[at:at + 2]
-    words = [a for a in arguments[1:] if not a.startswith("-")]
-    loud = 2 if "-vv" in arguments else 1 if "-v" in arguments else 0
+    arguments = asked()
     rows = []
     with written() as own:
         for title, folder in (("starter set", os.path.join(HERE, "starter")), ("families", own)):
-            part = s.score(arguments[0], folder, words[0] if words else None)
+            part = s.score(arguments.host, folder, arguments.word)
             print(title)
-            good, total = s.table(part, loud)
+            good, total = s.table(part, arguments.v)
             print(f"  {good} of {total}")
             rows += part
     good, low = sum(r[1] for r in rows), []
@@ -78,8 +84,8 @@ def main():
             low.append(category)
     text = confusion(rows)
     print(text)
-    if table:
-        put_table(table, text)
+    if arguments.table:
+        put_table(arguments.table, text)
     print(f"{good} of {len(rows)} gestures do what is meant, {100 * good / max(1, len(rows)):.1f} %")
     if low:
         print("too few of: " + ", ".join(low))
