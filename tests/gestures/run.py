@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Do strokes do what is meant? Plays the gestures of starter/ and those that families.py writes through the engine.
 
-Usage: run.py HOST [-v | -vv] [--table FILE] [id or category]
-HOST: build/<tree>/tests/gesture_host. -v: which do not hold, and why; -vv: all. --table: writes the confusion table between
-the marks in FILE. Exit 0 when 95 % of all hold, and of each category of five or more as many as BARS says.
+Exit 0 when 95 % of all hold, and of each category of five or more 80 %.
 """
 import argparse
 import os
@@ -60,7 +58,7 @@ def asked():
     parser.add_argument("host", help="the program made of host.c, for example build/dev/tests/gesture_host")
     parser.add_argument("word", nargs="?", help="an id or a part of a category: these alone")
     parser.add_argument("-v", action="count", default=0, help="those that do not hold, and why; -vv: all")
-    parser.add_argument("--table", metavar="FILE", help="put the confusion table into this file")
+    parser.add_argument("--table", metavar="FILE", help="write the confusion table between the marks of this file")
     arguments = parser.parse_args()
     if not os.access(arguments.host, os.X_OK):
         parser.error(f"{arguments.host}: no such program; cmake --build --preset dev makes build/dev/tests/gesture_host")
