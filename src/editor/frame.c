@@ -5,7 +5,6 @@
 #include "editor/commands/calm.h"
 #include "editor/show/ruler.h"
 #include "editor/tools/levels/state.h"
-#include "editor/tools/sketch/sketching.h"
 #include "editor/tools/modes/guides.h"
 #include <string.h>
 
@@ -110,7 +109,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .selection = c->choice->selection.version,
         .selected = (uint32_t)c->choice->selection.count,
         .layer = (uint32_t)c->choice->layer,
-        .readings = bat_sketching_readings(c) ? bat_sketching_of(c)->again.version : 0,
+        .readings = bat_toolbox_readings(c),
         .levels = bat_leveling_version(c),
         .lost = (uint32_t)bat_losses_total(&c->session->losses),
         .first = bat_first_shown(c)};

@@ -33,10 +33,11 @@ static void word(const bat_context *c, const bat_again *again, int reading, bat_
 }
 
 const char *bat_panel_readings(bat_context *c) {
-    const bat_again *again = &bat_sketching_of(c)->again;
+    const bat_sketching *s = bat_sketching_of(c);
+    const bat_again *again = &s->again;
     bat_text text = {0};
     double at[2] = {0, 0};
-    const bool any = bat_sketching_readings(c);
+    const bool any = bat_sketching_readings(c, s);
     const int count = any && again->count > 1 ? again->count : 0;
     if (any) bat_stage_project(c->stage, again->place, at);
     bat_text_string(&text, "{\"at\":");
@@ -61,7 +62,9 @@ const char *bat_panel_readings(bat_context *c) {
 }
 
 bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
-    return bat_sketching_refit(c, amount, done);
+    return bat_sketching_refit(c, bat_sketching_of(c), amount, done);
 }
 
-bat_status bat_panel_read_as(bat_context *c, int reading) { return bat_sketching_read_as(c, reading); }
+bat_status bat_panel_read_as(bat_context *c, int reading) {
+    return bat_sketching_read_as(c, bat_sketching_of(c), reading);
+}

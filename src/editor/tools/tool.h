@@ -72,6 +72,8 @@ typedef struct bat_tool {
     bat_string (*hint)(const bat_context *c, const void *state);
     bat_cursor (*cursor)(const bat_context *c, const void *state);
     void (*readout)(const bat_context *c, const void *state, bat_readout *out); /* out: all zero before */
+    /* The last step can be read as something else: the number of the readings offered; 0: it cannot. */
+    uint32_t (*readings)(const bat_context *c, const void *state);
     bool (*over)(const bat_context *c, const void *state); /* the pointer is over something of it */
     bool (*hits)(bat_context *c, void *state,
                  const bat_pointer *event); /* a press there would be on something */

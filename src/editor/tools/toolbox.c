@@ -86,6 +86,14 @@ bat_readout bat_toolbox_readout(const bat_context *c) {
     return out;
 }
 
+uint32_t bat_toolbox_readings(const bat_context *c) {
+    const bat_slot *slots = c->toolbox->slots;
+    uint32_t readings = 0;
+    for (int i = 0; i < BAT_SLOTS && !readings; i++)
+        if (slots[i].is->readings) readings = slots[i].is->readings(c, slots[i].state);
+    return readings;
+}
+
 static bool cancel(bat_context *c) {
     const bat_slot *tool = bat_toolbox_tool(c);
     return tool->is->cancel && tool->is->cancel(c, tool->state);

@@ -35,6 +35,8 @@ bool bat_toolbox_busy(
     const bat_context *c); /* the one in force is between down and up, or a panel holds something */
 /* What the tool in force is making; all zero: nothing. */
 bat_readout bat_toolbox_readout(const bat_context *c);
+/* The readings that a tool, chosen or not, offers of the last step (tool.h). */
+uint32_t bat_toolbox_readings(const bat_context *c);
 
 void bat_toolbox_choose(bat_context *c, bat_tool_id id);
 /* The tool in force lets go of whatever is under way or waits for a yes, and of the pointer. */

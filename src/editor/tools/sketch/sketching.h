@@ -61,12 +61,12 @@ typedef struct bat_sketching {
     bat_sketch_report pending_report;
 } bat_sketching;
 
-/* Of the tool. */
+/* Of the tool in this editor. */
 bat_sketching *bat_sketching_of(const bat_context *c);
 /* Whether the last stroke can be read again; takes it as another of its readings (again.h). */
-bool bat_sketching_readings(const bat_context *c);
-bat_status bat_sketching_read_as(bat_context *c, int reading);
+bool bat_sketching_readings(const bat_context *c, const bat_sketching *s);
+bat_status bat_sketching_read_as(bat_context *c, bat_sketching *s, int reading);
 /* Fits it closer or fairer. */
-bat_status bat_sketching_refit(bat_context *c, double amount, bool done);
+bat_status bat_sketching_refit(bat_context *c, bat_sketching *s, double amount, bool done);
 
 #endif

@@ -1,0 +1,188 @@
+/* The pen is down: its samples come in, and what they mean so far is chosen. */
+#include "base/real.h"
+#include "editor/edit/style.h"
+#include "editor/input/samples.h"
+#include "editor/input/stabiliser.h"
+#include "editor/session/notice.h"
+#include "editor/tables/settings.h"
+#include "editor/tools/sketch/parts.h"
+#include "editor/view/stage.h"
+#include <math.h>
+#include <string.h>
+
+static const double TAP = 4; /* px that a tap may travel */
+
+static bat_sketch_options options(const bat_context *c) {
+    double pixel = bat_stage_pixel(c->stage);
+    bat_sketch_options options = bat_sketch_defaults();
+    options.pixel = pixel;
+    options.tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
+    options.width = c->settings->values[BAT_PROPERTY_TRANSITION_WIDTH];
+    options.keep_corners = c->settings->values[BAT_PROPERTY_KEEP_CORNERS] != 0;
+    options.smooth_limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
+    return options;
+}
+
+void bat_sketching_start_smoothing(bat_sketching *s) {
+    if (s->smoothing) return;
+    s->smoothing = true;
+    s->edit.kind = s->pick.object ? BAT_EDIT_SMOOTH : BAT_EDIT_NEW;
+    s->edit.object = s->pick.object;
+    s->edit.curve = s->pick.curve;
+    s->edit.meaning = (bat_sketch_meaning){0};
+    bat_sketching_drop_session(s);
+    s->preview_due = true;
+}
+
+static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
+    bat_samples *samples = &s->edit.samples;
+    double tilt[2] = {event->tilt_x, event->tilt_y}, pixel[2];
+    for (int k = 0; k < 2; k++) /* rounded as the journal keeps it; the pen's own places are already */
+        pixel[k] = s->steady.reach > 0 ? bat_samples_round(s->steady.end[k], 100) : s->steady.end[k];
+    if (samples->count == 0)
+        samples->start = event->time;
+    else if (!memcmp(samples->pixels + 2 * (samples->count - 1), pixel, sizeof pixel))
+        return BAT_OK;
+    double time = bat_samples_round(fmax(event->time - samples->start, 0), 100);
+    if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
+    bat_status status = bat_samples_add(samples, &s->edit.stage, pixel, event->pressure, time, tilt);
+    if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
+    if (status != BAT_OK) return status;
+    s->travelled = fmax(s->travelled,
+                        bat_hypot(event->x - samples->pixels[0], event->y - samples->pixels[1]));
+    s->preview_due = true;
+    return status;
+}
+
+static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
+    bool edge_on = status == BAT_SINGULAR && !s->edit.samples.count;
+    bat_sketching_end_stroke(s);
+    if (edge_on)
+        bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
+    else
+        bat_notice_failure(c, status);
+}
+
+void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *event, bat_pick pick,
+                         bool forced) {
+    double pixel[2] = {event->x, event->y};
+    bat_samples samples = s->edit.samples;
+    samples.count = 0;
+    s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
+                         .stage = *c->stage,
+                         .options = options(c),
+                         .style = bat_styling_new(c),
+                         .samples = samples};
+    if (forced) {
+        s->edit.object = pick.object;
+        s->edit.curve = pick.curve;
+        bool level = bat_meaning_level(c, pick.object, pick.curve, &s->edit.level);
+        s->edit.kind = level ? BAT_EDIT_LEVEL : BAT_EDIT_REDRAW;
+    }
+    s->state = BAT_SKETCHING_DRAWING;
+    s->steady = bat_steady_begin(c->settings->values[BAT_PROPERTY_STABILISER], pixel);
+    s->device = event->device;
+    memcpy(s->hover, pixel, sizeof s->hover);
+    s->pick = pick;
+    s->forced = forced;
+    s->travelled = 0;
+    s->smoothing = s->nothing = false;
+    s->predicted_count = 0;
+    bat_hold_begin(&s->hold, event);
+    if (!s->has_pending) bat_notice(c, BAT_STRING_COUNT);
+    bat_status status = forced ? BAT_OK : bat_meaning_begin(c, &s->meaning, event->device);
+    bat_again_drop(&s->again);
+    if (status == BAT_OK) status = add_sample(s, event);
+    if (status != BAT_OK)
+        give_up(c, s, status);
+    else if (event->modifiers & BAT_ALT)
+        bat_sketching_start_smoothing(s);
+}
+
+void bat_sketching_down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
+    bat_sketching_begin(c, s, event, bat_sketching_pick_at(c, (double[]){event->x, event->y}, event->device),
+                        false);
+}
+
+/* What the stroke means so far. It turns only for a better reading, or it would flicker. */
+static void decide(bat_context *c, bat_sketching *s) {
+    bat_meaning *m = &s->meaning;
+    if (s->forced || s->smoothing) return;
+    bat_status status = bat_meaning_look(c, m, &s->edit.stage, &s->edit.samples, false);
+    if (status != BAT_OK) return; /* too short yet, or no memory: as it was */
+    s->nothing = !m->count;
+    if (s->nothing) return;
+    const bat_reading *shown = NULL;
+    for (int i = 0; i < m->count && !shown; i++)
+        if (bat_meaning_is(m, &m->readings[i], &s->edit)) shown = &m->readings[i];
+    if (!shown || bat_intent_turns(m->intent, &m->readings[0], shown)) {
+        if (shown != &m->readings[0]) bat_sketching_drop_session(s);
+        shown = &m->readings[0];
+    }
+    bat_meaning_apply(c, m, shown, &s->edit);
+}
+
+void bat_sketching_update_stroke(bat_context *c, bat_sketching *s) {
+    if (!s->preview_due || bat_sketching_smooths_nothing(s)) return;
+    decide(c, s);
+    if (s->nothing)
+        bat_sketching_drop_preview(s);
+    else
+        bat_sketching_refresh_preview(c, s);
+}
+
+/* The samples have been replaced: what they mean is found out anew. */
+static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
+    bat_sketching_drop_session(s);
+    s->preview_due = true;
+    s->predicted_count = 0;
+    if (status == BAT_OK) status = bat_meaning_begin(c, &s->meaning, s->device);
+    if (status != BAT_OK) give_up(c, s, status);
+}
+
+/* The pen rests: the stroke so far becomes a figure. */
+static void hold(bat_context *c, bat_sketching *s) {
+    bat_status status = BAT_OK;
+    while (status == BAT_OK && bat_steady_catch_up(&s->steady))
+        status = add_sample(s, &(bat_pointer){.x = s->hover[0], .y = s->hover[1], .time = s->hold.since});
+    if (status == BAT_OK) status = bat_meaning_look(c, &s->meaning, &s->edit.stage, &s->edit.samples, true);
+    if (status == BAT_OK && s->meaning.count)
+        bat_meaning_apply(c, &s->meaning, &s->meaning.readings[0], &s->edit);
+    if (status == BAT_OK) status = bat_hold_take(&s->hold, &s->edit);
+    if (status == BAT_STATE || status == BAT_DOT) return; /* like nothing: it goes on as it is */
+    read_figure(c, s, status);
+    if (s->hold.on) bat_notice(c, bat_hold_word(s->hold.figure.kind));
+}
+
+void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
+    if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
+    if (event->predicted) {
+        double point[2];
+        bat_stage_seen(c->stage, (double[]){event->x, event->y}, point);
+        if (s->predicted_count < sizeof s->predicted / sizeof *s->predicted / 2)
+            memcpy(s->predicted + 2 * s->predicted_count++, point, sizeof point);
+        return;
+    }
+    s->predicted_count = 0;
+    s->hover[0] = event->x; /* where the highlight will be looked for when the stroke has ended */
+    s->hover[1] = event->y;
+    if (s->hold.on) {
+        read_figure(c, s, bat_hold_drag(&s->hold, &s->edit, s->hover));
+        return;
+    }
+    bat_steady_move(&s->steady, s->hover);
+    bat_status status = add_sample(s, event);
+    while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
+        status = add_sample(s, event);
+    if (status != BAT_OK) {
+        give_up(c, s, status);
+        return;
+    }
+    if (event->modifiers & BAT_ALT) bat_sketching_start_smoothing(s);
+    if (s->travelled > TAP && s->has_pending) bat_sketching_drop_pending(s);
+    const double seconds = c->settings->values[BAT_PROPERTY_HOLD_TIME];
+    if (bat_hold_due(&s->hold, event, s->edit.samples.count, seconds) && !s->forced && !s->smoothing)
+        hold(c, s);
+}

@@ -1,0 +1,114 @@
+/* The pen is lifted: what the whole stroke means is carried out. */
+#include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/tools/sketch/parts.h"
+
+/* The curve that the stroke is fitted by as it is, or as a level of it. */
+static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
+    bat_sketch_live *live = NULL;
+    if (s->edit.kind == BAT_EDIT_SMOOTH || s->forced) {
+        bat_status status = s->edit.kind == BAT_EDIT_LEVEL ? BAT_OK : bat_sketching_feed(c, s);
+        if (status != BAT_OK) return status;
+        live = s->live;
+        s->live = NULL;
+    }
+    return bat_edit_compute(c, &s->edit, live, curve, report);
+}
+
+/* Carries out what the whole stroke means, or the next reading where that cannot be done. Too far for a
+ * redraw: a new curve. */
+static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report,
+                       bool *strayed) {
+    bat_edit *edit = &s->edit;
+    bat_status status = BAT_OK;
+    int tried = 0;
+    if (!s->forced && !s->smoothing) {
+        status = bat_meaning_look(c, &s->meaning, &edit->stage, &edit->samples, true);
+        if (status != BAT_OK && status != BAT_DOT) return status;
+        s->nothing = status == BAT_OK && !s->meaning.count;
+        if (status == BAT_DOT) s->meaning.count = 0;
+        if (s->nothing) return BAT_STATE;
+    }
+    do {
+        if (tried < s->meaning.count && !s->smoothing)
+            bat_meaning_apply(c, &s->meaning, &s->meaning.readings[tried], edit);
+        status = compute(c, s, curve, report);
+        if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
+            edit->kind = BAT_EDIT_NEW;
+            *strayed = true;
+            return bat_edit_compute(c, edit, NULL, curve, report);
+        }
+    } while (status != BAT_OK && status != BAT_TOLERANCE && status != BAT_MEMORY && status != BAT_DOT &&
+             status != BAT_STATE && ++tried < s->meaning.count);
+    return status;
+}
+
+/* One of several careless strokes over a line: the line is what all of them mean. */
+static bool converge(bat_context *c, bat_sketching *s) {
+    bat_curve *curve = NULL;
+    if (s->forced || s->smoothing || s->hold.on) return false;
+    if (bat_hairs_join(c, &s->hairs, &s->edit, &curve) != BAT_OK) return false;
+    bat_status status = bat_commit_curve(c, s->edit.object, s->edit.curve, curve, BAT_STRING_STEP_CONVERGE);
+    if (status == BAT_OK) bat_hairs_note(c, &s->hairs, &s->edit, true);
+    if (status == BAT_OK)
+        bat_notice(c, BAT_STRING_COUNT);
+    else
+        bat_notice_failure(c, status);
+    return true;
+}
+
+/* Commits the curve, and keeps what else the stroke could mean. */
+static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
+                   bool strayed) {
+    bool closed = bat_curve_is_closed(curve), choice = !s->forced && !s->smoothing;
+    if (choice) bat_again_gather(c, &s->meaning, &s->edit, &s->again);
+    bat_status status = bat_edit_commit(c, &s->edit, curve);
+    if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+        return;
+    }
+    bat_sketching_say_done(c, &s->edit, report, strayed, closed);
+    if (s->hold.on)
+        s->hairs.count = 0; /* a figure is not careless */
+    else
+        bat_hairs_note(c, &s->hairs, &s->edit, false);
+    if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
+}
+
+void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_sketching *s = state;
+    if (s->state != BAT_SKETCHING_DRAWING) return;
+    if (s->has_pending) { /* not dropped by a stroke, so this was a tap */
+        bat_sketching_accept(c, s);
+        return;
+    }
+    if (bat_sketching_smooths_nothing(s)) {
+        bat_sketching_end_stroke(s);
+        bat_notice(c, BAT_STRING_NOTICE_NOTHING_TO_SMOOTH);
+        return;
+    }
+    (void)event;
+    bat_curve *curve = NULL;
+    bat_sketch_report report;
+    bool strayed = false;
+    bat_status status = make(c, s, &curve, &report, &strayed);
+    if (status == BAT_OK || status == BAT_TOLERANCE) {
+        if (s->edit.kind == BAT_EDIT_NEW) {
+            s->edit.object = bat_document_new_id(c->session->document);
+            bat_arrange_place(c, &s->edit.parent);
+        }
+        if (converge(c, s)) {
+            bat_curve_free(curve);
+        } else if (status == BAT_TOLERANCE) {
+            bat_sketching_keep_pending(s, curve, &report);
+            bat_notice(c, BAT_STRING_NOTICE_PENDING);
+        } else {
+            commit(c, s, curve, &report, strayed);
+        }
+    } else {
+        bat_sketching_say_failed(c, s, status);
+    }
+    bat_sketching_end_stroke(s);
+}

@@ -1,0 +1,71 @@
+/* The pen above the drawing: what a stroke that began there would redraw. */
+#include "editor/edit/curves_of.h"
+#include "editor/input/contacts.h"
+#include "editor/scene/path.h"
+#include "editor/scene/scene.h"
+#include "editor/scene/seen.h"
+#include "editor/session/session.h"
+#include "editor/tools/sketch/parts.h"
+#include "editor/view/stage.h"
+
+static const double REACH = 12, REACH_TOUCH = 24; /* px from the pen to a curve that it means */
+static const float HIGHLIGHT_WIDTH = 3;
+
+static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
+
+bat_pick bat_sketching_pick_at(bat_context *c, const double pixel[2], bat_device device) {
+    double point[2];
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, point);
+    return bat_pick_curve(c->scene, bat_stage_dimension(c->stage), point,
+                          reach(device) * bat_stage_pixel(c->stage));
+}
+
+void bat_sketching_hover(bat_context *c, void *state, const bat_pointer *event) {
+    (void)c;
+    bat_sketching *s = state;
+    s->hovering = s->hover_changed = true;
+    s->device = event->device;
+    s->hover[0] = event->x;
+    s->hover[1] = event->y;
+}
+
+void bat_sketching_leave(bat_context *c, void *state) {
+    (void)c;
+    bat_sketching *s = state;
+    s->hovering = false;
+    if (s->state != BAT_SKETCHING_DRAWING) s->pick = (bat_pick){0};
+}
+
+void bat_sketching_look(bat_context *c, bat_sketching *s) {
+    const bat_stage *stage = c->stage;
+    if (s->pick_revision == c->session->revision && bat_stage_same(stage, &s->pick_stage) &&
+        !s->hover_changed)
+        return;
+    s->pick = s->hovering ? bat_sketching_pick_at(c, s->hover, s->device) : (bat_pick){0};
+    s->pick_revision = c->session->revision;
+    s->pick_stage = *stage;
+    s->hover_changed = false;
+}
+
+void bat_sketching_highlight(const bat_context *c, bat_overlay *overlay, int dimension, bat_id object,
+                             int curve) {
+    const bat_curve *target = bat_edit_target_in(c->session->document, dimension, object, curve);
+    if (!target) return;
+    bat_overlay_item(overlay, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, HIGHLIGHT_WIDTH);
+    bat_path_curve(&overlay->path, target);
+}
+
+bat_cursor bat_sketching_cursor(const bat_context *c, const void *state) {
+    (void)c;
+    const bat_sketching *s = state;
+    return s->pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
+}
+
+/* What would be redrawn. */
+bool bat_sketching_focus(const bat_context *c, const void *state, bat_focus *out) {
+    const bat_sketching *s = state;
+    (void)c;
+    *out = (bat_focus){.object = s->pick.object, .curve = s->pick.curve};
+    return s->pick.object != 0;
+}

@@ -1,0 +1,70 @@
+/* What the stroke so far would make: its samples are fitted while the pen is down, once a frame. */
+#include "editor/edit/curves_of.h"
+#include "editor/input/samples.h"
+#include "editor/session/session.h"
+#include "editor/tools/sketch/parts.h"
+#include "editor/view/stage.h"
+#include <stdlib.h>
+#include <string.h>
+
+bool bat_sketching_one_changes(const bat_edit *edit) {
+    return edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND || edit->kind == BAT_EDIT_SMOOTH ||
+           edit->kind == BAT_EDIT_LEVEL;
+}
+
+bat_status bat_sketching_feed(bat_context *c, bat_sketching *s) {
+    if (!s->live) {
+        bat_sketch_kind kind = s->edit.kind == BAT_EDIT_SMOOTH       ? BAT_SKETCH_SMOOTH
+                               : bat_sketching_one_changes(&s->edit) ? BAT_SKETCH_REDRAW
+                                                                     : BAT_SKETCH_NEW;
+        const bat_curve *target = NULL;
+        if (kind != BAT_SKETCH_NEW)
+            target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
+        if (kind != BAT_SKETCH_NEW && !target) return BAT_STATE;
+        s->fed = 0;
+        bat_status status = bat_sketch_live_begin(target, bat_stage_dimension(&s->edit.stage), kind,
+                                                  &s->edit.options, &s->live);
+        if (status != BAT_OK) return status;
+    }
+    if (s->edit.kind != BAT_EDIT_SMOOTH) bat_sketch_mean(s->live, &s->edit.meaning);
+    if (s->fed == s->edit.samples.count) return BAT_OK;
+    bat_stroke more = bat_samples_stroke(&s->edit.samples, s->fed);
+    bat_status status = bat_sketch_live_add(s->live, &more);
+    if (status == BAT_OK) s->fed = s->edit.samples.count;
+    return status;
+}
+
+/* The points before and after the stroke proper: where the fit blends into the old curve; x y of them. */
+static void keep_blends(bat_sketching_preview *preview, int dimension, const bat_sketch_live_info *info) {
+    if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
+        return;
+    size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
+    double *blends = malloc((counts[0] + counts[1]) * 2 * sizeof *blends);
+    if (!blends) return; /* only a picture */
+    for (size_t i = 0; i < counts[0] + counts[1]; i++) {
+        size_t at = i < counts[0] ? i : info->stroke_last + i - counts[0];
+        memcpy(blends + 2 * i, info->target + at * (size_t)dimension, 2 * sizeof *blends);
+    }
+    preview->blends = blends;
+    memcpy(preview->blend_counts, counts, sizeof counts);
+}
+
+void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
+    s->preview_due = false;
+    bat_sketching_drop_preview(s);
+    bat_sketch_live_info info = {0};
+    bat_curve *curve = NULL;
+    bat_status status;
+    if (s->edit.kind == BAT_EDIT_LEVEL) {
+        status = bat_edit_compute(c, &s->edit, NULL, &curve, &info.report);
+    } else {
+        status = bat_sketching_feed(c, s);
+        if (status == BAT_OK) status = bat_sketch_live_preview(s->live, &curve, &info);
+    }
+    s->preview.status = status;
+    if (status != BAT_OK && status != BAT_TOLERANCE) return;
+    s->preview.curve = curve;
+    s->preview.report = info.report;
+    if (curve && bat_sketching_one_changes(&s->edit))
+        keep_blends(&s->preview, bat_stage_dimension(&s->edit.stage), &info);
+}

@@ -1,0 +1,129 @@
+/* A stroke as it is shown: the ink, the fit, and what of the old curve goes. */
+#include "base/vec.h"
+#include "editor/edit/curves_of.h"
+#include "editor/scene/path.h"
+#include "editor/session/session.h"
+#include "editor/tables/settings.h"
+#include "editor/tools/sketch/parts.h"
+#include "editor/view/stage.h"
+#include <math.h>
+#include <string.h>
+
+static const float FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
+static const double KNOT_RADIUS = 3.5; /* px */
+static const double SURE_AFTER = 20,
+                    SURE = 0.1; /* px; how much cheaper the best reading is, per pixel of stroke */
+
+/* Marks on the knots strictly inside u0..u1, in whichever period they lie. */
+static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, double u1, double radius) {
+    const double *knots = bat_curve_knots(curve);
+    int count = bat_curve_knot_count(curve), marks = 0;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    double period = domain[1] - domain[0];
+    bool closed = bat_curve_is_closed(curve);
+    for (int i = 0; i < count && marks < 2000; i++) {
+        if (i && knots[i] == knots[i - 1]) continue;
+        for (int k = closed ? -1 : 0; k <= (closed ? 1 : 0); k++) {
+            double u = knots[i] + k * period, point[BAT_DIMENSION_MAX];
+            if (!(u > u0 && u < u1) || (closed && i == count - 1)) continue;
+            bat_curve_eval(curve, u, 0, point);
+            bat_overlay_mark(overlay, point, radius);
+            marks++;
+        }
+    }
+}
+
+/* The fit: what is new of it, or all of a new curve; its knots where knots are asked for. */
+static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, const bat_curve *curve,
+                     const bat_sketch_report *report, bool whole) {
+    double range[2];
+    bat_curve_domain(curve, range);
+    if (!whole && report->changed_new[0] < report->changed_new[1])
+        memcpy(range, report->changed_new, sizeof range);
+    bat_overlay_item(overlay, role, BAT_ITEM_STROKED, FIT_WIDTH);
+    bat_overlay_stretch(overlay, curve, range[0], range[1]);
+    if (c->settings->values[BAT_PROPERTY_SHOW_KNOTS] == 0) return;
+    bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
+    mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_stage_pixel(c->stage));
+}
+
+/* The stretch fades the old line, so it has to be as wide. */
+static float stretch_width(const bat_context *c, bat_id id) {
+    const bat_object *object = bat_document_at(c->session->document,
+                                               bat_document_find(c->session->document, id));
+    double width = object ? bat_object_style(object)->width * bat_stage_scale(c->stage) : 0;
+    return fmaxf(STRETCH_WIDTH, (float)fmin(width + 2, BAT_PIXELS_MAX));
+}
+
+static void show_stretch(const bat_context *c, bat_overlay *overlay, const bat_edit *edit,
+                         const bat_sketch_report *report) {
+    const bat_curve *target = bat_edit_curve(c->session->document, edit, edit->object, edit->curve);
+    if (!target || !(report->changed[0] < report->changed[1])) return;
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
+    bat_overlay_stretch(overlay, target, report->changed[0], report->changed[1]);
+}
+
+/* Whether the meaning is sure; a new line needs no more. Until then the ink and the fit are both shown as
+ * they might become. */
+static bool sure(const bat_sketching *s) {
+    const bat_meaning *m = &s->meaning;
+    if (s->forced || s->smoothing || s->edit.kind == BAT_EDIT_NEW || m->count < 2) return true;
+    const double length = bat_intent_length(m->intent);
+    return length >= SURE_AFTER && m->readings[1].cost - m->readings[0].cost >= SURE * length;
+}
+
+void bat_sketching_show_stroke(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+    const bat_sketching_preview *preview = &s->preview;
+    const bat_samples *samples = &s->edit.samples;
+    const bat_curve *target = NULL;
+    const int dimension = bat_stage_dimension(&s->edit.stage);
+    if (bat_sketching_one_changes(&s->edit))
+        target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
+    if (s->edit.kind != BAT_EDIT_NEW && (!target || !preview->curve))
+        bat_sketching_highlight(c, overlay, dimension, s->edit.object, s->edit.curve);
+    if (s->edit.kind == BAT_EDIT_JOIN)
+        bat_sketching_highlight(c, overlay, dimension, s->edit.other, s->edit.other_curve);
+    for (int i = 1; i < s->edit.part_count; i++)
+        bat_sketching_highlight(c, overlay, dimension, s->edit.part[i].object, s->edit.part[i].curve);
+    if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
+    bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
+    bat_overlay_polyline(overlay, samples->count, samples->points);
+    if (preview->blends) {
+        bat_overlay_item(overlay, BAT_ROLE_TRANSITION, BAT_ITEM_STROKED, FIT_WIDTH);
+        bat_overlay_polyline(overlay, preview->blend_counts[0], preview->blends);
+        bat_overlay_polyline(overlay, preview->blend_counts[1],
+                             preview->blends + 2 * preview->blend_counts[0]);
+    }
+    if (preview->curve)
+        show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
+                 !bat_sketching_one_changes(&s->edit));
+    if ((s->predicted_count || s->steady.reach > 0) &&
+        samples->count) { /* from the ink through the pen to the predicted places */
+        double pen[2];
+        bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
+        const double *last = samples->points + 2 * (samples->count - 1);
+        bat_path_move(&overlay->path, last[0], last[1]);
+        bat_stage_seen(c->stage, s->hover, pen);
+        bat_path_line(&overlay->path, pen[0], pen[1]);
+        for (size_t i = 0; i < s->predicted_count; i++)
+            bat_path_line(&overlay->path, s->predicted[2 * i], s->predicted[2 * i + 1]);
+    }
+}
+
+void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+    const bat_edit *edit = &s->again.edit[s->again.at];
+    const bat_curve *now = bat_edit_target(c->session->document, edit->object, edit->curve);
+    if (!now) return;
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
+    bat_path_curve(&overlay->path, now);
+    show_fit(c, overlay, BAT_ROLE_FIT, s->again.fit, NULL, true);
+}
+
+/* The fit that waits for a yes. */
+void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+    const bat_edit *edit = &s->pending;
+    bool whole = !bat_sketching_one_changes(edit);
+    if (!whole) show_stretch(c, overlay, edit, &s->pending_report);
+    show_fit(c, overlay, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole);
+}
