@@ -1,0 +1,90 @@
+/* The walk through the elements of a drawing: each kind is drawn in its own way. */
+#include "base/matrix.h"
+#include "document/document.h"
+#include "format/svg/svg.h"
+#include "format/svg/walk.h"
+
+#include <string.h>
+
+static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    static bat_svg_way *const ways[BAT_SVG_NEVER] = {
+        [BAT_SVG_GROUP] = bat_svg_draw_group, [BAT_SVG_SWITCH] = bat_svg_draw_switch,
+        [BAT_SVG_ROOT] = bat_svg_draw_nested, [BAT_SVG_USE] = bat_svg_draw_use,
+        [BAT_SVG_SHAPE] = bat_svg_draw_shape, [BAT_SVG_IMAGE] = bat_svg_draw_image};
+    const long before = w->put;
+    const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    if (ways[kind]) ways[kind](w, element, s);
+    if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
+}
+
+static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) {
+    bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_SYMBOL || kind >= BAT_SVG_NEVER) {
+        bat_svg_note_undrawn(&w->notes, element);
+        return;
+    }
+    if (++w->drawn > BAT_SVG_DRAWN_MAX || w->tried > BAT_SVG_TRIED_MAX) {
+        w->status = BAT_COUNT;
+        return;
+    }
+    bat_svg_scope s = *outer;
+    bat_svg_cascade(w, element, outer, &s.style);
+    bool shown = s.style.shown;
+    /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
+    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
+        bool copied = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER;
+        bat_loss loss = (bat_loss)w->tree->elements[element].loss;
+        bat_svg_note(&w->notes, element, copied ? BAT_LOSS_INVISIBLE : loss);
+        return;
+    }
+    bat_svg_note_element(w, element);
+    if (w->depth == BAT_SVG_DEPTH) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+        return;
+    }
+    s.opacity = outer->opacity * s.style.opacity;
+    const char *transform = bat_svg_attribute_of(w, element, "transform");
+    double m[6];
+    if (transform) {
+        if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+        bat_matrix_compose(outer->matrix, m, s.matrix);
+    }
+    if (kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER) bat_svg_note_own_style(w, element, &s.style);
+    w->active[w->depth++] = element;
+    w->unseen += !shown;
+    draw_kind(w, element, &s);
+    w->unseen -= !shown;
+    w->depth--;
+}
+
+/* User units are those of the outermost viewBox, and it is the page; without one, width and height are. */
+void bat_svg_draw_root(bat_svg_walk *w) {
+    w->draw = draw;
+    bat_svg_scope none = {.style = bat_svg_style_initial(), .opacity = 1, .width = 100, .height = 100};
+    bat_matrix_identity(none.matrix);
+    double page[4] = {0};
+    const char *box = bat_svg_attribute_of(w, 1, "viewBox"),
+               *transform = bat_svg_attribute_of(w, 1, "transform");
+    if (!box || !bat_svg_view_box(box, page)) {
+        page[0] = page[1] = 0;
+        page[2] = bat_svg_length_of(w, 1, "width", 0, 0), page[3] = bat_svg_length_of(w, 1, "height", 0, 0);
+    }
+    if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
+    if (page[2] > 0) none.width = page[2], none.height = page[3];
+    bat_document_set_page(w->document, page);
+    bat_svg_scope s = none;
+    bat_svg_cascade(w, 1, &none, &s.style);
+    s.opacity = s.style.opacity;
+    if (transform && !bat_svg_transform(transform, s.matrix)) bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN);
+    bat_svg_note_element(w, 1);
+    bat_svg_note_own_style(w, 1, &s.style);
+    bat_svg_note_page(&w->notes, page);
+    if (!s.style.shown) {
+        bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
+        return;
+    }
+    w->active[w->depth++] = 1;
+    bat_svg_draw_children(w, 1, &s);
+    w->depth--;
+    if (s.opacity < 1 && w->put > 1) bat_svg_note(&w->notes, 1, BAT_LOSS_OPACITY);
+}

@@ -1,0 +1,63 @@
+/* Groups, layers, and the child that a switch chooses. */
+#include "document/document.h"
+#include "document/kind.h"
+#include "document/nesting.h"
+#include "format/svg/walk.h"
+
+#include <string.h>
+
+/* A group of the file becomes one of the document when it is a layer, has a name, hides or locks something, or
+ * holds more than one thing together; the rest only carried a transform or a style. */
+void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
+    bat_object *group = NULL;
+    const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
+    bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_is(outer, BAT_LAYER));
+    if (w->groups == BAT_NESTING_MAX) {
+        bat_svg_draw_children(w, element, s);
+        return;
+    }
+    bat_id above = w->group, own = bat_document_new_id(w->document);
+    int index = bat_document_count(w->document), members = w->members + 1;
+    bat_status status = bat_object_create_group(own, bat_svg_find_name(w, element), layer, &group);
+    if (status != BAT_OK) {
+        w->status = status;
+        return;
+    }
+    bat_svg_put_object(w, element, s->style.shown, group);
+    if (w->status != BAT_OK) return;
+    w->group = own;
+    w->members = 0;
+    w->groups++;
+    bat_svg_draw_children(w, element, s);
+    w->groups--;
+    w->group = above;
+    const bat_object *made = bat_document_at(w->document, index);
+    bool plain = !layer && !*bat_object_name(made) && !bat_object_is_hidden(made) &&
+                 !bat_object_is_locked(made);
+    if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
+        members = members - 1 + w->members;
+        bat_document_remove(w->document, index);
+        bat_object *moved = NULL;
+        if (w->members == 1) {
+            w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
+            if (moved) bat_document_replace(w->document, index, moved);
+            bat_object_release(moved);
+        }
+    }
+    w->members = members;
+}
+
+/* The first child that can be drawn: no foreign content, no extensions asked for. */
+void bat_svg_draw_switch(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
+        bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;
+        const char *language = bat_svg_attribute_of(w, at, "systemLanguage");
+        if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_OTHER || kind >= BAT_SVG_NEVER) continue;
+        if (bat_svg_attribute_of(w, at, "requiredExtensions") ||
+            (language && strncmp(language, "en", 2) != 0))
+            continue;
+        w->draw(w, at, s);
+        return;
+    }
+}

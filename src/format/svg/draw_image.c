@@ -1,0 +1,55 @@
+/* An image whose picture is in the file becomes an image object. */
+#include "base/matrix.h"
+#include "document/document.h"
+#include "format/svg/digest.h"
+#include "format/svg/svg.h"
+#include "format/svg/walk.h"
+#include "text/base64.h"
+
+#include <string.h>
+
+/* The picture of a data URI; NULL when it is none, or must be left out. */
+static bat_picture *find_picture(bat_svg_walk *w, uint32_t element) {
+    const char *href = bat_svg_find_href(w, element);
+    const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
+    bat_picture *picture = NULL;
+    if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
+    bat_status status = bat_picture_from_base64(data + 1, strlen(data + 1), &picture);
+    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
+    if (status == BAT_MEMORY) w->status = status;
+    if (status == BAT_OK) return picture;
+    bat_picture_release(picture);
+    return NULL;
+}
+
+void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
+    bat_object *object = NULL;
+    if (!picture) {
+        bat_svg_note(&w->notes, element, s->style.visible ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
+        return;
+    }
+    bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_IMAGE_HINT));
+    double box[4] = {0}, m[6], matrix[6];
+    bat_picture_sides(picture, box + 2);
+    double width = bat_svg_length_of(w, element, "width", s->width, -1);
+    double height = bat_svg_length_of(w, element, "height", s->height, -1);
+    if (width < 0) width = height < 0 ? box[2] : height * box[2] / box[3];
+    if (height < 0) height = width * box[3] / box[2];
+    const char *ratio = bat_svg_attribute_of(w, element, "preserveAspectRatio");
+    if (ratio && strstr(ratio, "slice")) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
+    bat_svg_fit(box, bat_svg_length_of(w, element, "x", s->width, 0),
+                bat_svg_length_of(w, element, "y", s->height, 0), width, height, ratio, m);
+    bat_matrix_compose(s->matrix, m, matrix);
+    bat_status status = bat_object_create_image(bat_document_new_id(w->document),
+                                                bat_svg_find_name(w, element), picture, matrix, s->opacity,
+                                                &object);
+    if (status == BAT_OK) {
+        if (!w->unseen)
+            w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
+        bat_svg_put_object(w, element, s->style.shown, object);
+    } else
+        bat_svg_note(&w->notes, element, BAT_LOSS_IMAGE);
+    if (status == BAT_MEMORY) w->status = status;
+    bat_picture_release(picture);
+}

@@ -1,0 +1,120 @@
+/* A shape becomes a path object: one curve for each of its subpaths. */
+#include "document/document.h"
+#include "format/svg/digest.h"
+#include "format/svg/svg.h"
+#include "format/svg/walk.h"
+
+#include <batten/bezier.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+static void count_paths(bat_svg_report *report, int curves) {
+    report->paths++;
+    report->curves += curves;
+}
+
+/* What a point may be off is nothing to a large path and much to a small one. */
+static double tolerance_for(const bat_svg_options *options, int segments, const double *points) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    if (!(options->share > 0)) return options->tolerance;
+    for (size_t i = 0; i < 2 * (3 * (size_t)segments + 1); i++) {
+        low[i % 2] = fmin(low[i % 2], points[i]);
+        high[i % 2] = fmax(high[i % 2], points[i]);
+    }
+    return fmin(options->tolerance, options->share * fmax(high[0] - low[0], high[1] - low[1]));
+}
+
+/* One curve for each subpath that has any length. */
+static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
+    const bat_outline *o = &w->outline;
+    int count = 0;
+    for (int i = 0; i < o->subpath_count && w->status == BAT_OK; i++) {
+        const bat_subpath *path = &o->subpaths[i];
+        const double *points = o->points + 2 * path->first;
+        bool moves = false, good = true;
+        for (size_t k = 0; k < 2 * (3 * (size_t)path->segments + 1); k++) {
+            good = good && fabs(points[k]) <= BAT_COORDINATE_MAX;
+            moves = moves || points[k] != points[k % 2];
+        }
+        if (good && !moves) {
+            bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
+            bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT);
+            continue;
+        }
+        double error;
+        bat_status status = BAT_NUMBER;
+        if (good)
+            status = bat_curve_from_bezier(2, 3, path->closed, path->segments, points, w->options->corner,
+                                           tolerance_for(w->options, path->segments, points), &curves[count],
+                                           &error);
+        if (status == BAT_MEMORY)
+            w->status = status;
+        else if (status == BAT_OK || status == BAT_TOLERANCE)
+            count++;
+        else
+            bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    }
+    return count;
+}
+
+static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_style *style) {
+    const char *name = bat_svg_find_name(w, element);
+    bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
+    if (!curves) {
+        w->status = BAT_MEMORY;
+        return;
+    }
+    int count = make_curves(w, element, style, curves);
+    bat_object *object = NULL;
+    bat_status status = w->status;
+    if (status == BAT_OK && count > 0)
+        status = bat_object_create_path(bat_document_new_id(w->document), name, style, count, curves,
+                                        &object);
+    else
+        for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
+    if (object) {
+        bat_svg_put_object(w, element, shown, object);
+        if (w->unseen)
+            w->report->hidden++;
+        else
+            count_paths(w->report, count);
+    } else if (count > 0 && status != BAT_OK) { /* a stroke width out of all bounds */
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    }
+    if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
+    free(curves);
+}
+
+typedef struct element_of {
+    const bat_svg_tree *tree;
+    uint32_t element;
+} element_of;
+
+static const char *shape_attribute(const void *element, const char *name) {
+    const element_of *e = element;
+    return bat_svg_tree_attribute(e->tree, e->element, name);
+}
+
+void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    if (!s->style.visible) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
+        return;
+    }
+    element_of holder = {w->tree, element};
+    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_outline_clear(&w->outline);
+    if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
+    if (w->outline.subpath_count == 0 || w->status != BAT_OK) return;
+    bat_outline_transform(&w->outline, s->matrix);
+    bat_style style = bat_svg_resolve_style(w, element, s);
+    if (!style.stroked && !style.filled) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
+        return;
+    }
+    bat_svg_note_style(w, element, s, &style);
+    if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style);
+    add_object(w, element, s->style.shown, &style);
+}

@@ -1,0 +1,63 @@
+/* What another place or a viewport of its own draws: use, symbols, nested svg elements. */
+#include "base/matrix.h"
+#include "format/svg/svg.h"
+#include "format/svg/walk.h"
+
+/* A nested svg, or a symbol drawn by use: a viewport with its own units. sizer: whose width and height count.
+ */
+static void draw_viewport(bat_svg_walk *w, uint32_t element, uint32_t sizer, double x, double y,
+                          const bat_svg_scope *s) {
+    bat_svg_scope inner = *s;
+    const char *text = bat_svg_attribute_of(w, element, "viewBox");
+    double width = bat_svg_length_of(w, element, "width", s->width, s->width), box[4], m[6];
+    double height = bat_svg_length_of(w, element, "height", s->height, s->height);
+    width = bat_svg_length_of(w, sizer, "width", s->width, width);
+    height = bat_svg_length_of(w, sizer, "height", s->height, height);
+    if (!(width > 0 && height > 0)) return;
+    if (text && bat_svg_view_box(text, box)) {
+        if (box[2] == 0 || box[3] == 0) return;
+        bat_svg_fit(box, x, y, width, height, bat_svg_attribute_of(w, element, "preserveAspectRatio"), m);
+        inner.width = box[2], inner.height = box[3];
+    } else {
+        bat_matrix_identity(m);
+        m[4] = x, m[5] = y;
+        inner.width = width, inner.height = height;
+    }
+    bat_matrix_compose(s->matrix, m, inner.matrix);
+    bat_svg_draw_children(w, element, &inner);
+}
+
+/* An svg within the svg. */
+void bat_svg_draw_nested(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    draw_viewport(w, element, element, bat_svg_length_of(w, element, "x", s->width, 0),
+                  bat_svg_length_of(w, element, "y", s->height, 0), s);
+}
+
+void bat_svg_draw_use(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    const char *href = bat_svg_find_href(w, element);
+    uint32_t target = href && href[0] == '#' ? bat_svg_tree_find(w->tree, href + 1) : 0;
+    for (int i = 0; i < w->depth; i++)
+        if (w->active[i] == target) target = 0; /* it would draw itself */
+    if (!target) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+        return;
+    }
+    double x = bat_svg_length_of(w, element, "x", s->width, 0),
+           y = bat_svg_length_of(w, element, "y", s->height, 0);
+    double m[6] = {1, 0, 0, 1, x, y};
+    bat_svg_scope inner = *s;
+    bat_matrix_compose(s->matrix, m, inner.matrix);
+    bat_svg_kind kind = (bat_svg_kind)w->tree->elements[target].kind;
+    if (kind != BAT_SVG_SYMBOL && kind != BAT_SVG_ROOT) {
+        w->draw(w, target, &inner);
+        return;
+    }
+    if (w->depth == BAT_SVG_DEPTH) return;
+    bat_svg_scope own = inner;
+    bat_svg_cascade(w, target, &inner, &own.style);
+    bat_svg_note_own_style(w, target, &own.style);
+    own.opacity = inner.opacity * own.style.opacity;
+    w->active[w->depth++] = target;
+    if (own.style.shown) draw_viewport(w, target, element, 0, 0, &own);
+    w->depth--;
+}

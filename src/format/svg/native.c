@@ -1,0 +1,43 @@
+/* The native document that an SVG file carries. */
+#include "document/digest.h"
+#include "document/document.h"
+#include "format/native/native.h"
+#include "format/svg/digest.h"
+#include "format/svg/reader.h"
+
+#include <string.h>
+
+void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,
+                        bat_document **document, bat_svg_report *report) {
+    if (!reader->native_element) return;
+    const char *noted = bat_svg_tree_attribute(&reader->tree, reader->native_element, "digest");
+    char own[17];
+    bat_digest_print(digest, own);
+    bat_document *native = NULL;
+    report->edited = true;
+    report->lost.count[BAT_LOSS_NATIVE] = 1;
+    if (!noted || strcmp(noted, own) != 0) return;
+    bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
+                                               reader->native.size, pictures, &native, NULL);
+    if (status != BAT_OK) return;
+    /* The page may have been changed alone. */
+    double page[4], written[4];
+    bat_document_page(*document, page);
+    bat_svg_page(native, written);
+    if (memcmp(page, written, sizeof page) != 0) bat_document_set_page(native, page);
+    report->edited = false;
+    report->native = true;
+    report->lost.count[BAT_LOSS_NATIVE] = 0;
+    report->paths = report->curves = 0;
+    int *invisible = &report->lost.count[BAT_LOSS_INVISIBLE];
+    for (int i = 0; i < bat_document_count(native); i++) {
+        const bat_object *object = bat_document_at(native, i);
+        const bat_style *style = bat_object_style(object);
+        report->paths += bat_object_is_drawn(object);
+        report->curves += bat_object_curve_count(object);
+        /* What paints nothing is not read from the drawing, but it is here. */
+        if (bat_object_is_drawn(object) && !style->stroked && !style->filled && *invisible > 0) --*invisible;
+    }
+    bat_document_free(*document);
+    *document = native;
+}

@@ -1,0 +1,56 @@
+/* What is lost of an element that is drawn. */
+#include "format/svg/walk.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What of an element is lost, apart from its style. */
+void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data, *name = bat_svg_tree_name(w->tree, element);
+    if (!bat_svg_note_once(&w->notes, element)) return;
+    bat_svg_note(&w->notes, element, (bat_loss)e->loss);
+    if (e->kind == BAT_SVG_ROOT && element != 1) bat_svg_note(&w->notes, element, BAT_LOSS_NESTED);
+    if (e->kind == BAT_SVG_TEXT || e->kind == BAT_SVG_OTHER) return; /* as a whole */
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        bat_svg_name what = bat_svg_name_of(strings + pair[0]);
+        if (what > BAT_SVG_IDLE)
+            bat_svg_note(&w->notes, element, bat_svg_attribute_loss(what, strings + pair[0]));
+        if (strcmp(name, "a") == 0 && strstr(strings + pair[0], "href"))
+            bat_svg_note(&w->notes, element, BAT_LOSS_LINK);
+    }
+    if (e->kind != BAT_SVG_ROOT && e->kind != BAT_SVG_GROUP && e->kind != BAT_SVG_SWITCH)
+        bat_svg_note_inside(&w->notes, element);
+}
+
+/* What of a style is lost where it stands, and is not handed down. */
+void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style) {
+    bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | BAT_SVG_BIT(BAT_SVG_EFFECT)));
+}
+
+/* A circle stays a circle. */
+static bool is_even(const double m[6]) {
+    double x = m[0] * m[0] + m[1] * m[1], y = m[2] * m[2] + m[3] * m[3], xy = m[0] * m[2] + m[1] * m[3];
+    return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
+}
+
+/* What of a shape's style is lost, of that which shows. */
+void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const bat_style *style) {
+    const char *name = bat_svg_tree_name(w->tree, element);
+    uint32_t markers = BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
+                       BAT_SVG_BIT(BAT_SVG_MARKER_END);
+    uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~BAT_SVG_BIT(BAT_SVG_IMAGE_HINT);
+    if (style->stroked)
+        mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
+    else
+        mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
+    bool line = name[0] == 'p' || strcmp(name, "line") == 0; /* path, polyline, polygon */
+    if (!line) mask &= ~markers;
+    if (!style->stroked || !style->filled) {
+        if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
+    }
+    bat_svg_note_odd(&w->notes, element, odd, mask);
+    bool fixed = odd & BAT_SVG_BIT(BAT_SVG_EFFECT);
+    if (style->stroked && !fixed && !is_even(s->matrix)) bat_svg_note(&w->notes, element, BAT_LOSS_UNEVEN);
+}
