@@ -1,4 +1,5 @@
 /* The frame: what the host paints and says. */
+#include "editor/show/axis.h"
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/editor.h"
@@ -61,6 +62,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_overlay_begin(overlay, c->scene->origin);
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
+    if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
     show_selection(c, overlay);
     bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);

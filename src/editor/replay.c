@@ -100,7 +100,7 @@ static uint32_t bits(const bat_json *json, const char *name) {
     return value >= 0 && value <= 4294967295.0 ? (uint32_t)value : 0;
 }
 
-/* Up to three numbers of a list; NaN where there are none. */
+/* Up to four numbers of a list; NaN where there are none. */
 static void triple(const bat_json *json, const char *name, double out[4]) {
     uint32_t node = bat_json_first(json, bat_json_member(json, 1, name));
     for (int i = 0; i < 4; i++) {
@@ -137,6 +137,17 @@ static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem 
                                       BAT_JSON_TRUE};
     bat_editor_pointer(editor, 1, &event);
     return BAT_OK;
+}
+
+/* An empty list: none is chosen. */
+static bat_status axis(bat_editor *editor, const bat_json *json, bat_problem *problem) {
+    uint32_t node = bat_json_member(json, 1, "axis");
+    double n[4] = {0};
+    bat_mirror mirror = {.on = bat_json_count(json, node) > 0};
+    triple(json, "axis", n);
+    if (mirror.on) mirror = (bat_mirror){true, {n[0], n[1]}, {n[2], n[3]}};
+    bat_status status = bat_session_set_axis(&editor->session, &mirror);
+    return status == BAT_NUMBER ? say(problem, status, "axis: a place and a direction of length 1") : status;
 }
 
 static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *problem) {
@@ -184,6 +195,7 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
         bat_pictures_free(&one);
         return status;
     }
+    if (bat_json_member(json, 1, "axis")) return axis(editor, json, problem);
     uint32_t lost = bat_json_member(json, 1, "lost");
     if (lost) {
         bat_losses losses;

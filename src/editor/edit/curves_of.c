@@ -60,6 +60,17 @@ bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *cu
     return status;
 }
 
+bat_status bat_remove_curve(bat_context *c, bat_id id, int index) {
+    int at = bat_document_find(c->session->document, id);
+    if (at < 0) return BAT_ARGUMENT;
+    bat_object *after = NULL;
+    bat_status status = bat_without_curve(bat_document_at(c->session->document, at), index, &after);
+    if (status != BAT_OK) return status;
+    status = after ? bat_transaction_replace(c, at, after) : bat_transaction_remove(c, at);
+    bat_object_release(after);
+    return status;
+}
+
 bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve *curve, bat_string label) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) {

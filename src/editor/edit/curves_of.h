@@ -19,7 +19,9 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
                             bat_curve *curve);
 /* Within a transaction: the object's curve `index` becomes `curve`, which is taken over whatever it returns. */
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
-/* The same as one step of its own. */
+/* Within a transaction: the object is without that curve, or gone. */
+bat_status bat_remove_curve(bat_context *c, bat_id object, int index);
+/* bat_put_curve as one step of its own. */
 bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve *curve, bat_string label);
 
 /* The same with a curve of levels. */

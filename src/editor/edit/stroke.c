@@ -1,4 +1,5 @@
 #include "editor/tables/settings.h"
+#include "editor/edit/mirror.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/samples.h"
 #include "editor/session/context.h"
@@ -107,17 +108,6 @@ static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *c
     return put;
 }
 
-static bat_status remove_curve(bat_context *c, bat_id id, int index) {
-    int at = bat_document_find(c->session->document, id);
-    if (at < 0) return BAT_ARGUMENT;
-    bat_object *after = NULL;
-    bat_status status = bat_without_curve(bat_document_at(c->session->document, at), index, &after);
-    if (status != BAT_OK) return status;
-    status = after ? bat_transaction_replace(c, at, after) : bat_transaction_remove(c, at);
-    bat_object_release(after);
-    return status;
-}
-
 bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_text line = {0};
     bat_edit_write(edit, &line);
@@ -134,7 +124,9 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
         status = bat_put_curve(c, edit->object, edit->curve, curve);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
-        status = remove_curve(c, edit->other, edit->other_curve);
+        status = bat_remove_curve(c, edit->other, edit->other_curve);
+    if (status == BAT_OK && edit->mirror.on)
+        status = bat_mirror_changes(c, &edit->mirror, edit->options.pixel, edit->options.tolerance);
     if (status == BAT_OK)
         status = bat_transaction_commit(c, bat_edit_label(edit->kind), &line);
     else

@@ -7,6 +7,7 @@
 #ifndef BATTEN_EDITOR_EDIT_STROKE_H
 #define BATTEN_EDITOR_EDIT_STROKE_H
 
+#include "curve/mirror.h"
 #include "editor/session/context.h"
 #include "editor/input/samples.h"
 #include "editor/tables/tables.h"
@@ -54,9 +55,10 @@ typedef struct bat_edit {
     bat_edit_part part[BAT_EDIT_PARTS];
     bat_stage stage; /* the stroke's samples are pixels of it, and lie on its ground */
     bat_sketch_options options;
-    bat_style style; /* NEW */
-    bat_id parent;   /* NEW: the layer it goes into; 0: none */
-    bool accepted;   /* the user said yes to a fit that misses the tolerance */
+    bat_style style;   /* NEW */
+    bat_id parent;     /* NEW: the layer it goes into; 0: none */
+    bat_mirror mirror; /* on: what it does is done on both sides of this axis */
+    bool accepted;     /* the user said yes to a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;
 

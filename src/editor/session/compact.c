@@ -44,6 +44,7 @@ static bat_status write_all(bat_session *session, bat_document *document) {
     if (status == BAT_OK)
         status = bat_session_begin_journal(document, session->name, &session->journal, &session->pictures);
     if (status == BAT_OK) status = write_losses(session);
+    if (status == BAT_OK && session->axis.on) status = bat_session_set_axis(session, &session->axis);
     for (int i = first; i < history->count && status == BAT_OK; i++) {
         status = write_step(session, &history->steps[i], document);
     }

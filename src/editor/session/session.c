@@ -102,6 +102,7 @@ bat_status bat_session_open(bat_session *session, bat_document *document, const 
     session->journal = journal;
     session->pictures = pictures;
     session->losses = (bat_losses){{0}};
+    session->axis = (bat_mirror){0};
     session->revision++;
     session->saved_state = session->history.state;
     session->asked = false;

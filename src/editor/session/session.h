@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_SESSION_SESSION_H
 #define BATTEN_EDITOR_SESSION_SESSION_H
 
+#include "curve/mirror.h"
 #include "document/picture.h"
 #include "editor/session/context.h"
 #include "editor/session/history.h"
@@ -21,6 +22,7 @@ typedef struct bat_session {
     bat_transaction transaction;
     bat_journal journal;
     bat_pictures pictures;           /* whose bytes the journal holds */
+    bat_mirror axis;                 /* of symmetry, when one was chosen */
     bat_losses losses;               /* of the file that was opened: what the document does not hold */
     bool busy;                       /* the tool is between down and up: set after each event */
     void (*stepped)(bat_context *c); /* called after each step that was made or taken back */
@@ -44,6 +46,8 @@ bat_status bat_session_log(bat_session *session, bat_text *line, const bat_docum
 bat_status bat_session_keep_picture(bat_session *session, const bat_picture *picture);
 /* Notes them, in the journal too. NULL: none. */
 bat_status bat_session_set_losses(bat_session *session, const bat_losses *losses);
+/* The axis of symmetry, in the journal too. Off: none is chosen. BAT_NUMBER: no axis. */
+bat_status bat_session_set_axis(bat_session *session, const bat_mirror *axis);
 /* The journal made short: what bat_editor_compact says. */
 bat_status bat_session_compact(bat_session *session);
 

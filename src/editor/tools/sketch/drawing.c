@@ -1,5 +1,6 @@
 /* The pen is down: its samples come in, and what they mean so far is chosen. */
 #include "base/real.h"
+#include "editor/edit/mirror.h"
 #include "editor/edit/style.h"
 #include "editor/input/samples.h"
 #include "editor/input/stabiliser.h"
@@ -72,6 +73,7 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
                          .stage = *c->stage,
                          .options = options(c),
                          .style = bat_styling_new(c),
+                         .mirror = bat_symmetry(c),
                          .samples = samples};
     if (forced) {
         s->edit.object = pick.object;

@@ -1,4 +1,5 @@
 /* A stroke as it is shown: the ink, the fit, and what of the old curve goes. */
+#include "editor/show/axis.h"
 #include "base/vec.h"
 #include "editor/edit/curves_of.h"
 #include "editor/scene/path.h"
@@ -98,6 +99,9 @@ void bat_sketching_show_stroke(const bat_context *c, const bat_sketching *s, bat
     if (preview->curve)
         show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
                  !bat_sketching_one_changes(&s->edit));
+    if (s->edit.mirror.on)
+        bat_axis_show_image(&s->edit.mirror, overlay, samples->count, samples->points,
+                            s->edit.kind == BAT_EDIT_NEW ? preview->curve : NULL);
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink through the pen to the predicted places */
         double pen[2];

@@ -1,0 +1,39 @@
+#include "editor/show/axis.h"
+#include "base/real.h"
+#include "editor/edit/mirror.h"
+#include "editor/scene/path.h"
+#include "editor/view/stage.h"
+
+static const float WIDTH = 1, GHOST_WIDTH = 1.5F;
+
+void bat_axis_show(bat_context *c, bat_overlay *overlay) {
+    const bat_mirror axis = bat_symmetry(c);
+    double box[4];
+    if (!axis.on) return;
+    bat_stage_box(c->stage, box);
+    const double x = (box[0] + box[2]) / 2, y = (box[1] + box[3]) / 2;
+    /* From the place nearest to the window's middle as far as the window reaches. */
+    const double far = bat_hypot(box[2] - box[0], box[3] - box[1]);
+    const double s = (x - axis.at[0]) * axis.along[0] + (y - axis.at[1]) * axis.along[1];
+    bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, WIDTH);
+    bat_path_move(&overlay->path, axis.at[0] + (s - far) * axis.along[0],
+                  axis.at[1] + (s - far) * axis.along[1]);
+    bat_path_line(&overlay->path, axis.at[0] + (s + far) * axis.along[0],
+                  axis.at[1] + (s + far) * axis.along[1]);
+}
+
+void bat_axis_show_image(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
+                         const bat_curve *curve) {
+    bat_curve *image = NULL;
+    double at[2];
+    bat_overlay_item(overlay, BAT_ROLE_GHOST, BAT_ITEM_STROKED, GHOST_WIDTH);
+    if (curve && bat_mirror_curve(mirror, curve, &image) == BAT_OK) {
+        bat_path_curve(&overlay->path, image);
+        bat_curve_free(image);
+        return;
+    }
+    for (size_t i = 0; i < count && count > 1; i++) {
+        bat_mirror_point(mirror, points + 2 * i, at);
+        (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
+    }
+}
