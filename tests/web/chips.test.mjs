@@ -68,3 +68,31 @@ test('a stroke is read again', async (t) => {
   await hand.stroke(await Promise.all(ROOF.map(([x, y]) => place(page, x, y + 220))));
   await context.close();
 });
+
+test('what comes late does not push the drawing aside', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+  let come;
+  const late = new Promise((resolve) => { come = resolve; });
+  await context.route(/\/styles\/(chips|levels)\.css$/, async (route) => {
+    await late;
+    await route.continue();
+  });
+  const { page, hand } = await open(context, server.address);
+  await page.evaluate(() => {
+    globalThis.sizes = new Set();
+    new ResizeObserver(([{ contentRect: { width, height } }]) => sizes.add(`${width} ${height}`)).observe(batten.stage);
+  });
+  await page.keyboard.press('l');
+  const roof = await place(page, 535, 104.5);
+  await hand.stroke([roof, roof]);
+  await page.waitForFunction(() => batten.panel.strip);
+  await page.keyboard.press('n');
+  await hand.stroke(await Promise.all(ROOF.map(([x, y]) => place(page, x, y))));
+  await settle(page);
+  come();
+  await page.locator('section.levels').waitFor({ state: 'attached' });
+  await settle(page);
+  assert.deepEqual(await page.evaluate(() => [...sizes].length), 1);
+});

@@ -158,7 +158,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.equal((await objects(page))[0].curves[0].frame, 'frenet');
     await shot('frames-frenet');
-    await page.locator('#strip-frame-rule').selectOption({ label: 'Least turning' });
+    await page.locator('#strip-frame-rule').selectOption({ label: 'Rotation-minimising' });
     await page.locator('#strip-show-frames').uncheck();
     await page.locator('#stage').focus();
 

@@ -200,7 +200,7 @@ test('a crash of the module brings the picture back from the journal', async () 
 test('what is no picture is refused in one line; other kinds become PNG', async () => {
   const { page, context } = await open(browser, server.address);
   await give(page, 'drop', 'image/png', btoa('GIF89a nonsense'));
-  await page.waitForFunction(() => /no PNG/.test(document.getElementById('notice-text').textContent));
+  await page.waitForFunction(() => /Not a PNG/.test(document.getElementById('notice-text').textContent));
   // A GIF of one pixel.
   await give(page, 'drop', 'image/gif', 'R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7');
   await shownPictures(page, 1);

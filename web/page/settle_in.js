@@ -7,7 +7,7 @@ const UNTOUCHED = 3000; // milliseconds after which the page readies itself for 
 /** @param {import('../main.js').Shell} shell */
 export async function settleIn(shell) {
   // Safari has no time of idleness.
-  (globalThis.requestIdleCallback ?? setTimeout)(() => void shell.whole.complete());
+  (globalThis.requestIdleCallback ?? setTimeout)(async () => (await shell.whole.complete()) && shell.panel.fetchChips());
   const { Clipboard } = await want(import('../keep/clipboard.js'));
   shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
   // What explains, and what is seldom called, is fetched when somebody is there.

@@ -41,7 +41,6 @@ export class LevelStrip {
     this.panel = panel;
     this.engine = panel.engine;
     this.stage = stage;
-    void dress('styles/levels.css');
     this.box = tell(make('section', 'levels'), { label: 'tool.levels' });
     this.box.hidden = true;
     this.list = make('ul', 'level-list');
@@ -58,7 +57,7 @@ export class LevelStrip {
     }
     this.tools.append(this.#commands(['take-apart']), this.more, this.study);
     this.box.append(this.list, this.apart, this.tools);
-    stage.after(this.box);
+    void dress('styles/levels.css').then(() => stage.after(this.box)); // without it the strip would push the stage aside
     // The fader's step is taken back, or the strip left for the drawing.
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {

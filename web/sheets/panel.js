@@ -81,10 +81,15 @@ export class Panel {
     (await this.strip).show(this.levels > 0);
   }
 
-  /** The chips come with the first stroke that could have meant something else. @param {boolean} some */
-  async #showReadings(some) {
+  /** Fetched before the first stroke ends: the program may be gone by then. */
+  fetchChips() {
     this.chips ??= want(import('../stage/chips.js')).then(({ Chips }) => new Chips(this.engine, part('stage'), this.wake));
-    (await this.chips).show(some);
+    return this.chips;
+  }
+
+  /** @param {boolean} some */
+  async #showReadings(some) {
+    (await this.fetchChips()).show(some);
   }
 
   /** The row of what can be done comes with the first selection. */

@@ -21,7 +21,6 @@ export class Chips {
     this.engine = engine;
     this.stage = stage;
     this.wake = wake;
-    void dress('styles/chips.css').then(() => this.#place());
     this.box = document.createElement('div');
     this.box.className = 'chips';
     this.box.setAttribute('role', 'group');
@@ -32,7 +31,10 @@ export class Chips {
     this.refit.className = 'refit';
     this.refit.append(...['refit.raw', this.amount, 'refit.fair'].map((part) =>
       (typeof part === 'string' ? tell(document.createElement('span'), { text: part }) : part)));
-    stage.after(this.box);
+    void dress('styles/chips.css').then(() => { // without its style it would push the stage aside
+      stage.after(this.box);
+      this.#place();
+    });
   }
 
   /** @param {boolean} some */
