@@ -61,12 +61,7 @@ static int wild_session(bat_editor *editor, uint64_t seed) {
 
     for (const char *at = text; (at = strstr(at, "\"do\":\"sketch")); at++) commits++;
 
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
-    assert_true(digest(again) == last);
+    bat_editor *again = replay_of(editor, seed);
     size_t size_again = 0;
     const char *text_again = bat_editor_journal(again, &size_again);
     assert_true(size == size_again && !memcmp(text, text_again, size));

@@ -25,19 +25,6 @@ static void back_and_forth(bat_editor *editor, uint64_t seed) {
     assert_true(digest(editor) == top);
 }
 
-/* What memory did not suffice for is not in the journal, either. */
-static void replays(bat_editor *editor, uint64_t seed) {
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("session %d: %s: %s", (int)seed, problem.place, problem.message);
-    assert_true(digest(again) == digest(editor));
-    bat_editor_free(again);
-}
-
 static void short_of_memory(void **state) {
     (void)state;
     enum { SIZE = 3000, SESSIONS = 60 };
@@ -62,7 +49,7 @@ static void short_of_memory(void **state) {
         }
         wild_settle(editor);
         must_be_sound(editor, seed, SIZE);
-        replays(editor, seed);
+        replays(editor, seed); /* what memory did not suffice for is not in the journal, either */
         back_and_forth(editor, seed);
         bat_editor_free(editor);
         assert_true(alloc_live() == held);

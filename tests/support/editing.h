@@ -67,20 +67,29 @@ static inline void tap(pen *p, double x, double y) {
     check(p->editor);
 }
 
-/* The journal makes the document again; undo gives back the first, redo the last. How many steps that were. */
-static inline int round_trip(bat_editor *editor, uint64_t first) {
-    uint64_t last = digest(editor);
+/* An editor that has replayed the other's journal and has the same document. session: named where it has not. */
+static inline bat_editor *replay_of(const bat_editor *editor, uint64_t session) {
     bat_editor *again = NULL;
     bat_problem problem = {"", ""};
     size_t size = 0;
+    const char *journal = bat_editor_journal(editor, &size);
+    assert_int_equal(bat_editor_create(&again), BAT_OK);
+    if (bat_editor_replay(again, journal, size, true, &problem) != BAT_OK)
+        fail_msg("session %d: %s: %s", (int)session, problem.place, problem.message);
+    assert_true(digest(again) == digest(editor));
+    return again;
+}
+
+static inline void replays(const bat_editor *editor, uint64_t session) {
+    bat_editor_free(replay_of(editor, session));
+}
+
+/* The journal makes the document again; undo gives back the first, redo the last. How many steps that were. */
+static inline int round_trip(bat_editor *editor, uint64_t first) {
+    uint64_t last = digest(editor);
     int steps = 0;
     check(editor);
-    const char *text = bat_editor_journal(editor, &size);
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == last);
-    bat_editor_free(again);
+    replays(editor, 0);
     for (; bat_editor_command(editor, "undo") == BAT_OK; steps++) check(editor);
     assert_true(digest(editor) == first);
     while (bat_editor_command(editor, "redo") == BAT_OK) check(editor);

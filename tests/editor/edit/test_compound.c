@@ -53,18 +53,9 @@ static bool same(const bat_curve *a, const bat_curve *b) {
 
 /* The journal replays, and one undo leads back to what was there. */
 static void settle(bat_editor *editor, uint64_t before) {
-    const uint64_t after = digest(editor);
-    assert_null(bat_editor_check(editor));
-    assert_true(after != before);
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == after);
-    bat_editor_free(again);
+    check(editor);
+    assert_true(digest(editor) != before);
+    replays(editor, 0);
     assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
     assert_true(digest(editor) == before);
     bat_editor_free(editor);

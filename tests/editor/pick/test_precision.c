@@ -169,18 +169,6 @@ static int guides(const bat_editor *editor, int axis, double *at) {
     return found;
 }
 
-static void replays(bat_editor *editor) {
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size;
-    const char *journal = bat_editor_journal(editor, &size);
-    bat_editor_create(&again);
-    if (bat_editor_replay(again, journal, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == digest(editor));
-    bat_editor_free(again);
-}
-
 /* Out of the rulers, moved, dragged back, deleted by the key; each one step. */
 static void guides_by_hand(void **state) {
     (void)state;
@@ -217,7 +205,7 @@ static void guides_by_hand(void **state) {
     assert_int_equal(guides(editor, 0, &at), 0);
     assert_int_equal(bat_editor_command(editor, "guide-upright"), BAT_OK);
     assert_true(guides(editor, 0, &at) == 1 && at == 500); /* the middle of the window */
-    replays(editor);
+    replays(editor, 0);
     /* A drawing with guides survives both formats. */
     char *text = NULL;
     size_t size = 0;
@@ -301,7 +289,7 @@ static void a_layer_moves_with_its_guides(void **state) {
         assert_string_equal(bat_object_name(now), "axle");
         assert_true(bat_object_id(now) == 2 && bat_object_parent(now) == 1);
         assert_true(bat_object_is_hidden(now) == flags[i][0] && bat_object_is_locked(now) == flags[i][1]);
-        replays(editor);
+        replays(editor, 0);
         while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
         assert_true(digest(editor) == first);
         bat_editor_free(editor);
@@ -326,7 +314,7 @@ static void moves_snap(void **state) {
     bat_object_bounds(bat_document_at(editor->session.document, 0), box);
     assert_true(box[2] == 400 && box[3] == 333.25);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDE));
-    replays(editor);
+    replays(editor, 0);
     bat_editor_command(editor, "undo");
     p.modifiers = BAT_CTRL;
     pen_event(&p, BAT_POINTER_DOWN, 150, 125);
@@ -360,7 +348,7 @@ static void moves_snap(void **state) {
                                               bat_document_find(editor->session.document, 2));
     const double *points = bat_curve_points(bat_object_curve(moved, 0));
     assert_true(fabs(points[2] - 700) < 1e-12 && fabs(points[3] - 600) < 1e-12);
-    replays(editor);
+    replays(editor, 0);
     bat_editor_free(editor);
 }
 
@@ -552,7 +540,7 @@ static void numbers_are_entered(void **state) {
     }
     assert_int_equal(bat_editor_enter(editor, "point-y", "650"), BAT_OK);
     expect_number(editor, "point-y", "650 px");
-    replays(editor);
+    replays(editor, 0);
     while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
     assert_true(digest(editor) == first);
     bat_editor_free(editor);
@@ -588,7 +576,7 @@ static void isolated_is_all_there_is(void **state) {
     bat_editor_command(editor, "tool-select");
     drag(&p, 500, 600, 540, 640);
     assert_int_equal(editor->choice.selection.count, 1);
-    replays(editor);
+    replays(editor, 0);
     bat_editor_free(editor);
 }
 
@@ -651,7 +639,7 @@ static void wild_precision(void **state) {
         for (int i = 0; i < 4; i++) bat_editor_command(editor, "cancel");
         double at;
         with_guides += guides(editor, 0, &at) + guides(editor, 1, &at) > 0;
-        replays(editor);
+        replays(editor, 0);
         while (bat_editor_command(editor, "redo") == BAT_OK) {
         }
         while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));

@@ -11,17 +11,6 @@
 #include <batten/editor.h>
 #include "support/editing.h"
 
-static bat_editor *replayed(const bat_editor *editor) {
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    return again;
-}
-
 /* Both go the same way to the end of their histories. Returns the steps. */
 static int walk(bat_editor *a, bat_editor *b, const char *command, int limit) {
     int steps = 0;
@@ -55,7 +44,7 @@ static void wild_sessions(void **state) {
         assert_int_equal(bat_editor_compact(editor), BAT_OK);
         assert_null(bat_editor_check(editor));
         assert_true(digest(editor) == before);
-        bat_editor *again = replayed(editor);
+        bat_editor *again = replay_of(editor, 0);
         assert_true(digest(again) == before);
         walk(editor, again, "redo", 1000);
         assert_int_equal(bat_editor_command(editor, "redo"), BAT_STATE);
@@ -79,7 +68,7 @@ static void long_sessions_become_short(void **state) {
     assert_int_equal(bat_editor_compact(editor), BAT_OK);
     bat_editor_journal(editor, &after);
     assert_true(after < size / 2);
-    bat_editor *again = replayed(editor);
+    bat_editor *again = replay_of(editor, 0);
     assert_int_equal(walk(editor, again, "redo", 1000), 10);
     assert_int_equal(walk(editor, again, "undo", 1000), 260);
     assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK); /* the living editor knows more */
@@ -121,7 +110,7 @@ static void no_memory_changes_nothing(void **state) {
         assert_ptr_equal(bat_editor_journal(editor, &after), text);
         assert_int_equal(after, size);
     }
-    bat_editor_free(replayed(editor));
+    bat_editor_free(replay_of(editor, 0));
     bat_editor_free(editor);
 }
 

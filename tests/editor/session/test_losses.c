@@ -6,7 +6,7 @@
 #include <cmocka.h>
 #include "editor/tables/tables.h"
 #include "support/alloc_fail.h"
-#include "support/pen.h"
+#include "support/editing.h"
 #include <batten/bezier.h>
 #include <stdio.h>
 
@@ -15,17 +15,6 @@ static const bat_losses none = {{0}};
 
 static void assert_losses(const bat_editor *editor, const bat_losses *expected) {
     assert_memory_equal(bat_editor_losses(editor), expected, sizeof *expected);
-}
-
-static bat_editor *replay(const bat_editor *editor) {
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    return again;
 }
 
 static void noted_read_and_forgotten(void **state) {
@@ -70,18 +59,18 @@ static void the_journal_holds_it(void **state) {
     assert_int_equal(size, before);
     pen p = pen_for(editor);
     pen_line(&p, 300, 205, 700, 205, 8);
-    again = replay(editor);
+    again = replay_of(editor, 0);
     assert_losses(again, &some);
     bat_editor_free(again);
     assert_int_equal(bat_editor_compact(editor), BAT_OK);
     assert_losses(editor, &some);
-    again = replay(editor);
+    again = replay_of(editor, 0);
     assert_losses(again, &some);
     assert_true(bat_document_digest(bat_editor_document(again)) ==
                 bat_document_digest(bat_editor_document(editor)));
     bat_editor_free(again);
     assert_int_equal(bat_editor_set_losses(editor, NULL), BAT_OK);
-    again = replay(editor);
+    again = replay_of(editor, 0);
     assert_losses(again, &none);
     bat_editor_free(again);
     bat_editor_free(editor);

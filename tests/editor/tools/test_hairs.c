@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 
 enum { STROKES = 8, SCENES = 12 };
 
@@ -26,7 +26,6 @@ static double normal(void) {
     return sum;
 }
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
 static const bat_curve *newest(const bat_editor *editor) {
@@ -141,23 +140,6 @@ static bat_editor *empty(double last_wins) {
     return editor;
 }
 
-static void check(const bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
-}
-
-static void replays(const bat_editor *editor) {
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size = 0;
-    const char *text = bat_editor_journal(editor, &size);
-    assert_int_equal(bat_editor_create(&again), BAT_OK);
-    if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == digest(editor));
-    bat_editor_free(again);
-}
-
 static void eight_are_one(void **state) {
     (void)state;
     double points[2] = {0}, off[2] = {0};
@@ -176,7 +158,7 @@ static void eight_are_one(void **state) {
             off[last_wins] += rms(newest(editor), &t);
             found[last_wins] = inflections(newest(editor));
             least = true_inflections(&t);
-            if (!last_wins) replays(editor);
+            if (!last_wins) replays(editor, 0);
             bat_editor_free(editor);
         }
         scenes++;
@@ -215,7 +197,7 @@ static void each_is_a_step(void **state) {
         assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
         assert_true(digest(editor) == before[i]);
     }
-    replays(editor);
+    replays(editor, 0);
     bat_editor_free(editor);
 }
 
@@ -265,7 +247,7 @@ static void a_stretch_is_redrawn(void **state) {
     if (!(fabs(y - 184) < 2.3)) fail_msg("%g", y);
     assert_true(fabs(height(editor, 0, 220) - 200) < 0.01 && fabs(height(editor, 0, 780) - 200) < 0.01);
     check(editor);
-    replays(editor);
+    replays(editor, 0);
     bat_editor_free(editor);
 }
 

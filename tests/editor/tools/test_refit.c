@@ -8,18 +8,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "support/pen.h"
+#include "support/editing.h"
 
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
 static int points(const bat_editor *editor, int object) {
     return (int)bat_curve_count(bat_object_curve(bat_document_at(bat_editor_document(editor), object), 0));
-}
-
-static void check(const bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
 }
 
 /* x y length: with ripples that a close fit follows and a fair one does not. */
@@ -55,15 +49,7 @@ static void from_raw_to_fair(void **state) {
         assert_int_equal(bat_editor_refit(editor, 0.5, true), BAT_OK);
         assert_int_equal(points(editor, object), middle);
         assert_int_equal(bat_editor_refit(editor, 0.75, true), BAT_OK);
-        size_t size = 0;
-        bat_editor *again = NULL;
-        bat_problem problem = {"", ""};
-        const char *text = bat_editor_journal(editor, &size);
-        assert_int_equal(bat_editor_create(&again), BAT_OK);
-        if (bat_editor_replay(again, text, size, true, &problem) != BAT_OK)
-            fail_msg("%s: %s", problem.place, problem.message);
-        assert_true(digest(again) == digest(editor));
-        bat_editor_free(again);
+        replays(editor, 0);
         assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
         assert_true(digest(editor) == first);
         assert_int_equal(bat_editor_refit(editor, 0.2, true), BAT_STATE);

@@ -77,15 +77,7 @@ static void goes_back_and_replays(bat_editor *editor, uint64_t first) {
     assert_true(digest(editor) == first);
     for (; steps > 0; steps--) assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
     assert_true(digest(editor) == last);
-    bat_editor *again = NULL;
-    bat_problem problem = {"", ""};
-    size_t size;
-    const char *journal = bat_editor_journal(editor, &size);
-    bat_editor_create(&again);
-    if (bat_editor_replay(again, journal, size, true, &problem) != BAT_OK)
-        fail_msg("%s: %s", problem.place, problem.message);
-    assert_true(digest(again) == last);
-    bat_editor_free(again);
+    replays(editor, 0);
 }
 
 static void clicks_select(void **state) {

@@ -497,13 +497,7 @@ static void yes_or_no(void **state) {
         assert_int_equal(journal_has(editor, "\"accepted\":true"), way < 2);
         assert_int_equal(frame->can_undo, way != 2 && way != 3);
 
-        bat_editor *again = NULL;
-        size_t size = 0;
-        const char *text = bat_editor_journal(editor, &size);
-        bat_editor_create(&again);
-        assert_int_equal(bat_editor_replay(again, text, size, true, NULL), BAT_OK);
-        assert_true(digest(again) == digest(editor));
-        bat_editor_free(again);
+        replays(editor, 0);
         bat_editor_free(editor);
     }
 }
