@@ -20,4 +20,10 @@ void bat_kinds_words(char words[BAT_KINDS_WORDS]);
 bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
                                   bat_document **out);
 
+/* Makes another curve of one. */
+typedef bat_status bat_curve_maker(void *context, const bat_curve *curve, bat_curve **out);
+/* What bat_object_with_curves makes of the curves that `make` makes of the object's; the first failure ends it. */
+bat_status bat_object_with_each(const bat_object *object, bat_curve_maker *make, void *context,
+                                bat_object **out);
+
 #endif

@@ -49,13 +49,13 @@ bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape 
     return status;
 }
 
-bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
-    if (!object || !out || !bat_object_is(object, BAT_MADE)) return BAT_ARGUMENT;
+bat_status bat_object_with_each(const bat_object *object, bat_curve_maker *make, void *context,
+                                bat_object **out) {
     int count = bat_object_curve_count(object), made = 0;
-    bat_curve **curves = malloc((size_t)count * sizeof *curves);
+    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
     bat_status status = curves ? BAT_OK : BAT_MEMORY;
     while (status == BAT_OK && made < count) {
-        status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
+        status = make(context, bat_object_curve(object, made), &curves[made]);
         made += status == BAT_OK;
     }
     if (status == BAT_OK)
@@ -64,6 +64,16 @@ bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
         while (made > 0) bat_curve_free(curves[--made]);
     free(curves);
     return status;
+}
+
+static bat_status copied(void *none, const bat_curve *curve, bat_curve **out) {
+    (void)none;
+    return bat_curve_copy(curve, out);
+}
+
+bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
+    if (!object || !out || !bat_object_is(object, BAT_MADE)) return BAT_ARGUMENT;
+    return bat_object_with_each(object, copied, NULL, out);
 }
 
 bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
@@ -101,22 +111,14 @@ static const char *check(const bat_object *object) {
 
 /* ---- affine images ---- */
 
+static bat_status moved(void *matrix, const bat_curve *curve, bat_curve **out) {
+    return bat_curve_transform(curve, matrix, out);
+}
+
 static bat_status image_path(const bat_object *object, const double *m, bat_object **out) {
-    int count = bat_object_curve_count(object), made = 0;
-    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
-    bat_status status = curves ? BAT_OK : BAT_MEMORY;
     double matrix[12];
     bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
-    while (made < count && status == BAT_OK) {
-        status = bat_curve_transform(bat_object_curve(object, made), matrix, &curves[made]);
-        if (status == BAT_OK) made++;
-    }
-    if (status == BAT_OK)
-        status = bat_object_with_curves(object, count, curves, out);
-    else
-        while (made > 0) bat_curve_free(curves[--made]);
-    free(curves);
-    return status;
+    return bat_object_with_each(object, moved, matrix, out);
 }
 
 /* Levels go along with their curves; those that a matrix flattens stay plain curves. *path is replaced. */

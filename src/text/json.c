@@ -176,6 +176,15 @@ static bat_status read_number_node(reader *r, uint32_t *out) {
 
 static bat_status read_value(reader *r, int depth, uint32_t *out);
 
+/* At the end of a list that goes from first to last, 0 while it is empty. */
+static void put_last(reader *r, uint32_t node, uint32_t *first, uint32_t *last) {
+    if (*last)
+        r->json->nodes[*last].next = node;
+    else
+        *first = node;
+    *last = node;
+}
+
 /* At the bracket: items, or names and values. */
 static bat_status read_list(reader *r, int depth, bool members, uint32_t *out) {
     if (depth >= BAT_JSON_DEPTH) return fail(r, BAT_COUNT, "at most 64 levels of nesting");
@@ -196,22 +205,14 @@ static bat_status read_list(reader *r, int depth, bool members, uint32_t *out) {
             if (r->at == r->end || *r->at != '"') return fail(r, BAT_SYNTAX, "a member's name in quotes");
             status = read_text(r, &node);
             if (status != BAT_OK) return status;
-            if (last)
-                r->json->nodes[last].next = node;
-            else
-                first = node;
-            last = node;
+            put_last(r, node, &first, &last);
             skip_space(r);
             if (r->at == r->end || *r->at != ':') return fail(r, BAT_SYNTAX, "a colon");
             r->at++;
         }
         status = read_value(r, depth + 1, &node);
         if (status != BAT_OK) return status;
-        if (last)
-            r->json->nodes[last].next = node;
-        else
-            first = node;
-        last = node;
+        put_last(r, node, &first, &last);
         count++;
         skip_space(r);
         if (r->at < r->end && *r->at == ',') {

@@ -15,6 +15,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "hands/levels/shape.h"
+#include "kinds/kinds.h"
 #include "base/real.h"
 #include <batten/nearest.h>
 #include <batten/refine.h>
@@ -75,26 +76,28 @@ static bat_status opened(const bat_curve *curve, bat_curve **out) {
 
 static bat_status reversed(const bat_curve *curve, bat_curve **out) { return bat_curve_reverse(curve, out); }
 
-/* The object with each of its curves put through `make`; curves for which that is BAT_STATE stay. BAT_STATE:
- * all of them did. */
+/* A way to make another curve of one, and how many it did; curves for which it is BAT_STATE stay. */
+typedef struct making {
+    bat_status (*make)(const bat_curve *curve, bat_curve **out);
+    int changed;
+} making;
+
+static bat_status make_one(void *context, const bat_curve *curve, bat_curve **out) {
+    making *way = context;
+    bat_status status = way->make(curve, out);
+    way->changed += status == BAT_OK;
+    return status == BAT_STATE ? bat_curve_copy(curve, out) : status;
+}
+
+/* The object with each of its curves put through `make`. BAT_STATE: all of them stay. */
 static bat_status made_over(const bat_object *object, bat_status (*make)(const bat_curve *, bat_curve **),
                             bat_object **out) {
-    int count = bat_object_curve_count(object), made = 0, changed = 0;
-    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
-    bat_status status = curves ? BAT_OK : BAT_MEMORY;
-    while (made < count && status == BAT_OK) {
-        status = make(bat_object_curve(object, made), &curves[made]);
-        changed += status == BAT_OK;
-        if (status == BAT_STATE) status = bat_curve_copy(bat_object_curve(object, made), &curves[made]);
-        if (status == BAT_OK) made++;
-    }
-    if (status == BAT_OK && !changed) status = BAT_STATE;
-    if (status == BAT_OK)
-        status = bat_object_with_curves(object, count, curves, out);
-    else
-        while (made > 0) bat_curve_free(curves[--made]);
-    free(curves);
-    return status;
+    making way = {make, 0};
+    bat_status status = bat_object_with_each(object, make_one, &way, out);
+    if (status != BAT_OK || way.changed) return status;
+    bat_object_release(*out);
+    *out = NULL;
+    return BAT_STATE;
 }
 
 static bat_status finish(bat_context *c, bat_status status, bool changed, bat_string label,

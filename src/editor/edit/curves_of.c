@@ -49,15 +49,26 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
     return status;
 }
 
-bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
-    int at = bat_document_find(c->session->document, object);
-    bat_object *after = NULL;
-    bat_status status = bat_object_with_curve(bat_document_at(c->session->document, at), index, curve,
-                                              &after);
-    if (status != BAT_OK) return status;
-    status = bat_transaction_replace(c, at, after);
+/* The object in the place of the one at this index, within the open transaction; status: of making it. */
+static bat_status put(bat_context *c, int at, bat_status status, bat_object *after) {
+    if (status == BAT_OK) status = bat_transaction_replace(c, at, after);
     bat_object_release(after);
     return status;
+}
+
+/* Ends the step that the put was. */
+static bat_status commit(bat_context *c, bat_status status, bat_string label) {
+    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
+    return status;
+}
+
+bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
+    const bat_document *document = c->session->document;
+    const int at = bat_document_find(document, object);
+    bat_object *after = NULL;
+    bat_status status = bat_object_with_curve(bat_document_at(document, at), index, curve, &after);
+    return put(c, at, status, after);
 }
 
 bat_status bat_remove_curve(bat_context *c, bat_id id, int index) {
@@ -77,21 +88,15 @@ bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve 
         bat_curve_free(curve);
         return status;
     }
-    status = bat_put_curve(c, object, index, curve);
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return commit(c, bat_put_curve(c, object, index, curve), label);
 }
 
 bat_status bat_put_shape(bat_context *c, bat_id id, int curve, bat_shape *shape) {
-    int at = bat_document_find(c->session->document, id);
+    const bat_document *document = c->session->document;
+    const int at = bat_document_find(document, id);
     bat_object *after = NULL;
-    bat_status status = bat_object_with_shape(bat_document_at(c->session->document, at), curve, shape,
-                                              &after);
-    if (status != BAT_OK) return status;
-    status = bat_transaction_replace(c, at, after);
-    bat_object_release(after);
-    return status;
+    bat_status status = bat_object_with_shape(bat_document_at(document, at), curve, shape, &after);
+    return put(c, at, status, after);
 }
 
 bat_status bat_commit_shape(bat_context *c, bat_id id, int curve, bat_shape *shape, bat_string label) {
@@ -101,8 +106,5 @@ bat_status bat_commit_shape(bat_context *c, bat_id id, int curve, bat_shape *sha
         bat_shape_free(shape);
         return status;
     }
-    status = bat_put_shape(c, id, curve, shape);
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return commit(c, bat_put_shape(c, id, curve, shape), label);
 }

@@ -9,12 +9,16 @@ static bool box_near(const double box[4], const double point[2], double within) 
     return bat_hypot(dx, dy) <= within;
 }
 
+/* Whether the object can be picked, and its box is near enough. */
+static bool within_reach(const bat_scene_entry *entry, const double point[2], double within) {
+    return !entry->hidden && !entry->locked && box_near(entry->box, point, within);
+}
+
 bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], double within) {
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
-        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
-        if (!box_near(scene->entries[i].box, point, within)) continue;
+        if (!within_reach(&scene->entries[i], point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             if (bat_curve_dimension(bat_object_curve(object, j)) != dimension) continue;
             const bat_finder *finder = bat_scene_finder(scene, i, j);
@@ -39,8 +43,7 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
     bat_pick best = {0};
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
-        if (scene->entries[i].hidden || scene->entries[i].locked) continue;
-        if (!box_near(scene->entries[i].box, point, within)) continue;
+        if (!within_reach(&scene->entries[i], point, within)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);
             if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) continue;

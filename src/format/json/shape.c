@@ -6,6 +6,7 @@
  *   EDITS [{"type":"move","level":j,"index":i,"delta":[...]}, ...]
  */
 #include "format/json/curve.h"
+#include "format/json/word.h"
 #include "curve/curve.h"
 #include "format/json/stroke.h"
 
@@ -22,20 +23,6 @@
 
 static bool is(const bat_json *json, uint32_t node, bat_json_type type) {
     return bat_json_type_of(json, node) == type;
-}
-
-/* One of a list of words that ends in NULL; *out is its index; left alone when not there. */
-static bat_status read_word(const bat_json *json, uint32_t object, const char *name, const char *const *words,
-                            const char *expected, int *out, bat_problem *problem) {
-    uint32_t node = bat_json_member(json, object, name);
-    if (!node) return BAT_OK;
-    const char *text = bat_json_text(json, node);
-    for (int i = 0; text && words[i]; i++)
-        if (strcmp(text, words[i]) == 0) {
-            *out = i;
-            return BAT_OK;
-        }
-    return bat_json_complain(json, node, BAT_SYNTAX, name, expected, problem);
 }
 
 static const char *const FRAMES[] = {"rmf", "frenet", "fixed", NULL};
@@ -63,13 +50,14 @@ static bat_status read_first(const bat_json *json, uint32_t object, bat_shape_op
 static bat_status read_options(const bat_json *json, uint32_t object, bat_shape_options *options,
                                bat_problem *problem) {
     int frame = 0, nodes = 0, propagation = 0;
-    bat_status status = read_word(json, object, "frame", FRAMES, "\"rmf\", \"frenet\" or \"fixed\"", &frame,
-                                  problem);
+    bat_status status = bat_word_from_json(json, object, "frame", FRAMES, "\"rmf\", \"frenet\" or \"fixed\"",
+                                           &frame, problem);
     if (status == BAT_OK)
-        status = read_word(json, object, "nodes", NODES, "\"greville\" or \"argmax\"", &nodes, problem);
+        status = bat_word_from_json(json, object, "nodes", NODES, "\"greville\" or \"argmax\"", &nodes,
+                                    problem);
     if (status == BAT_OK)
-        status = read_word(json, object, "propagation", PROPAGATION, "\"local\" or \"plain\"", &propagation,
-                           problem);
+        status = bat_word_from_json(json, object, "propagation", PROPAGATION, "\"local\" or \"plain\"",
+                                    &propagation, problem);
     *options = bat_shape_defaults();
     options->frame = (bat_frame_rule)frame;
     options->nodes = (bat_node_rule)nodes;
@@ -396,7 +384,7 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
     if (!is(json, object, BAT_JSON_OBJECT))
         return bat_json_complain(json, object, BAT_SYNTAX, "edit", "an object", problem);
     const char *expected = "\"move\", \"drag\", \"gain\", \"sketch\" or \"transform\"";
-    bat_status status = read_word(json, object, "type", EDITS, expected, &type, problem);
+    bat_status status = bat_word_from_json(json, object, "type", EDITS, expected, &type, problem);
     if (status == BAT_OK && type < 0)
         status = bat_json_complain(json, object, BAT_SYNTAX, "type", expected, problem);
     if (status == BAT_OK && type != EDIT_TRANSFORM)

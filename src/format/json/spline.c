@@ -6,6 +6,7 @@
 #include "format/json/spline.h"
 
 #include "format/json/curve.h"
+#include "format/json/word.h"
 
 #include <batten/format.h>
 
@@ -53,20 +54,6 @@ static bat_status read_tension(const bat_json *json, uint32_t list, size_t count
     return BAT_OK;
 }
 
-/* The index of the member's word; *out is left alone when there is no such member. */
-static bat_status read_word(const bat_json *json, uint32_t object, const char *name, const char *const *words,
-                            const char *expected, int *out, bat_problem *problem) {
-    uint32_t node = bat_json_member(json, object, name);
-    if (!node) return BAT_OK;
-    const char *text = bat_json_text(json, node);
-    for (int i = 0; text && words[i]; i++)
-        if (strcmp(text, words[i]) == 0) {
-            *out = i;
-            return BAT_OK;
-        }
-    return bat_json_complain(json, node, BAT_SYNTAX, name, expected, problem);
-}
-
 static bat_status read_closed(const bat_json *json, uint32_t object, bool *out, bat_problem *problem) {
     uint32_t node = bat_json_member(json, object, "closed");
     if (node && !is(json, node, BAT_JSON_TRUE) && !is(json, node, BAT_JSON_FALSE))
@@ -78,10 +65,10 @@ static bat_status read_closed(const bat_json *json, uint32_t object, bool *out, 
 static bat_status read_options(const bat_json *json, uint32_t object, bat_tangents_options *options,
                                bat_problem *problem) {
     int mode = (int)options->mode, missing = (int)options->missing;
-    bat_status status = read_word(json, object, "mode", MODES, "faithful or paper", &mode, problem);
+    bat_status status = bat_word_from_json(json, object, "mode", MODES, "faithful or paper", &mode, problem);
     if (status == BAT_OK)
-        status = read_word(json, object, "default", DEFAULTS, "centripetal, uniform or chordal", &missing,
-                           problem);
+        status = bat_word_from_json(json, object, "default", DEFAULTS, "centripetal, uniform or chordal",
+                                    &missing, problem);
     if (status == BAT_OK)
         options->mode = (bat_tangents_mode)mode, options->missing = (bat_tangents_default)missing;
     return status;

@@ -1,6 +1,7 @@
 /* Polylines with lengths: the stroke as the pen drew it, and curves flattened. */
 #include "hands/sketch/intent_parts.h"
 #include "curve/curve.h"
+#include "base/bisect.h"
 #include "base/real.h"
 
 #include <math.h>
@@ -45,16 +46,9 @@ void bat_polyline_at(const bat_polyline *line, double s, double out[2]) {
     }
     if (line->closed) s -= floor(s / length) * length;
     s = fmin(fmax(s, 0), length);
-    int low = 0, high = line->count - 1;
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        if (line->s[middle] <= s)
-            low = middle;
-        else
-            high = middle;
-    }
+    const size_t low = bat_bisect(line->s, (size_t)line->count, s);
     const double h = line->s[low + 1] - line->s[low], f = h > 0 ? (s - line->s[low]) / h : 0;
-    const double *a = line->x + 2 * (size_t)low;
+    const double *a = line->x + 2 * low;
     for (int k = 0; k < 2; k++) out[k] = a[k] + f * (a[2 + k] - a[k]);
 }
 

@@ -31,17 +31,14 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     bat_status status = bat_sketch_check(stroke, given, &o);
     if (status != BAT_OK) return status;
     double origin[BAT_DIMENSION_MAX];
-    bat_stroke_origin(stroke, origin);
-    const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, true, hints ? hints->memory : NULL};
     bat_clean clean;
-    status = bat_clean_stroke(stroke, &cleaning, &clean);
+    status = bat_sketch_clean(stroke, &o, true, hints, origin, &clean);
     if (status != BAT_OK) return status;
     /* Parameters of a new curve are lengths in document units. */
     bat_plan plan = {.degree = 3,
                      .dimension = stroke->dimension,
                      .pins = 3,
-                     .tolerance = clean.share * tolerance,
+                     .tolerance = clean.share * (o.tolerance / o.pixel),
                      .width = o.width,
                      .keep_corners = true,
                      .stroke = &clean,

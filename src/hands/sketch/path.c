@@ -1,4 +1,5 @@
 #include "hands/sketch/path.h"
+#include "base/bisect.h"
 #include "base/real.h"
 
 #include <math.h>
@@ -16,26 +17,13 @@ void bat_path_measure(const double *points, size_t count, size_t m, double *arc)
         arc[i] = arc[i - 1] + bat_path_distance(points + i * m, points + (i - 1) * m, m);
 }
 
-/* Index i with arc[i] <= s < arc[i + 1], 0..count - 2. */
-static size_t locate(const bat_path *path, double s) {
-    size_t low = 0, high = path->count - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (path->arc[middle] <= s)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 void bat_path_at(const bat_path *path, double s, double *out) {
     const size_t m = path->m;
     if (path->count < 2) {
         memcpy(out, path->points, m * sizeof *out);
         return;
     }
-    const size_t i = locate(path, s);
+    const size_t i = bat_bisect(path->arc, path->count, s);
     const double h = path->arc[i + 1] - path->arc[i];
     double f = h > 0 ? (s - path->arc[i]) / h : 0;
     f = f < 0 ? 0 : f > 1 ? 1 : f;

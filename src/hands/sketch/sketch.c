@@ -236,11 +236,11 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
     return status;
 }
 
-static bat_status clean_for(const bat_stroke *stroke, const bat_sketch_options *o, bat_clean_memory *memory,
-                            double *origin, bat_clean *out) {
+bat_status bat_sketch_clean(const bat_stroke *stroke, const bat_sketch_options *o, bool corners,
+                            const bat_sketch_hints *hints, double *origin, bat_clean *out) {
     bat_stroke_origin(stroke, origin);
-    const bat_clean_options cleaning = {1 / o->pixel, origin, o->tolerance / o->pixel, o->keep_corners,
-                                        memory};
+    const bat_clean_options cleaning = {1 / o->pixel, origin, o->tolerance / o->pixel, corners,
+                                        hints ? hints->memory : NULL};
     return bat_clean_stroke(stroke, &cleaning, out);
 }
 
@@ -254,7 +254,7 @@ bat_status bat_sketch_with(const bat_curve *curve, const bat_stroke *stroke, con
     if (stroke->dimension != curve->dimension) return BAT_DIMENSION;
     double origin[BAT_DIMENSION_MAX];
     bat_clean clean;
-    status = clean_for(stroke, &o, hints ? hints->memory : NULL, origin, &clean);
+    status = bat_sketch_clean(stroke, &o, o.keep_corners, hints, origin, &clean);
     if (status != BAT_OK) return status;
     status = redraw(curve, &clean, &o, origin, meaning, hints, out, report);
     bat_clean_free(&clean);
@@ -312,7 +312,7 @@ bat_status bat_sketch_chain(int count, const bat_curve *const *curves, const dou
     if (status != BAT_OK) return status;
     double origin[BAT_DIMENSION_MAX];
     bat_clean clean;
-    status = clean_for(stroke, &o, NULL, origin, &clean);
+    status = bat_sketch_clean(stroke, &o, o.keep_corners, NULL, origin, &clean);
     if (status != BAT_OK) return status;
     int made = 0;
     size_t first = 0;

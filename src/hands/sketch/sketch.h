@@ -26,6 +26,10 @@ typedef struct bat_sketch_hints {
     size_t target_count, stroke_first, stroke_last;
 } bat_sketch_hints;
 
+/* The stroke cleaned in pixels about its origin, which is written; corners: looked for. hints may be NULL. */
+bat_status bat_sketch_clean(const bat_stroke *stroke, const bat_sketch_options *options, bool corners,
+                            const bat_sketch_hints *hints, double *origin, bat_clean *out);
+
 void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas);
 /* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
 bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel);

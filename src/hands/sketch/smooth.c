@@ -101,11 +101,8 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
     if (status != BAT_OK) return status;
     if (stroke->dimension != curve->dimension) return BAT_DIMENSION;
     double origin[BAT_DIMENSION_MAX];
-    bat_stroke_origin(stroke, origin);
-    const double tolerance = o.tolerance / o.pixel;
-    const bat_clean_options cleaning = {1 / o.pixel, origin, tolerance, false, hints ? hints->memory : NULL};
     bat_clean clean;
-    status = bat_clean_stroke(stroke, &cleaning, &clean);
+    status = bat_sketch_clean(stroke, &o, false, hints, origin, &clean);
     if (status != BAT_OK) return status;
     bat_canvas canvas;
     status = bat_canvas_make(curve, origin, o.pixel, &canvas);
@@ -117,7 +114,7 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
     bat_plan plan = {.degree = p,
                      .dimension = stroke->dimension,
                      .pins = o.pins == 2 ? p - 1 : p,
-                     .tolerance = tolerance,
+                     .tolerance = o.tolerance / o.pixel,
                      .width = o.width,
                      .closed = curve->closed,
                      .stroke = &clean};

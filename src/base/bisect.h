@@ -1,0 +1,20 @@
+/* Where a number lies among ascending ones. */
+#ifndef BATTEN_BASE_BISECT_H
+#define BATTEN_BASE_BISECT_H
+
+#include <stddef.h>
+
+/* i with ascending[i] <= at < ascending[i + 1], from 0 to count - 2. count: 2 at least. */
+static inline size_t bat_bisect(const double *ascending, size_t count, double at) {
+    size_t low = 0, high = count - 1;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (ascending[middle] <= at)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+#endif
