@@ -91,25 +91,77 @@ int arguments_integer(const cli_arguments *arguments, const char *name, long low
     return EXIT_DONE;
 }
 
-int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count) {
+/* Numbers, each with the separator behind it: a comma, and a semicolon behind every size-th (size 0: never). */
+static int read_numbers(const cli_arguments *arguments, const char *name, size_t size, double **out,
+                        size_t *count) {
     const char *text = arguments_value(arguments, name);
     *out = NULL;
     *count = 0;
     if (!text) return EXIT_DONE;
     size_t room = 1;
-    for (const char *at = text; *at; at++) room += *at == ',';
+    for (const char *at = text; *at; at++) room += *at == ',' || *at == ';';
     double *numbers = malloc(room * sizeof *numbers);
     if (!numbers) return fail_memory();
     const char *at = text;
     for (size_t i = 0; i < room; i++) {
-        size_t size = strcspn(at, ",");
-        if (!number_between(at, at + size, &numbers[i])) {
+        size_t length = strcspn(at, size ? ",;" : ",");
+        if (!number_between(at, at + length, &numbers[i])) {
             free(numbers);
-            return fail_usage(arguments->command, "%s: expected a number, found '%.*s'", name, (int)size, at);
+            return fail_usage(arguments->command, "%s: expected a number, found '%.*s'", name, (int)length,
+                              at);
         }
-        at += size + 1;
+        const char *behind = at + length;
+        if (size && *behind != ((i + 1) % size ? ',' : i + 1 == room ? '\0' : ';')) {
+            free(numbers);
+            return fail_usage(arguments->command, "%s: expected %zu numbers in each place, found others",
+                              name, size);
+        }
+        at = behind + 1;
+        if (!*behind) room = i + 1;
     }
     *out = numbers;
-    *count = room;
+    *count = size ? room / size : room;
+    return EXIT_DONE;
+}
+
+int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count) {
+    return read_numbers(arguments, name, 0, out, count);
+}
+
+int arguments_places(const cli_arguments *arguments, const char *name, size_t size, double **out,
+                     size_t *count) {
+    return read_numbers(arguments, name, size, out, count);
+}
+
+int arguments_vector(const cli_arguments *arguments, const char *name, size_t size, double *out) {
+    double *numbers;
+    size_t count;
+    int failed = arguments_numbers(arguments, name, &numbers, &count);
+    if (failed || !numbers) return failed;
+    if (count == size) memcpy(out, numbers, size * sizeof *out);
+    free(numbers);
+    return count == size
+               ? EXIT_DONE
+               : fail_usage(arguments->command, "%s: expected %zu numbers, found %zu", name, size, count);
+}
+
+int arguments_product(const cli_arguments *arguments, const char *name, long most, long out[2]) {
+    const char *text = arguments_value(arguments, name);
+    if (!text) return EXIT_DONE;
+    char *end;
+    long w = strtol(text, &end, 10), h = 0;
+    if (end != text && (*end == 'x' || *end == 'X')) {
+        const char *second = end + 1;
+        h = strtol(second, &end, 10);
+        if (end == second) h = 0;
+    }
+    if (w < 1 || h < 1 || w > most || h > most || *end) {
+        const cli_option *option =
+            &arguments->command->options[option_index(arguments->command, name, strlen(name))];
+        return fail_usage(arguments->command, "%s: expected %s, 1x1 to %ldx%ld, found '%s'", name,
+                          option->value, most, most, text);
+    }
+    out[0] = w;
+    out[1] = h;
     return EXIT_DONE;
 }

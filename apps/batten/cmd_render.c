@@ -34,26 +34,6 @@ static int picture_kind(const cli_arguments *arguments, int *out) {
     return fail_usage(arguments->command, "%s: expected a name that ends in .svg, .png or .pdf", name);
 }
 
-static int picture_size(const cli_arguments *arguments, int *width, int *height) {
-    const char *text = arguments_value(arguments, "--size");
-    *width = *height = 0;
-    if (!text) return EXIT_DONE;
-    char *end;
-    long w = strtol(text, &end, 10), h = 0;
-    if (end != text && (*end == 'x' || *end == 'X')) {
-        const char *second = end + 1;
-        h = strtol(second, &end, 10);
-        if (end == second) h = 0;
-    }
-    if (w < 1 || h < 1 || w > PAINT_SIZE_MAX || h > PAINT_SIZE_MAX || *end) {
-        return fail_usage(arguments->command, "--size: expected WxH, 1x1 to %dx%d, found '%s'",
-                          PAINT_SIZE_MAX, PAINT_SIZE_MAX, text);
-    }
-    *width = (int)w;
-    *height = (int)h;
-    return EXIT_DONE;
-}
-
 /* "white", "none", "#rrggbb" or "#rrggbbaa". */
 static int background_of(const cli_arguments *arguments, uint32_t *out) {
     const char *text = arguments_value(arguments, "--background");
@@ -130,9 +110,10 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
 
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0];
-    int kind, width, height;
+    int kind;
+    long size_asked[2] = {0, 0};
     int failed = picture_kind(arguments, &kind);
-    if (!failed) failed = picture_size(arguments, &width, &height);
+    if (!failed) failed = arguments_product(arguments, "--size", PAINT_SIZE_MAX, size_asked);
     uint32_t background = kind == PICTURE_PNG ? 0xffffffff : 0;
     if (!failed) failed = background_of(arguments, &background);
     if (failed) return failed;
@@ -145,7 +126,7 @@ static int run(const cli_arguments *arguments) {
         return failed;
     }
     paint_area area;
-    paint_area_of(drawing.document, width, height, &area);
+    paint_area_of(drawing.document, (int)size_asked[0], (int)size_asked[1], &area);
     unsigned char *data = NULL;
     size_t size = 0;
     if (kind == PICTURE_SVG) {

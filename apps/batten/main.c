@@ -10,16 +10,39 @@
 
 /* In the order of the manual. */
 static const cli_command *const commands[] = {
-    &command_edit,     &command_eval,   &command_nearest, &command_frames, &command_fit,  &command_sketch,
-    &command_tangents, &command_levels, &command_convert, &command_render, &command_info, &command_replay,
+    &command_edit,   &command_eval,     &command_nearest,      &command_frames,           &command_fit,
+    &command_sketch, &command_tangents, &command_levels,       &command_convert,          &command_render,
+    &command_info,   &command_replay,   &command_surface_eval, &command_surface_isocurve,
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-static const cli_command *command_find(const char *name) {
+/* The command whose name the first words are; *used: how many words that takes. */
+static const cli_command *command_find(int count, char **words, int *used) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(commands[i]->name, name) == 0) return commands[i];
+        const char *name = commands[i]->name, *second = strchr(name, ' ');
+        size_t first = second ? (size_t)(second - name) : strlen(name);
+        if (strlen(words[0]) != first || memcmp(words[0], name, first) != 0) continue;
+        if (second && (count < 2 || strcmp(words[1], second + 1) != 0)) continue;
+        *used = second ? 2 : 1;
+        return commands[i];
     }
     return NULL;
+}
+
+/* Whether names of two words begin with this one. */
+static bool is_group(const char *word) {
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        const char *second = strchr(commands[i]->name, ' ');
+        size_t first = second ? (size_t)(second - commands[i]->name) : 0;
+        if (second && strlen(word) == first && memcmp(word, commands[i]->name, first) == 0) return true;
+    }
+    return false;
+}
+
+static int fail_unknown(int count, char **words) {
+    if (!is_group(words[0])) return fail_usage(NULL, "no such command: %s", words[0]);
+    if (count < 2) return fail_usage(NULL, "%s needs to be told what to do", words[0]);
+    return fail_usage(NULL, "no such command: %s %s", words[0], words[1]);
 }
 
 static void print_indented(const char *lines) {
@@ -46,8 +69,10 @@ static void print_command_help(const cli_command *command) {
 }
 
 static void print_help(void) {
-    printf("Usage: batten COMMAND ...\n\nShapes B-spline curves. '-' is standard input or output.\n\n");
-    for (size_t i = 0; i < COMMAND_COUNT; i++) printf("  %-9s %s\n", commands[i]->name, commands[i]->summary);
+    printf("Usage: batten COMMAND ...\n\nShapes B-spline curves and surfaces. '-' is standard input or "
+           "output.\n\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-17s %s\n", commands[i]->name, commands[i]->summary);
     printf("\nbatten COMMAND --help says more, with an example. batten --version prints the version.\n"
            "\nExit status: 0 done, 1 the data are bad (one line on standard error), 2 wrong usage.\n");
 }
@@ -79,9 +104,10 @@ int main(int count, char **words) {
     signal(SIGPIPE, SIG_IGN);               /* a reader that has gone, or a file at its limit, */
     signal(SIGXFSZ, SIG_IGN);               /* is an error of writing, not a sudden end */
     if (count < 2) return fail_usage(NULL, "a command is missing");
+    int used = 0;
     if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 || strcmp(words[1], "help") == 0) {
-        const cli_command *about = count > 2 ? command_find(words[2]) : NULL;
-        if (count > 2 && !about) return fail_usage(NULL, "no such command: %s", words[2]);
+        const cli_command *about = count > 2 ? command_find(count - 2, words + 2, &used) : NULL;
+        if (count > 2 && !about && !is_group(words[2])) return fail_unknown(count - 2, words + 2);
         if (about)
             print_command_help(about);
         else
@@ -92,14 +118,19 @@ int main(int count, char **words) {
         printf("batten %s\n", bat_version());
         return finish(EXIT_DONE);
     }
-    const cli_command *command = command_find(words[1]);
-    if (!command) return fail_usage(NULL, "no such command: %s", words[1]);
-    if (wants_help(count - 2, words + 2)) {
+    const cli_command *command = command_find(count - 1, words + 1, &used);
+    if (!command && is_group(words[1]) && wants_help(count - 2, words + 2)) {
+        print_help();
+        return finish(EXIT_DONE);
+    }
+    if (!command) return fail_unknown(count - 1, words + 1);
+    const int from = 1 + used; /* the command's own words */
+    if (wants_help(count - from, words + from)) {
         print_command_help(command);
         return finish(EXIT_DONE);
     }
     cli_arguments arguments;
-    int status = arguments_parse(command, count - 2, words + 2, &arguments);
+    int status = arguments_parse(command, count - from, words + from, &arguments);
     if (status) return status;
     if (command != &command_edit) progress_begin(command->name); /* the server is not at work, it waits */
     status = command->run(&arguments);

@@ -5,7 +5,7 @@
 #include <batten/format.h>
 
 enum { EXIT_DONE = 0, EXIT_DATA = 1, EXIT_USAGE = 2 };
-enum { OPTIONS_MAX = 8, OPERANDS_MAX = 2 };
+enum { OPTIONS_MAX = 8, OPERANDS_MAX = 3 };
 
 typedef struct cli_option {
     const char *name;  /* "--at" */
@@ -17,7 +17,7 @@ typedef struct cli_arguments cli_arguments;
 
 /* One subcommand. --help, the manual page's synopsis and the shell's completion are made from it. */
 typedef struct cli_command {
-    const char *name;
+    const char *name;    /* a word, or two: "surface eval" */
     const char *usage;   /* what follows the name, as the contract writes it */
     const char *summary; /* one line */
     const char *details; /* lines, may be NULL */
@@ -36,7 +36,7 @@ struct cli_arguments {
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
     command_sketch, command_tangents, command_levels, command_convert, command_render, command_info,
-    command_replay;
+    command_replay, command_surface_eval, command_surface_isocurve;
 
 /* ---- arguments ---- */
 
@@ -49,6 +49,13 @@ int arguments_number(const cli_arguments *arguments, const char *name, double lo
 int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out);
 /* A list of numbers, "1,2.5,-3": *out is malloc'ed; NULL when the option was not given. */
 int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count);
+/* A list of places of `size` numbers, "0,1;0.5,1"; *count: how many places. */
+int arguments_places(const cli_arguments *arguments, const char *name, size_t size, double **out,
+                     size_t *count);
+/* Exactly `size` numbers into out, which is left alone when the option was not given. */
+int arguments_vector(const cli_arguments *arguments, const char *name, size_t size, double *out);
+/* "640x480": two whole numbers of 1 to most. */
+int arguments_product(const cli_arguments *arguments, const char *name, long most, long out[2]);
 
 /* ---- failures: one line of valid UTF-8 on standard error ---- */
 

@@ -18,6 +18,17 @@ int read_curve(const char *name, bat_curve **out) {
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }
 
+int read_surface(const char *name, bat_surface **out) {
+    char *data;
+    size_t size;
+    int failed = io_read(name, &data, &size);
+    if (failed) return failed;
+    bat_problem problem = {.place = ""};
+    bat_status status = bat_surface_read(data, size, out, &problem);
+    free(data);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+}
+
 int read_stroke(const char *name, bat_stroke *out, void **block) {
     char *data;
     size_t size;
@@ -52,6 +63,15 @@ int write_text(bat_text *text) {
     char *data;
     size_t size;
     if (bat_text_finish(text, &data, &size) != BAT_OK) return fail_memory();
+    int failed = io_write("-", data, size);
+    bat_free(data);
+    return failed;
+}
+
+int write_curve(const bat_curve *curve) {
+    char *data;
+    size_t size;
+    if (bat_curve_write(curve, &data, &size) != BAT_OK) return fail_memory();
     int failed = io_write("-", data, size);
     bat_free(data);
     return failed;

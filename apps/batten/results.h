@@ -10,6 +10,7 @@
 #include <batten/nearest.h>
 
 int read_curve(const char *name, bat_curve **out);
+int read_surface(const char *name, bat_surface **out);
 /* *block: bat_free. */
 int read_stroke(const char *name, bat_stroke *out, void **block);
 
@@ -19,6 +20,7 @@ void put_numbers(bat_text *text, const double *numbers, size_t count);
 void put_points(bat_text *text, const double *numbers, size_t count, int dimension, size_t stride);
 /* Ends the text with a line end, and writes it to standard output. Releases it. */
 int write_text(bat_text *text);
+int write_curve(const bat_curve *curve);
 /* The curve with its report, to standard output. */
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
 /* What a sketch's status means for the user; stroke: the stroke file's name. */

@@ -14,6 +14,7 @@
 #include <batten/sketch.h>
 #include <batten/tangents.h>
 #include <batten/levels.h>
+#include <batten/surface.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/input.h>

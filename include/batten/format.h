@@ -5,6 +5,7 @@
 #include <batten/document.h>
 #include <batten/levels.h>
 #include <batten/sketch.h>
+#include <batten/surface.h>
 #include <batten/tangents.h>
 
 #ifdef __cplusplus
@@ -18,6 +19,9 @@ BAT_API bat_status bat_document_write(const bat_document *document, char **text,
 /* One CURVE or STROKE (JSON; strokes also as CSV), as described in docs/format.md. */
 BAT_API bat_status bat_curve_read(const char *text, size_t size, bat_curve **out, bat_problem *problem);
 BAT_API bat_status bat_curve_write(const bat_curve *curve, char **text, size_t *size);
+/* One SURFACE. */
+BAT_API bat_status bat_surface_read(const char *text, size_t size, bat_surface **out, bat_problem *problem);
+BAT_API bat_status bat_surface_write(const bat_surface *surface, char **text, size_t *size);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

@@ -61,6 +61,10 @@ void bat_basis_rows(const bat_curve *curve, int span, double u, double rows[][BA
 void bat_basis(const bat_curve *curve, int span, double u, int order, double *out);
 /* Value and derivatives in a given span, u may lie outside it (the polynomial is continued). */
 void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, double *out);
+/* Derivatives first..order (first 0 or 1) of the p + 1 points of one span, each of any size; t: the span's first knot;
+ * rows: from bat_basis_rows. The points are used up when order is above 0. */
+void bat_eval_local(const double *t, int p, int size, int first, int order, double rows[][BAT_DEGREE_MAX + 1],
+                    double *points, double *out);
 /* Blossom of the piece of a stored span. */
 void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out);
 

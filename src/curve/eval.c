@@ -16,9 +16,24 @@ BAT_INLINE void combine(const double *basis, const double *points, int q, int si
 
 /* Derivatives come from differences of control points, not from derivatives of the basis: curves far from the
  * origin then lose no digits. */
+void bat_eval_local(const double *t, int p, int size, int first, int order, double rows[][BAT_DEGREE_MAX + 1],
+                    double *points, double *out) {
+    for (int k = first; k <= order; k++, out += size) {
+        if (k > p) {
+            for (int c = 0; c < size; c++) out[c] = 0;
+            continue;
+        }
+        for (int j = 0; k > 0 && j <= p - k; j++) {
+            double scale = (p - k + 1) / (t[j + 1] - t[j + k - p]);
+            for (int c = 0; c < size; c++)
+                points[j * size + c] = (points[(j + 1) * size + c] - points[j * size + c]) * scale;
+        }
+        combine(rows[p - k], points, p - k, size, out);
+    }
+}
+
 void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, double *out) {
     int p = curve->degree, size = curve->dimension;
-    const double *t = curve->knots + span;
     const double *points = curve->points + (size_t)(span - p) * (size_t)size;
     double rows[BAT_DEGREE_MAX + 1][BAT_DEGREE_MAX + 1];
     double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
@@ -31,19 +46,7 @@ void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, 
         combine(rows[p], points, p, size, out);
     if (order <= 0) return;
     memcpy(d, points, (size_t)((p + 1) * size) * sizeof(double));
-    for (int k = 1; k <= order; k++) {
-        out += size;
-        if (k > p) {
-            for (int c = 0; c < size; c++) out[c] = 0;
-            continue;
-        }
-        for (int j = 0; j <= p - k; j++) {
-            double scale = (p - k + 1) / (t[j + 1] - t[j + k - p]);
-            for (int c = 0; c < size; c++)
-                d[j * size + c] = (d[(j + 1) * size + c] - d[j * size + c]) * scale;
-        }
-        combine(rows[p - k], d, p - k, size, out);
-    }
+    bat_eval_local(curve->knots + span, p, size, 1, order, rows, d, out + size);
 }
 
 static void fill(const bat_curve *curve, int order, double value, double *out) {

@@ -21,7 +21,7 @@ class Manual(ProgramTest):
         for name in COMMANDS:
             section = re.search(rf'(?m)^\.SS "?batten {name} (.*?)"?\n((?:(?!\.SS|\.SH).*\n)*)', text)
             self.assertIsNotNone(section, name)
-            lines = self.done(name, "--help").decode().splitlines()
+            lines = self.done(*name.split(), "--help").decode().splitlines()
             self.assertEqual(f"Usage: batten {name} {section[1]}", lines[0])
             for line in lines:
                 option = re.match(r"  (--[a-z-]+)", line)

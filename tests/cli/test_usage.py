@@ -8,7 +8,8 @@ import unittest
 
 from program import CURVE, PROGRAM, ProgramTest
 
-COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay"]
+COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay",
+            "surface eval", "surface isocurve"]
 
 
 class Usage(ProgramTest):
@@ -16,10 +17,10 @@ class Usage(ProgramTest):
         overview = self.done("--help").decode()
         for name in COMMANDS:
             self.assertRegex(overview, rf"(?m)^  {name} +\S")
-            text = self.done(name, "--help").decode()
+            text = self.done(*name.split(), "--help").decode()
             self.assertTrue(text.startswith(f"Usage: batten {name} "), text)
             self.assertRegex(text, rf"(?m)^Example:\n  batten {name} ")
-            self.assertEqual(text, self.done("help", name).decode())
+            self.assertEqual(text, self.done("help", *name.split()).decode())
             usage = text.splitlines()[0]
             for option in re.findall(r"--[a-z]+", usage):  # what the usage names, the list explains
                 self.assertRegex(text, rf"(?m)^  {option}\b")
@@ -52,10 +53,19 @@ class Usage(ProgramTest):
             ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
             ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],
             ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
+            ["surface"], ["surface", "frobnicate"], ["surface", "eval"], ["surface", "eval", curve],
+            ["surface", "eval", curve, "--samples", "3"], ["surface", "eval", curve, "--samples", "3x0"],
+            ["surface", "eval", curve, "--samples", "9999x9999"], ["surface", "eval", curve, "--at", "1"],
+            ["surface", "eval", curve, "--at", "1,2;"], ["surface", "eval", curve, "--at", "1,2,3"],
+            ["surface", "eval", curve, "--at", "1,2;3"], ["surface", "eval", curve, "--at", "1;2"],
+            ["surface", "eval", curve, "--at", "1,2", "--samples", "2x2"],
+            ["surface", "eval", curve, "--samples", "2x2", "--derivatives", "3"],
+            ["surface", "isocurve", curve], ["surface", "isocurve", curve, "--u", "1", "--v", "2"],
+            ["surface", "isocurve", curve, "--u", "x"],
             ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
         ):
             with self.subTest(words=words):
-                self.assertRegex(self.refused(2, *words), r"^batten( [a-z]+)?: .*\(see: batten.* --help\)$")
+                self.assertRegex(self.refused(2, *words), r"^batten( [a-z]+){0,2}: .*\(see: batten.* --help\)$")
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["c.json"])  # nothing written
 
     def test_option_forms(self):

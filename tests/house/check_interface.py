@@ -9,7 +9,8 @@ import sys
 
 # Counts of what has an index, which is an int: objects, curves of an object, things a file lost.
 INT_COUNTS = {"bat_object_create_path", "bat_object_with_curves", "bat_object_curve_count", "bat_document_count",
-              "bat_editor_outline", "bat_loss_words", "bat_losses", "bat_curve_knot_count", "bat_curve_segment_count"}
+              "bat_editor_outline", "bat_loss_words", "bat_losses", "bat_curve_knot_count", "bat_curve_segment_count",
+              "bat_surface_knot_count"}
 # Not a question but an event: says whether it was used.
 NO_PREDICATES = {"bat_editor_key"}
 # Where the arguments of a call may stand, from the first on.

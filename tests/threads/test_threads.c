@@ -11,7 +11,7 @@
 #include <stdatomic.h>
 #include "document/digest.h"
 #include "support/pictures.h"
-#include "support/random_curve.h"
+#include "support/random_surface.h"
 #include "support/session.h"
 #include "support/xml.h"
 
@@ -276,6 +276,57 @@ static void const_calls_on_a_curve(void **state) {
     bat_curve *curve = pen_curve(200, 200, 60, 2, 11);
     assert_alike(draw_over_curve, curve, 5);
     bat_curve_free(curve);
+}
+
+/* ---- const calls on one surface ---- */
+
+static uint64_t add_surface(uint64_t digest, bat_status status, bat_surface **made) {
+    char *text = NULL;
+    size_t size = 0;
+    digest = add(digest, (uint64_t)status);
+    if (*made) digest = add_text(digest, bat_surface_write(*made, &text, &size), &text, &size);
+    bat_surface_free(*made);
+    *made = NULL;
+    return digest;
+}
+
+static uint64_t look_at_surface(const void *shared, int seed) {
+    const bat_surface *s = shared;
+    double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
+    bat_surface_spread(s, BAT_U, 4, u);
+    bat_surface_spread(s, BAT_V, 4, v);
+    bat_surface_domain(s, BAT_U, domain);
+    bat_surface_box(s, low, high);
+    uint64_t d = add_doubles(add_doubles(bat_digest_begin(), low, 3), high, 3);
+    d = add_doubles(bat_digest_double(d, bat_surface_size(s)), domain, 2);
+    d = add(add(d, bat_surface_is_closed(s, BAT_V)), (uint64_t)bat_surface_degree(s, BAT_U));
+    d = add_doubles(d, bat_surface_row(s, seed % 2), 3 * (int)bat_surface_count(s, BAT_V));
+    d = add_doubles(d, bat_surface_knots(s, BAT_U), bat_surface_knot_count(s, BAT_U));
+    bat_surface_eval(s, u[seed % 4], v[1], 2, out);
+    d = add(add_doubles(d, out, 18), (uint64_t)bat_surface_eval_grid(s, 4, u, 4, v, 0, grid));
+    d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal(s, u[seed % 4], v[2], out));
+    d = add(add_doubles(d, out, 3), (uint64_t)bat_surface_curvature(s, u[1], v[seed % 4], out, out + 1));
+    bat_curve *line = NULL;
+    bat_surface *made = NULL, *fine = NULL;
+    d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);
+    const double turn[12] = {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, seed};
+    d = add_surface(d, bat_surface_transform(s, turn, &made), &made);
+    d = add_surface(d, bat_surface_copy(s, &made), &made);
+    bat_status status = bat_surface_insert_knots(s, BAT_U, 1, &u[1], &fine);
+    if (status != BAT_OK) return add(d, (uint64_t)status);
+    d = add(d, bat_surface_is_equal(s, fine));
+    status = bat_surface_refine(s, BAT_U, bat_surface_knot_count(fine, BAT_U), bat_surface_knots(fine, BAT_U),
+                                &made);
+    return add_surface(add_surface(d, BAT_OK, &fine), status, &made);
+}
+
+static void const_calls_on_a_surface(void **state) {
+    (void)state;
+    random_source r = {8};
+    bat_surface *surface = random_surface(&r, (const int[2]){3, 3}, (const int[2]){2, 0},
+                                          (const int[2]){6, 6});
+    assert_alike(look_at_surface, surface, 4);
+    bat_surface_free(surface);
 }
 
 /* ---- const calls on one shape ---- */
@@ -626,10 +677,10 @@ static void editors_and_readers_apart(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(const_calls_on_a_curve),    cmocka_unit_test(const_calls_on_a_shape),
-        cmocka_unit_test(const_calls_on_a_document), cmocka_unit_test(copies_edited_on_many_threads),
-        cmocka_unit_test(the_original_goes_first),   cmocka_unit_test(const_calls_on_an_editor),
-        cmocka_unit_test(editors_and_readers_apart),
+        cmocka_unit_test(const_calls_on_a_curve),        cmocka_unit_test(const_calls_on_a_surface),
+        cmocka_unit_test(const_calls_on_a_shape),        cmocka_unit_test(const_calls_on_a_document),
+        cmocka_unit_test(copies_edited_on_many_threads), cmocka_unit_test(the_original_goes_first),
+        cmocka_unit_test(const_calls_on_an_editor),      cmocka_unit_test(editors_and_readers_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,41 +110,45 @@ static bat_status complain_of_knots(const bat_json *json, uint32_t list, int deg
                         problem);
 }
 
-/* Knots and points are read: do the counts fit, and does the kernel take them? */
-static bat_status make_curve(const bat_json *json, uint32_t node, double degree, bool closed,
-                             size_t knot_count, const double *knots, size_t count, int dimension,
-                             const double *points, bat_curve **out, bat_problem *problem) {
+bat_status bat_axis_check(const bat_json *json, const bat_axis_text *axis, bat_problem *problem) {
+    const double degree = axis->degree;
     if (degree != 1 && degree != 2 && degree != 3 && degree != 4 && degree != 5 && degree != 6 && degree != 7)
-        return bat_json_complain(json, bat_json_member(json, node, "degree"), BAT_DEGREE, "degree", "1 to 7",
-                                 problem);
-    uint32_t point_list = bat_json_member(json, node, "points"),
-             knot_list = bat_json_member(json, node, "knots");
+        return bat_json_complain(json, axis->degree_node, BAT_DEGREE, "degree", "1 to 7", problem);
     char message[160];
-    size_t least = closed ? 2 : (size_t)degree + 1, fitting = count + (closed ? 1 : (size_t)degree + 1);
+    const size_t count = axis->count, least = axis->closed ? 2 : (size_t)degree + 1,
+                 fitting = count + (axis->closed ? 1 : (size_t)degree + 1);
     if (count > BAT_POINTS_MAX || count < least) {
         snprintf(message, sizeof message, "points: expected %zu to %d, found %zu", least, BAT_POINTS_MAX,
                  count);
-        return bat_json_say(json, point_list, BAT_COUNT, message, problem);
+        return bat_json_say(json, axis->point_node, BAT_COUNT, message, problem);
     }
-    if (knot_count != fitting) {
+    if (axis->knot_count != fitting) {
         snprintf(message, sizeof message, "knots: expected %zu for %zu points%s, found %zu", fitting, count,
-                 closed ? " of a closed curve" : "", knot_count);
-        return bat_json_say(json, knot_list, BAT_KNOTS, message, problem);
+                 axis->closed ? " of a closed curve" : "", axis->knot_count);
+        return bat_json_say(json, axis->knot_node, BAT_KNOTS, message, problem);
     }
-    bat_status status = bat_curve_create(dimension, (int)degree, closed, (size_t)((int)count), points,
-                                         (int)knot_count, knots, out);
-    if (status == BAT_OK) return BAT_OK;
+    bat_status status = bat_knots_check((int)degree, axis->closed, (int)count, axis->knots);
     if (status == BAT_KNOTS)
-        return complain_of_knots(json, knot_list, (int)degree, closed, knot_count, knots, problem);
-    if (status == BAT_NUMBER) {
-        bool knot = false;
-        for (size_t i = 0; i < knot_count; i++) knot = knot || fabs(knots[i]) > BAT_KNOT_MAX;
-        return bat_json_say(json, knot ? knot_list : point_list, status,
-                            knot ? "knots: expected numbers up to 1e30, found greater ones"
-                                 : "points: expected numbers up to 1e75, found greater ones",
+        return complain_of_knots(json, axis->knot_node, (int)degree, axis->closed, axis->knot_count,
+                                 axis->knots, problem);
+    if (status != BAT_OK)
+        return bat_json_say(json, axis->knot_node, status,
+                            "knots: expected numbers up to 1e30, none of them too close, found others",
                             problem);
-    }
-    return bat_json_say(json, point_list, status, bat_status_message(status), problem);
+    return BAT_OK;
+}
+
+bat_status bat_points_complain(const bat_json *json, uint32_t list, bat_status status, bat_problem *problem) {
+    return bat_json_say(json, list, status,
+                        status == BAT_NUMBER ? "points: expected numbers up to 1e75, found greater ones"
+                                             : bat_status_message(status),
+                        problem);
+}
+
+bool bat_flag_from_json(const bat_json *json, uint32_t node, bool *out) {
+    const bat_json_type type = bat_json_type_of(json, node);
+    *out = type == BAT_JSON_TRUE;
+    return type == BAT_JSON_TRUE || type == BAT_JSON_FALSE;
 }
 
 bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem) {
@@ -153,8 +157,8 @@ bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **
     uint32_t degree = bat_json_member(json, node, "degree"), closed = bat_json_member(json, node, "closed");
     if (bat_json_type_of(json, degree) != BAT_JSON_NUMBER)
         return bat_json_complain(json, degree ? degree : node, BAT_SYNTAX, "degree", "a number", problem);
-    if (closed && bat_json_type_of(json, closed) != BAT_JSON_TRUE &&
-        bat_json_type_of(json, closed) != BAT_JSON_FALSE)
+    bool is_closed = false;
+    if (closed && !bat_flag_from_json(json, closed, &is_closed))
         return bat_json_complain(json, closed, BAT_SYNTAX, "closed", "true or false", problem);
     double *knots = NULL, *points = NULL;
     size_t knot_count, count;
@@ -164,10 +168,22 @@ bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **
     bat_status status = bat_numbers_from_json(json, knot_list, "knots", &knots, &knot_count, problem);
     if (status == BAT_OK)
         status = bat_points_from_json(json, point_list, "points", &points, &count, &dimension, problem);
-    if (status == BAT_OK)
-        status = make_curve(json, node, json->nodes[degree].value.number,
-                            closed && bat_json_type_of(json, closed) == BAT_JSON_TRUE, knot_count, knots,
-                            count, dimension, points, out, problem);
+    if (status == BAT_OK) {
+        const bat_axis_text axis = {json->nodes[degree].value.number,
+                                    is_closed,
+                                    count,
+                                    knot_count,
+                                    knots,
+                                    degree,
+                                    knot_list,
+                                    point_list};
+        status = bat_axis_check(json, &axis, problem);
+    }
+    if (status == BAT_OK) {
+        status = bat_curve_create(dimension, (int)json->nodes[degree].value.number, is_closed, count, points,
+                                  (int)knot_count, knots, out);
+        if (status != BAT_OK) bat_points_complain(json, point_list, status, problem);
+    }
     free(knots);
     free(points);
     /* A member that is not there has no place of its own. */
@@ -185,6 +201,22 @@ static void new_line(bat_text *text, int indent) {
     for (int i = 0; i < indent; i++) bat_text_string(text, " ");
 }
 
+void bat_numbers_to_json(const double *numbers, size_t count, bat_text *text) {
+    for (size_t i = 0; i < count; i++) {
+        bat_text_string(text, i > 0 ? "," : "[");
+        bat_text_number(text, numbers[i]);
+    }
+    bat_text_string(text, count > 0 ? "]" : "[]");
+}
+
+void bat_points_to_json(const double *points, size_t count, int dimension, bat_text *text) {
+    for (size_t i = 0; i < count; i++) {
+        bat_text_string(text, i > 0 ? "," : "[");
+        bat_numbers_to_json(points + i * (size_t)dimension, (size_t)dimension, text);
+    }
+    bat_text_string(text, count > 0 ? "]" : "[]");
+}
+
 void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text) {
     int dimension = bat_curve_dimension(curve), count = bat_point_count(curve);
     const double *knots = bat_curve_knots(curve), *points = bat_curve_points(curve);
@@ -192,23 +224,13 @@ void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text) {
     bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
     bat_text_string(text, bat_curve_is_closed(curve) ? ",\"closed\":true," : ",\"closed\":false,");
     new_line(text, indent);
-    bat_text_string(text, "\"knots\":[");
-    for (int i = 0; i < bat_curve_knot_count(curve); i++) {
-        if (i > 0) bat_text_string(text, ",");
-        bat_text_number(text, knots[i]);
-    }
-    bat_text_string(text, "],");
+    bat_text_string(text, "\"knots\":");
+    bat_numbers_to_json(knots, (size_t)bat_curve_knot_count(curve), text);
+    bat_text_string(text, ",");
     new_line(text, indent);
-    bat_text_string(text, "\"points\":[");
-    for (int i = 0; i < count; i++) {
-        bat_text_string(text, i > 0 ? ",[" : "[");
-        for (int d = 0; d < dimension; d++) {
-            if (d > 0) bat_text_string(text, ",");
-            bat_text_number(text, *points++);
-        }
-        bat_text_string(text, "]");
-    }
-    bat_text_string(text, "]}");
+    bat_text_string(text, "\"points\":");
+    bat_points_to_json(points, (size_t)count, dimension, text);
+    bat_text_string(text, "}");
 }
 
 bat_status bat_curve_read(const char *text, size_t size, bat_curve **out, bat_problem *problem) {

@@ -17,6 +17,26 @@ bat_status bat_numbers_from_json(const bat_json *json, uint32_t list, const char
 bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
                                 size_t *count, int *dimension, bat_problem *problem);
 
+/* "[1,2]" and "[[1,2],[3,4]]". */
+void bat_numbers_to_json(const double *numbers, size_t count, bat_text *text);
+void bat_points_to_json(const double *points, size_t count, int dimension, bat_text *text);
+
+/* What makes the basis of a curve, or of one direction of a surface, as it was read and where it stands. */
+typedef struct bat_axis_text {
+    double degree;
+    bool closed;
+    size_t count, knot_count;
+    const double *knots;
+    uint32_t degree_node, knot_node, point_node;
+} bat_axis_text;
+
+/* Is the degree known, do the counts fit, does the kernel take the knots? */
+bat_status bat_axis_check(const bat_json *json, const bat_axis_text *axis, bat_problem *problem);
+/* What is wrong with points whose knots are right. */
+bat_status bat_points_complain(const bat_json *json, uint32_t list, bat_status status, bat_problem *problem);
+/* true or false into *out; false: it is neither. */
+bool bat_flag_from_json(const bat_json *json, uint32_t node, bool *out);
+
 /* Exactly `size` numbers (2 or 3) into out. */
 bat_status bat_vector_from_json(const bat_json *json, uint32_t list, const char *what, int size, double *out,
                                 bat_problem *problem);

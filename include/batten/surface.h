@@ -1,0 +1,94 @@
+/*
+ * Batten: the surface. A tensor-product B-spline in space, S(u, v) = sum of N_i(u) M_j(v) P_ij.
+ *
+ * Each direction has a degree of 1 to 7, is open or closed, and has knots and a count of control points as a curve's
+ * (curve.h); all the bounds that hold there hold here. Point P_ij is the j-th of row i: rows follow each other along
+ * u, and the points of a row along v. Surfaces whose control points are all equal are refused.
+ *
+ * A surface is a value: it never changes after it is made. Operations return new surfaces, which the caller frees
+ * (bat_surface_free). Each surface is one allocation. Source: Piegl and Tiller (P&T), The NURBS Book, chapter 3.
+ */
+#ifndef BATTEN_SURFACE_H
+#define BATTEN_SURFACE_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct bat_surface bat_surface;
+
+/* A direction of the parameters. "The line at u" is the curve S(u, .), which runs along v. */
+typedef enum bat_direction { BAT_U = 0, BAT_V = 1 } bat_direction;
+
+/* Makes a surface after checking everything. The arrays of two hold the values of u and v. points: count[0] rows of
+ * count[1] points of 3 numbers; knots: as many for each direction as a curve of its degree and count has, else
+ * BAT_KNOTS. All are copied. BAT_COUNT: too few in a direction, or more than BAT_POINTS_MAX points in all;
+ * BAT_SINGULAR: all points are equal. Cost O(points). */
+BAT_API bat_status bat_surface_create(const int degree[2], const bool closed[2], const size_t count[2],
+                                      const double *points, const int knot_count[2], const double *u_knots,
+                                      const double *v_knots, bat_surface **out);
+/* O(points). */
+BAT_API bat_status bat_surface_copy(const bat_surface *surface, bat_surface **out);
+BAT_API void bat_surface_free(bat_surface *surface); /* NULL is fine */
+
+BAT_API int bat_surface_degree(const bat_surface *surface, bat_direction direction);
+BAT_API bool bat_surface_is_closed(const bat_surface *surface, bat_direction direction);
+BAT_API size_t bat_surface_count(const bat_surface *surface, bat_direction direction);
+BAT_API int bat_surface_knot_count(const bat_surface *surface, bat_direction direction);
+BAT_API const double *bat_surface_knots(const bat_surface *surface, bat_direction direction);
+/* The points of row i, 3 numbers each; owned by the surface. */
+BAT_API const double *bat_surface_row(const bat_surface *surface, int i);
+BAT_API void bat_surface_domain(const bat_surface *surface, bat_direction direction, double domain[2]);
+/* The box of the control points, in which all of the surface lies. O(points). */
+BAT_API void bat_surface_box(const bat_surface *surface, double low[3], double high[3]);
+/* Length of that box's diagonal: the "size" that relative bounds refer to. O(1). */
+BAT_API double bat_surface_size(const bat_surface *surface);
+/* Bitwise equality of shape and representation. O(points). */
+BAT_API bool bat_surface_is_equal(const bat_surface *a, const bat_surface *b);
+/* Affine image: matrix is 3 rows of 4, translation last. BAT_NUMBER: a point would lie beyond BAT_COORDINATE_MAX;
+ * BAT_SINGULAR: all points would be equal. O(points). */
+BAT_API bat_status bat_surface_transform(const bat_surface *surface, const double *matrix, bat_surface **out);
+
+/*
+ * Position and derivatives at (u, v). order 0: S; 1: S, S_u, S_v; 2: S, S_u, S_v, S_uu, S_uv, S_vv; 3 numbers each.
+ * (An order below 0 counts as 0, one above 2 as 2.) Parameters outside the domain, and derivatives at knots, are
+ * treated as in bat_curve_eval; a NaN parameter gives NaN. No allocation.
+ */
+BAT_API void bat_surface_eval(const bat_surface *surface, double u, double v, int order, double *out);
+/*
+ * The same on a grid: out has u_count * v_count blocks, u slowest. v: sorted ascending, as for bat_curve_eval_many; u
+ * in any order. The basis is computed once per u, and per v a polynomial once per span; equal to bat_surface_eval up to
+ * rounding. BAT_ARGUMENT: order is not 0, 1 or 2; BAT_PARAMETER: v is not sorted; BAT_NUMBER: a parameter is NaN.
+ */
+BAT_API bat_status bat_surface_eval_grid(const bat_surface *surface, size_t u_count, const double *u,
+                                         size_t v_count, const double *v, int order, double *out);
+/* count parameters spread evenly over the domain of a direction, ends included (closed: the end excluded). */
+BAT_API void bat_surface_spread(const bat_surface *surface, bat_direction direction, size_t count,
+                                double *out);
+
+/* The unit normal S_u x S_v. BAT_SINGULAR where it vanishes: at a collapsed edge, or where S_u and S_v are parallel
+ * up to rounding. BAT_NUMBER: a NaN parameter. */
+BAT_API bat_status bat_surface_normal(const bat_surface *surface, double u, double v, double normal[3]);
+/* Gauss and mean curvature; the mean curvature is positive where the surface bends towards the normal. Statuses as
+ * for the normal. */
+BAT_API bat_status bat_surface_curvature(const bat_surface *surface, double u, double v, double *gauss,
+                                         double *mean);
+
+/* The line at u (BAT_U) or v (BAT_V): a curve on the knots of the other direction, exact. The parameter is treated as
+ * in bat_curve_eval; BAT_NUMBER: it is NaN. O(points). */
+BAT_API bat_status bat_surface_isocurve(const bat_surface *surface, bat_direction direction, double at,
+                                        bat_curve **out);
+
+/* Knots inserted in one direction, and refinement to a superset of its knots, as bat_curve_insert_knots and
+ * bat_curve_refine do it, with their statuses: the shape does not change, and untouched points keep every bit. */
+BAT_API bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction,
+                                            int knot_count, const double *knots, bat_surface **out);
+BAT_API bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
+                                      const double *knots, bat_surface **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

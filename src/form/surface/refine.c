@@ -1,0 +1,91 @@
+/* Knots inserted into a surface: into each of its rows, which are curves. For rows along the other direction u and v
+ * are exchanged and exchanged back, which copies bits. */
+#include "form/surface/surface.h"
+
+#include <batten/refine.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out) {
+    const bat_curve *a = &surface->axis[0], *b = &surface->axis[1];
+    const int degree[2] = {b->degree, a->degree}, count[2] = {b->count, a->count};
+    const bool closed[2] = {b->closed, a->closed};
+    bat_surface *turned;
+    bat_status status = bat_surface_allocate(degree, closed, count, &turned);
+    if (status != BAT_OK) return status;
+    for (int d = 0; d < 2; d++) {
+        const bat_curve *axis = &surface->axis[1 - d];
+        memcpy(turned->axis[d].knots, axis->knots,
+               ((size_t)axis->spread + (size_t)axis->degree + 1) * sizeof(double));
+    }
+    const size_t m = (size_t)a->spread, n = (size_t)b->spread;
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = 0; j < n; j++)
+            memcpy(turned->points + (j * m + i) * 3, surface->points + (i * n + j) * 3, 3 * sizeof(double));
+    turned->size = surface->size;
+    *out = turned;
+    return BAT_OK;
+}
+
+typedef bat_status operation(const bat_curve *row, int knot_count, const double *knots, bat_curve **out);
+
+/* A surface with the rows along u of `surface` and the axis along v that the first changed row brings. */
+static bat_status begin(const bat_surface *surface, const bat_curve *row, bat_surface **out) {
+    const bat_curve *a = &surface->axis[0];
+    const int degree[2] = {a->degree, row->degree}, count[2] = {a->count, row->count};
+    const bool closed[2] = {a->closed, row->closed};
+    bat_status status = bat_surface_allocate(degree, closed, count, out);
+    if (status != BAT_OK) return status;
+    memcpy(bat_curve_own_knots(&(*out)->axis[0]), bat_curve_knots(a),
+           (size_t)bat_curve_knot_count(a) * sizeof(double));
+    memcpy(bat_curve_own_knots(&(*out)->axis[1]), bat_curve_knots(row),
+           (size_t)bat_curve_knot_count(row) * sizeof(double));
+    return BAT_OK;
+}
+
+static bat_status change_rows(const bat_surface *surface, operation *change, int knot_count,
+                              const double *knots, bat_surface **out) {
+    const int lead = surface->axis[0].closed ? surface->axis[0].degree : 0;
+    bat_surface *fresh = NULL;
+    for (int i = 0; i < surface->axis[0].count; i++) {
+        const bat_curve row = bat_surface_stored_row(surface, lead + i);
+        bat_curve *changed = NULL;
+        bat_status status = change(&row, knot_count, knots, &changed);
+        if (status == BAT_OK && !fresh) status = begin(surface, changed, &fresh);
+        if (status != BAT_OK) {
+            bat_curve_free(changed);
+            bat_surface_free(fresh);
+            return status;
+        }
+        memcpy(bat_surface_own_row(fresh, i), bat_curve_points(changed),
+               bat_curve_count(changed) * 3 * sizeof(double));
+        bat_curve_free(changed);
+    }
+    return bat_surface_finish(fresh, out);
+}
+
+static bat_status change(const bat_surface *surface, bat_direction direction, operation *how, int knot_count,
+                         const double *knots, bat_surface **out) {
+    if (!surface || !out) return BAT_ARGUMENT;
+    if (direction == BAT_V) return change_rows(surface, how, knot_count, knots, out);
+    bat_surface *turned, *changed = NULL;
+    bat_status status = bat_surface_transpose(surface, &turned);
+    if (status != BAT_OK) return status;
+    status = change_rows(turned, how, knot_count, knots, &changed);
+    bat_surface_free(turned);
+    if (status != BAT_OK) return status;
+    status = bat_surface_transpose(changed, out);
+    bat_surface_free(changed);
+    return status;
+}
+
+bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction, int knot_count,
+                                    const double *knots, bat_surface **out) {
+    return change(surface, direction, bat_curve_insert_knots, knot_count, knots, out);
+}
+
+bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
+                              const double *knots, bat_surface **out) {
+    return change(surface, direction, bat_curve_refine, knot_count, knots, out);
+}

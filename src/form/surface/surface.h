@@ -1,0 +1,34 @@
+/* Inside the room of surfaces: what a surface is made of. Both directions are stored unrolled, as curves are. */
+#ifndef BATTEN_FORM_SURFACE_H
+#define BATTEN_FORM_SURFACE_H
+
+#include "curve/curve.h"
+#include <batten/surface.h>
+
+struct bat_surface {
+    bat_curve axis[2]; /* degree, knots and counts of u and v; they have no points */
+    double size;       /* bat_surface_size */
+    double *points;    /* axis[0].spread rows of axis[1].spread points */
+};
+
+/* One block with the counts set, the arrays' contents unset. */
+bat_status bat_surface_allocate(const int degree[2], const bool closed[2], const int count[2],
+                                bat_surface **out);
+/* Checks a filled surface, of which only the user's knots and points are read, fills in what is unrolled, and hands it
+ * over; frees it when it is not valid. */
+bat_status bat_surface_finish(bat_surface *surface, bat_surface **out);
+/* The user's row i, writable while a surface is being made. */
+double *bat_surface_own_row(bat_surface *surface, int i);
+/* Stored row i (0 <= i < axis[0].spread) as a curve in space along v; it borrows the surface's arrays. */
+bat_curve bat_surface_stored_row(const bat_surface *surface, int i);
+/* All rows as one curve along u, whose points are whole stored rows: 3 * axis[1].spread numbers. */
+bat_curve bat_surface_whole(const bat_surface *surface);
+/* u and v exchanged; copies bits. */
+bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out);
+
+/* Position and derivatives in given spans, as bat_surface_eval gives them; u and v may lie outside (the polynomial is
+ * continued). */
+void bat_surface_eval_spans(const bat_surface *surface, const int span[2], double u, double v, int order,
+                            double *out);
+
+#endif

@@ -1,0 +1,159 @@
+"""surface eval, isocurve: against FITPACK (scipy's bisplev), tensor products of scipy's splines, closed forms, and what
+the contract says of bad data."""
+import json
+import unittest
+
+import numpy
+from scipy.interpolate import BSpline, bisplev
+
+from program import ProgramTest
+
+RANDOM = numpy.random.default_rng(11)
+
+
+def axis(degree, closed, count):
+    """Knots of one direction."""
+    if closed:
+        return numpy.cumsum(RANDOM.uniform(0.2, 1, count + 1)).tolist()
+    inner = numpy.sort(RANDOM.uniform(1, 3, count - degree - 1))
+    return [1.0] * (degree + 1) + inner.tolist() + [3.0] * (degree + 1)
+
+
+def surface(degree=(3, 3), closed=(False, False), count=(6, 7)):
+    knots = [axis(degree[d], closed[d], count[d]) for d in range(2)]
+    return {"degree": list(degree), "closed": list(closed), "knots": knots,
+            "points": RANDOM.uniform(-10, 10, (*count, 3)).tolist()}
+
+
+def whole(sheet, d):
+    """Knots of one direction, and the indices of the points that belong to them: a closed one over several periods."""
+    t, n, p = sheet["knots"][d], numpy.shape(sheet["points"])[d], sheet["degree"][d]
+    if not sheet["closed"][d]:
+        return numpy.array(t), numpy.arange(n)
+    turns = numpy.concatenate([numpy.array(t[:-1]) + k * (t[-1] - t[0]) for k in range(-9, 10)])
+    return turns, numpy.arange(len(turns) - p - 1) % n
+
+
+def value(sheet, u, v, nu=0, nv=0):
+    """By scipy's splines, along u and then along v."""
+    (s, i), (t, j) = whole(sheet, 0), whole(sheet, 1)
+    along_u = BSpline(s, numpy.array(sheet["points"])[i], sheet["degree"][0])(u, nu=nu)  # points along v
+    return BSpline(t, along_u[j], sheet["degree"][1])(v, nu=nv)
+
+
+NAMES = [("points", 0, 0), ("du", 1, 0), ("dv", 0, 1), ("duu", 2, 0), ("duv", 1, 1), ("dvv", 0, 2)]
+
+
+class Eval(ProgramTest):
+    def eval(self, sheet, *words):
+        return self.json("surface", "eval", self.file("s.json", sheet), *words)
+
+    def test_against_fitpack(self):
+        for degree in ((1, 1), (3, 3), (2, 5), (5, 4)):
+            sheet = surface(degree)
+            result = self.eval(sheet, "--samples", "5x4", "--derivatives", "2")
+            u, v = numpy.linspace(1, 3, 5), numpy.linspace(1, 3, 4)
+            self.assertEqual(result["uv"], [[a, b] for a in u for b in v])  # u slowest, ends included
+            for name, nu, nv in NAMES:
+                if nu > degree[0] - 1 or nv > degree[1] - 1:  # FITPACK gives no derivative that may jump
+                    continue
+                for c in range(3):
+                    tck = (*map(numpy.array, sheet["knots"]), numpy.array(sheet["points"])[..., c].ravel(), *degree)
+                    want = bisplev(u, v, tck, nu, nv).ravel()
+                    got = numpy.array(result[name])[:, c]
+                    self.assertLess(numpy.abs(got - want).max(), 1e-11 * max(10, numpy.abs(want).max()), (degree, name))
+
+    def test_every_kind_against_scipy(self):
+        for closed in ((False, True), (True, False), (True, True)):
+            for degree in ((3, 3), (1, 7), (6, 2)):
+                sheet = surface(degree, closed, (8, 9))
+                places = [(a, b) for a in (1.25, 1.5, 2.9) for b in (1.3, 2.2)]
+                result = self.eval(sheet, "--at", ";".join(f"{a!r},{b!r}" for a, b in places), "--derivatives", "2")
+                for name, nu, nv in NAMES:
+                    want = numpy.array([value(sheet, a, b, nu, nv) for a, b in places])
+                    self.assertLess(numpy.abs(result[name] - want).max(), 1e-10 * max(10, numpy.abs(want).max()))
+
+    def test_closed_directions_leave_out_the_end_and_take_any_period(self):
+        sheet = surface((3, 2), (True, False), (5, 4))
+        low, high = sheet["knots"][0][0], sheet["knots"][0][-1]
+        u = [place[0] for place in self.eval(sheet, "--samples", "4x2")["uv"]]
+        self.assertLess(numpy.abs(numpy.array(u[::2]) - (low + (high - low) * numpy.arange(4) / 4)).max(), 1e-14)
+        a = self.eval(sheet, "--at", f"{low + 0.5!r},2")["points"][0]
+        b = self.eval(sheet, "--at", f"{low + 0.5 - 3 * (high - low)!r},2")["points"][0]
+        self.assertLess(numpy.abs(numpy.subtract(a, b)).max(), 1e-13)
+
+    def test_only_what_is_asked_for(self):
+        sheet = surface()
+        self.assertEqual(sorted(self.eval(sheet, "--samples", "1x1")), ["points", "uv"])
+        self.assertEqual(sorted(self.eval(sheet, "--samples", "2x1", "--derivatives", "1")), ["du", "dv", "points", "uv"])
+        self.assertEqual(sorted(self.eval(sheet, "--samples", "2x2", "--normals", "--curvature")),
+                         ["gauss", "mean", "normals", "points", "uv"])
+
+    def test_normals_and_curvature(self):
+        bowl = {"degree": [2, 2], "knots": [[0, 0, 0, 1, 1, 1]] * 2,  # z = x^2 + y^2, bends towards its normal
+                "points": [[[x, y, a + b] for y, b in ((-1, 1), (0, -1), (1, 1))] for x, a in ((-1, 1), (0, -1), (1, 1))]}
+        result = self.eval(bowl, "--at", "0.5,0.5;0.75,0.5", "--normals", "--curvature")
+        self.assertEqual((result["normals"][0], result["gauss"][0], result["mean"][0]), ([0, 0, 1], 4, 2))
+        self.assertAlmostEqual(result["gauss"][1], 4 / (1 + 4 * 0.25) ** 2, 14)
+        cone = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0, 1]] * 2, [[1, 0, 0], [0, 1, 0]]]}
+        result = self.eval(cone, "--at", "0,0.5;1,0.5", "--normals", "--curvature")
+        self.assertIsNone(result["normals"][0])
+        self.assertEqual(result["gauss"][0], result["mean"][0])
+        self.assertIsNone(result["gauss"][0])
+        self.assertIsNotNone(result["normals"][1])
+
+    def test_points_of_two_numbers_lie_in_the_plane(self):
+        sheet = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]}
+        self.assertEqual(self.eval(sheet, "--at", "0.5,0.25")["points"], [[0.5, 0.25, 0]])
+
+    def test_bad_data(self):
+        good = surface()
+        for change, found in (
+            ({"degree": 3}, "degree: expected two degrees"), ({"degree": [3, 8]}, "degree: expected 1 to 7"),
+            ({"degree": [3, "x"]}, "degree: expected a number"), ({"closed": [True]}, "closed: expected two flags"),
+            ({"closed": [1, 0]}, "closed: expected true or false"), ({"knots": [good["knots"][0]]}, "knots: expected two lists"),
+            ({"knots": [good["knots"][0], [0, 1]]}, "knots: expected 11 for 7 points, found 2"),
+            ({"knots": [good["knots"][0], good["knots"][1][::-1]]}, "knots: expected"),
+            ({"points": []}, "points: expected"), ({"points": 7}, "points: expected a list of rows"),
+            ({"points": good["points"][:5] + [good["points"][5][:4]]}, "points: expected 7 in each row"),
+            ({"points": [[[1, 2, 3]] * 7] * 6}, "points: expected a surface, found all points equal"),
+            ({"points": [[[1e80, 2, 3]] * 7] * 6}, "points: expected numbers up to 1e75"),
+            ({"points": good["points"][:5] + [[[1]] * 7]}, "points: expected a point of 2 or 3 numbers"),
+        ):
+            with self.subTest(change=change):
+                name = self.file("bad.json", dict(good, **change))
+                line = self.refused(1, "surface", "eval", name, "--samples", "2x2")
+                self.assertIn(found, line)
+                self.assertTrue(line.startswith(name), line)
+        name = self.file("s.json", good)
+        self.assertIn("--at: expected u in the domain [1, 3], found 0",
+                      self.refused(1, "surface", "eval", name, "--at", "0,2"))
+        self.assertIn("--at: expected v in the domain", self.refused(1, "surface", "eval", name, "--at", "2,7"))
+        self.assertIn("--v: expected v in the domain", self.refused(1, "surface", "isocurve", name, "--v", "7"))
+        missing = {key: good[key] for key in ("degree", "knots")}
+        self.assertIn("points: expected", self.refused(1, "surface", "eval", self.file("m.json", missing), "--samples", "2x2"))
+
+
+class Isocurve(ProgramTest):
+    def test_is_the_line_of_the_surface(self):
+        for closed in ((False, False), (True, False), (False, True)):
+            sheet = surface((3, 2), closed, (6, 8))
+            name = self.file("s.json", sheet)
+            for option, fixed, along in (("--u", 0, 1), ("--v", 1, 0)):
+                line = self.json("surface", "isocurve", name, option, "1.75")
+                self.assertEqual(line["knots"], sheet["knots"][along])  # to the bit
+                self.assertEqual((line["degree"], line["closed"]), (sheet["degree"][along], closed[along]))
+                at = [1.2, 1.9, 2.7]
+                places = ";".join(f"1.75,{x!r}" if fixed == 0 else f"{x!r},1.75" for x in at)
+                want = self.json("surface", "eval", name, "--at", places)["points"]
+                got = self.json("eval", self.file("c.json", line), "--at", ",".join(map(repr, at)))["points"]
+                self.assertLess(numpy.abs(numpy.subtract(got, want)).max(), 1e-13)
+
+    def test_from_standard_input(self):
+        sheet = surface()
+        want = self.done("surface", "isocurve", self.file("s.json", sheet), "--u=2")
+        self.assertEqual(self.done("surface", "isocurve", "-", "--u", "2", stdin=json.dumps(sheet)), want)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,91 @@
+/* Every call on surfaces survives the failure of any one of its allocations: BAT_MEMORY, outputs untouched, nothing
+ * leaked. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <batten/bezier.h>
+#include <batten/format.h>
+#include <batten/surface.h>
+#include "support/alloc_fail.h"
+#include "support/random_surface.h"
+
+static bat_surface *sheet;
+static char *text;
+static size_t text_size;
+
+/* What a call made: at most one of each. */
+typedef struct made {
+    bat_surface *surface;
+    bat_curve *curve;
+    char *text;
+} made;
+
+typedef bat_status operation(made *out);
+
+static bat_status copy(made *out) { return bat_surface_copy(sheet, &out->surface); }
+static bat_status transform(made *out) {
+    const double matrix[12] = {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0};
+    return bat_surface_transform(sheet, matrix, &out->surface);
+}
+static bat_status line_at_u(made *out) { return bat_surface_isocurve(sheet, BAT_U, 0.5, &out->curve); }
+static bat_status line_at_v(made *out) { return bat_surface_isocurve(sheet, BAT_V, 0.5, &out->curve); }
+static bat_status insert(bat_direction d, made *out) {
+    double domain[2];
+    bat_surface_domain(sheet, d, domain);
+    const double at = 0.4 * domain[0] + 0.6 * domain[1];
+    return bat_surface_insert_knots(sheet, d, 1, &at, &out->surface);
+}
+static bat_status insert_u(made *out) { return insert(BAT_U, out); }
+static bat_status insert_v(made *out) { return insert(BAT_V, out); }
+static bat_status refine(made *out) {
+    return bat_surface_refine(sheet, BAT_U, bat_surface_knot_count(sheet, BAT_U),
+                              bat_surface_knots(sheet, BAT_U), &out->surface);
+}
+static bat_status grid(made *out) {
+    const double at[2] = {0, 1};
+    double values[4 * 18];
+    (void)out;
+    return bat_surface_eval_grid(sheet, 2, at, 2, at, 2, values);
+}
+static bat_status write_text(made *out) {
+    size_t size;
+    return bat_surface_write(sheet, &out->text, &size);
+}
+static bat_status read_text(made *out) { return bat_surface_read(text, text_size, &out->surface, NULL); }
+
+static void each_allocation(void **state) {
+    (void)state;
+    static operation *const operations[] = {copy,     transform, line_at_u, line_at_v,  insert_u,
+                                            insert_v, refine,    grid,      write_text, read_text};
+    random_source r = {3};
+    sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
+    assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);
+    for (size_t i = 0; i < sizeof operations / sizeof *operations; i++) {
+        const long before = alloc_live();
+        for (long n = 1;; n++) {
+            made out = {NULL, NULL, NULL};
+            alloc_fail_at(n);
+            const bat_status status = operations[i](&out);
+            const bool reached = alloc_fail_reached();
+            assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+            if (reached) assert_true(!out.surface && !out.curve && !out.text);
+            bat_surface_free(out.surface);
+            bat_curve_free(out.curve);
+            bat_free(out.text);
+            assert_int_equal(alloc_live(), before);
+            if (!reached) {
+                assert_true(n > 1);
+                break;
+            }
+        }
+    }
+    bat_free(text);
+    bat_surface_free(sheet);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_allocation)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
