@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
 #include "timing.h"
+#include "wave.h"
 
 #include <batten/refine.h>
 
@@ -19,24 +20,11 @@ static void end_eval(void *context) {
     free(e->u), free(e->out), free(e);
 }
 
-static bat_curve *wave(int n, int dimension) {
-    double *knots = malloc(sizeof(double) * (size_t)(n + 4)),
-           *points = malloc(sizeof(double) * (size_t)(n * dimension));
-    bat_curve *curve = NULL;
-    if (knots && points) {
-        bench_curve(n, dimension, knots, points);
-        if (bat_curve_create(dimension, 3, false, (size_t)n, points, n + 4, knots, &curve) != BAT_OK)
-            curve = NULL;
-    }
-    free(knots), free(points);
-    return curve;
-}
-
 static void *begin_many(int variant) { /* negative: with two derivatives */
     evaluation *e = calloc(1, sizeof *e);
     if (!e) return NULL;
     e->order = variant < 0 ? 2 : 0;
-    e->curve = wave(abs(variant), 3);
+    e->curve = bench_wave(abs(variant), 3);
     e->u = malloc(sizeof(double) * MANY), e->out = malloc(sizeof(double) * MANY * 3 * (size_t)(e->order + 1));
     if (!e->curve || !e->u || !e->out) return end_eval(e), NULL;
     bat_curve_spread(e->curve, MANY, e->u);
@@ -61,7 +49,7 @@ typedef struct insertion {
 static void *begin_insert(int variant) {
     insertion *n = malloc(sizeof *n);
     if (!n) return NULL;
-    n->curve = wave(variant, 2);
+    n->curve = bench_wave(variant, 2);
     for (int i = 0; i < 1000; i++) n->u[i] = (i + 0.37) / 1000;
     return n->curve ? n : NULL;
 }

@@ -2,24 +2,12 @@
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
 #include "timing.h"
+#include "wave.h"
 
 #include <batten/levels.h>
 #include <batten/refine.h>
 
 enum { FRAMES = 10000 };
-
-static bat_curve *wave(int n, int dimension) {
-    double *knots = malloc(sizeof(double) * (size_t)(n + 4)),
-           *points = malloc(sizeof(double) * (size_t)(n * dimension));
-    bat_curve *curve = NULL;
-    if (knots && points) {
-        bench_curve(n, dimension, knots, points);
-        if (bat_curve_create(dimension, 3, false, (size_t)n, points, n + 4, knots, &curve) != BAT_OK)
-            curve = NULL;
-    }
-    free(knots), free(points);
-    return curve;
-}
 
 /* ---- frames ---- */
 
@@ -40,7 +28,7 @@ static void end_frames(void *context) {
 static void *begin_frames(int variant) { /* negative: in the plane */
     framing *f = calloc(1, sizeof *f);
     if (!f) return NULL;
-    f->curve = wave(abs(variant), variant < 0 ? 2 : 3);
+    f->curve = bench_wave(abs(variant), variant < 0 ? 2 : 3);
     if (!f->curve || bat_frame_chain_create(f->curve, NULL, &f->chain) != BAT_OK) return end_frames(f), NULL;
     bat_curve_spread(f->curve, FRAMES, f->u);
     return f;
@@ -88,7 +76,7 @@ static void *begin_shape(int variant) {
     shaping *s = calloc(1, sizeof *s);
     if (!s) return NULL;
     s->u = 0.37;
-    s->curve = wave(abs(variant), variant < 0 ? 2 : 3);
+    s->curve = bench_wave(abs(variant), variant < 0 ? 2 : 3);
     if (!s->curve || bat_shape_decompose(s->curve, 3, NULL, &s->shape) != BAT_OK ||
         bat_shape_live_begin(s->shape, 0, &s->live) != BAT_OK)
         return end_shape(s), NULL;

@@ -1,5 +1,6 @@
 /* Bytes become a curve and a run of public calls on it. Whatever the numbers are, there is a status, never a
  * crash, and what comes out is a valid curve. */
+#include "bytes.h"
 #include <batten/bezier.h>
 
 #include "curve/curve.h"
@@ -12,27 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct bytes {
-    const uint8_t *data;
-    size_t left;
-} bytes;
-
-static int small(bytes *in, int most) {
-    if (in->left == 0) return 0;
-    in->left--;
-    return *in->data++ % (most + 1);
-}
-
 /* Mostly tame numbers, sometimes any eight bytes: NaN, infinities, denormals. */
 static double number(bytes *in) {
     int kind = small(in, 255);
-    double x = 0;
     if (kind < 224) return (kind - 112) / 8.0;
     if (kind < 240) return ldexp(kind - 231.5, small(in, 200) - 100);
-    if (in->left < sizeof x) return 0;
-    memcpy(&x, in->data, sizeof x);
-    in->data += sizeof x, in->left -= sizeof x;
-    return x;
+    return any_number(in);
 }
 
 static bat_curve *read_curve(bytes *in) {

@@ -1,18 +1,11 @@
 /* Bytes become a session with all that the editor can do. The invariants hold after each event; the journal replays to
  * the same drawing; undoing everything gives the first drawing back, redoing the last. */
+#include "demand.h"
 #include "support/wild.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum { MOST = 48 }; /* bytes; long sessions are the tests', here many count */
-
-static void demand(bool holds, const char *what) {
-    if (holds) return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 static void replays(const bat_editor *editor) {
     bat_editor *again = NULL;

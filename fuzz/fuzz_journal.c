@@ -1,16 +1,11 @@
 /* Any text as a journal: a status, never a crash; what was run leaves a sound editor whose own journal
  * replays to the same document. */
+#include "demand.h"
 #include <batten/batten.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-static void demand(bool holds, const char *what) {
-    if (holds) return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_editor *editor = NULL, *again = NULL;

@@ -1,20 +1,11 @@
 /* Bytes become a session of events of every kind. The invariants hold after each; undoing everything gives
  * the first document back, redoing the last. */
+#include "demand.h"
 #include "support/session.h"
-
-#include <stdio.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum { MOST = 36 }; /* bytes; long sessions are the tests', here many count */
-
-static void demand(bool holds, const char *what) {
-    if (holds) return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
-
-static uint64_t digest(const bat_editor *editor) { return bat_document_digest(bat_editor_document(editor)); }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     session_bytes bytes = {data, size < MOST ? size : MOST, 0};

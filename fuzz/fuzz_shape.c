@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "support/shapes.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -21,17 +22,6 @@ static int byte(source *s) { return s->size == 0 ? 0 : (s->size--, *s->data++); 
 static double coordinate(source *s) {
     int b = byte(s);
     return b == 255 ? 1e30 : b == 254 ? 1e-30 : (b - 100) * (b % 7 == 0 ? 10.0 : 0.25);
-}
-
-static bool same(const bat_shape *a, const bat_shape *b) {
-    if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
-    for (int l = 0; l <= bat_shape_levels(a); l++) {
-        const bat_curve *c = bat_shape_curve(a, l);
-        if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
-        for (int i = 0; l > 0 && i < 3 * bat_point_count(c); i++)
-            if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
-    }
-    return true;
 }
 
 static void check_finite(const bat_shape *shape) {
@@ -66,7 +56,7 @@ static void check_file(const bat_shape *shape) {
     bat_shape *back;
     bat_problem problem;
     if (bat_shape_write(shape, &text, &size) != BAT_OK) abort();
-    if (bat_shape_read(text, size, &back, &problem) != BAT_OK || !same(shape, back)) abort();
+    if (bat_shape_read(text, size, &back, &problem) != BAT_OK || !shapes_same(shape, back)) abort();
     bat_free(text);
     bat_shape_free(back);
 }
@@ -121,7 +111,7 @@ static bat_shape *session(source *s, bat_shape *shape) {
         if (k == 0 || byte(s) % 2) u = domain[0] + (domain[1] - domain[0]) * byte(s) / 255;
         for (int d = 0; d < 3; d++) delta[d] = coordinate(s);
         status = bat_shape_live_drag(live, u, delta);
-        if (status != BAT_OK && !same(shape, bat_shape_live_shape(live))) abort();
+        if (status != BAT_OK && !shapes_same(shape, bat_shape_live_shape(live))) abort();
         check_touched(shape, live);
         check_finite(bat_shape_live_shape(live));
     }
@@ -129,13 +119,13 @@ static bat_shape *session(source *s, bat_shape *shape) {
     bat_shape *one = NULL, *after = NULL;
     if (byte(s) % 4 == 0) {
         bat_shape_live_drag(live, u, zero);
-        if (!same(shape, bat_shape_live_shape(live))) abort();
+        if (!shapes_same(shape, bat_shape_live_shape(live))) abort();
         bat_shape_live_cancel(live);
         return shape;
     }
     if (bat_shape_live_commit(live, &after) != BAT_OK) return shape;
     if (bat_shape_copy(shape, &one) != BAT_OK || bat_shape_drag(one, level, u, delta) != status) abort();
-    if (bat_shape_commit(one) != BAT_OK || !same(one, after)) abort();
+    if (bat_shape_commit(one) != BAT_OK || !shapes_same(one, after)) abort();
     bat_shape_free(one);
     bat_shape_free(shape);
     return after;
@@ -161,7 +151,7 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     bat_shape *before, *out = NULL;
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
     bat_status status = bat_shape_redraw(shape, &stroke, way % 2, &options, &out, NULL);
-    if (!same(before, shape)) abort();
+    if (!shapes_same(before, shape)) abort();
     bat_shape_free(before);
     if (status != BAT_OK && status != BAT_TOLERANCE) {
         if (out) abort();
@@ -205,7 +195,7 @@ static void sketch(source *s, bat_shape *shape) {
     bat_sketch_report report;
     bat_status status = way % 2 ? bat_shape_redraw_level(shape, level, &stroke, &options, &report)
                                 : bat_shape_sketch(shape, level, (size_t)count, u, q);
-    if (status != BAT_OK && !same(before, shape)) abort();
+    if (status != BAT_OK && !shapes_same(before, shape)) abort();
     if (status == BAT_OK && way % 2 && !(isfinite(report.max_error) && report.spans >= 0)) abort();
     for (int i = 0; i < n && status == BAT_OK && way % 2 == 0; i++)
         if (!met[i] && memcmp(bat_curve_points(bat_shape_curve(shape, level)) + i * dimension,
@@ -291,7 +281,7 @@ static void edit(source *s, bat_shape *shape) {
         check_finite(bat_shape_live_shape(live));
         bat_shape_live_cancel(live);
     }
-    if (status != BAT_OK && !same(shape, before)) abort();
+    if (status != BAT_OK && !shapes_same(shape, before)) abort();
     if (made) check_finite(made);
     bat_shape_free(made);
     bat_shape_free(before);
@@ -334,7 +324,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             bat_shape *before;
             if (bat_shape_copy(shape, &before) != BAT_OK) abort();
             if (bat_shape_drag_finest(shape, 0, byte(&s) * n / 255.0, delta, 1e-3, &left) != BAT_OK &&
-                !same(shape, before))
+                !shapes_same(shape, before))
                 abort();
             bat_shape_free(before);
             if (bat_shape_commit(shape) != BAT_OK) abort();

@@ -1,6 +1,7 @@
 /* Bytes become a curve, a stroke and options, and go through one call of the sketch hand. There is a status,
  * never a crash; what comes out is a valid curve; on tame input what is kept does not move, and the session's
  * commit is the one-shot call. */
+#include "bytes.h"
 #include <batten/sketch.h>
 
 #include "curve/curve.h"
@@ -10,26 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct bytes {
-    const uint8_t *data;
-    size_t left;
-} bytes;
-
-static int small(bytes *in, int most) {
-    if (in->left == 0) return 0;
-    in->left--;
-    return *in->data++ % (most + 1);
-}
-
 /* Mostly tame numbers of a drawing's size; wild: now and then any eight bytes. */
 static double number(bytes *in, bool wild) {
     const int kind = small(in, 255);
-    double x = 0;
     if (!wild || kind < 250) return kind - 125 + small(in, 15) / 16.0;
-    if (in->left < sizeof x) return 0;
-    memcpy(&x, in->data, sizeof x);
-    in->data += sizeof x, in->left -= sizeof x;
-    return x;
+    return any_number(in);
 }
 
 static bat_curve *read_curve(bytes *in, int dimension, bool wild) {

@@ -1,5 +1,4 @@
 /* batten levels: shapes of sweep and detail, edited and taken apart. */
-#include "io.h"
 #include "program.h"
 #include "results.h"
 
@@ -8,7 +7,6 @@
 
 #include <batten/levels.h>
 
-#include <stdlib.h>
 #include <string.h>
 
 static int print(const bat_shape *shape) {
@@ -42,29 +40,20 @@ static int decompose(const cli_arguments *arguments, int levels) {
     return failed;
 }
 
-static int read_shape(const char *name, bat_shape **out) {
-    char *data;
-    size_t size;
-    int failed = io_read(name, &data, &size);
-    if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_shape_read(data, size, out, &problem);
-    free(data);
-    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+static bat_status shape_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_shape_read(data, size, out, problem);
+}
+
+static bat_status edited(const char *data, size_t size, void *shape, bat_problem *problem) {
+    return bat_shape_edit(shape, data, size, problem);
 }
 
 static int edit(const char *name, bat_shape *shape) {
-    char *data;
-    size_t size;
-    int failed = io_read(name, &data, &size);
-    if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_shape_edit(shape, data, size, &problem);
-    free(data);
-    if (status != BAT_OK) return fail_problem(name, status, &problem);
-    if (problem.message[0])
+    bat_problem problem;
+    int failed = read_data(name, edited, shape, &problem);
+    if (!failed && problem.message[0])
         remark("%s: %s: %s", strcmp(name, "-") ? name : "standard input", problem.place, problem.message);
-    return EXIT_DONE;
+    return failed;
 }
 
 static int run(const cli_arguments *arguments) {
@@ -77,7 +66,8 @@ static int run(const cli_arguments *arguments) {
         return decompose(arguments, (int)levels);
     }
     bat_shape *shape = NULL;
-    failed = read_shape(arguments->operands[0], &shape);
+    bat_problem problem;
+    failed = read_data(arguments->operands[0], shape_of, &shape, &problem);
     if (failed) return failed;
     if (arguments->operands[1]) failed = edit(arguments->operands[1], shape);
     if (!failed) failed = print(shape);

@@ -34,17 +34,20 @@ static int save(const bat_document *document, const char *journal, const char *o
     return failed;
 }
 
+static bat_status replayed(const char *text, size_t size, void *editor, bat_problem *problem) {
+    return bat_editor_replay(editor, text, size, false, problem);
+}
+
+static bat_status replayed_and_checked(const char *text, size_t size, void *editor, bat_problem *problem) {
+    return bat_editor_replay(editor, text, size, true, problem);
+}
+
 static int replay(const cli_arguments *arguments, bat_editor *editor) {
     const char *name = arguments->operands[0], *out = arguments_value(arguments, "--output");
     bool check = arguments_value(arguments, "--check");
-    char *text;
-    size_t size;
-    int failed = io_read(name, &text, &size);
+    bat_problem problem;
+    int failed = read_data(name, check ? replayed_and_checked : replayed, editor, &problem);
     if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_editor_replay(editor, text, size, check, &problem);
-    free(text);
-    if (status != BAT_OK) return fail_problem(name, status, &problem);
     const char *broken = check ? bat_editor_check(editor) : NULL;
     if (broken) return fail_data(name, NULL, "%s", broken);
     if (out) failed = save(bat_editor_document(editor), name, out);

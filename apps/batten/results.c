@@ -7,15 +7,34 @@
 
 #include <stdlib.h>
 
-int read_curve(const char *name, bat_curve **out) {
+int read_data(const char *name, data_reader *reader, void *out, bat_problem *problem) {
     char *data;
     size_t size;
     int failed = io_read(name, &data, &size);
     if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_curve_read(data, size, out, &problem);
+    *problem = (bat_problem){.place = ""};
+    bat_status status = reader(data, size, out, problem);
     free(data);
-    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, problem);
+}
+
+static bat_status curve_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_curve_read(data, size, out, problem);
+}
+
+int read_curve(const char *name, bat_curve **out) {
+    bat_problem problem;
+    return read_data(name, curve_of, out, &problem);
+}
+
+typedef struct stroke_to {
+    bat_stroke *stroke;
+    void **block;
+} stroke_to;
+
+static bat_status stroke_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    const stroke_to *to = out;
+    return bat_stroke_read(data, size, to->stroke, to->block, problem);
 }
 
 int read_surface(const char *name, bat_surface **out) {
@@ -30,14 +49,8 @@ int read_surface(const char *name, bat_surface **out) {
 }
 
 int read_stroke(const char *name, bat_stroke *out, void **block) {
-    char *data;
-    size_t size;
-    int failed = io_read(name, &data, &size);
-    if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_stroke_read(data, size, out, block, &problem);
-    free(data);
-    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+    bat_problem problem;
+    return read_data(name, stroke_of, &(stroke_to){out, block}, &problem);
 }
 
 void put_numbers(bat_text *text, const double *numbers, size_t count) {

@@ -9,6 +9,10 @@
 #include <batten/sketch.h>
 #include <batten/nearest.h>
 
+/* Reads data into *out, as bat_curve_read does. */
+typedef bat_status data_reader(const char *data, size_t size, void *out, bat_problem *problem);
+/* A file through a reader; problem: as the reader left it. */
+int read_data(const char *name, data_reader *reader, void *out, bat_problem *problem);
 int read_curve(const char *name, bat_curve **out);
 int read_surface(const char *name, bat_surface **out);
 /* *block: bat_free. */

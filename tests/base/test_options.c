@@ -88,10 +88,15 @@ static bat_status fitted(const void *options) {
     return status;
 }
 
-static bat_status framed(const void *options) {
+static bat_curve *sample(void) {
     bat_curve *curve = NULL;
-    bat_frame_chain *chain = NULL;
     assert_int_equal(bat_curve_create_clamped(2, 3, COUNT, POINTS, &curve), BAT_OK);
+    return curve;
+}
+
+static bat_status framed(const void *options) {
+    bat_curve *curve = sample();
+    bat_frame_chain *chain = NULL;
     bat_status status = bat_frame_chain_create(curve, options, &chain);
     bat_frame_chain_free(chain);
     bat_curve_free(curve);
@@ -99,9 +104,8 @@ static bat_status framed(const void *options) {
 }
 
 static bat_status shaped(const void *options) {
-    bat_curve *curve = NULL;
+    bat_curve *curve = sample();
     bat_shape *shape = NULL;
-    assert_int_equal(bat_curve_create_clamped(2, 3, COUNT, POINTS, &curve), BAT_OK);
     bat_status status = bat_shape_create(curve, options, &shape);
     if (status == BAT_OK) assert_true(bat_shape_options_of(shape)->size == sizeof(bat_shape_options));
     bat_shape_free(shape);

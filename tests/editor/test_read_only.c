@@ -20,11 +20,7 @@ static void wild_sessions_change_nothing(void **state) {
     static uint8_t data[SIZE];
     uint64_t random = 7;
     for (int session = 0; session < 6; session++) {
-        for (size_t i = 0; i < SIZE; i++) {
-            random = random * 6364136223846793005u + 1442695040888963407u;
-            data[i] = (uint8_t)(random >> 56);
-        }
-        session_bytes bytes = {data, SIZE, 0};
+        session_bytes bytes = session_random(data, SIZE, &random);
         bat_editor *editor = pen_editor();
         uint64_t first = digest(editor);
         size_t written = journal_size(editor);

@@ -10,13 +10,6 @@
 #include <batten/editor.h>
 #include "support/editing.h"
 
-static void fill(uint8_t *bytes, size_t size, uint64_t seed) {
-    for (size_t i = 0; i < size; i++) {
-        seed = seed * 6364136223846793005u + 1442695040888963407u;
-        bytes[i] = (uint8_t)(seed >> 56);
-    }
-}
-
 static void check_at(const bat_editor *editor, uint64_t seed, size_t at) {
     const char *wrong = bat_editor_check(editor);
     if (wrong) fail_msg("session %d, byte %zu: %s", (int)seed, at, wrong);
@@ -46,8 +39,7 @@ static int wild_session(bat_editor *editor, uint64_t seed) {
     enum { SIZE = 1500 };
     static uint8_t data[SIZE];
     int commits = 0;
-    fill(data, SIZE, seed);
-    session_bytes bytes = {data, SIZE, 0};
+    session_bytes bytes = session_random(data, SIZE, &(uint64_t){seed});
     uint64_t first = digest(editor);
     double time = 0;
     while (bytes.at < bytes.size) {

@@ -18,12 +18,7 @@ static void wild_sessions(void **state) {
     static uint8_t data[SIZE];
     int undone = 0, shapes = 0, images = 0, guides = 0;
     for (uint64_t seed = 1; seed <= SESSIONS; seed++) {
-        uint64_t mix = seed * 31337;
-        for (int i = 0; i < SIZE; i++) {
-            mix = mix * 6364136223846793005u + 1442695040888963407u;
-            data[i] = (uint8_t)(mix >> 56);
-        }
-        session_bytes bytes = {data, SIZE, 0};
+        session_bytes bytes = session_random(data, SIZE, &(uint64_t){seed * 31337});
         bat_editor *editor = pen_editor();
         uint64_t first = digest(editor);
         double time = 0;

@@ -21,12 +21,7 @@ static void wild_tools(void **state) {
     static uint8_t data[SIZE];
     int steps = 0;
     for (uint64_t seed = 1; seed <= 80; seed++) {
-        uint64_t mix = seed * 77777;
-        for (int i = 0; i < SIZE; i++) {
-            mix = mix * 6364136223846793005u + 1442695040888963407u;
-            data[i] = (uint8_t)(mix >> 56);
-        }
-        session_bytes bytes = {data, SIZE, 0};
+        session_bytes bytes = session_random(data, SIZE, &(uint64_t){seed * 77777});
         bat_editor *editor = pen_editor();
         uint64_t first = digest(editor);
         double time = 0;

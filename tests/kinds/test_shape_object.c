@@ -20,6 +20,8 @@
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/xml.h"
+#include "support/shapes.h"
+#include "support/refused.h"
 
 static bat_curve *wavy(random_source *r, int dimension, bool closed, double middle) {
     double points[90], knots[40];
@@ -59,10 +61,6 @@ static bat_object *make(random_source *r, int round) {
     return object;
 }
 
-static const bat_curve *finest(const bat_shape *shape) {
-    return bat_shape_curve(shape, bat_shape_levels(shape));
-}
-
 static bat_document *of_one(bat_object *object) {
     bat_document *document = NULL;
     assert_int_equal(bat_document_create(&document), BAT_OK);
@@ -79,7 +77,7 @@ static void its_curve_is_the_finest(void **state) {
         assert_int_equal(bat_object_kind(object), BAT_KIND_SHAPE);
         assert_null(bat_object_shape(object, 0));
         assert_null(bat_object_shape(object, 2));
-        assert_ptr_equal(bat_object_curve(object, 1), finest(bat_object_shape(object, 1)));
+        assert_ptr_equal(bat_object_curve(object, 1), shape_finest(bat_object_shape(object, 1)));
         bat_style style = bat_style_defaults();
         assert_int_equal(bat_object_with_style(object, &style, &copy), BAT_OK);
         assert_ptr_equal(bat_object_shape(copy, 1), bat_object_shape(object, 1));
@@ -215,15 +213,7 @@ static void others_are_refused(void **state) {
         "{\"id\":1,\"kind\":\"shape\",\"curves\":[" BASE
         "},{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0,0],[9,0,0]]}]}",
     };
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        char text[512] = "{\"batten\":1,\"objects\":[";
-        strcat(strcat(text, texts[i]), "]}");
-        bat_document *document = NULL;
-        bat_problem problem = {"", ""};
-        assert_int_not_equal(bat_document_read(text, strlen(text), &document, &problem), BAT_OK);
-        assert_null(document);
-        assert_true(problem.message[0] && problem.place[0]);
-    }
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) object_refused(texts[i]);
 }
 
 static void memory_may_end_anywhere(void **state) {

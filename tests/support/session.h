@@ -11,6 +11,15 @@ typedef struct session_bytes {
     size_t size, at;
 } session_bytes;
 
+/* Fills data with random bytes, and goes on from *seed. */
+static inline session_bytes session_random(uint8_t *data, size_t size, uint64_t *seed) {
+    for (size_t i = 0; i < size; i++) {
+        *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+        data[i] = (uint8_t)(*seed >> 56);
+    }
+    return (session_bytes){data, size, 0};
+}
+
 static inline uint8_t session_byte(session_bytes *bytes) {
     size_t at = bytes->at++;
     return at < bytes->size ? bytes->data[at] : (uint8_t)0;

@@ -29,11 +29,7 @@ static void wild_sessions(void **state) {
     uint64_t random = 3;
     int steps = 0;
     for (int session = 0; session < 8; session++) {
-        for (size_t i = 0; i < SIZE; i++) {
-            random = random * 6364136223846793005u + 1442695040888963407u;
-            data[i] = (uint8_t)(random >> 56);
-        }
-        session_bytes bytes = {data, SIZE, 0};
+        session_bytes bytes = session_random(data, SIZE, &random);
         bat_editor *editor = pen_editor();
         double time = 0;
         while (bytes.at < bytes.size) session_event(editor, &bytes, &time);

@@ -498,14 +498,10 @@ static void wild_sessions(void **state) {
     uint64_t seed = 7;
     for (int round = 0; round < 12; round++) {
         uint8_t data[4000];
-        for (size_t i = 0; i < sizeof data; i++) {
-            seed = seed * 6364136223846793005u + 1442695040888963407u;
-            data[i] = (uint8_t)(seed >> 56);
-        }
         bat_editor *editor;
         pen p = begin(&editor);
         if (round % 2) four_points(&p);
-        session_bytes bytes = {data, sizeof data, 0};
+        session_bytes bytes = session_random(data, sizeof data, &seed);
         double time = 1e6;
         while (bytes.at < bytes.size) {
             if (session_byte(&bytes) < 60) {

@@ -13,6 +13,7 @@
 #include <batten/levels.h>
 #include <batten/refine.h>
 #include "curve/curve.h"
+#include "support/shapes.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {
@@ -39,16 +40,6 @@ static bat_curve *wavy(int degree, int dimension, bool closed, int count, double
     return curve;
 }
 
-static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, bat_shape_levels(s)); }
-
-static double worst(const bat_curve *a, const bat_curve *b) {
-    double most = 0;
-    assert_int_equal(bat_curve_count(a), bat_point_count(b));
-    for (int i = 0; i < bat_point_count(a) * bat_curve_dimension(a); i++)
-        most = fmax(most, fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]));
-    return most;
-}
-
 static void onto_its_own_base(void **state) {
     (void)state;
     seed = 21;
@@ -60,7 +51,7 @@ static void onto_its_own_base(void **state) {
         bat_shape *shape, *again, *turned;
         assert_int_equal(bat_shape_decompose(curve, 1, &options, &shape), BAT_OK);
         assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
-        for (int i = 0; i < bat_point_count(finest(shape)); i++)
+        for (int i = 0; i < bat_point_count(shape_finest(shape)); i++)
             assert_int_equal(bat_shape_move(shape, 2, i, (double[]){uniform(-2, 2), uniform(-2, 2), 0}),
                              BAT_OK);
         assert_int_equal(bat_shape_set_gain(shape, 1, 1.25), BAT_OK);
@@ -69,14 +60,15 @@ static void onto_its_own_base(void **state) {
         assert_true(bat_shape_gain(again, 1) == 1.25 && bat_shape_is_muted(again, 2) == (round % 3 == 0));
         double size = bat_curve_size(curve), a = uniform(0, 6);
         /* In space another first normal turns all detail about the curve by one angle. */
-        if (dimension == 2) assert_true(worst(finest(shape), finest(again)) < 1e-11 * size);
+        if (dimension == 2)
+            assert_true(points_apart(shape_finest(shape), shape_finest(again)) < 1e-11 * size);
         if (dimension == 2 && options.frame == BAT_FRAMES_RMF) {
             const double matrix[6] = {cos(a), -sin(a), 50, sin(a), cos(a), -20};
             bat_curve *base, *image;
             assert_int_equal(bat_curve_transform(bat_shape_curve(shape, 0), matrix, &base), BAT_OK);
-            assert_int_equal(bat_curve_transform(finest(shape), matrix, &image), BAT_OK);
+            assert_int_equal(bat_curve_transform(shape_finest(shape), matrix, &image), BAT_OK);
             assert_int_equal(bat_shape_copy_levels(shape, base, &turned), BAT_OK);
-            assert_true(worst(image, finest(turned)) < 1e-11 * size);
+            assert_true(points_apart(image, shape_finest(turned)) < 1e-11 * size);
             bat_shape_free(turned);
             bat_curve_free(base);
             bat_curve_free(image);
@@ -99,7 +91,7 @@ static void other_knots_same_detail(void **state) {
             assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
             /* Along the base alone, so that the second level's frames are the first's. */
             if (l == 1) continue;
-            for (int i = 0; i < bat_point_count(finest(shape)); i++)
+            for (int i = 0; i < bat_point_count(shape_finest(shape)); i++)
                 assert_int_equal(bat_shape_move(shape, 2, i, (double[]){uniform(-9, 9), uniform(-9, 9)}),
                                  BAT_OK);
         }
@@ -113,9 +105,9 @@ static void other_knots_same_detail(void **state) {
         assert_int_equal(bat_curve_copy(other, &flat), BAT_OK);
         for (int i = 0; i <= 50; i++) {
             double u = a[0] + (a[1] - a[0]) * i / 50, v = b[0] + (b[1] - b[0]) * i / 50;
-            bat_curve_eval(finest(shape), u, 0, p);
+            bat_curve_eval(shape_finest(shape), u, 0, p);
             bat_curve_eval(bare, u, 0, q);
-            bat_curve_eval(finest(copy), v, 0, r);
+            bat_curve_eval(shape_finest(copy), v, 0, r);
             bat_curve_eval(flat, v, 0, s);
             for (int k = 0; k < 2; k++) assert_true(fabs(p[k] - q[k] - (r[k] - s[k])) < 1e-9);
         }
@@ -140,14 +132,14 @@ static void any_onto_any(void **state) {
         assert_int_equal(bat_shape_copy_levels(shape, onto, &copy), BAT_OK);
         assert_int_equal(bat_shape_levels(copy), 3);
         assert_true(bat_curve_is_equal(bat_shape_curve(copy, 0), onto));
-        assert_int_equal(bat_curve_validate(finest(copy)), BAT_OK);
+        assert_int_equal(bat_curve_validate(shape_finest(copy)), BAT_OK);
         for (int l = 1; l <= 3; l++) assert_int_equal(bat_shape_set_muted(copy, l, true), BAT_OK);
         double domain[2], p[3], q[3]; /* silent, it is the curve it was put on */
         bat_curve_domain(onto, domain);
         for (int i = 0; i < 30; i++) {
             double u = domain[0] + (domain[1] - domain[0]) * i / 30;
             bat_curve_eval(onto, u, 0, p);
-            bat_curve_eval(finest(copy), u, 0, q);
+            bat_curve_eval(shape_finest(copy), u, 0, q);
             for (int d = 0; d < dimension; d++) assert_true(fabs(p[d] - q[d]) < 1e-9);
         }
         bat_shape_free(shape);

@@ -15,6 +15,7 @@
 
 #include "curve/curve.h"
 #include "hands/levels/shape.h"
+#include "support/shapes.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {
@@ -41,8 +42,6 @@ static bat_curve *random_curve(int degree, int dimension, bool closed, int count
     return curve;
 }
 
-static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, bat_shape_levels(s)); }
-
 /* A base with three levels, details random. */
 static bat_shape *random_shape(int round, bat_frame_rule rule, bat_propagation propagation) {
     bool closed = (round / 2) % 2;
@@ -57,7 +56,7 @@ static bat_shape *random_shape(int round, bat_frame_rule rule, bat_propagation p
         double details[600];
         for (int i = 0; i < 600; i++) details[i] = uniform(-8, 8) / j;
         bat_curve *finer;
-        const bat_curve *below = finest(shape);
+        const bat_curve *below = shape_finest(shape);
         double middle[200];
         const double *t = bat_curve_knots(below);
         int n = 0, p = 3, spans = closed ? bat_point_count(below) : bat_point_count(below) - p;
@@ -115,8 +114,8 @@ static void decomposition_is_exact(void **state) {
         options.frame = (bat_frame_rule)(round % 3);
         assert_int_equal(bat_shape_decompose(curve, 3, &options, &shape), BAT_OK);
         assert_int_equal(bat_shape_levels(shape), 3);
-        assert_true(worst_between(curve, finest(shape)) < 1e-12 * bat_curve_size(curve));
-        assert_int_equal(bat_curve_knot_count(curve), bat_curve_knot_count(finest(shape)));
+        assert_true(worst_between(curve, shape_finest(shape)) < 1e-12 * bat_curve_size(curve));
+        assert_int_equal(bat_curve_knot_count(curve), bat_curve_knot_count(shape_finest(shape)));
         assert_true(bat_point_count(bat_shape_curve(shape, 0)) < bat_point_count(curve) / 4 + degree + 1);
         bat_shape_free(shape);
         bat_shape *none = NULL;
@@ -152,7 +151,7 @@ static void transforms(void **state) {
     seed = 3;
     for (int round = 0; round < 48; round++) {
         bat_shape *shape = random_shape(round, (bat_frame_rule)(round % 3), BAT_PROPAGATION_LOCAL);
-        int n = bat_curve_dimension(finest(shape));
+        int n = bat_curve_dimension(shape_finest(shape));
         double m[12] = {0}, a = uniform(0, 6), b = uniform(0, 6), scale = uniform(0.5, 2),
                side = round % 5 ? 1 : -1;
         if (n == 2) {
@@ -165,9 +164,9 @@ static void transforms(void **state) {
             for (int i = 0; i < 12; i++) m[i] = rows[i] * (i % 4 < 3 ? scale : 1);
         }
         bat_curve *expected;
-        assert_int_equal(bat_curve_transform(finest(shape), m, &expected), BAT_OK);
+        assert_int_equal(bat_curve_transform(shape_finest(shape), m, &expected), BAT_OK);
         assert_int_equal(bat_shape_transform(shape, m), BAT_OK);
-        assert_true(worst_between(expected, finest(shape)) < 1e-12 * bat_curve_size(expected));
+        assert_true(worst_between(expected, shape_finest(shape)) < 1e-12 * bat_curve_size(expected));
         bat_curve_free(expected);
         bat_shape_free(shape);
     }
@@ -181,14 +180,14 @@ static void drags_are_exact_and_local(void **state) {
     for (int round = 0; round < 80; round++) {
         bat_shape *shape = random_shape(round, BAT_FRAMES_RMF, BAT_PROPAGATION_LOCAL), *before;
         assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
-        int level = 2 + round / 4 % 2, n = bat_curve_dimension(finest(shape)); /* four spans and more */
+        int level = 2 + round / 4 % 2, n = bat_curve_dimension(shape_finest(shape)); /* four spans and more */
         double domain[2], delta[3] = {uniform(-40, 40), uniform(-40, 40), uniform(-40, 40)}, x[3], y[3];
-        bat_curve_domain(finest(shape), domain);
+        bat_curve_domain(shape_finest(shape), domain);
         double length = domain[1] - domain[0], u = domain[0] + uniform(0.3, 0.5) * length;
         bat_curve_eval(bat_shape_curve(shape, level), u, 0, x);
         assert_int_equal(bat_shape_drag(shape, level, u, delta), BAT_OK);
         bat_curve_eval(bat_shape_curve(shape, level), u, 0, y);
-        double size = bat_curve_size(finest(before));
+        double size = bat_curve_size(shape_finest(before));
         for (int d = 0; d < n; d++) assert_true(fabs(y[d] - x[d] - delta[d]) < 1e-12 * size);
         /* Nine knots of the base and their finer relatives are the most that moves. */
         const bat_curve *base = bat_shape_curve(before, 0);
@@ -199,13 +198,15 @@ static void drags_are_exact_and_local(void **state) {
         if (!bat_curve_is_closed(base)) {
             int low = first - 4, high = first + 12;
             if (low > 3)
-                assert_true(worst_over(finest(before), finest(shape), domain[0], t[low]) < 1e-12 * size);
+                assert_true(worst_over(shape_finest(before), shape_finest(shape), domain[0], t[low]) <
+                            1e-12 * size);
             if (high < count)
-                assert_true(worst_over(finest(before), finest(shape), t[high], domain[1]) < 1e-12 * size);
+                assert_true(worst_over(shape_finest(before), shape_finest(shape), t[high], domain[1]) <
+                            1e-12 * size);
         }
         for (int d = 0; d < 3; d++) delta[d] = -delta[d];
         assert_int_equal(bat_shape_drag(shape, level, u, delta), BAT_OK);
-        assert_true(worst_between(finest(before), finest(shape)) < 1e-12 * size);
+        assert_true(worst_between(shape_finest(before), shape_finest(shape)) < 1e-12 * size);
         bat_shape_free(shape);
         bat_shape_free(before);
     }
@@ -232,7 +233,7 @@ static void twist_bookkeeping(void **state) {
             double delta[3] = {30, -40, 50};
             assert_int_equal(bat_shape_move(shape, 0, 8, delta), BAT_OK);
             const double *t = bat_curve_knots(base);
-            double moved = worst_over(finest(before), finest(shape), t[17], t[20]);
+            double moved = worst_over(shape_finest(before), shape_finest(shape), t[17], t[20]);
             if (mode == 0)
                 assert_true(moved < 1e-12 * bat_curve_size(base));
             else
@@ -251,12 +252,12 @@ static void gains(void **state) {
     bat_shape *shape = random_shape(3, BAT_FRAMES_RMF, BAT_PROPAGATION_LOCAL), *before;
     assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
     assert_int_equal(bat_shape_set_gain(shape, 3, 0), BAT_OK);
-    assert_true(worst_between(bat_shape_curve(shape, 2), finest(shape)) <
-                1e-12 * bat_curve_size(finest(shape)));
+    assert_true(worst_between(bat_shape_curve(shape, 2), shape_finest(shape)) <
+                1e-12 * bat_curve_size(shape_finest(shape)));
     double delta[3] = {1, 1, 1};
     assert_int_equal(bat_shape_drag(shape, 3, 1, delta), BAT_STATE);
     assert_int_equal(bat_shape_set_gain(shape, 3, 1), BAT_OK);
-    assert_true(bat_curve_is_equal(finest(before), finest(shape)));
+    assert_true(bat_curve_is_equal(shape_finest(before), shape_finest(shape)));
     assert_int_equal(bat_shape_set_gain(shape, 3, NAN), BAT_NUMBER);
     assert_int_equal(bat_shape_set_gain(shape, 0, 1), BAT_ARGUMENT);
     bat_shape_free(shape);
@@ -269,13 +270,13 @@ static void finest_point_follows(void **state) {
     for (int round = 0; round < 24; round++) {
         bat_shape *shape = random_shape(round, BAT_FRAMES_RMF, BAT_PROPAGATION_LOCAL);
         double domain[2], x[3], y[3], delta[3] = {12, -7, 9}, left;
-        bat_curve_domain(finest(shape), domain);
+        bat_curve_domain(shape_finest(shape), domain);
         double u = domain[0] + 0.4 * (domain[1] - domain[0]);
-        bat_curve_eval(finest(shape), u, 0, x);
+        bat_curve_eval(shape_finest(shape), u, 0, x);
         bat_status status = bat_shape_drag_finest(shape, round % 3, u, delta, 1e-6, &left);
         assert_int_equal(status, BAT_OK);
-        bat_curve_eval(finest(shape), u, 0, y);
-        for (int d = 0; d < bat_curve_dimension(finest(shape)); d++)
+        bat_curve_eval(shape_finest(shape), u, 0, y);
+        for (int d = 0; d < bat_curve_dimension(shape_finest(shape)); d++)
             assert_true(fabs(y[d] - x[d] - delta[d]) < 1e-5);
         bat_shape_free(shape);
     }
@@ -287,7 +288,7 @@ static void sketch_at_a_level(void **state) {
     for (int round = 0; round < 24; round++) {
         bat_shape *shape = random_shape(round, BAT_FRAMES_RMF, BAT_PROPAGATION_LOCAL), *before;
         assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
-        int level = 2 + round / 4 % 2, n = bat_curve_dimension(finest(shape)); /* four spans and more */
+        int level = 2 + round / 4 % 2, n = bat_curve_dimension(shape_finest(shape)); /* four spans and more */
         const bat_curve *curve = bat_shape_curve(before, level);
         double domain[2], u[120], targets[360], worst = 0;
         bat_curve_domain(curve, domain);
@@ -329,7 +330,8 @@ static void rebase_moves_nothing(void **state) {
         assert_int_equal(bat_shape_move(shape, 0, 0, delta), BAT_OK);
         assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
         assert_int_equal(bat_shape_commit(shape), BAT_OK);
-        assert_true(worst_between(finest(before), finest(shape)) < 1e-12 * bat_curve_size(finest(before)));
+        assert_true(worst_between(shape_finest(before), shape_finest(shape)) <
+                    1e-12 * bat_curve_size(shape_finest(before)));
         bat_shape_free(shape);
         bat_shape_free(before);
     }
@@ -351,7 +353,7 @@ static void bad_arguments(void **state) {
     assert_int_equal(bat_shape_drag(shape, 0, NAN, delta), BAT_NUMBER);
     double zero[6] = {0};
     assert_int_equal(bat_shape_transform(shape, zero), BAT_SINGULAR);
-    assert_true(bat_curve_is_equal(base, finest(shape)));
+    assert_true(bat_curve_is_equal(base, shape_finest(shape)));
     bat_shape_free(shape);
     bat_curve_free(base);
     bat_curve_free(other);

@@ -14,6 +14,7 @@
 
 #include "curve/curve.h"
 #include "support/alloc_fail.h"
+#include "support/shapes.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {
@@ -66,17 +67,6 @@ static bat_shape *random_shape(int round, int degree, bat_frame_rule rule, bat_p
     bat_curve_free(base);
     assert_int_equal(bat_shape_commit(shape), BAT_OK);
     return shape;
-}
-
-static bool same(const bat_shape *a, const bat_shape *b) {
-    if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
-    for (int l = 0; l <= bat_shape_levels(a); l++) {
-        const bat_curve *c = bat_shape_curve(a, l);
-        if (!bat_curve_is_equal(c, bat_shape_curve(b, l))) return false;
-        for (int i = 0; l > 0 && i < 3 * bat_point_count(c); i++)
-            if (bat_shape_details(a, l)[i] != bat_shape_details(b, l)[i]) return false;
-    }
-    return true;
 }
 
 static double apart(const bat_curve *a, const bat_curve *b) {
@@ -233,7 +223,7 @@ static void sessions(void **state) {
                              BAT_OK);
         }
         assert_int_equal(bat_shape_live_drag(live, u, zero), BAT_OK);
-        assert_true(same(shape, bat_shape_live_shape(live)));
+        assert_true(shapes_same(shape, bat_shape_live_shape(live)));
         assert_int_equal(bat_shape_live_drag(live, u, delta), BAT_OK);
         for (int l = 0; l <= bat_shape_levels(shape); l++) {
             const bat_curve *a = bat_shape_curve(shape, l),
@@ -256,7 +246,7 @@ static void sessions(void **state) {
         assert_int_equal(bat_shape_live_commit(live, &after), BAT_OK);
         assert_int_equal(bat_shape_copy(shape, &way), BAT_OK);
         assert_int_equal(bat_shape_drag(way, level, u, zero), BAT_OK);
-        assert_true(same(shape, way));
+        assert_true(shapes_same(shape, way));
         assert_int_equal(bat_shape_drag(way, level, u, delta), BAT_OK);
         bat_shape *early = read_back(way); /* before the commit: the same drawing */
         const bat_curve *finest = bat_shape_curve(way, bat_shape_levels(way));
@@ -266,9 +256,9 @@ static void sessions(void **state) {
         assert_int_equal(bat_curve_copy(finest, &kept), BAT_OK);
         assert_int_equal(bat_shape_commit(way), BAT_OK);
         assert_true(apart(kept, bat_shape_curve(way, bat_shape_levels(way))) < 1e-12 * size);
-        assert_true(same(way, after));
+        assert_true(shapes_same(way, after));
         bat_shape *again = read_back(after);
-        assert_true(same(again, after));
+        assert_true(shapes_same(again, after));
         /* And back, to rounding; not promised where plain propagation has wound a loop once round. */
         for (int d = 0; d < 3; d++) delta[d] = -delta[d];
         assert_int_equal(bat_shape_drag(after, level, u, delta), BAT_OK);
@@ -352,7 +342,7 @@ static void failing_allocations(void **state) {
                 bool reached = alloc_fail_reached();
                 if (reached) {
                     assert_int_equal(status, BAT_MEMORY);
-                    assert_true(same(shape, copy));
+                    assert_true(shapes_same(shape, copy));
                     assert_true(alloc_live() == live_blocks);
                     continue;
                 }
@@ -386,9 +376,9 @@ static void bad_live_arguments(void **state) {
     assert_int_equal(bat_shape_live_move(live, -1, 1, delta), BAT_ARGUMENT);
     assert_int_equal(bat_shape_live_move(live, 0, 1000, delta), BAT_ARGUMENT);
     assert_int_equal(bat_shape_live_move(live, 2, 1, nan), BAT_NUMBER);
-    assert_true(same(shape, bat_shape_live_shape(live)));
+    assert_true(shapes_same(shape, bat_shape_live_shape(live)));
     assert_int_equal(bat_shape_live_drag(live, 1, huge), BAT_NUMBER);
-    assert_true(same(shape, bat_shape_live_shape(live)));
+    assert_true(shapes_same(shape, bat_shape_live_shape(live)));
     assert_int_equal(bat_shape_live_commit(live, NULL), BAT_ARGUMENT);
     bat_shape_live_cancel(NULL);
     assert_int_equal(bat_shape_live_commit(NULL, &out), BAT_ARGUMENT);

@@ -14,6 +14,7 @@
 
 #include "curve/curve.h"
 #include "support/alloc_fail.h"
+#include "support/shapes.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {
@@ -40,8 +41,6 @@ static bat_curve *base_of(int dimension, bool closed, int count) {
     return curve;
 }
 
-static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, bat_shape_levels(s)); }
-
 static bat_shape *shape_of(int round) {
     bat_curve *base = base_of(2 + round % 2, (round / 2) % 2, 34);
     bat_shape *shape;
@@ -49,7 +48,7 @@ static bat_shape *shape_of(int round) {
     bat_curve_free(base);
     for (int l = 1; l <= 2; l++) {
         assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
-        for (int i = 0; i < bat_point_count(finest(shape)); i++)
+        for (int i = 0; i < bat_point_count(shape_finest(shape)); i++)
             assert_int_equal(
                 bat_shape_move(shape, l, i, (double[]){uniform(-9, 9), uniform(-9, 9), uniform(-9, 9)}),
                 BAT_OK);
@@ -107,9 +106,9 @@ static void redraws(void **state) {
             if (x > -margin && x < reach + margin && (x >= 0 || !closed)) continue;
             if (closed && x > whole - margin) continue;
             if (x > 0) v = report.changed[0] + x + moved; /* closed: a period further on, maybe */
-            bat_curve_eval(finest(shape), u, 0, p);
+            bat_curve_eval(shape_finest(shape), u, 0, p);
             for (int k = 0; k < 2; k++) {
-                bat_curve_eval(finest(k ? dropped : kept), v, 0, q);
+                bat_curve_eval(shape_finest(k ? dropped : kept), v, 0, q);
                 for (int d = 0; d < bat_curve_dimension(base); d++)
                     assert_true(fabs(p[d] - q[d]) < 1e-9 * size);
             }
@@ -121,9 +120,9 @@ static void redraws(void **state) {
             if (low > high) continue;
             double u = low + (high - low) * i / 20;
             bat_curve_eval(expected, u, 0, p);
-            bat_curve_eval(finest(dropped), u, 0, q);
+            bat_curve_eval(shape_finest(dropped), u, 0, q);
             for (int d = 0; d < bat_curve_dimension(base); d++) assert_true(fabs(p[d] - q[d]) < 1e-9 * size);
-            bat_curve_eval(finest(kept), u, 0, q);
+            bat_curve_eval(shape_finest(kept), u, 0, q);
             for (int d = 0; d < bat_curve_dimension(base); d++) far = fmax(far, fabs(p[d] - q[d]));
             bare++, wrinkled += far > 0.5;
         }
@@ -181,7 +180,7 @@ static void splines_and_flattening(void **state) {
     assert_int_equal(bat_shape_add_level(shape, 0, NULL, NULL, NULL), BAT_OK);
     assert_int_equal(bat_shape_move(shape, 1, 4, (double[]){3, 9}), BAT_OK);
     assert_int_equal(bat_shape_flatten(shape, &flat), BAT_OK);
-    assert_true(bat_curve_is_equal(flat, finest(shape)));
+    assert_true(bat_curve_is_equal(flat, shape_finest(shape)));
     assert_int_equal(bat_shape_flatten(NULL, &flat), BAT_ARGUMENT);
     bat_curve_free(flat);
     bat_curve_free(expected);

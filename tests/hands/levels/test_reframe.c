@@ -16,6 +16,7 @@
 #include <batten/format.h>
 #include <batten/levels.h>
 #include <batten/refine.h>
+#include "support/shapes.h"
 
 static uint64_t seed;
 static double uniform(double low, double high) {
@@ -43,16 +44,6 @@ static bat_curve *wavy(int dimension, bool closed, int count) {
     return curve;
 }
 
-static const bat_curve *finest(const bat_shape *s) { return bat_shape_curve(s, bat_shape_levels(s)); }
-
-static double worst(const bat_curve *a, const bat_curve *b) {
-    double most = 0;
-    assert_int_equal(bat_curve_count(a), bat_point_count(b));
-    for (int i = 0; i < bat_point_count(a) * bat_curve_dimension(a); i++)
-        most = fmax(most, fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]));
-    return most;
-}
-
 static bat_shape *random_shape(int round) {
     bat_curve *curve = wavy(2 + round % 2, round / 2 % 2 != 0, 40);
     bat_shape_options options = bat_shape_defaults();
@@ -71,7 +62,7 @@ static void same_image(const bat_shape *before, const bat_shape *after, const do
         const bat_curve *curve = bat_shape_curve(before, l);
         assert_int_equal(matrix ? bat_curve_transform(curve, matrix, &image) : bat_curve_copy(curve, &image),
                          BAT_OK);
-        assert_true(worst(image, bat_shape_curve(after, l)) < 1e-11 * bat_curve_size(image));
+        assert_true(points_apart(image, bat_shape_curve(after, l)) < 1e-11 * bat_curve_size(image));
         bat_curve_free(image);
     }
 }
@@ -101,7 +92,7 @@ static void images_are_exact(void **state) {
     seed = 12;
     for (int round = 0; round < 36; round++) {
         bat_shape *shape = random_shape(round), *image;
-        int size = bat_curve_dimension(finest(shape));
+        int size = bat_curve_dimension(shape_finest(shape));
         double matrix[12];
         for (int i = 0; i < 12; i++) matrix[i] = uniform(-2, 2);
         for (int i = 0; i < size; i++) matrix[i * (size + 1) + i] += round % 4 < 2 ? 3 : -3;
@@ -114,7 +105,7 @@ static void images_are_exact(void **state) {
             assert_int_equal(bat_shape_set_muted(shape, 2, false), BAT_OK);
             bat_curve *level;
             assert_int_equal(bat_curve_transform(bat_shape_curve(shape, 2), matrix, &level), BAT_OK);
-            assert_true(worst(level, bat_shape_curve(image, 2)) < 1e-11 * bat_curve_size(level));
+            assert_true(points_apart(level, bat_shape_curve(image, 2)) < 1e-11 * bat_curve_size(level));
             bat_curve_free(level);
         }
         bat_shape_free(shape);
@@ -140,7 +131,7 @@ static void mute_hides_and_brings_back(void **state) {
         assert_int_equal(bat_shape_set_gain(silent, 2, 0), BAT_OK);
         assert_int_equal(bat_shape_set_muted(shape, 2, true), BAT_OK);
         assert_true(bat_shape_is_muted(shape, 2) && bat_shape_gain(shape, 2) == 1.5);
-        assert_true(bat_curve_is_equal(finest(shape), finest(silent)));
+        assert_true(bat_curve_is_equal(shape_finest(shape), shape_finest(silent)));
         assert_int_equal(bat_shape_move(shape, 2, 0, (double[]){1, 1, 1}), BAT_STATE);
         /* There and back through the file. */
         char *text;
@@ -151,7 +142,7 @@ static void mute_hides_and_brings_back(void **state) {
         assert_true(bat_shape_is_muted(again, 2) && bat_shape_gain(again, 2) == 1.5);
         bat_free(text);
         assert_int_equal(bat_shape_set_muted(shape, 2, false), BAT_OK);
-        assert_true(bat_curve_is_equal(finest(shape), finest(before)));
+        assert_true(bat_curve_is_equal(shape_finest(shape), shape_finest(before)));
         assert_int_equal(bat_shape_set_muted(shape, 0, true), BAT_ARGUMENT);
         bat_shape_free(shape);
         bat_shape_free(before);
@@ -177,7 +168,7 @@ static void apart_to_a_number(void **state) {
         assert_int_equal(bat_shape_decompose_to(sharp, levels, (size_t)coarsest, NULL, &shape), BAT_OK);
         assert_int_equal(bat_shape_levels(shape), levels);
         assert_int_equal(bat_curve_count(bat_shape_curve(shape, 0)), coarsest);
-        assert_true(worst(sharp, finest(shape)) < 1e-12 * bat_curve_size(sharp));
+        assert_true(points_apart(sharp, shape_finest(shape)) < 1e-12 * bat_curve_size(sharp));
         for (int l = 0; l < levels; l++)
             assert_true(bat_point_count(bat_shape_curve(shape, l)) <
                         bat_point_count(bat_shape_curve(shape, l + 1)));
