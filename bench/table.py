@@ -1,4 +1,4 @@
-"""Reads rows as JSON lines, writes the table of docs/benchmarks.md. usage: table.py MACHINE < rows"""
+"""Reads rows as JSON lines, writes the machine and the table of docs/benchmarks.md. usage: table.py MACHINE < rows"""
 import json
 import sys
 
@@ -12,13 +12,7 @@ for line in sys.stdin:
     if r["program"] not in programs:
         programs.append(r["program"])
 peers = [p for p in programs if p != "batten"]
-print(f"""# Benchmarks
-
-Made by `bench/run` in one run, Batten and its peers side by side. Times are the best of many runs, the median in
-brackets; a peer's ratio is its best over Batten's best. Absolute numbers change from machine to machine; ratios
-less so. A fit's note tells what the time bought.
-
-Machine: {sys.argv[1]}
+print(f"""Machine: {sys.argv[1]}
 
 | task | unit | Batten | {" | ".join(peers)} |
 |---|---|---|{"---|" * len(peers)}""")

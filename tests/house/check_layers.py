@@ -179,6 +179,8 @@ class House:
             room = name.rsplit("/", 1)[0]
             if KIND.search(code) and not name.startswith("kinds/"):
                 self.arrows.setdefault((name, "BAT_KIND_"), f"src/{name}")
+            if "bat_object_kind(" in code and room not in ("kinds", "document"):
+                self.arrows.setdefault((name, "bat_object_kind"), f"src/{name}")
             if TOOL.search(code) and room not in ("editor/tables", "editor/tools/modes"):
                 self.arrows.setdefault((name, "BAT_TOOL_"), f"src/{name}")
             if room.startswith("editor/tools") and VIEW.search(code):

@@ -1,6 +1,7 @@
 #include "editor/panels/in_words.h"
 #include "hands/tangents/spline.h"
 #include "curve/curve.h"
+#include "document/kind.h"
 #include "document/nesting.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -106,16 +107,11 @@ static void add(const bat_context *c, bat_text *text, bat_string words) {
 }
 
 void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
-    static const bat_string kinds[] = {
-#define KIND(name, NAME) [BAT_KIND_##NAME] = BAT_STRING_KIND_##NAME,
-#include "kinds/kinds.def"
-#undef KIND
-    };
     const char *name = bat_object_name(object);
     int curves = bat_object_curve_count(object), points = points_of(object);
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");
-    if (!*name || curves < 2) bat_text_string(text, bat_word(c, kinds[bat_object_kind(object)]));
+    if (!*name || curves < 2) bat_text_string(text, bat_word(c, bat_kind_word(bat_object_type(object))));
     if (!*name) { /* by its number: it has to be called something */
         bat_text_string(text, " ");
         bat_text_integer(text, bat_object_id(object));

@@ -1,5 +1,6 @@
 #include "editor/session/history.h"
 #include "document/document.h"
+#include "document/kind.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,7 +37,7 @@ static int place_now(const bat_delta *deltas, int count, int i, int place) {
 static bool alike(const bat_object *a, const bat_object *b) {
     bool groups = bat_object_is_group(a) || bat_object_is_group(b);
     return bat_object_parent(a) == bat_object_parent(b) &&
-           (!groups || bat_object_kind(a) == bat_object_kind(b));
+           (!groups || bat_object_type(a) == bat_object_type(b));
 }
 
 bool bat_deltas_hold(const bat_delta *deltas, int count, const bat_document *document) {

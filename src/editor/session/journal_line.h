@@ -1,4 +1,4 @@
-/* What journal lines need over format/text.h. */
+/* What journal lines need over text/text.h. */
 #ifndef BATTEN_EDITOR_SESSION_JOURNAL_LINE_H
 #define BATTEN_EDITOR_SESSION_JOURNAL_LINE_H
 

@@ -1,4 +1,5 @@
 #include "editor/tables/tables.h"
+#include "kinds/kinds.h"
 #include <string.h>
 
 static const bat_command_row commands[BAT_COMMAND_COUNT] = {
@@ -89,6 +90,20 @@ const bat_property_row *bat_property_at(bat_property_id id) { return &properties
 const bat_tool_row *bat_tool_at(bat_tool_id id) { return &tools[id]; }
 const char *bat_string_key(bat_string id) { return keys_of_texts[id]; }
 const char *bat_string_english(bat_string id) { return english_texts[id]; }
+
+bat_string bat_kind_word(const bat_kind_type *type) {
+    static const struct {
+        const bat_kind_type *type;
+        bat_string word;
+    } kinds[] = {
+#define KIND(name, NAME) {&bat_kind_of_##name, BAT_STRING_KIND_##NAME},
+#include "kinds/kinds.def"
+#undef KIND
+    };
+    int i = 0;
+    while (kinds[i].type != type) i++;
+    return kinds[i].word;
+}
 
 bat_string bat_string_named(const char *key, size_t size) {
     int i = 0;

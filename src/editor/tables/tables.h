@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TABLES_TABLES_H
 #define BATTEN_EDITOR_TABLES_TABLES_H
 
+#include "document/kind.h"
 #include <batten/base.h>
 
 typedef enum bat_string {
@@ -102,6 +103,8 @@ const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
 /* The first tool with the trait, which one has. */
 bat_tool_id bat_tool_that(unsigned trait);
+/* What people call a kind of object. */
+bat_string bat_kind_word(const bat_kind_type *type);
 /* The text of a key (size bytes); BAT_STRING_COUNT: none. */
 bat_string bat_string_named(const char *key, size_t size);
 /* The id of a name; the count when there is none. */

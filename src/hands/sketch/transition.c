@@ -230,7 +230,7 @@ void bat_target_speed(bat_target *t, int dimension, size_t a, size_t b, double b
     }
 }
 
-/* Old curve between a cut and its joint, ends left to the neighbours where `skip` says so. */
+/* Old curve between a cut and its joint; the joint itself is left to what lies on its other side. */
 bat_status bat_plan_add_kept(bat_plan *plan, int side, double step) {
     bat_end *e = &plan->end[side];
     bat_target *t = &plan->target;

@@ -1,5 +1,5 @@
 /*
- * What the stroke under the pen means: the editor's side of the choice (shape/intent.h). It looks for the curves
+ * What the stroke under the pen means: the editor's side of the choice (hands/sketch/intent.h). It looks for the curves
  * beside the stroke as the stroke grows, and makes edits of readings.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
