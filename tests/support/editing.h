@@ -33,6 +33,12 @@ static inline bat_editor *editor_with(int count, bat_curve **curves) {
     return editor_of(document);
 }
 
+static inline pen mouse(bat_editor *editor) {
+    pen p = pen_for(editor);
+    p.device = BAT_DEVICE_MOUSE;
+    return p;
+}
+
 /* The pen comes near a second later, so that two taps are no double tap, goes down, and draws a straight line in eight
  * steps, a frame each. */
 static inline void drag_to(pen *p, double x0, double y0, double x1, double y1) {

@@ -1,0 +1,102 @@
+/* Numbers that are entered: places, sizes, angles. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "editor/tools/modes/guides.h"
+#include "support/precision.h"
+
+static void expect_number(bat_editor *editor, const char *name, const char *text) {
+    assert_string_equal(bat_editor_number(editor, name), text);
+}
+
+/* Each number becomes what is entered; all else of the box stays. One step each. */
+static void numbers_are_entered(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(100, 100, 300, 200), segment(400, 300, 600, 500)};
+    bat_editor *editor = editor_with(2, curves);
+    uint64_t first = digest(editor);
+    double box[4];
+    expect_number(editor, "x", "");
+    assert_int_equal(bat_editor_enter(editor, "x", "1"), BAT_STATE);
+    bat_editor_select(editor, 1, false);
+    expect_number(editor, "x", "100 px");
+    expect_number(editor, "width", "200 px");
+    assert_int_equal(bat_editor_enter(editor, "x", "1in + 4"), BAT_OK);
+    expect_number(editor, "x", "100 px"); /* it is there already: no step */
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_enter(editor, "x", "25,4mm"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "width", "50*2"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "height", "40"), BAT_OK);
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+    double expected[4] = {96, 100, 196, 140};
+    for (int k = 0; k < 4; k++) assert_true(fabs(box[k] - expected[k]) < 1e-9);
+    /* A quarter turn against the clock about (146, 120): the rising end comes to the upper left. */
+    assert_int_equal(bat_editor_enter(editor, "turn", "90°"), BAT_OK);
+    const double *p = bat_curve_points(bat_object_curve(bat_document_at(editor->session.document, 0), 0));
+    assert_true(bat_hypot(p[0] - 126, p[1] - 170) < 1e-9 && bat_hypot(p[2] - 166, p[3] - 70) < 1e-9);
+    static const char *const bad[] = {"", "wide", "1mm*1mm", "0", "-5"};
+    uint64_t now = digest(editor);
+    for (int i = 0; i < 5; i++) assert_int_not_equal(bat_editor_enter(editor, "width", bad[i]), BAT_OK);
+    assert_int_not_equal(bat_editor_enter(editor, "x", "1e300"), BAT_OK);
+    assert_int_not_equal(bat_editor_enter(editor, "x", "9999999999999999999999999999999999999999"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "nonsense", "1"), BAT_UNSUPPORTED);
+    assert_int_equal(bat_editor_enter(editor, "snap", "1"), BAT_UNSUPPORTED); /* a switch is no number */
+    assert_true(digest(editor) == now);
+    /* A level line has no height to scale. */
+    bat_guide_put(&editor->context, 0, 1, 77);
+    bat_editor_set(editor, "unit", 2);
+    assert_int_equal(bat_editor_enter(editor, "guide", "2"), BAT_OK);
+    expect_number(editor, "guide", "2 in");
+    double at = 0;
+    assert_true(guides(editor, 1, &at) == 1 && at == 192);
+    assert_int_equal(bat_editor_enter(editor, "grid-spacing", "1/4"), BAT_OK);
+    assert_int_equal(bat_editor_get(editor, "grid-spacing", &at), BAT_OK);
+    assert_true(at == 24);
+    expect_number(editor, "grid-spacing", "0.25 in");
+    bat_editor_set(editor, "unit", 0);
+    /* A control point of the other line. */
+    bat_editor_command(editor, "deselect");
+    bat_editor_command(editor, "tool-points");
+    pen m = mouse(editor);
+    for (int i = 0; i < 2; i++) { /* the line, then its end */
+        double x = i ? 600 : 500, y = i ? 500 : 400;
+        pen_event(&m, BAT_POINTER_DOWN, x, y);
+        pen_event(&m, BAT_POINTER_UP, x, y);
+        m.time += 1000;
+    }
+    expect_number(editor, "point-x", "600 px");
+    assert_int_equal(bat_editor_enter(editor, "point-x", "640.5"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "point-y", "480"), BAT_OK);
+    int index = bat_document_find(editor->session.document, 2);
+    p = bat_curve_points(bat_object_curve(bat_document_at(editor->session.document, index), 0));
+    assert_true(p[2] == 640.5 && p[3] == 480 && p[0] == 400 && p[1] == 300);
+    /* Not while something is dragged. */
+    pen_event(&m, BAT_POINTER_DOWN, 640.5, 480);
+    pen_event(&m, BAT_POINTER_MOVE, 700, 480);
+    assert_int_equal(bat_editor_enter(editor, "point-x", "1"), BAT_STATE);
+    bat_editor_command(editor, "cancel");
+    pen_event(&m, BAT_POINTER_UP, 700, 480);
+    /* A point of a spline. */
+    bat_editor_command(editor, "tool-tangents");
+    for (int i = 0; i < 3; i++) {
+        pen_event(&m, BAT_POINTER_DOWN, 700 + 60 * i, 700 - 40 * (i & 1));
+        pen_event(&m, BAT_POINTER_UP, 700 + 60 * i, 700 - 40 * (i & 1));
+        m.time += 1000;
+    }
+    assert_int_equal(bat_editor_enter(editor, "point-y", "650"), BAT_OK);
+    expect_number(editor, "point-y", "650 px");
+    replays(editor, 0);
+    while (bat_editor_command(editor, "undo") == BAT_OK) assert_null(bat_editor_check(editor));
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_are_entered),
+    };
+    return cmocka_run_group_tests_name("numbers", tests, NULL, NULL);
+}

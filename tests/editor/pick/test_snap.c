@@ -1,0 +1,136 @@
+/* Snapping: ends, crossings and other places known in closed form; what is dragged snaps as a whole. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "editor/tools/modes/guides.h"
+#include "support/precision.h"
+
+/* Ends, crossings of two lines, of a line and a parabola, of a curve with itself: all known. */
+static void snaps_to_known_places(void **state) {
+    (void)state;
+    /* y = 300 - (x - 500)^2 / 100 for x in 400..600: the control points of a parabola in Bézier form. */
+    bat_curve *parabola = NULL, *loop = NULL;
+    bat_curve_create(2, 2, false, 3, (double[]){400, 200, 500, 400, 600, 200}, 6,
+                     (double[]){0, 0, 0, 1, 1, 1}, &parabola);
+    /* Symmetric about x = 800, so it meets itself there: x(t) - 800 = 600 (t - 1/2) (1 - 6 t (1 - t)) ... solved
+     * below by halving. */
+    bat_curve_create(2, 3, false, 4, (double[]){700, 600, 1000, 300, 600, 300, 900, 600}, 8,
+                     (double[]){0, 0, 0, 0, 1, 1, 1, 1}, &loop);
+    bat_curve *curves[] = {segment(100, 100, 300, 300), segment(100, 300, 300, 100), parabola,
+                           segment(350, 250, 650, 250), loop};
+    bat_editor *editor = editor_with(5, curves);
+    bat_snap found = snap(editor, 103, 96);
+    at_once(&found, BAT_SNAP_END, 100, 100);
+    found = snap(editor, 203, 204);
+    at_once(&found, BAT_SNAP_CROSSING, 200, 200);
+    /* y = 400 t (1 - t) + 200 = 250: t = (1 - sqrt(1/2)) / 2, x = 400 + 200 t */
+    found = snap(editor, 432, 253);
+    at_once(&found, BAT_SNAP_CROSSING, 500 - 100 * sqrt(0.5), 250);
+    found = snap(editor, 567, 248);
+    at_once(&found, BAT_SNAP_CROSSING, 500 + 100 * sqrt(0.5), 250);
+    double low = 0, high = 0.4; /* the parameter of the crossing with itself */
+    const bat_curve *own = bat_object_curve(bat_document_at(editor->session.document, 4), 0);
+    for (int i = 0; i < 60; i++) {
+        double t = (low + high) / 2, at[2];
+        bat_curve_eval(own, t, 0, at);
+        if (at[0] < 800)
+            low = t;
+        else
+            high = t;
+    }
+    double at[2];
+    bat_curve_eval(own, low, 0, at);
+    found = snap(editor, at[0] + 3, at[1] - 2);
+    at_once(&found, BAT_SNAP_CROSSING, 800, at[1]);
+    /* An end within reach comes before a crossing that is nearer. */
+    found = snap(editor, 296, 298);
+    at_once(&found, BAT_SNAP_END, 300, 300);
+    /* Out of reach, switched off, held off. */
+    assert_int_equal(snap(editor, 320, 300).kind, BAT_SNAP_NONE);
+    bat_editor_set(editor, "snap-ends", 0);
+    assert_int_equal(snap(editor, 103, 96).kind, BAT_SNAP_NONE);
+    bat_editor_set(editor, "snap-curves", 1);
+    found = snap(editor, 153, 147);
+    at_once(&found, BAT_SNAP_CURVE, 150, 150);
+    editor->context.modifiers = BAT_CTRL;
+    assert_int_equal(snap(editor, 153, 147).kind, BAT_SNAP_NONE);
+    editor->context.modifiers = 0;
+    bat_editor_command(editor, "snap");
+    assert_int_equal(snap(editor, 203, 204).kind, BAT_SNAP_NONE);
+    bat_editor_command(editor, "snap");
+    bat_editor_set(editor, "snap-curves", 0);
+    /* The reach is in pixels. */
+    bat_editor_command(editor, "zoom-in");
+    bat_editor_command(editor, "zoom-in");
+    assert_int_equal(snap(editor, 205, 204.5).kind, BAT_SNAP_NONE);
+    found = snap(editor, 202, 201);
+    at_once(&found, BAT_SNAP_CROSSING, 200, 200);
+    bat_editor_free(editor);
+}
+
+/* A moved line's end lands on the end of another to the last bit; the picture says so while it is held. */
+static void moves_snap(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(100, 100, 200, 150), segment(400, 333.25, 600, 500)};
+    bat_editor *editor = editor_with(2, curves);
+    pen p = mouse(editor);
+    bat_editor_command(editor, "tool-select");
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 300, 300);
+    pen_event(&p, BAT_POINTER_MOVE, 352, 306); /* its right end comes to 402, 331 */
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_non_null(pen_live(frame, BAT_ROLE_GUIDE));
+    assert_string_equal(frame->labels[0].text, "end");
+    pen_event(&p, BAT_POINTER_UP, 352, 306);
+    double box[4];
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+    assert_true(box[2] == 400 && box[3] == 333.25);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GUIDE));
+    replays(editor, 0);
+    bat_editor_command(editor, "undo");
+    p.modifiers = BAT_CTRL;
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 352, 306);
+    pen_event(&p, BAT_POINTER_UP, 352, 306);
+    p.modifiers = 0;
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+    assert_true(fabs(box[2] - 402) < 1e-9);
+    bat_editor_command(editor, "undo");
+    /* Shift: 15 degrees. The pen goes 100, -30 (16.7 degrees); what moves goes along 15. */
+    p.modifiers = BAT_SHIFT;
+    pen_event(&p, BAT_POINTER_DOWN, 150, 125);
+    pen_event(&p, BAT_POINTER_MOVE, 250, 95);
+    frame = bat_editor_frame(editor);
+    assert_string_equal(frame->labels[0].text, "15°");
+    pen_event(&p, BAT_POINTER_UP, 250, 95);
+    p.modifiers = 0;
+    bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+    double c = cos(BAT_PI / 12), s = sin(BAT_PI / 12), along = 100 * c + 30 * s;
+    assert_true(fabs(box[0] - 100 - along * c) < 1e-9 && fabs(box[1] - 100 + along * s) < 1e-9);
+    /* A control point goes to the crossing of guides. */
+    bat_guide_put(&editor->context, 0, 0, 700);
+    bat_guide_put(&editor->context, 0, 1, 600);
+    bat_editor_command(editor, "deselect");
+    bat_editor_command(editor, "tool-points");
+    pen_event(&p, BAT_POINTER_HOVER, 500, 416.6);
+    pen_event(&p, BAT_POINTER_DOWN, 500, 416.6);
+    pen_event(&p, BAT_POINTER_UP, 500, 416.6);
+    drag(&p, 600, 500, 703, 605);
+    const bat_object *moved = bat_document_at(editor->session.document,
+                                              bat_document_find(editor->session.document, 2));
+    const double *points = bat_curve_points(bat_object_curve(moved, 0));
+    assert_true(fabs(points[2] - 700) < 1e-12 && fabs(points[3] - 600) < 1e-12);
+    replays(editor, 0);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(snaps_to_known_places),
+        cmocka_unit_test(moves_snap),
+    };
+    return cmocka_run_group_tests_name("snap", tests, NULL, NULL);
+}
