@@ -84,6 +84,7 @@ test('never asked when nothing is lost', async (t) => {
   await hand.stroke(await Promise.all(LINE.map(([x, y]) => place(page, x, y))));
   await page.keyboard.press('Control+S');
   await saved(server, 1);
+  await page.waitForFunction(() => !document.getElementById('notice').hidden); // "Saved": the page knows it, too
   await page.evaluate(() => batten.engine.command('losses') && batten.wake());
   await settle(page);
   assert.equal((await state(page)).notice, 'Saving keeps all of the file');
