@@ -17,11 +17,19 @@ bool bat_mirror_is_good(const bat_mirror *mirror);
 /* How far the place lies from the axis: positive on the side that is right of its direction in a drawing with y downwards
  * and the axis pointing down. */
 double bat_mirror_side(const bat_mirror *mirror, const double point[2]);
+/* How far along the axis the place is, and the place on the axis so far along. */
+double bat_mirror_along(const bat_mirror *mirror, const double point[2]);
+void bat_mirror_place(const bat_mirror *mirror, double along, double out[2]);
 void bat_mirror_point(const bat_mirror *mirror, const double point[2], double out[2]);
 /* As bat_matrix_ functions take it: x' = m[0] x + m[2] y + m[4], y' = m[1] x + m[3] y + m[5]. */
 void bat_mirror_matrix(const bat_mirror *mirror, double out[6]);
 /* The image, control point by control point, with the same knots. BAT_DIMENSION: not planar. */
 bat_status bat_mirror_curve(const bat_mirror *mirror, const bat_curve *curve, bat_curve **out);
+
+/* The same with another map of the points. */
+bat_status bat_mirror_map(const bat_mirror *mirror, const bat_curve *curve,
+                          void (*map)(const bat_mirror *m, const double p[2], double out[2]),
+                          bat_curve **out);
 
 /*
  * The curve as one that is its own mirror image. What lies on one side of the axis is kept, to within tolerance at the
@@ -38,5 +46,12 @@ bat_status bat_mirror_whole(const bat_mirror *mirror, const bat_curve *curve, in
 
 /* Whether b is a's mirror image, each no farther than `within` from the other's. A curve may be its own. */
 bool bat_mirror_twins(const bat_mirror *mirror, const bat_curve *a, const bat_curve *b, double within);
+/*
+ * Of a curve whose control points mirrored each other (to `within`) and have been moved since, its knots the same: the
+ * curve where they mirror each other again. Of two that belong together the one that moved farther counts; those where
+ * neither moved stay bit for bit. BAT_STATE: it is no such curve.
+ */
+bat_status bat_mirror_net(const bat_mirror *mirror, const bat_curve *before, const bat_curve *after,
+                          double within, bat_curve **out);
 
 #endif

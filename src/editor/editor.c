@@ -2,6 +2,7 @@
 #include "editor/editor.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
+#include "editor/edit/symmetry.h"
 #include "editor/input/pressure.h"
 #include "editor/tables/words.h"
 #include <stdlib.h>
@@ -33,6 +34,7 @@ bat_status bat_editor_create(bat_editor **out) {
     if (!editor) return BAT_MEMORY;
     wire(editor);
     editor->session.stepped = bat_choice_follow;
+    editor->session.mirror = bat_symmetry_finish;
     editor->stage = bat_stage_defaults();
     editor->notices.notice = BAT_STRING_COUNT;
     bat_scene_init(&editor->scene);

@@ -2,7 +2,7 @@
 #include "base/real.h"
 #include "document/kind.h"
 #include "editor/choice/choice.h"
-#include "editor/edit/mirror.h"
+#include "curve/mirror.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/commands.h"

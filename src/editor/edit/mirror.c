@@ -1,11 +1,10 @@
 #include "editor/edit/mirror.h"
+#include "curve/curve.h"
 #include "document/document.h"
 #include "document/kind.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/session.h"
-#include "editor/tables/settings.h"
-#include "editor/view/stage.h"
 #include <batten/nearest.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,36 +12,6 @@
 
 static const double REACH = 12;         /* px from an end to the axis that it is led to */
 enum { CHANGES_MOST = 64, LOOKS = 96 }; /* objects of one step; places where a change is looked for */
-
-/* ---- the axis ---- */
-
-static bool upright_middle(const bat_context *c, bat_mirror *out) {
-    double page[4], box[4], size[2], at[2];
-    *out = (bat_mirror){.on = true, .along = {0, 1}};
-    bat_document_page(c->session->document, page);
-    bat_document_bounds(c->session->document, box);
-    if (page[2] > 0) {
-        for (int k = 0; k < 2; k++) out->at[k] = page[k] + page[k + 2] / 2;
-        return true;
-    }
-    bat_stage_window(c->stage, size);
-    bat_stage_seen(c->stage, (double[]){size[0] / 2, size[1] / 2}, at);
-    for (int k = 0; k < 2; k++) out->at[k] = box[0] <= box[2] ? (box[k] + box[k + 2]) / 2 : at[k];
-    return false;
-}
-
-bat_status bat_symmetry_set(bat_context *c, const bat_mirror *axis) {
-    return bat_session_set_axis(c->session, axis);
-}
-
-bat_mirror bat_symmetry(bat_context *c) {
-    bat_mirror axis = c->session->axis;
-    if (c->settings->values[BAT_PROPERTY_SYMMETRY] == 0 || bat_stage_dimension(c->stage) != 2)
-        return (bat_mirror){0};
-    if (!axis.on && !upright_middle(c, &axis) && !c->session->read_only)
-        bat_symmetry_set(c, &axis); /* no memory: the same again next time */
-    return axis;
-}
 
 /* ---- what has changed ---- */
 
@@ -55,6 +24,7 @@ typedef struct change {
 typedef struct mirroring {
     bat_context *c;
     const bat_mirror *mirror;
+    unsigned ways;
     double pixel, tolerance;
     change changes[CHANGES_MOST];
     int count;
@@ -157,71 +127,92 @@ static int changed_side(const mirroring *w, const bat_curve *before, const bat_c
     return sums[1] > sums[0] ? 1 : -1;
 }
 
-/* The object's image under another id, in front of it. */
-static bat_status add_image(mirroring *w, const bat_object *object) {
-    const bat_document *document = w->c->session->document;
+/* The image of an object under an id; in all else like another. */
+static bat_status image_like(mirroring *w, const bat_object *of, const bat_object *like, bat_id id,
+                             bat_object **out) {
     double matrix[6];
-    bat_object *image = NULL, *named = NULL;
-    bat_mirror_matrix(w->mirror, matrix);
-    bat_status status = bat_affine_object(object, matrix, false, &image);
-    if (status == BAT_OK)
-        status = bat_object_with_id(image, bat_document_new_id(w->c->session->document), &named);
-    if (status == BAT_OK)
-        status = bat_transaction_insert(w->c, bat_document_find(document, bat_object_id(object)) + 1, named);
-    bat_object_release(image);
-    bat_object_release(named);
-    return status;
-}
-
-/* The object of one curve becomes the image of another, and stays what it is in all else. */
-static bat_status become_image(mirroring *w, const bat_object *of, bat_id id) {
-    const int at = bat_document_find(w->c->session->document, id);
-    const bat_object *old = bat_document_at(w->c->session->document, at);
-    double matrix[6];
-    bat_object *made[5] = {0};
+    bat_object *made[4] = {0};
     bat_mirror_matrix(w->mirror, matrix);
     bat_status status = bat_affine_object(of, matrix, false, &made[0]);
     if (status == BAT_OK) status = bat_object_with_id(made[0], id, &made[1]);
-    if (status == BAT_OK) status = bat_object_with_parent(made[1], bat_object_parent(old), &made[2]);
-    if (status == BAT_OK) status = bat_object_with_name(made[2], bat_object_name(old), &made[3]);
-    if (status == BAT_OK) status = bat_object_with_style(made[3], bat_object_style(old), &made[4]);
-    if (status == BAT_OK) status = bat_transaction_replace(w->c, at, made[4]);
-    for (int i = 0; i < 5; i++) bat_object_release(made[i]);
+    if (status == BAT_OK) status = bat_object_with_parent(made[1], bat_object_parent(like), &made[2]);
+    if (status == BAT_OK) status = bat_object_with_name(made[2], bat_object_name(like), &made[3]);
+    if (status == BAT_OK) status = bat_object_with_style(made[3], bat_object_style(like), out);
+    for (int i = 0; i < 4; i++) bat_object_release(made[i]);
     return status;
 }
 
-static bat_status fresh(mirroring *w, const change *now) {
+/* A new object in front of that of the id. */
+static bat_status add_image(mirroring *w, const bat_object *of, const bat_object *like, bat_id below) {
+    bat_document *document = w->c->session->document;
+    bat_object *image = NULL;
+    bat_status status = image_like(w, of, like, bat_document_new_id(document), &image);
+    if (status == BAT_OK)
+        status = bat_transaction_insert(w->c, bat_document_find(document, below) + 1, image);
+    bat_object_release(image);
+    return status;
+}
+
+static const bat_object *found(const mirroring *w, bat_id id) {
+    const bat_document *document = w->c->session->document;
+    return bat_document_at(document, bat_document_find(document, id));
+}
+
+/* The object becomes the image of another, and stays what it is in all else. */
+static bat_status become_image(mirroring *w, const bat_object *of, bat_id id) {
+    bat_object *image = NULL;
+    bat_status status = image_like(w, of, found(w, id), id, &image);
+    if (status == BAT_OK)
+        status = bat_transaction_replace(w->c, bat_document_find(w->c->session->document, id), image);
+    bat_object_release(image);
+    return status;
+}
+
+static bat_status fresh(mirroring *w, const bat_object *object) {
     bat_curve *made = NULL;
-    if (!curves_in(now->after) || bat_curve_dimension(bat_object_curve(now->after, 0)) != 2) return BAT_OK;
+    if (!curves_in(object) || bat_curve_dimension(bat_object_curve(object, 0)) != 2) return BAT_OK;
+    const bat_curve *first = bat_object_curve(object, 0);
+    const bool single = curves_in(object) == 1;
     bat_status status = BAT_STATE;
-    if (curves_in(now->after) == 1 && !bat_object_is(now->after, BAT_MADE))
-        status = whole(w, bat_object_curve(now->after, 0), 0, &made);
-    if (status == BAT_OK) return bat_put_curve(w->c, now->id, 0, made);
-    return status == BAT_STATE ? add_image(w, now->after) : status;
+    if (single && w->ways & BAT_MIRROR_JOIN && !bat_object_is(object, BAT_MADE))
+        status = whole(w, first, 0, &made);
+    if (status == BAT_OK) return bat_put_curve(w->c, bat_object_id(object), 0, made);
+    if (status != BAT_STATE || (single && bat_mirror_twins(w->mirror, first, first, w->pixel)))
+        return status == BAT_STATE ? BAT_OK : status;
+    return add_image(w, object, object, bat_object_id(object));
 }
 
 /* The twin becomes the curve's image: the object's, when that is more than its curve. */
 static bat_status follow(mirroring *w, const change *now, int k, twin t) {
-    const bat_document *document = w->c->session->document;
-    const bat_object *old = bat_document_at(document, bat_document_find(document, t.object));
     bat_curve *image = NULL;
-    if (bat_object_is(now->after, BAT_MADE) && curves_in(now->after) == 1 && curves_in(old) == 1)
+    if (bat_object_is(now->after, BAT_MADE) && curves_in(now->after) == 1 &&
+        curves_in(found(w, t.object)) == 1)
         return become_image(w, now->after, t.object);
     bat_status status = bat_mirror_curve(w->mirror, bat_object_curve(now->after, k), &image);
     return status == BAT_OK ? bat_put_curve(w->c, t.object, t.curve, image) : status;
 }
 
+/* A curve that was its own image. */
+static bat_status stays_whole(mirroring *w, const change *now, int k) {
+    const bat_curve *before = bat_object_curve(now->before, k), *after = bat_object_curve(now->after, k);
+    bat_curve *made = NULL;
+    if (!(w->ways & BAT_MIRROR_OWN) || bat_object_is(now->after, BAT_MADE)) return BAT_OK;
+    bat_status status = bat_mirror_net(w->mirror, before, after, w->pixel, &made);
+    if (status == BAT_STATE) status = whole(w, after, changed_side(w, before, after), &made);
+    if (status != BAT_OK) return status == BAT_STATE ? BAT_OK : status;
+    return bat_put_curve(w->c, now->id, k, made);
+}
+
 static bat_status changed(mirroring *w, const change *now, int k) {
     const bat_curve *before = bat_object_curve(now->before, k), *after = bat_object_curve(now->after, k);
     if (bat_curve_is_equal(before, after) || bat_curve_dimension(after) != 2) return BAT_OK;
-    const bool own = bat_mirror_twins(w->mirror, before, before, w->pixel);
-    const twin t = own ? (twin){0, 0} : twin_of(w, before);
-    const bool joined = !own && !t.object && has_lost_twin(w, before);
+    if (bat_mirror_twins(w->mirror, before, before, w->pixel)) return stays_whole(w, now, k);
+    const twin t = twin_of(w, before);
     bat_curve *made = NULL;
     bat_status status = BAT_STATE;
-    if (!own && !t.object && !joined) return BAT_OK;
-    if (!bat_object_is(now->after, BAT_MADE) && t.object != now->id)
-        status = whole(w, after, own ? changed_side(w, before, after) : 0, &made);
+    if (!t.object && !has_lost_twin(w, before)) return BAT_OK;
+    if (w->ways & BAT_MIRROR_JOIN && !bat_object_is(now->after, BAT_MADE) && t.object != now->id)
+        status = whole(w, after, 0, &made);
     if (status == BAT_STATE) return t.object ? follow(w, now, k, t) : BAT_OK;
     if (status == BAT_OK) status = bat_put_curve(w->c, now->id, k, made);
     return status == BAT_OK && t.object ? bat_remove_curve(w->c, t.object, t.curve) : status;
@@ -232,23 +223,76 @@ static bat_status gone(mirroring *w, const bat_curve *curve) {
     return t.object ? bat_remove_curve(w->c, t.object, t.curve) : BAT_OK;
 }
 
-static bat_status mirror_one(mirroring *w, const change *now) {
-    const int before = curves_in(now->before), after = curves_in(now->after);
+/* ---- cut into pieces ---- */
+
+/* What lies on that side of the axis, in all pieces together. */
+static double left_on(const mirroring *w, const change *pieces, int count, int side) {
+    double length = 0;
+    for (int i = 0; i < count; i++) {
+        const bat_curve *curve = bat_object_curve(pieces[i].after, 0);
+        double domain[2], at[2], last[2];
+        bat_curve_domain(curve, domain);
+        for (int k = 0; k <= LOOKS; k++) {
+            bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * k / LOOKS, 0, at);
+            if (k && bat_mirror_side(w->mirror, at) * side > 0) length += bat_distance(at, last, 2);
+            memcpy(last, at, sizeof last);
+        }
+    }
+    return length;
+}
+
+/* Of a curve that was its own image: a piece across the axis is whole again, of the others those are kept that lie on the
+ * side where less is left, and their images. */
+static bat_status keep_piece(mirroring *w, const change *piece, int side) {
+    const bat_curve *curve = bat_object_curve(piece->after, 0);
+    bat_curve *made = NULL;
+    bat_status status = bat_mirror_whole(w->mirror, curve, side, 0, w->tolerance, &made);
+    if (status == BAT_OK) return bat_put_curve(w->c, piece->id, 0, made);
+    if (status != BAT_STATE) return status;
+    if (left_on(w, piece, 1, side) > 0) return add_image(w, piece->after, piece->after, piece->id);
+    return bat_remove_curve(w->c, piece->id, 0);
+}
+
+static bat_status cut(mirroring *w, const change *pieces, int count) {
+    const bat_curve *before = bat_object_curve(pieces->before, 0);
     bat_status status = BAT_OK;
-    if (!now->before && now->after) return fresh(w, now);
-    for (int k = 0; k < after && before == after && status == BAT_OK; k++) status = changed(w, now, k);
+    if (bat_curve_dimension(before) != 2) return BAT_OK;
+    if (bat_mirror_twins(w->mirror, before, before, w->pixel)) {
+        const int side = left_on(w, pieces, count, 1) < left_on(w, pieces, count, -1) ? 1 : -1;
+        for (int i = 0; i < count && status == BAT_OK; i++) status = keep_piece(w, &pieces[i], side);
+        return status;
+    }
+    const twin t = twin_of(w, before);
+    if (!t.object || curves_in(found(w, t.object)) != 1) return BAT_OK;
+    for (int i = 1; i < count && status == BAT_OK; i++)
+        status = add_image(w, pieces[i].after, found(w, t.object), t.object);
+    return status == BAT_OK ? become_image(w, pieces->after, t.object) : status;
+}
+
+static bat_status mirror_one(mirroring *w, const change *now) {
+    const int count = curves_in(now->after);
+    bat_status status = BAT_OK;
+    if (w->ways & BAT_MIRROR_PIECES && now->before && count == 1 && curves_in(now->before) == 1) {
+        int pieces = 1;
+        while (now + pieces < w->changes + w->count && !now[pieces].before) pieces++;
+        return cut(w, now, pieces);
+    }
+    if (!now->before && now->after) return w->ways & BAT_MIRROR_FRESH ? fresh(w, now->after) : BAT_OK;
+    if (!(w->ways & BAT_MIRROR_TWINS) || curves_in(now->before) != count) return BAT_OK;
+    for (int k = 0; k < count && status == BAT_OK; k++) status = changed(w, now, k);
     return status;
 }
 
-bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, double pixel, double tolerance) {
-    mirroring w = {.c = c, .mirror = mirror, .pixel = pixel, .tolerance = tolerance};
+bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, unsigned ways, double pixel,
+                              double tolerance) {
+    mirroring w = {.c = c, .mirror = mirror, .ways = ways, .pixel = pixel, .tolerance = tolerance};
     bat_status status = BAT_OK;
     const bool few = gather(&w);
     for (int i = 0; i < w.count && few && status == BAT_OK; i++) status = mirror_one(&w, &w.changes[i]);
     for (int i = 0; i < w.count && few && status == BAT_OK;
          i++) /* what was joined has found its twin by now */
         for (int k = 0; k < curves_in(w.changes[i].before) && !w.changes[i].after && status == BAT_OK; k++)
-            status = gone(&w, bat_object_curve(w.changes[i].before, k));
+            if (ways & BAT_MIRROR_GONE) status = gone(&w, bat_object_curve(w.changes[i].before, k));
     let_go(&w);
     return status;
 }

@@ -8,22 +8,23 @@
 #include "curve/mirror.h"
 #include "editor/session/context.h"
 
-/* The axis in force: that of the session, else upright through the middle of the page; without a page through the middle
- * of the drawing, or of the window when it is empty, and kept for the session from then on. Off: symmetry is off, or the
- * pen draws on something else than the page. */
-bat_mirror bat_symmetry(bat_context *c);
-/* Chooses the axis, in the journal too. Off: that of the page again. */
-bat_status bat_symmetry_set(bat_context *c, const bat_mirror *axis);
+/* What is mirrored; bits. */
+enum {
+    BAT_MIRROR_TWINS = 1, /* a changed curve that had a twin: the twin becomes its image */
+    BAT_MIRROR_OWN =
+        2, /* a changed curve that was its own image: the side that changed more is taken for both */
+    BAT_MIRROR_FRESH = 4, /* a new object: its image is added in front of it, unless it is its own */
+    BAT_MIRROR_JOIN =
+        8, /* with these: what crosses the axis or ends at it is one with its image (bat_mirror_whole) */
+    BAT_MIRROR_GONE = 16,   /* an object that is gone: its twin goes, too */
+    BAT_MIRROR_PIECES = 32, /* an object followed by new ones has been cut into these */
+    BAT_MIRROR_STROKE = BAT_MIRROR_TWINS | BAT_MIRROR_OWN | BAT_MIRROR_FRESH | BAT_MIRROR_JOIN |
+                        BAT_MIRROR_GONE
+};
 
-/*
- * Mirrors what the open transaction has changed so far. pixel: its length in document units.
- * - A new curve: it and its image become one when it crosses the axis or ends at it (bat_mirror_whole), else the image is
- *   added in front of it.
- * - A changed curve that had a twin: the twin becomes the image, or one with the curve.
- * - A changed curve that was its own image: the side that was changed more is taken for both.
- * - A curve that is gone: its twin goes, too.
- * A curve with no twin is all that changes, and what is hidden or locked stays as it is.
- */
-bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, double pixel, double tolerance);
+/* Mirrors what the open transaction has changed so far. pixel: its length in document units. A curve with no twin is all
+ * that changes, and what is hidden or locked stays as it is. */
+bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, unsigned ways, double pixel,
+                              double tolerance);
 
 #endif

@@ -126,7 +126,8 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
         status = bat_remove_curve(c, edit->other, edit->other_curve);
     if (status == BAT_OK && edit->mirror.on)
-        status = bat_mirror_changes(c, &edit->mirror, edit->options.pixel, edit->options.tolerance);
+        status = bat_mirror_changes(c, &edit->mirror, BAT_MIRROR_STROKE, edit->options.pixel,
+                                    edit->options.tolerance);
     if (status == BAT_OK)
         status = bat_transaction_commit(c, bat_edit_label(edit->kind), &line);
     else

@@ -57,6 +57,7 @@ bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem 
         return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "changes", "a list of changes", problem);
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return say(json, 1, status, problem);
+    c->session->transaction.told = true;
     for (uint32_t node = bat_json_first(json, list); node && status == BAT_OK; node = json->nodes[node].next)
         status = perform(c, json, node, problem);
     if (status != BAT_OK) {

@@ -26,6 +26,8 @@ typedef struct bat_session {
     bat_losses losses;               /* of the file that was opened: what the document does not hold */
     bool busy;                       /* the tool is between down and up: set after each event */
     void (*stepped)(bat_context *c); /* called after each step that was made or taken back */
+    bat_status (*mirror)(bat_context *c,
+                         bat_string step); /* called before a tool's step is made, while symmetry is on */
     bool read_only;
     bool refused; /* this event would have changed something, which the user is told */
     bool freed;   /* this event has made a plain curve of a spline, which the user is told before all else */

@@ -7,6 +7,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
+#include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
 #include "document/kind.h"
@@ -85,12 +86,24 @@ static bool frees(const bat_transaction *transaction) {
     return false;
 }
 
+/* A stroke has a line of its own, and has mirrored what it does. */
+static bool mirrors(const bat_context *c, const bat_text *line) {
+    return !line && !c->session->transaction.told && c->settings->values[BAT_PROPERTY_SYMMETRY] != 0;
+}
+
 bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *line) {
     bat_transaction *transaction = &c->session->transaction;
     if (!transaction->open) return BAT_STATE;
     if (transaction->count == 0) {
         bat_transaction_cancel(c);
         return BAT_OK;
+    }
+    if (mirrors(c, line)) {
+        bat_status mirrored = c->session->mirror(c, label);
+        if (mirrored != BAT_OK) {
+            bat_transaction_cancel(c);
+            return mirrored;
+        }
     }
     bool refused = bat_session_refuses(c);
     if (refused || !bat_deltas_hold(transaction->deltas, transaction->count, c->session->document)) {

@@ -15,6 +15,7 @@
 
 typedef struct bat_transaction {
     bool open;
+    bool told; /* all that it changes is said: nothing is to be mirrored */
     bat_delta *deltas;
     int count, room;
     bat_replaced replaced; /* since the last insertion or removal */

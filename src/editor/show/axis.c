@@ -1,6 +1,6 @@
 #include "editor/show/axis.h"
 #include "base/real.h"
-#include "editor/edit/mirror.h"
+#include "editor/edit/symmetry.h"
 #include "editor/scene/path.h"
 #include "editor/view/stage.h"
 

@@ -251,6 +251,163 @@ static void a_locked_twin_stays(void **state) {
     bat_editor_free(editor);
 }
 
+static void careless_strokes_converge_on_both_sides(void **state) {
+    (void)state;
+    for (int crosses = 0; crosses < 2; crosses++) {
+        bat_editor *editor = symmetric();
+        const uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        const double end = crosses ? 497 : 400;
+        for (int i = 0; i < 3; i++) {
+            p.time += 300;
+            pen_line(&p, 100, 300 + 2 * i, end, 300 - i, 40 + 2 * i);
+            bat_editor_frame(editor);
+            check(editor);
+            assert_int_equal(count(editor), crosses ? 1 : 2);
+            if (crosses)
+                is_whole(curve(editor, 0));
+            else
+                are_twins(NULL, curve(editor, 0), curve(editor, 1));
+        }
+        assert_int_equal(round_trip(editor, first), 3);
+        bat_editor_free(editor);
+    }
+}
+
+static void the_last_stroke_read_again_stays_symmetric(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    const uint64_t first = digest(editor);
+    line(editor, 100, 300, 497, 280, 60);
+    assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
+    assert_int_equal(count(editor), 1);
+    is_whole(curve(editor, 0));
+    line(editor, 100, 500, 300, 480, 60);
+    assert_int_equal(bat_editor_refit(editor, 0, true), BAT_OK);
+    assert_int_equal(count(editor), 3);
+    are_twins(NULL, curve(editor, 1), curve(editor, 2));
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_editor_free(editor);
+}
+
+static void the_eraser_works_on_both_sides(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    const uint64_t first = digest(editor);
+    line(editor, 100, 300, 400, 300, 0);
+    line(editor, 100, 500, 560, 500, 0);
+    assert_int_equal(count(editor), 3);
+    bat_editor_command(editor, "tool-eraser");
+    pen p = pen_for(editor);
+    p.time = 1e6;
+    drag(&p, 250, 280, 250, 320); /* two curves, each cut in two */
+    assert_int_equal(count(editor), 5);
+    for (int i = 0; i < 2; i++) {
+        double best = INFINITY; /* each piece on the left has one on the right */
+        for (int j = 0; j < 5; j++) {
+            double at[2];
+            if (bat_curve_count(curve(editor, i)) != bat_curve_count(curve(editor, j))) continue;
+            double worst = 0;
+            for (size_t k = 0; k < bat_curve_count(curve(editor, i)); k++) {
+                image(NULL, bat_curve_points(curve(editor, i)) + 2 * k, at);
+                const double *q = bat_curve_points(curve(editor, j)) + 2 * k;
+                worst = fmax(worst, hypot(at[0] - q[0], at[1] - q[1]));
+            }
+            best = fmin(best, worst);
+        }
+        assert_true(best <= 1e-9);
+    }
+    drag(&p, 700, 480, 700, 520); /* the one across: three are left, one of them across */
+    assert_int_equal(count(editor), 7);
+    int whole = 0;
+    for (int i = 0; i < 7; i++) {
+        double low[2], high[2];
+        bat_curve_bounds(curve(editor, i), low, high);
+        if (low[0] < 500 && high[0] > 500) {
+            is_whole(curve(editor, i));
+            assert_true(fabs(low[0] - 310) < 12 && fabs(high[0] - 690) < 12);
+            whole++;
+        }
+    }
+    assert_int_equal(whole, 1);
+    drag(&p, 95, 495, 305, 505); /* what is left of one is rubbed out, its twin goes */
+    assert_int_equal(count(editor), 5);
+    assert_int_equal(round_trip(editor, first), 5);
+    bat_editor_free(editor);
+}
+
+static void points_and_smoothing_follow(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    const uint64_t first = digest(editor);
+    line(editor, 100, 300, 400, 300, 60);
+    line(editor, 100, 600, 520, 600, 60);
+    assert_int_equal(count(editor), 3);
+    bat_editor_command(editor, "tool-points");
+    pen p = pen_for(editor);
+    p.time = 1e6;
+    for (int i = 0; i < 3; i += 2) { /* the curve is chosen by a tap, then one of its points dragged */
+        const bat_curve *c = curve(editor, i);
+        const size_t n = bat_curve_count(c);
+        double at[2], domain[2];
+        bat_curve_domain(c, domain);
+        bat_curve_eval(c, domain[0], 0, at);
+        tap(&p, at[0] + 3, at[1] - 2);
+        const double *q = bat_curve_points(curve(editor, i)) + 4;
+        drag(&p, q[0], q[1], q[0] - 20, q[1] - 35);
+        assert_int_equal(count(editor), 3);
+        assert_int_equal(bat_curve_count(curve(editor, i)), n);
+        if (i)
+            is_whole(curve(editor, i));
+        else
+            are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    }
+    bat_editor_command(editor, "tool-smooth");
+    drag(&p, 120, 280, 380, 280);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    assert_true(round_trip(editor, first) >= 4);
+    bat_editor_free(editor);
+}
+
+static void splines_and_lines_have_images_that_follow(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    const uint64_t first = digest(editor);
+    bat_editor_command(editor, "tool-tangents");
+    pen p = pen_for(editor);
+    p.time = 1e6;
+    tap(&p, 100, 200);
+    tap(&p, 200, 100);
+    tap(&p, 300, 220);
+    tap(&p, 380, 150);
+    assert_int_equal(count(editor), 2);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    bat_editor_command(editor, "accept");
+    drag(&p, 200, 100, 180, 60);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    bat_editor_command(editor, "tool-line");
+    tap(&p, 100, 500);
+    tap(&p, 300, 600);
+    tap(&p, 300, 700);
+    assert_int_equal(count(editor), 4);
+    are_twins(NULL, curve(editor, 2), curve(editor, 3));
+    assert_true(round_trip(editor, first) >= 4);
+    bat_editor_free(editor);
+}
+
+static void the_selection_is_moved_alone(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    line(editor, 100, 300, 400, 300, 60);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, bat_object_id(object(editor, 0)), false);
+    bat_editor_command(editor, "duplicate");
+    assert_int_equal(count(editor), 3);
+    bat_editor_command(editor, "delete");
+    assert_int_equal(count(editor), 2);
+    bat_editor_free(editor);
+}
+
 /* The dashed line of the frame, or NULL. */
 static const bat_item *dashed(bat_editor *editor) {
     const bat_frame *frame = bat_editor_frame(editor);
@@ -349,6 +506,12 @@ int main(void) {
                                        cmocka_unit_test(an_extension_to_the_axis_joins_the_twins),
                                        cmocka_unit_test(a_join_of_twins_is_whole),
                                        cmocka_unit_test(a_locked_twin_stays),
+                                       cmocka_unit_test(careless_strokes_converge_on_both_sides),
+                                       cmocka_unit_test(the_last_stroke_read_again_stays_symmetric),
+                                       cmocka_unit_test(the_eraser_works_on_both_sides),
+                                       cmocka_unit_test(points_and_smoothing_follow),
+                                       cmocka_unit_test(splines_and_lines_have_images_that_follow),
+                                       cmocka_unit_test(the_selection_is_moved_alone),
                                        cmocka_unit_test(the_axis_is_shown_and_chosen),
                                        cmocka_unit_test(without_a_page_the_axis_stays_where_it_was),
                                        cmocka_unit_test(cancelled_nothing_is_left)};

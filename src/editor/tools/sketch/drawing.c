@@ -1,6 +1,6 @@
 /* The pen is down: its samples come in, and what they mean so far is chosen. */
 #include "base/real.h"
-#include "editor/edit/mirror.h"
+#include "editor/edit/symmetry.h"
 #include "editor/edit/style.h"
 #include "editor/input/samples.h"
 #include "editor/input/stabiliser.h"
