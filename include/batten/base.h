@@ -59,20 +59,21 @@ typedef enum bat_status {
 
 /*
  * Counts of points and samples are size_t, and more than BAT_POINTS_MAX points in a curve, a spline or a stroke give
- * BAT_COUNT; degrees, dimensions, knots, segments, levels and indices are int. Arguments come in one order
- * everywhere: what the call is about, dimension, degree and closedness, how many, the data, options, results. Text
- * and bytes are a pointer and their size.
+ * BAT_COUNT; degrees, dimensions, knots, segments, levels, indices, and counts of objects and of an object's curves
+ * are int. Arguments come in one order everywhere: what the call is about, dimension, degree and closedness, how
+ * many, the data, options, results. Files, other text of any length, and bytes are a pointer and their size; names,
+ * keys and numbers as text end with a zero.
  */
 
 /*
  * A call that takes ownership of an object takes it whatever status it returns: after a failure the object is gone,
- * and the caller frees nothing. In the same way commit and finish end a session or a reader whatever they return. All
- * other calls borrow for the duration of the call, copy, or retain what is reference-counted (bat_document_insert).
- * The result of a create or a copy is the caller's to free.
+ * and the caller frees nothing. In the same way bat_x_live_commit ends a session and bat_svg_reader_finish a reader
+ * whatever they return. All other calls borrow for the duration of the call, copy, or retain what is
+ * reference-counted (bat_document_insert). The result of a create, a copy or a read is the caller's to free.
  *
  * Options begin with the size of their struct, which bat_x_defaults sets (bat_x_options_init where inline functions
  * cannot be called). So a program goes on working when a later version of the library adds members at the end: those
- * that the program does not know of keep their defaults. A size below that of the first version gives BAT_ARGUMENT.
+ * that the program does not know of keep their defaults. A size below that of version 0.2 gives BAT_ARGUMENT.
  * Wherever a call takes options, NULL means the defaults. All other structs (data such as bat_stroke and bat_style,
  * results such as bat_sketch_report) stay as they are for as long as the shared library keeps its SONAME.
  */

@@ -104,8 +104,8 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy with one other curve (ownership is taken), or with another style (of an image only the opacity; groups
- * and guides have none, and stay as they are). With another curve a spline becomes a path, and the curve no longer
+/* A copy with one other curve (ownership is taken), or with another style (of an image only the opacity;
+ * groups, guides and planes have none, and stay as they are). With another curve a spline becomes a path, and the curve no longer
  * has levels. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
@@ -141,7 +141,7 @@ BAT_API const double *bat_object_matrix(const bat_object *object);
 BAT_API void bat_object_corners(const bat_object *object, double corners[8]);
 BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a layer */
 BAT_API bool
-bat_object_is_drawn(const bat_object *object); /* neither group nor guide: it can be seen and chosen */
+bat_object_is_drawn(const bat_object *object); /* no group, guide or plane: it can be seen and chosen */
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
 /* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */
 BAT_API const double *bat_object_plane(const bat_object *object);
