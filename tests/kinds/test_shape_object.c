@@ -21,7 +21,7 @@
 #include "support/random_curve.h"
 #include "support/xml.h"
 #include "support/shapes.h"
-#include "support/refused.h"
+#include "support/objects.h"
 
 static bat_curve *wavy(random_source *r, int dimension, bool closed, double middle) {
     double points[90], knots[40];
@@ -59,14 +59,6 @@ static bat_object *make(random_source *r, int round) {
     assert_int_equal(bat_object_with_shape(path, 1, shape, &object), BAT_OK);
     bat_object_release(path);
     return object;
-}
-
-static bat_document *of_one(bat_object *object) {
-    bat_document *document = NULL;
-    assert_int_equal(bat_document_create(&document), BAT_OK);
-    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
-    bat_object_release(object);
-    return document;
 }
 
 static void its_curve_is_the_finest(void **state) {

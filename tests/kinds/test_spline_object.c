@@ -15,7 +15,7 @@
 #include <batten/refine.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
-#include "support/refused.h"
+#include "support/objects.h"
 
 typedef struct setup {
     double points[36], tangents[36], tension[24];
@@ -100,14 +100,6 @@ static void another_hand_makes_it_a_path(void **state) {
     bat_object_release(restyled);
     bat_object_release(freed);
     bat_object_release(same);
-}
-
-static bat_document *of_one(bat_object *object) {
-    bat_document *document = NULL;
-    assert_int_equal(bat_document_create(&document), BAT_OK);
-    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
-    bat_object_release(object);
-    return document;
 }
 
 static void round_trip(void **state) {

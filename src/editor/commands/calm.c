@@ -126,10 +126,7 @@ bat_status bat_command_calm(bat_context *c, bool down) {
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = curve ? calm_one(c, object, index, range, &far) : calm_selection(c, &far);
-        if (status == BAT_OK)
-            status = bat_transaction_commit(c, BAT_STRING_STEP_CALM, NULL);
-        else
-            bat_transaction_cancel(c);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_CALM);
     }
     if (status == BAT_STATE) {
         bat_notice(c, BAT_STRING_NOTICE_CALM_ALREADY);

@@ -36,10 +36,7 @@ static bat_status apply(bat_context *c, bat_listing *listing) {
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = bat_listing_apply(listing, c);
-        if (status == BAT_OK)
-            status = bat_transaction_commit(c, BAT_STRING_STEP_LAYER, NULL);
-        else
-            bat_transaction_cancel(c);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_LAYER);
     }
     bat_listing_free(listing);
     return status;
@@ -181,10 +178,7 @@ static bat_status replace(bat_context *c, int at, bat_object *after, bat_status 
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = bat_transaction_replace(c, at, after);
-        if (status == BAT_OK)
-            status = bat_transaction_commit(c, label, NULL);
-        else
-            bat_transaction_cancel(c);
+        status = bat_transaction_end(c, status, label);
     }
     bat_object_release(after);
     if (status == BAT_MEMORY) bat_notice_failure(c, status);

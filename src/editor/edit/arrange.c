@@ -123,16 +123,9 @@ bat_status bat_arrange_insert(bat_context *c, const bat_object *object) {
     return status;
 }
 
-/* Commits, or takes everything back. */
-static bat_status finish(bat_context *c, bat_status status, bat_string label) {
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
-}
-
 static bat_status apply(bat_context *c, bat_listing *listing, bat_string label) {
     bat_status status = bat_transaction_begin(c);
-    if (status == BAT_OK) status = finish(c, bat_listing_apply(listing, c), label);
+    if (status == BAT_OK) status = bat_transaction_end(c, bat_listing_apply(listing, c), label);
     bat_listing_free(listing);
     return status;
 }
@@ -160,7 +153,7 @@ bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_str
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++)
             status = transform_range(c, roots[i], bat_document_end(c->session->document, roots[i]), matrix);
-        status = finish(c, status, label);
+        status = bat_transaction_end(c, status, label);
     }
     free(roots);
     return status;
@@ -471,7 +464,7 @@ bat_status bat_arrange_align(bat_context *c, bat_align align) {
             bat_matrix_translation(axis ? 0 : by, axis ? by : 0, matrix);
             if (by != 0) status = transform_range(c, roots[i], end, matrix);
         }
-        status = finish(c, status, BAT_STRING_STEP_ALIGN);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_ALIGN);
     }
     free(roots);
     return status;
@@ -512,7 +505,7 @@ bat_status bat_arrange_distribute(bat_context *c, int axis) {
                 status = transform_range(c, middles[i].root, bat_document_end(document, middles[i].root),
                                          matrix);
         }
-        status = finish(c, status, BAT_STRING_STEP_DISTRIBUTE);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_DISTRIBUTE);
     }
     free(middles);
     return status;

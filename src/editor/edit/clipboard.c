@@ -135,10 +135,7 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++) status = paste_one(c, document, i, matrix, &p);
         if (status == BAT_OK && p.index == first) status = BAT_STATE; /* nothing but layers */
-        if (status == BAT_OK)
-            status = bat_transaction_commit(c, BAT_STRING_STEP_PASTE, NULL);
-        else
-            bat_transaction_cancel(c);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_PASTE);
     }
     free(p.ids);
     if (status != BAT_OK) return status;

@@ -56,13 +56,6 @@ static bat_status put(bat_context *c, int at, bat_status status, bat_object *aft
     return status;
 }
 
-/* Ends the step that the put was. */
-static bat_status commit(bat_context *c, bat_status status, bat_string label) {
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
-}
-
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve) {
     const bat_document *document = c->session->document;
     const int at = bat_document_find(document, object);
@@ -88,7 +81,7 @@ bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve 
         bat_curve_free(curve);
         return status;
     }
-    return commit(c, bat_put_curve(c, object, index, curve), label);
+    return bat_transaction_end(c, bat_put_curve(c, object, index, curve), label);
 }
 
 bat_status bat_put_shape(bat_context *c, bat_id id, int curve, bat_shape *shape) {
@@ -106,5 +99,5 @@ bat_status bat_commit_shape(bat_context *c, bat_id id, int curve, bat_shape *sha
         bat_shape_free(shape);
         return status;
     }
-    return commit(c, bat_put_shape(c, id, curve, shape), label);
+    return bat_transaction_end(c, bat_put_shape(c, id, curve, shape), label);
 }

@@ -42,10 +42,9 @@ static bat_status insert(bat_context *c, const bat_picture *picture, const char 
     bat_status status = bat_object_create_image(id, name, picture, matrix, 0.5, &object);
     if (status != BAT_OK) return status;
     status = bat_transaction_begin(c);
-    if (status == BAT_OK && (status = bat_transaction_insert(c, 0, object)) != BAT_OK)
-        bat_transaction_cancel(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_transaction_insert(c, 0, object), BAT_STRING_STEP_PICTURE);
     bat_object_release(object);
-    if (status == BAT_OK) status = bat_transaction_commit(c, BAT_STRING_STEP_PICTURE, NULL);
     if (status != BAT_OK) return status;
     c->choice->wanted = BAT_CHOOSES;
     bat_selection_clear(&c->choice->selection);
@@ -122,9 +121,7 @@ static bat_status make_over(bat_context *c, bool all, make_function *make, const
         bat_object_release(after);
     }
     if (status == BAT_OK && !changed) status = BAT_STATE;
-    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return bat_transaction_end(c, status, label);
 }
 
 static bat_status fade(const bat_object *object, const double *opacity, bat_object **out) {

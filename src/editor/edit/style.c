@@ -97,7 +97,5 @@ bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values)
     status = bat_transaction_begin(c);
     for (int i = 0; i < member_count && status == BAT_OK; i++) status = restyle(c, members[i], count, values);
     free(members);
-    if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_STYLE, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return bat_transaction_end(c, status, BAT_STRING_STEP_STYLE);
 }

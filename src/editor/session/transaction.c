@@ -152,3 +152,9 @@ void bat_transaction_cancel(bat_context *c) {
     *transaction = (bat_transaction){0};
     c->session->stepped(c);
 }
+
+bat_status bat_transaction_end(bat_context *c, bat_status status, bat_string label) {
+    if (status == BAT_OK) return bat_transaction_commit(c, label, NULL);
+    bat_transaction_cancel(c);
+    return status;
+}

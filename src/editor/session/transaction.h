@@ -33,5 +33,8 @@ bat_status bat_transaction_remove(bat_context *c, int index);
  * BAT_ARGUMENT when a group would fall apart, BAT_COUNT when pictures would be too many. A transaction without changes makes no step. */
 bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *line);
 void bat_transaction_cancel(bat_context *c);
+/* Ends it after changes that came to `status`: commits them when it is BAT_OK, else takes them back. Returns the status, or
+ * that of the commit. */
+bat_status bat_transaction_end(bat_context *c, bat_status status, bat_string label);
 
 #endif

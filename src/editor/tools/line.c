@@ -125,11 +125,8 @@ static bat_status commit(bat_context *c, lining *l) {
     bat_id id = bat_document_new_id(c->session->document);
     bat_style style = bat_styling_new(c);
     status = bat_insert_curve(c, id, &style, c->choice->layer, curve);
-    if (status == BAT_OK) status = bat_transaction_commit(c, BAT_STRING_STEP_LINE, NULL);
-    if (status == BAT_OK)
-        l->object = id;
-    else
-        bat_transaction_cancel(c);
+    status = bat_transaction_end(c, status, BAT_STRING_STEP_LINE);
+    if (status == BAT_OK) l->object = id;
     return status;
 }
 

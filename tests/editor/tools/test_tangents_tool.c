@@ -21,14 +21,9 @@ static pen begin(bat_editor **editor) {
     return pen_for(*editor);
 }
 
-static void sound(bat_editor *editor) {
-    const char *wrong = bat_editor_check(editor);
-    if (wrong) fail_msg("%s", wrong);
-}
-
 static const bat_frame *show(bat_editor *editor) {
     const bat_frame *frame = bat_editor_frame(editor);
-    sound(editor);
+    check(editor);
     return frame;
 }
 
@@ -511,7 +506,7 @@ static void wild_sessions(void **state) {
                 bat_editor_key(editor, wild[which % 7], true, which & 1u, time);
             }
             session_event(editor, &bytes, &time);
-            sound(editor);
+            check(editor);
         }
         bat_editor_command(editor, "cancel");
         replays(editor, 0);

@@ -215,9 +215,7 @@ static bat_status cut_all(bat_context *c, erasing *b) {
         while (end < count && b->rubbed[end].object == b->rubbed[i].object) end++;
         status = cut(c, b->rubbed + i, end - i);
     }
-    if (status == BAT_OK) return bat_transaction_commit(c, BAT_STRING_STEP_ERASE, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return bat_transaction_end(c, status, BAT_STRING_STEP_ERASE);
 }
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {

@@ -33,10 +33,7 @@ int bat_guide_chosen(const bat_context *c) {
 
 /* Commits, or takes everything back and tells. */
 static bat_status finish(bat_context *c, bat_status status) {
-    if (status == BAT_OK)
-        status = bat_transaction_commit(c, BAT_STRING_STEP_GUIDE, NULL);
-    else
-        bat_transaction_cancel(c);
+    status = bat_transaction_end(c, status, BAT_STRING_STEP_GUIDE);
     if (status != BAT_OK) bat_notice_failure(c, status);
     return status;
 }

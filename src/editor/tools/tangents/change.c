@@ -37,9 +37,7 @@ static bat_status put(bat_context *c, bat_string step, bat_id id, bat_object *ob
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
     status = object ? bat_transaction_replace(c, at, object) : bat_transaction_remove(c, at);
-    if (status == BAT_OK) return bat_transaction_commit(c, step, NULL);
-    bat_transaction_cancel(c);
-    return status;
+    return bat_transaction_end(c, status, step);
 }
 
 /* The draft becomes the chosen spline, in one step. */
@@ -66,10 +64,7 @@ bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = bat_arrange_insert(c, object);
-        if (status == BAT_OK)
-            status = bat_transaction_commit(c, BAT_STRING_STEP_SPLINE, NULL);
-        else
-            bat_transaction_cancel(c);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_SPLINE);
     }
     bat_object_release(object);
     if (status != BAT_OK) return status;
