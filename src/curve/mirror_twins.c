@@ -6,16 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool near_ends(const bat_curve *a, const bat_curve *b, double within) {
+/* Whether b ends where the ends of a have their images; both may be closed. */
+static bool ends_meet(const bat_mirror *m, const bat_curve *a, const bat_curve *b, double within) {
     double ends[2][4], domain[2];
     const bat_curve *const both[2] = {a, b};
     if (bat_curve_is_closed(a) || bat_curve_is_closed(b))
         return bat_curve_is_closed(a) && bat_curve_is_closed(b);
     for (int i = 0; i < 2; i++) {
         bat_curve_domain(both[i], domain);
-        bat_curve_eval(both[i], domain[0], 0, ends[i]);
-        bat_curve_eval(both[i], domain[1], 0, ends[i] + 2);
+        for (int k = 0; k < 2; k++) bat_curve_eval(both[i], domain[k], 0, ends[i] + 2 * k);
     }
+    for (int k = 0; k < 2; k++) bat_mirror_point(m, ends[0] + 2 * k, ends[0] + 2 * k);
     for (int turned = 0; turned < 2; turned++) {
         double apart = 0;
         for (int k = 0; k < 4; k++) apart = fmax(apart, fabs(ends[0][k] - ends[1][turned ? (k + 2) % 4 : k]));
@@ -27,13 +28,13 @@ static bool near_ends(const bat_curve *a, const bat_curve *b, double within) {
 bool bat_mirror_twins(const bat_mirror *m, const bat_curve *a, const bat_curve *b, double within) {
     double boxes[2][4], ab, ba;
     bat_curve *image = NULL;
-    if (bat_curve_dimension(b) != 2 || bat_mirror_curve(m, a, &image) != BAT_OK) return false;
-    bool same = near_ends(image, b, within);
-    if (same) {
-        bat_curve_bounds(image, boxes[0], boxes[0] + 2);
-        bat_curve_bounds(b, boxes[1], boxes[1] + 2);
-        for (int k = 0; k < 4; k++) same = same && fabs(boxes[0][k] - boxes[1][k]) <= within;
-    }
+    if (bat_curve_dimension(a) != 2 || bat_curve_dimension(b) != 2 || !ends_meet(m, a, b, within))
+        return false;
+    if (bat_mirror_curve(m, a, &image) != BAT_OK) return false;
+    bat_curve_bounds(image, boxes[0], boxes[0] + 2);
+    bat_curve_bounds(b, boxes[1], boxes[1] + 2);
+    bool same = true;
+    for (int k = 0; k < 4; k++) same = same && fabs(boxes[0][k] - boxes[1][k]) <= within;
     same = same && bat_curve_distance(image, b, 4, &ab, &ba) == BAT_OK && fmax(ab, ba) <= within;
     bat_curve_free(image);
     return same;

@@ -296,3 +296,12 @@ bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, unsigned
     let_go(&w);
     return status;
 }
+
+bat_status bat_mirror_preview(bat_context *c, const bat_mirror *mirror, double pixel, double tolerance,
+                              const bat_curve *before, const bat_curve *after, bat_curve **out) {
+    mirroring w = {.c = c, .mirror = mirror, .pixel = pixel, .tolerance = tolerance};
+    const bool own = before && bat_mirror_twins(mirror, before, before, pixel);
+    if (before && !own && !twin_of(&w, before).object) return BAT_STATE;
+    bat_status status = whole(&w, after, own ? changed_side(&w, before, after) : 0, out);
+    return status == BAT_STATE && !own ? bat_mirror_curve(mirror, after, out) : status;
+}

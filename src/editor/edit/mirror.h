@@ -26,5 +26,9 @@ enum {
  * that changes, and what is hidden or locked stays as it is. */
 bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, unsigned ways, double pixel,
                               double tolerance);
+/* What a curve on the other side of the axis would be, once a stroke has made `after` of `before` (NULL: of nothing):
+ * its image, or the whole that it becomes. BAT_STATE: nothing changes there. */
+bat_status bat_mirror_preview(bat_context *c, const bat_mirror *mirror, double pixel, double tolerance,
+                              const bat_curve *before, const bat_curve *after, bat_curve **out);
 
 #endif

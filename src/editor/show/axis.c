@@ -22,17 +22,12 @@ void bat_axis_show(bat_context *c, bat_overlay *overlay) {
                   axis.at[1] + (s + far) * axis.along[1]);
 }
 
-void bat_axis_show_image(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
+void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
                          const bat_curve *curve) {
-    bat_curve *image = NULL;
     double at[2];
     bat_overlay_item(overlay, BAT_ROLE_GHOST, BAT_ITEM_STROKED, GHOST_WIDTH);
-    if (curve && bat_mirror_curve(mirror, curve, &image) == BAT_OK) {
-        bat_path_curve(&overlay->path, image);
-        bat_curve_free(image);
-        return;
-    }
-    for (size_t i = 0; i < count && count > 1; i++) {
+    if (curve) bat_path_curve(&overlay->path, curve);
+    for (size_t i = 0; i < count && count > 1 && !curve; i++) {
         bat_mirror_point(mirror, points + 2 * i, at);
         (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
     }

@@ -8,8 +8,8 @@
 
 /* A dashed line across the window, while symmetry is on. */
 void bat_axis_show(bat_context *c, bat_overlay *overlay);
-/* The image of x y of so many places, and of a curve (NULL: none), as ghosts. */
-void bat_axis_show_image(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
+/* As ghosts: the curve, or when that is NULL the image of x y of so many places. */
+void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
                          const bat_curve *curve);
 
 #endif

@@ -495,6 +495,40 @@ static void cancelled_nothing_is_left(void **state) {
     bat_editor_free(editor);
 }
 
+/* The ghost of a stroke under way, from left to right; the pen is lifted after. */
+static void ghost(bat_editor *editor, double x0, double y0, double x1, double y1, double bulge,
+                  double out[2]) {
+    static double time;
+    pen p = pen_for(editor);
+    p.time = time += 30000;
+    pen_begin(&p, pen_arch, (double[]){x0, y0, x1, y1, bulge}, 60);
+    const bat_frame *frame = bat_editor_frame(editor);
+    const bat_item *item = pen_live(frame, BAT_ROLE_GHOST);
+    out[0] = out[1] = 0;
+    for (int k = 0; k < 2 && item; k++) out[k] = item->bounds[2 * k] + frame->origin[0];
+    pen_event(&p, BAT_POINTER_UP, x1, y1);
+    bat_editor_frame(editor);
+    check(editor);
+}
+
+static void the_ghost_is_what_will_be(void **state) {
+    (void)state;
+    bat_curve *alone = pen_curve(100, 100, 25, 0, 11);
+    bat_editor *editor = editor_with(1, &alone);
+    double at[2];
+    bat_editor_set(editor, "symmetry", 1);
+    ghost(editor, 100, 400, 400, 400, 20, at); /* new: its image */
+    assert_true(fabs(at[0] - 600) < 3 && fabs(at[1] - 900) < 3);
+    ghost(editor, 100, 600, 530, 600, 20, at); /* across: the whole */
+    assert_true(fabs(at[0] - 100) < 3 && fabs(at[1] - 900) < 3);
+    ghost(editor, 160, 387, 330, 386, 20, at); /* a redraw: the twin */
+    assert_true(fabs(at[0] - 600) < 3 && fabs(at[1] - 900) < 3);
+    ghost(editor, 150, 100, 300, 100, 12, at); /* a redraw of one without */
+    assert_true(at[0] == 0 && at[1] == 0);
+    assert_int_equal(count(editor), 4);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(one_side_is_both_sides),
                                        cmocka_unit_test(across_the_axis_one_curve),
@@ -514,6 +548,7 @@ int main(void) {
                                        cmocka_unit_test(the_selection_is_moved_alone),
                                        cmocka_unit_test(the_axis_is_shown_and_chosen),
                                        cmocka_unit_test(without_a_page_the_axis_stays_where_it_was),
+                                       cmocka_unit_test(the_ghost_is_what_will_be),
                                        cmocka_unit_test(cancelled_nothing_is_left)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

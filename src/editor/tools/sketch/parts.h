@@ -60,7 +60,7 @@ bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *st
 bat_status bat_sketching_lift(bat_context *c, void *state, const bat_traced *stroke);
 
 /* ---- show.c: what lies over the drawing ---- */
-void bat_sketching_show_stroke(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
+void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 /* The last stroke as it would be, over what it is. */
 void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);

@@ -1,8 +1,9 @@
 /* A stroke as it is shown: the ink, the fit, and what of the old curve goes. */
-#include "editor/show/axis.h"
 #include "base/vec.h"
 #include "editor/edit/curves_of.h"
+#include "editor/edit/mirror.h"
 #include "editor/scene/path.h"
+#include "editor/show/axis.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/sketch/parts.h"
@@ -74,7 +75,20 @@ static bool sure(const bat_sketching *s) {
     return length >= SURE_AFTER && m->readings[1].cost - m->readings[0].cost >= SURE * length;
 }
 
-void bat_sketching_show_stroke(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+/* What the stroke does beyond the axis; before there is a fit of a new line, what its ink does there. */
+static void show_other_side(bat_context *c, const bat_sketching *s, const bat_curve *target,
+                            bat_overlay *overlay) {
+    const bat_edit *edit = &s->edit;
+    const bool fresh = edit->kind == BAT_EDIT_NEW;
+    bat_curve *ghost = NULL;
+    if (s->preview.curve && (fresh || target))
+        bat_mirror_preview(c, &edit->mirror, edit->options.pixel, edit->options.tolerance, target,
+                           s->preview.curve, &ghost);
+    bat_axis_show_ghost(&edit->mirror, overlay, fresh ? edit->samples.count : 0, edit->samples.points, ghost);
+    bat_curve_free(ghost);
+}
+
+void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
@@ -99,9 +113,7 @@ void bat_sketching_show_stroke(const bat_context *c, const bat_sketching *s, bat
     if (preview->curve)
         show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
                  !bat_sketching_one_changes(&s->edit));
-    if (s->edit.mirror.on)
-        bat_axis_show_image(&s->edit.mirror, overlay, samples->count, samples->points,
-                            s->edit.kind == BAT_EDIT_NEW ? preview->curve : NULL);
+    if (s->edit.mirror.on) show_other_side(c, s, target, overlay);
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink through the pen to the predicted places */
         double pen[2];
