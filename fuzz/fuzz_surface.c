@@ -28,6 +28,25 @@ static void check_place(const bat_surface *s, double u, double v, const double l
     }
 }
 
+/* A ray at a point of the surface meets it no later than there. */
+static void check_search(const bat_surface *s, double u, double v) {
+    const double size = bat_surface_size(s);
+    double at[3], from[3], way[3], far = size;
+    bat_surface_point near, hit[16];
+    size_t count = 0;
+    bat_surface_eval(s, u, v, 0, at);
+    for (int c = 0; c < 3; c++) {
+        from[c] = at[c] + size * (c == 2 ? 1.5 : 0.25), way[c] = at[c] - from[c];
+        far = fmax(far, fabs(at[c]));
+    }
+    if (bat_surface_nearest(s, from, &near) != BAT_OK) return; /* beyond the range of numbers */
+    const double distance = hypot(hypot(way[0], way[1]), way[2]);
+    if (!(near.distance <= distance + 1e-9 * far)) abort();
+    if (bat_surface_hits(s, from, way, 16, hit, &count) != BAT_OK) return;
+    for (size_t i = 0; i < count && i < 16; i++)
+        if (!(hit[i].distance >= near.distance - 1e-6 * far)) abort();
+}
+
 static void check_finer(const bat_surface *s, bat_direction d, double at) {
     bat_surface *fine = NULL, *same = NULL;
     if (bat_surface_insert_knots(s, d, 1, &at, &fine) != BAT_OK) return;
@@ -49,6 +68,8 @@ static void check(const bat_surface *s) {
         check_finer(s, d, at[d][1]);
     }
     for (int k = 0; k < 9; k++) check_place(s, at[BAT_U][k / 3], at[BAT_V][k % 3], low, high);
+    if (bat_surface_count(s, BAT_U) * bat_surface_count(s, BAT_V) <= 40)
+        check_search(s, at[BAT_U][1], at[BAT_V][1]);
     const double matrix[12] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0};
     bat_surface *other = NULL;
     if (bat_surface_transform(s, matrix, &other) != BAT_OK) abort();

@@ -2,6 +2,8 @@
 
 #include "text/number.h"
 
+#include "results.h"
+
 #include <math.h>
 
 int line_of(const cli_arguments *arguments, bat_direction *direction, double *at) {
@@ -27,4 +29,16 @@ int check_parameter(const cli_arguments *arguments, const char *option, const ba
 int check_line(const cli_arguments *arguments, const bat_surface *surface, bat_direction direction,
                double at) {
     return check_parameter(arguments, direction == BAT_U ? "--u" : "--v", surface, direction, at);
+}
+
+void put_surface_point(bat_text *text, const bat_surface_point *point) {
+    bat_text_string(text, "{\"u\":");
+    bat_text_number(text, point->u);
+    bat_text_string(text, ",\"v\":");
+    bat_text_number(text, point->v);
+    bat_text_string(text, ",\"distance\":");
+    bat_text_number(text, point->distance);
+    bat_text_string(text, ",\"point\":");
+    put_numbers(text, point->point, 3);
+    bat_text_string(text, "}");
 }

@@ -4,6 +4,8 @@
 
 #include "program.h"
 
+#include "text/text.h"
+
 #include <batten/surface.h>
 
 #define OPTION_U                                                                                             \
@@ -19,5 +21,8 @@ int check_line(const cli_arguments *arguments, const bat_surface *surface, bat_d
 /* The same for a parameter of any option. */
 int check_parameter(const cli_arguments *arguments, const char *option, const bat_surface *surface,
                     bat_direction direction, double at);
+
+/* {"u","v","distance","point"} */
+void put_surface_point(bat_text *text, const bat_surface_point *point);
 
 #endif

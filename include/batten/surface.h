@@ -81,6 +81,28 @@ BAT_API bat_status bat_surface_curvature(const bat_surface *surface, double u, d
 BAT_API bat_status bat_surface_isocurve(const bat_surface *surface, bat_direction direction, double at,
                                         bat_curve **out);
 
+/* A point of a surface, and how far it is from what was asked about. */
+typedef struct bat_surface_point {
+    double u, v, distance;
+    double point[3];
+} bat_surface_point;
+
+/* The closest point; of equally close ones, one of them. Where very many are nearly as close (a point on the axis of a
+ * tube) the search ends after 100,000 pieces of the surface, with the closest point found by then. BAT_NUMBER: the
+ * point is not finite. O(points), and more for spans that come near. */
+BAT_API bat_status bat_surface_nearest(const bat_surface *surface, const double point[3],
+                                       bat_surface_point *out);
+/*
+ * Where the ray origin + t direction, t >= 0, meets the surface, from near to far; distances are from the origin. At
+ * most `room` are written, *count says how many there are; out may be NULL when room is 0. A point on an edge between
+ * spans, at a seam or at a pole counts once, and so does a place where the ray touches; where it runs along in the
+ * surface, some of the points are given. BAT_ARGUMENT: direction is zero; BAT_NUMBER: it or the origin is not finite.
+ * O(points), and more for spans whose image the ray comes near.
+ */
+BAT_API bat_status bat_surface_hits(const bat_surface *surface, const double origin[3],
+                                    const double direction[3], size_t room, bat_surface_point *out,
+                                    size_t *count);
+
 /* Knots inserted in one direction, and refinement to a superset of its knots, as bat_curve_insert_knots and
  * bat_curve_refine do it, with their statuses: the shape does not change, and untouched points keep every bit. */
 BAT_API bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction,

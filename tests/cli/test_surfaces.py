@@ -155,5 +155,40 @@ class Isocurve(ProgramTest):
         self.assertEqual(self.done("surface", "isocurve", "-", "--u", "2", stdin=json.dumps(sheet)), want)
 
 
+BOWL = {"degree": [2, 2], "knots": [[0, 0, 0, 1, 1, 1]] * 2,  # z = x^2 + y^2
+        "points": [[[x, y, a + b] for y, b in ((-1, 1), (0, -1), (1, 1))] for x, a in ((-1, 1), (0, -1), (1, 1))]}
+
+
+class Search(ProgramTest):
+    def test_closest(self):
+        sheet = surface((3, 3), (True, False), (9, 8))
+        name = self.file("s.json", sheet)
+        points = numpy.array(self.json("surface", "eval", name, "--samples", "60x60")["points"])
+        for _ in range(5):
+            point = RANDOM.uniform(-12, 12, 3)
+            near = self.json("surface", "closest", name, f"--point={','.join(map(repr, point.tolist()))}")
+            self.assertEqual(list(near), ["u", "v", "distance", "point"])
+            jet = self.json("surface", "eval", name, "--at", f"{near['u']!r},{near['v']!r}", "--derivatives", "1")
+            gap = numpy.subtract(near["point"], point)
+            self.assertLess(numpy.abs(numpy.subtract(jet["points"][0], near["point"])).max(), 1e-12)
+            self.assertAlmostEqual(numpy.linalg.norm(gap), near["distance"], 11)
+            self.assertLessEqual(near["distance"], numpy.linalg.norm(points - point, axis=1).min() + 1e-12)
+            self.assertLess(abs(gap @ jet["du"][0]) / numpy.linalg.norm(jet["du"][0]), 1e-9)
+
+    def test_hits_from_near_to_far(self):
+        name = self.file("s.json", BOWL)
+        hits = self.json("surface", "hit", name, "--ray=-3,0,0.25,2,0,0")["hits"]
+        self.assertEqual([list(hit) for hit in hits], [["u", "v", "distance", "point"]] * 2)
+        for hit, want in zip(hits, (2.5, 3.5)):
+            self.assertAlmostEqual(hit["distance"], want, 12)
+            self.assertLess(numpy.abs(numpy.subtract(hit["point"], [want - 3, 0, 0.25])).max(), 1e-12)
+        self.assertEqual(self.json("surface", "hit", name, "--ray", "0,0,5,0,0,1"), {"hits": []})
+        self.assertEqual(len(self.json("surface", "hit", name, "--ray=-3,0,0,1,0,0")["hits"]), 1)  # it touches
+
+    def test_bad_data(self):
+        name = self.file("s.json", BOWL)
+        self.assertIn("--point", self.refused(1, "surface", "closest", name, "--point", "1e80,0,0"))
+
+
 if __name__ == "__main__":
     unittest.main()

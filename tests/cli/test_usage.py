@@ -9,7 +9,7 @@ import unittest
 from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay",
-            "surface eval", "surface isocurve"]
+            "surface eval", "surface isocurve", "surface closest", "surface hit"]
 
 
 class Usage(ProgramTest):
@@ -62,6 +62,9 @@ class Usage(ProgramTest):
             ["surface", "eval", curve, "--samples", "2x2", "--derivatives", "3"],
             ["surface", "isocurve", curve], ["surface", "isocurve", curve, "--u", "1", "--v", "2"],
             ["surface", "isocurve", curve, "--u", "x"],
+            ["surface", "closest", curve], ["surface", "closest", curve, "--point", "1,2"],
+            ["surface", "hit", curve], ["surface", "hit", curve, "--ray", "0,0,0,0,0,0"],
+            ["surface", "hit", curve, "--ray", "0,0,0,1,1"],
             ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
         ):
             with self.subTest(words=words):

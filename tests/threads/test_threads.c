@@ -306,6 +306,13 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(add_doubles(d, out, 18), (uint64_t)bat_surface_eval_grid(s, 4, u, 4, v, 0, grid));
     d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal(s, u[seed % 4], v[2], out));
     d = add(add_doubles(d, out, 3), (uint64_t)bat_surface_curvature(s, u[1], v[seed % 4], out, out + 1));
+    bat_surface_point at[8] = {{0}};
+    const double from[3] = {seed, 2, 30}, way[3] = {0.1, 0, -3};
+    size_t count = 0;
+    d = add(d, (uint64_t)bat_surface_nearest(s, from, at));
+    d = bat_digest_double(bat_digest_double(d, at[0].distance), at[0].u);
+    d = add(d, (uint64_t)bat_surface_hits(s, from, way, 8, at, &count));
+    d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);

@@ -49,6 +49,19 @@ static bat_status grid(made *out) {
     (void)out;
     return bat_surface_eval_grid(sheet, 2, at, 2, at, 2, values);
 }
+static bat_status nearest(made *out) {
+    bat_surface_point near;
+    (void)out;
+    return bat_surface_nearest(sheet, (const double[3]){1, 2, 3}, &near);
+}
+static bat_status hits(made *out) {
+    double at[3];
+    size_t count;
+    (void)out;
+    bat_surface_eval(sheet, 0.3, 0.4, 0, at);
+    return bat_surface_hits(sheet, (const double[3]){30, 0, 0}, (const double[3]){at[0] - 30, at[1], at[2]},
+                            0, NULL, &count);
+}
 static bat_status write_text(made *out) {
     size_t size;
     return bat_surface_write(sheet, &out->text, &size);
@@ -57,8 +70,8 @@ static bat_status read_text(made *out) { return bat_surface_read(text, text_size
 
 static void each_allocation(void **state) {
     (void)state;
-    static operation *const operations[] = {copy,     transform, line_at_u, line_at_v,  insert_u,
-                                            insert_v, refine,    grid,      write_text, read_text};
+    static operation *const operations[] = {nearest,  hits,     copy,   transform, line_at_u,  line_at_v,
+                                            insert_u, insert_v, refine, grid,      write_text, read_text};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);

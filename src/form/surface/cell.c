@@ -1,0 +1,74 @@
+#include "form/surface/cell.h"
+#include "curve/lsq.h"
+
+#include <string.h>
+
+enum { MOST = BAT_DEGREE_MAX + 1 };
+
+/* `count` points of one span of an axis as a Bézier segment, in place; they lie `stride` points apart. */
+static void to_bezier(const bat_curve *axis, int span, double *points, int stride) {
+    const int p = axis->degree;
+    double in[MOST * 3], out[MOST * 3];
+    for (int i = 0; i <= p; i++) memcpy(in + 3 * i, points + 3 * i * stride, 3 * sizeof(double));
+    bat_curve one = *axis; /* the span alone */
+    one.knots = axis->knots + (span - p), one.points = in;
+    bat_lsq_bezier(&one, p, out);
+    for (int i = 0; i <= p; i++) memcpy(points + 3 * i * stride, out + 3 * i, 3 * sizeof(double));
+}
+
+void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out) {
+    const bat_curve *a = &surface->axis[0], *b = &surface->axis[1];
+    const int p = a->degree, q = b->degree;
+    for (int i = 0; i <= p; i++) {
+        const bat_curve row = bat_surface_stored_row(surface, span[0] - p + i);
+        memcpy(out->net + 3 * i * (q + 1), row.points + (size_t)(span[1] - q) * 3,
+               (size_t)(q + 1) * 3 * sizeof(double));
+        to_bezier(b, span[1], out->net + 3 * i * (q + 1), 1);
+    }
+    for (int j = 0; j <= q; j++) to_bezier(a, span[0], out->net + 3 * j, q + 1);
+    out->low[0] = out->low[1] = 0, out->high[0] = out->high[1] = 1;
+    out->halvings = 0;
+}
+
+/* De Casteljau at the middle of p + 1 points that lie `stride` numbers apart. */
+static void halve_line(int p, int stride, double *lower, double *upper) {
+    memcpy(upper + p * stride, lower + p * stride, 3 * sizeof(double));
+    for (int r = 1; r <= p; r++) {
+        for (int i = p; i >= r; i--)
+            for (int c = 0; c < 3; c++)
+                lower[i * stride + c] = 0.5 * (lower[(i - 1) * stride + c] + lower[i * stride + c]);
+        memcpy(upper + (p - r) * stride, lower + p * stride, 3 * sizeof(double));
+    }
+}
+
+void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell *upper) {
+    const int row = 3 * (degree[1] + 1), lines = degree[1 - direction] + 1;
+    for (int k = 0; k < lines; k++) {
+        const int at = direction == 0 ? 3 * k : k * row;
+        halve_line(degree[direction], direction == 0 ? row : 3, cell->net + at, upper->net + at);
+    }
+    cell->halvings++;
+    upper->halvings = cell->halvings;
+    memcpy(upper->low, cell->low, sizeof cell->low);
+    memcpy(upper->high, cell->high, sizeof cell->high);
+    upper->low[direction] = cell->high[direction] = 0.5 * (cell->low[direction] + cell->high[direction]);
+}
+
+bat_status bat_surface_seen(const bat_surface *surface, const double *origin, const double *axes,
+                            bat_surface **out) {
+    bat_status status = bat_surface_copy(surface, out);
+    if (status != BAT_OK) return status;
+    const size_t count = (size_t)surface->axis[0].spread * (size_t)surface->axis[1].spread;
+    double *point = (*out)->points;
+    for (size_t i = 0; i < count; i++, point += 3) {
+        const double d[3] = {point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]};
+        for (int c = 0; c < 3; c++)
+            point[c] = axes ? axes[3 * c] * d[0] + axes[3 * c + 1] * d[1] + axes[3 * c + 2] * d[2] : d[c];
+    }
+    return BAT_OK;
+}
+
+double bat_span_parameter(const bat_surface *surface, int direction, int span, double x) {
+    const double *t = surface->axis[direction].knots + span;
+    return x == 1 ? t[1] : t[0] + x * (t[1] - t[0]);
+}

@@ -1,0 +1,28 @@
+/* Inside the room of surfaces: pieces of a span in Bézier form, halved until a question is settled. */
+#ifndef BATTEN_FORM_CELL_H
+#define BATTEN_FORM_CELL_H
+
+#include "form/surface/surface.h"
+
+enum {
+    BAT_CELL_POINTS = (BAT_DEGREE_MAX + 1) * (BAT_DEGREE_MAX + 1),
+    BAT_CELL_HALVINGS = 80 /* of both directions together */
+};
+
+typedef struct bat_cell {
+    double net[3 * BAT_CELL_POINTS]; /* rows of points: rows along u, points along v */
+    double low[2], high[2];          /* of the span's [0, 1] */
+    int halvings;
+} bat_cell;
+
+/* The whole span as a cell. */
+void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
+/* The middle of a direction becomes an edge: `cell` keeps the lower half, the other one goes to `upper`. */
+void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell *upper);
+/* The same surface with its stored points moved: each becomes axes . (point - origin); axes: 3 rows, or NULL. */
+bat_status bat_surface_seen(const bat_surface *surface, const double *origin, const double *axes,
+                            bat_surface **out);
+/* The parameter of a direction at x of a span's [0, 1]. */
+double bat_span_parameter(const bat_surface *surface, int direction, int span, double x);
+
+#endif

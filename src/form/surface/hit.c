@@ -1,0 +1,295 @@
+/*
+ * Where a ray meets a surface (docs/math/surfaces.md). Seen along the ray, the surface is a map from (u, v) to the
+ * plane across it, and hits are its zeros. Each span becomes a Bézier cell. A cell is dropped when zero lies outside its
+ * box, or outside its box along and across its image's longer side (thin near a fold), or when it lies behind the
+ * origin. When the map is one to one on it, Newton from the middle finds the one zero. Otherwise it is halved; what is
+ * left at the end is a place where the ray touches.
+ */
+#include "form/surface/cell.h"
+#include "base/vec.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    CELLS_MAX = 8192,
+    STEPS = 12
+}; /* cells of a span: more means that the ray runs along in the surface */
+static const double smallest =
+    1.0 / (1 << 26); /* of a span: a cell of that size is a place where the ray touches */
+static const double same =
+    1e-6; /* of a span: hits that are one, as rounding parts those of a ray that touches */
+
+typedef struct search {
+    const bat_surface *surface, *seen; /* seen: x and y across the ray, z along it */
+    double rounding, behind;           /* what counts as zero across; depths below this lie behind */
+    int degree[2], span[2];
+    bat_surface_point *hits;
+    size_t count, room;
+    bool failed;
+} search;
+
+/* ---- What is found ---- */
+
+static double apart(const bat_curve *axis, double a, double b) {
+    const double d = fabs(a - b);
+    return axis->closed ? fmin(d, fabs(d - (axis->knots[axis->spread] - axis->knots[axis->degree]))) : d;
+}
+
+/* Whether x of a span's [0, 1] is one of its ends. */
+static bool at_end(double x) { return x <= same || x >= 1 - same; }
+
+/* The same place of the surface; or, on edges of spans, the same place in space (a seam, a pole). */
+static bool is_known(const search *s, const bat_surface_point *p, bool edge) {
+    const bat_curve *axis = s->seen->axis;
+    const double *u = axis[0].knots + s->span[0], *v = axis[1].knots + s->span[1];
+    for (size_t i = 0; i < s->count; i++) {
+        const bat_surface_point *q = &s->hits[i];
+        if (apart(&axis[0], p->u, q->u) <= same * (u[1] - u[0]) &&
+            apart(&axis[1], p->v, q->v) <= same * (v[1] - v[0]))
+            return true;
+        if (edge && bat_distance(p->point, q->point, 3) <= 1e-9 * s->surface->size) return true;
+    }
+    return false;
+}
+
+static void add(search *s, const double x[2]) {
+    bat_surface_point p;
+    double jet[3];
+    p.u = bat_span_parameter(s->seen, 0, s->span[0], x[0]);
+    p.v = bat_span_parameter(s->seen, 1, s->span[1], x[1]);
+    bat_surface_eval_spans(s->seen, s->span, p.u, p.v, 0, jet);
+    if (jet[2] < s->behind) return;
+    p.distance = fmax(jet[2], 0);
+    bat_surface_eval_spans(s->surface, s->span, p.u, p.v, 0, p.point);
+    p.u = bat_curve_reduce(&s->seen->axis[0], p.u), p.v = bat_curve_reduce(&s->seen->axis[1], p.v);
+    if (s->failed || is_known(s, &p, at_end(x[0]) || at_end(x[1]))) return;
+    if (s->count == s->room) {
+        const size_t room = 2 * s->room + 4;
+        bat_surface_point *more = realloc(s->hits, room * sizeof *more);
+        if (!more) {
+            s->failed = true;
+            return;
+        }
+        s->hits = more, s->room = room;
+    }
+    size_t at = s->count++;
+    for (; at > 0 && s->hits[at - 1].distance > p.distance; at--) s->hits[at] = s->hits[at - 1];
+    s->hits[at] = p;
+}
+
+/* ---- One cell ---- */
+
+typedef struct range {
+    double low, high;
+} range;
+
+static range along(const search *s, const double *net, double x, double y, double z) {
+    range r = {INFINITY, -INFINITY};
+    for (int i = 0; i < (s->degree[0] + 1) * (s->degree[1] + 1); i++, net += 3) {
+        const double d = x * net[0] + y * net[1] + z * net[2];
+        r.low = fmin(r.low, d), r.high = fmax(r.high, d);
+    }
+    return r;
+}
+
+static bool has_zero(range r, double rounding) { return r.low <= rounding && r.high >= -rounding; }
+
+/* How far a cell reaches along u (0) or v (1) in the image: the sum of the ways of its four sides' ends. */
+static void extent(const search *s, const double *net, int direction, double way[2]) {
+    const int p = s->degree[0], q = s->degree[1], row = 3 * (q + 1);
+    const double *a = net, *b = direction == 0 ? net + 3 * q : net + p * row;
+    const int step = direction == 0 ? p * row : 3 * q;
+    for (int c = 0; c < 2; c++) way[c] = (a[step + c] - a[c]) + (b[step + c] - b[c]);
+}
+
+static double longest(const search *s, const double *net, int direction) {
+    const int p = s->degree[0], q = s->degree[1], row = 3 * (q + 1);
+    const int step = direction == 0 ? row : 3;
+    double most = 0;
+    for (int i = 0; i <= p - (direction == 0); i++)
+        for (int j = 0; j <= q - (direction == 1); j++) {
+            const double *a = net + i * row + 3 * j;
+            most = fmax(most, fabs(a[step] - a[0]) + fabs(a[step + 1] - a[1]));
+        }
+    return most * s->degree[direction];
+}
+
+static bool may_hit(const search *s, const double *net) {
+    if (along(s, net, 0, 0, 1).high < s->behind) return false;
+    if (!has_zero(along(s, net, 1, 0, 0), s->rounding) || !has_zero(along(s, net, 0, 1, 0), s->rounding))
+        return false;
+    double u[2], v[2];
+    extent(s, net, 0, u);
+    extent(s, net, 1, v);
+    const double a = bat_hypot(u[0], u[1]), b = bat_hypot(v[0], v[1]);
+    if (!(fmax(a, b) > 0)) return true;
+    const double x = (a > b ? u[0] : v[0]) / fmax(a, b), y = (a > b ? u[1] : v[1]) / fmax(a, b);
+    return has_zero(along(s, net, -y, x, 0), 2 * s->rounding) &&
+           has_zero(along(s, net, x, y, 0), 2 * s->rounding);
+}
+
+/* Every step along u turns the same way from every step along v: the map is one to one. */
+static bool is_one_to_one(const search *s, const double *net) {
+    const int p = s->degree[0], q = s->degree[1], row = 3 * (q + 1);
+    int sign = 0;
+    for (int i = 0; i < p; i++)
+        for (int j = 0; j <= q; j++) {
+            const double *a = net + i * row + 3 * j, du[2] = {a[row] - a[0], a[row + 1] - a[1]};
+            for (int k = 0; k <= p; k++)
+                for (int l = 0; l < q; l++) {
+                    const double *b = net + k * row + 3 * l;
+                    const double det = du[0] * (b[4] - b[1]) - du[1] * (b[3] - b[0]);
+                    const int turn = (det > 0) - (det < 0);
+                    if (turn == 0 || (sign && turn != sign)) return false;
+                    sign = turn;
+                }
+        }
+    return true;
+}
+
+/* One step towards zero, in the span's [0, 1]: Newton's, or with damping (a share of the matrix's size) the one of
+ * Levenberg and Marquardt, which does not mind a fold. false: it leads nowhere. *left: how far from zero x is. */
+static bool step(const search *s, const double x[2], double damping, double move[2], double *left) {
+    double jet[9], width[2], at[2];
+    for (int d = 0; d < 2; d++) {
+        const double *t = s->seen->axis[d].knots + s->span[d];
+        width[d] = t[1] - t[0], at[d] = t[0] + x[d] * width[d];
+    }
+    bat_surface_eval_spans(s->seen, s->span, at[0], at[1], 1, jet);
+    double a = jet[3] * width[0], b = jet[6] * width[1], c = jet[4] * width[0], d = jet[7] * width[1];
+    double f = jet[0], g = jet[1];
+    *left = bat_hypot(f, g);
+    if (damping > 0) { /* the normal equations */
+        const double more = damping * (a * a + b * b + c * c + d * d), uu = a * a + c * c + more,
+                     uv = a * b + c * d, vv = b * b + d * d + more, fu = a * f + c * g, fv = b * f + d * g;
+        a = uu, b = c = uv, d = vv, f = fu, g = fv;
+    }
+    const double det = a * d - b * c;
+    move[0] = (b * g - d * f) / det, move[1] = (c * f - a * g) / det;
+    return isfinite(move[0]) && isfinite(move[1]);
+}
+
+/* Newton from the middle; true: a zero in the cell, at x, but for rounding at its edges. */
+static bool newton(const search *s, const bat_cell *cell, double x[2]) {
+    double move[2], left, size[2];
+    for (int d = 0; d < 2; d++) size[d] = cell->high[d] - cell->low[d], x[d] = cell->low[d] + 0.5 * size[d];
+    bool settled = false;
+    for (int i = 0; i < STEPS && !settled; i++) {
+        if (!step(s, x, 0, move, &left)) return false;
+        settled = fmax(fabs(move[0]), fabs(move[1])) < 1e-14;
+        for (int d = 0; d < 2; d++) {
+            x[d] += move[d];
+            if (!(x[d] > cell->low[d] - size[d] && x[d] < cell->high[d] + size[d])) return false;
+        }
+    }
+    for (int d = 0; d < 2; d++) {
+        const double slack = 1e-9 * size[d] + 1e-13;
+        if (x[d] < cell->low[d] - slack || x[d] > cell->high[d] + slack) return false;
+        x[d] = fmin(fmax(x[d], 0), 1);
+    }
+    return settled || left <= s->rounding;
+}
+
+/* The place where the ray touches: damped steps from the middle, as long as they come nearer. */
+static void touch(search *s, const bat_cell *cell) {
+    double x[2], move[2], next[2], left, now;
+    for (int d = 0; d < 2; d++) x[d] = 0.5 * (cell->low[d] + cell->high[d]);
+    bool nearer = step(s, x, 1e-10, move, &left);
+    for (int i = 0; i < STEPS && nearer; i++) {
+        for (int d = 0; d < 2; d++) next[d] = fmin(fmax(x[d] + move[d], 0), 1);
+        nearer = step(s, next, 1e-10, move, &now) && now < left;
+        if (now < left) memcpy(x, next, sizeof x), left = now;
+    }
+    /* Onto the span's edge, if the ray goes through it there. */
+    for (int d = 0; d < 2; d++) next[d] = x[d] < same ? 0 : x[d] > 1 - same ? 1 : x[d];
+    step(s, next, 1e-10, move, &now);
+    add(s, now <= fmax(left, s->rounding) ? next : x);
+}
+
+static bool is_small(const bat_cell *cell) {
+    const double most = fmax(cell->high[0] - cell->low[0], cell->high[1] - cell->low[1]);
+    return most <= smallest || cell->halvings == BAT_CELL_HALVINGS;
+}
+
+/* The direction that is longer in the image; but where the ray runs along the other one, that must come to an end too. */
+static int across(const search *s, const bat_cell *cell) {
+    const double a = longest(s, cell->net, 0), b = longest(s, cell->net, 1);
+    const int direction = a == b ? cell->halvings % 2 : a < b;
+    return cell->high[direction] - cell->low[direction] > smallest * smallest ? direction : 1 - direction;
+}
+
+static void search_span(search *s, bat_cell *stack) {
+    int top = 0, cells = 0;
+    bat_cell_of(s->seen, s->span, stack);
+    while (top >= 0 && cells++ < CELLS_MAX && !s->failed) {
+        bat_cell *cell = stack + top--;
+        double x[2];
+        if (!may_hit(s, cell->net)) continue;
+        if (is_one_to_one(s, cell->net) && newton(s, cell, x)) {
+            add(s, x);
+        } else if (is_small(cell)) {
+            touch(s, cell);
+        } else {
+            bat_cell_halve(s->degree, across(s, cell), cell, cell + 1);
+            top += 2;
+        }
+    }
+}
+
+/* ---- All spans ---- */
+
+static void search_all(search *s, bat_cell *stack) {
+    const bat_curve *axis = s->seen->axis;
+    const int p = axis[0].degree, q = axis[1].degree;
+    for (int i = p; i < axis[0].spread; i++) {
+        if (!(axis[0].knots[i] < axis[0].knots[i + 1])) continue;
+        for (int j = q; j < axis[1].spread && !s->failed; j++) {
+            if (!(axis[1].knots[j] < axis[1].knots[j + 1])) continue;
+            range box[3] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
+            for (int k = i - p; k <= i; k++) {
+                const double *point = bat_surface_stored_row(s->seen, k).points + (size_t)(j - q) * 3;
+                for (int l = 0; l <= q; l++, point += 3)
+                    for (int c = 0; c < 3; c++)
+                        box[c].low = fmin(box[c].low, point[c]), box[c].high = fmax(box[c].high, point[c]);
+            }
+            s->span[0] = i, s->span[1] = j;
+            if (has_zero(box[0], s->rounding) && has_zero(box[1], s->rounding) && box[2].high >= s->behind)
+                search_span(s, stack);
+        }
+    }
+}
+
+static bool is_finite(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
+
+bat_status bat_surface_hits(const bat_surface *surface, const double origin[3], const double direction[3],
+                            size_t room, bat_surface_point *out, size_t *count) {
+    if (!surface || !origin || !direction || !count || (room > 0 && !out)) return BAT_ARGUMENT;
+    if (!is_finite(origin) || !is_finite(direction)) return BAT_NUMBER;
+    const vec z = vec_unit(vec_load(direction, 3));
+    if (!(vec_norm(z) > 0)) return BAT_ARGUMENT;
+    const vec x = vec_any_normal(z), y = vec_cross(z, x);
+    const double axes[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    bat_surface *seen;
+    bat_status status = bat_surface_seen(surface, origin, axes, &seen);
+    if (status != BAT_OK) return status;
+    bat_cell *stack = malloc((BAT_CELL_HALVINGS + 2) * sizeof *stack);
+    search s = {.surface = surface, .seen = seen, .behind = -1e-10 * surface->size};
+    double low[3], high[3], reach = 0;
+    bat_surface_box(seen, low, high);
+    for (int c = 0; c < 3; c++) reach = fmax(reach, fmax(fabs(low[c]), fabs(high[c])));
+    s.rounding = 4e-15 * reach;
+    for (int d = 0; d < 2; d++) s.degree[d] = surface->axis[d].degree;
+    if (stack) search_all(&s, stack);
+    if (!stack || s.failed) {
+        status = BAT_MEMORY;
+    } else {
+        for (size_t i = 0; i < s.count && i < room; i++) out[i] = s.hits[i];
+        *count = s.count;
+    }
+    free(s.hits);
+    free(stack);
+    bat_surface_free(seen);
+    return status;
+}

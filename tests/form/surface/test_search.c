@@ -1,0 +1,316 @@
+/* Closest points and ray hits: closed forms, the equations they solve, sampling, hits counted against pure subdivision;
+ * edges, seams, poles, touching rays, rays in the surface, points on an axis; bad data. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <math.h>
+#include <string.h>
+#include <cmocka.h>
+#include "form/surface/cell.h"
+#include "base/vec.h"
+#include "support/random_surface.h"
+
+static const double clamped[] = {0, 0, 0, 1, 1, 1}, two_spans[] = {0, 0, 0, 0.5, 1, 1, 1};
+
+static bat_surface *make(const int degree[2], const bool closed[2], const int count[2], const double *u,
+                         const double *v, const double *points) {
+    const size_t n[2] = {(size_t)count[0], (size_t)count[1]};
+    int knots[2];
+    for (int d = 0; d < 2; d++) knots[d] = closed[d] ? count[d] + 1 : count[d] + degree[d] + 1;
+    bat_surface *s = NULL;
+    assert_int_equal(bat_surface_create(degree, closed, n, points, knots, u, v, &s), BAT_OK);
+    return s;
+}
+
+/* z = x^2 + y^2 over [-1, 1]^2, x = 2u - 1, y = 2v - 1; with two spans in each direction. */
+static bat_surface *bowl(void) {
+    const double x[4] = {-1, -0.5, 0.5, 1}, square[4] = {1, 0, 0, 1};
+    double points[48];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            const double p[3] = {x[i], x[j], square[i] + square[j]};
+            memcpy(points + 3 * (4 * i + j), p, sizeof p);
+        }
+    return make((const int[2]){2, 2}, (const bool[2]){false, false}, (const int[2]){4, 4}, two_spans,
+                two_spans, points);
+}
+
+/* A closed tube along z that ends in a pole at z = 1: cubic round, quadratic along. */
+static bat_surface *bullet(void) {
+    enum { N = 8 };
+    double points[N * 3 * 3], u[N + 1];
+    for (int i = 0; i <= N; i++) u[i] = i;
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < 3; j++) {
+            const double a = i * 2 * 3.14159265358979 / N, r = j == 2 ? 0 : 1;
+            const double p[3] = {r * cos(a), r * sin(a), j == 0 ? 0 : 1};
+            memcpy(points + 3 * (3 * i + j), p, sizeof p);
+        }
+    return make((const int[2]){3, 2}, (const bool[2]){true, false}, (const int[2]){N, 3}, u, clamped, points);
+}
+
+static size_t hits_of(const bat_surface *s, const double origin[3], const double direction[3],
+                      bat_surface_point *out) {
+    size_t count = 99;
+    assert_int_equal(bat_surface_hits(s, origin, direction, 32, out, &count), BAT_OK);
+    assert_true(count <= 32);
+    const vec d = vec_unit(vec_load(direction, 3));
+    for (size_t i = 0; i < count; i++) { /* on the ray, on the surface, in order */
+        double at[3];
+        bat_surface_eval(s, out[i].u, out[i].v, 0, at);
+        const vec o = vec_load(origin, 3), p = vec_add(o, vec_scale(d, out[i].distance));
+        const double size = bat_surface_size(s);
+        assert_true(vec_norm(vec_sub(p, vec_load(out[i].point, 3))) < 1e-10 * size);
+        assert_true(vec_norm(vec_sub(p, vec_load(at, 3))) < 1e-10 * size);
+        assert_true(out[i].distance >= 0 && (i == 0 || out[i].distance >= out[i - 1].distance));
+    }
+    return count;
+}
+
+/* Along z one hit; along x two, symmetric; tangent to the bottom one; from above upwards none. */
+static void rays_meet_a_bowl(void **state) {
+    (void)state;
+    bat_surface *s = bowl();
+    bat_surface_point hit[32];
+    for (int i = 0; i <= 20; i++)
+        for (int j = 0; j <= 20; j++) { /* edges, corners and the middle lines between spans among them */
+            const double x = 0.1 * i - 1, y = 0.1 * j - 1, from[3] = {x, y, 5}, down[3] = {0, 0, -2};
+            assert_int_equal(hits_of(s, from, down, hit), 1);
+            assert_true(fabs(hit[0].distance - (5 - x * x - y * y)) < 1e-13);
+            assert_true(fabs(hit[0].u - (x + 1) / 2) < 1e-13 && fabs(hit[0].v - (y + 1) / 2) < 1e-13);
+        }
+    for (int i = 1; i <= 9; i++) {
+        const double z = 0.1 * i, from[3] = {-3, 0, z}, way[3] = {1, 0, 0}, back[3] = {-1, 0, 0};
+        assert_int_equal(hits_of(s, from, way, hit), 2);
+        assert_true(fabs(hit[0].distance - (3 - sqrt(z))) < 1e-13 &&
+                    fabs(hit[1].distance - (3 + sqrt(z))) < 1e-13);
+        assert_int_equal(hits_of(s, from, back, hit), 0);
+        assert_int_equal(hits_of(s, (const double[3]){0, 0, z}, way, hit), 1);
+        assert_int_equal(hits_of(s, (const double[3]){0.3, 0.1, 0.1}, way, hit),
+                         1); /* from the surface itself */
+        assert_true(hit[0].distance == 0 || hit[0].distance < 1e-15);
+    }
+    /* touches where it meets the plane of a tangent: at (a, b), along any direction of it */
+    for (int i = 0; i < 10; i++) {
+        const double a = 0.07 * i - 0.3, b = 0.4 - 0.05 * i, d[3] = {1, 0.3, 2 * a + 0.6 * b};
+        const double from[3] = {a - 4 * d[0], b - 4 * d[1], a * a + b * b - 4 * d[2]};
+        const size_t count = hits_of(s, from, d, hit);
+        assert_true(count <= 1); /* rounding decides whether it touches */
+        if (count) assert_true(fabs(hit[0].u - (a + 1) / 2) < 1e-6);
+    }
+    assert_int_equal(hits_of(s, (const double[3]){-3, 0, 0}, (const double[3]){1, 0, 0}, hit), 1);
+    bat_surface_free(s);
+}
+
+static void seams_and_poles_count_once(void **state) {
+    (void)state;
+    bat_surface *s = bullet();
+    bat_surface_point hit[32];
+    assert_int_equal(hits_of(s, (const double[3]){0, 0, 5}, (const double[3]){0, 0, -1}, hit),
+                     1); /* the pole */
+    assert_true(fabs(hit[0].distance - 4) < 1e-12);
+    assert_int_equal(hits_of(s, (const double[3]){0.3, -0.2, 6}, (const double[3]){-0.06, 0.04, -1}, hit), 1);
+    for (int i = 0; i < 16; i++) { /* through the axis: knots and seam on one side and on the other */
+        const double a = i * 3.14159265358979 / 8, from[3] = {-3 * cos(a), -3 * sin(a), 0.4};
+        assert_int_equal(hits_of(s, from, (const double[3]){cos(a), sin(a), 0}, hit), 2);
+        assert_true(fabs(hit[0].distance + hit[1].distance - 6) < 1e-12);
+    }
+    bat_surface_free(s);
+}
+
+/* A ray that lies in a plane patch: it ends, with a point on both. */
+static void a_ray_in_the_surface_ends(void **state) {
+    (void)state;
+    const double flat[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, knots[] = {0, 0, 1, 1};
+    bat_surface *s = make((const int[2]){1, 1}, (const bool[2]){false, false}, (const int[2]){2, 2}, knots,
+                          knots, flat);
+    bat_surface_point hit[32];
+    size_t count = 0;
+    const double from[3] = {-1, 0.4, 0}, way[3] = {1, 0, 0};
+    assert_int_equal(bat_surface_hits(s, from, way, 32, hit, &count), BAT_OK);
+    assert_true(count >= 1);
+    for (size_t i = 0; i < count && i < 32; i++) assert_true(fabs(hit[i].point[1] - 0.4) < 1e-6);
+    bat_surface_free(s);
+}
+
+/* ---- Hits counted by boxes alone ---- */
+
+enum { FINE = 40, PLACES = 4096 };
+
+static bool box_has_zero(const double *net, int points) {
+    for (int c = 0; c < 3; c++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int i = 0; i < points; i++) low = fmin(low, net[3 * i + c]), high = fmax(high, net[3 * i + c]);
+        if (c < 2 ? low > 0 || high < 0 : high < 0) return false;
+    }
+    return true;
+}
+
+static size_t count_by_boxes(const bat_surface *seen, double places[][2]) {
+    static bat_cell stack[FINE + 2];
+    const int degree[2] = {seen->axis[0].degree, seen->axis[1].degree};
+    size_t count = 0;
+    for (int i = degree[0]; i < seen->axis[0].spread; i++)
+        for (int j = degree[1]; j < seen->axis[1].spread; j++) {
+            if (!(seen->axis[0].knots[i] < seen->axis[0].knots[i + 1])) continue;
+            if (!(seen->axis[1].knots[j] < seen->axis[1].knots[j + 1])) continue;
+            const int span[2] = {i, j};
+            int top = 0;
+            bat_cell_of(seen, span, stack);
+            while (top >= 0) {
+                bat_cell *cell = stack + top--;
+                if (!box_has_zero(cell->net, (degree[0] + 1) * (degree[1] + 1))) continue;
+                if (cell->halvings < FINE) {
+                    bat_cell_halve(degree, cell->halvings % 2, cell, cell + 1);
+                    top += 2;
+                    continue;
+                }
+                bool known = false;
+                const double at[2] = {i + cell->low[0], j + cell->low[1]};
+                for (size_t k = 0; k < count && !known; k++)
+                    known = fabs(places[k][0] - at[0]) < 1e-3 && fabs(places[k][1] - at[1]) < 1e-3;
+                if (!known && count < PLACES) memcpy(places[count++], at, sizeof at);
+            }
+        }
+    return count;
+}
+
+static void hits_are_those_of_subdivision(void **state) {
+    (void)state;
+    static double places[PLACES][2];
+    random_source r = {12};
+    int total = 0, differ = 0;
+    for (int number = 0; number < 30; number++) {
+        const int degree[2] = {2 + number % 3, 2 + number / 3 % 3},
+                  kind[2] = {number % 2 * 2, number / 2 % 2 * 2};
+        bat_surface *s = random_surface(&r, degree, kind, (const int[2]){4, 4}), *seen;
+        for (int ray = 0; ray < 20; ray++) {
+            double from[3], way[3];
+            for (int c = 0; c < 3; c++)
+                from[c] = random_between(&r, -12, 12), way[c] = random_between(&r, -1, 1);
+            const vec z = vec_unit(vec_load(way, 3)), x = vec_any_normal(z), y = vec_cross(z, x);
+            const double axes[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+            bat_surface_point hit[32];
+            assert_int_equal(bat_surface_seen(s, from, axes, &seen), BAT_OK);
+            const size_t found = hits_of(s, from, way, hit), want = count_by_boxes(seen, places);
+            total += (int)want, differ += found != want;
+            bat_surface_free(seen);
+        }
+        bat_surface_free(s);
+    }
+    assert_true(total > 250);
+    assert_int_equal(differ, 0);
+}
+
+/* ---- Closest points ---- */
+
+/* The gap is square to the surface, but at a border where it points outwards. */
+static void check_nearest(const bat_surface *s, const double point[3], const bat_surface_point *near) {
+    double jet[9];
+    bat_surface_eval(s, near->u, near->v, 1, jet);
+    const vec gap = vec_sub(vec_load(jet, 3), vec_load(point, 3));
+    const double size = bat_surface_size(s), at[2] = {near->u, near->v};
+    assert_true(fabs(vec_norm(gap) - near->distance) < 1e-12 * (size + near->distance));
+    for (int d = 0; d < 2; d++) {
+        double domain[2];
+        bat_surface_domain(s, (bat_direction)d, domain);
+        const double slope = vec_dot(gap, vec_unit(vec_load(jet + 3 + 3 * d, 3)));
+        const bool closed = bat_surface_is_closed(s, (bat_direction)d);
+        if (!closed && at[d] == domain[0])
+            assert_true(slope >= -1e-10 * size);
+        else if (!closed && at[d] == domain[1])
+            assert_true(slope <= 1e-10 * size);
+        else
+            assert_true(fabs(slope) < 1e-10 * size);
+    }
+}
+
+static void nothing_is_nearer(void **state) {
+    (void)state;
+    enum { SIDE = 40 };
+    static double u[SIDE], v[SIDE], points[SIDE * SIDE * 3];
+    random_source r = {4};
+    for (int number = 0; number < 42; number++) {
+        /* simple knots: no creases, where the gap need not be square to the surface */
+        double knots[2][16], net[8 * 8 * 3];
+        const int degree[2] = {2 + number % 6, 2 + number / 6 % 6};
+        const bool closed[2] = {number % 3 == 1, number % 3 == 2};
+        for (int d = 0; d < 2; d++)
+            for (int i = 0; i < 16; i++) knots[d][i] = i + random_between(&r, 0, 0.5);
+        for (int i = 0; i < 192; i++) net[i] = random_between(&r, -10, 10);
+        bat_surface *s = make(degree, closed, (const int[2]){8, 8}, knots[0], knots[1], net);
+        bat_surface_spread(s, BAT_U, SIDE, u);
+        bat_surface_spread(s, BAT_V, SIDE, v);
+        assert_int_equal(bat_surface_eval_grid(s, SIDE, u, SIDE, v, 0, points), BAT_OK);
+        for (int k = 0; k < 12; k++) {
+            double p[3];
+            const double reach = k % 3 == 0 ? 1 : k % 3 == 1 ? 12 : 200;
+            for (int c = 0; c < 3; c++) p[c] = random_between(&r, -reach, reach);
+            if (k == 5) bat_surface_eval(s, u[7], v[9], 0, p);
+            bat_surface_point near;
+            assert_int_equal(bat_surface_nearest(s, p, &near), BAT_OK);
+            check_nearest(s, p, &near);
+            for (int i = 0; i < SIDE * SIDE; i++)
+                assert_true(vec_norm(vec_sub(vec_load(points + 3 * i, 3), vec_load(p, 3))) >=
+                            near.distance - 1e-12);
+            if (k == 5) assert_true(near.distance < 1e-13);
+        }
+        bat_surface_free(s);
+    }
+}
+
+/* From the axis of the bowl the vertex is nearest up to its centre of curvature, 1/2. From the axis of a tube all points
+ * of a ring are nearly as close, and the search ends all the same. */
+static void closed_forms(void **state) {
+    (void)state;
+    bat_surface *s = bowl();
+    bat_surface_point near;
+    for (double z = -1; z < 2; z += 0.125) {
+        const double p[3] = {0, 0, z}, want = z <= 0.5 ? fabs(z) : sqrt(z - 0.25);
+        assert_int_equal(bat_surface_nearest(s, p, &near), BAT_OK);
+        assert_true(fabs(near.distance - want) < 1e-12);
+    }
+    assert_int_equal(bat_surface_nearest(s, (const double[3]){3, 3, 2}, &near), BAT_OK); /* a corner */
+    assert_true(near.u == 1 && near.v == 1 && fabs(near.distance - sqrt(8)) < 1e-14);
+    bat_surface_free(s);
+    s = bullet();
+    assert_int_equal(bat_surface_nearest(s, (const double[3]){0, 0, -0.5}, &near), BAT_OK);
+    assert_true(near.v == 0);
+    check_nearest(s, (const double[3]){0, 0, -0.5}, &near);
+    assert_int_equal(bat_surface_nearest(s, (const double[3]){0, 0, 3}, &near), BAT_OK); /* the pole */
+    assert_true(fabs(near.distance - 2) < 1e-12);
+    bat_surface_free(s);
+}
+
+static void bad_data(void **state) {
+    (void)state;
+    bat_surface *s = bowl();
+    bat_surface_point near;
+    size_t count = 7;
+    const double nan[3] = {0, NAN, 0}, far[3] = {0, 0, INFINITY}, zero[3] = {0, 0, 0}, up[3] = {0, 0, 1};
+    assert_int_equal(bat_surface_nearest(s, nan, &near), BAT_NUMBER);
+    assert_int_equal(bat_surface_nearest(s, far, &near), BAT_NUMBER);
+    assert_int_equal(bat_surface_nearest(NULL, up, &near), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_hits(s, zero, zero, 1, &near, &count), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_hits(s, nan, up, 1, &near, &count), BAT_NUMBER);
+    assert_int_equal(bat_surface_hits(s, zero, far, 1, &near, &count), BAT_NUMBER);
+    assert_int_equal(bat_surface_hits(s, zero, up, 1, NULL, &count), BAT_ARGUMENT);
+    assert_int_equal(count, 7);
+    assert_int_equal(bat_surface_hits(s, (const double[3]){0.1, 0, -1}, up, 0, NULL, &count), BAT_OK);
+    assert_int_equal(count, 1);
+    bat_surface_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_meet_a_bowl),
+        cmocka_unit_test(seams_and_poles_count_once),
+        cmocka_unit_test(a_ray_in_the_surface_ends),
+        cmocka_unit_test(hits_are_those_of_subdivision),
+        cmocka_unit_test(nothing_is_nearer),
+        cmocka_unit_test(closed_forms),
+        cmocka_unit_test(bad_data),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
