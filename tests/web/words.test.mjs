@@ -107,7 +107,7 @@ test('English: what explains comes with the first touch of the page; without it 
   assert.ok(!fetched.some((where) => /\/words\.\w+\.json$/.test(where)));
   assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo (Ctrl+Z)');
   await page.mouse.move(400, 300);
-  await page.waitForFunction(() => /Takes the last change back/.test(document.querySelector('[data-name=undo]').title));
+  await page.waitForFunction(() => /Reverts the last change/.test(document.querySelector('[data-name=undo]').title));
   assert.equal(fetched.filter((where) => where === '/1/words.en.json').length, 1);
   assert.equal(await page.getAttribute('[data-name=undo]', 'title'), 'Undo: Reverts the last change. (Ctrl+Z)');
   await context.close();
