@@ -187,12 +187,25 @@ static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
     return item;
 }
 
+/* Empty: better than what is no more, whose places stand for other objects now. */
+static void drop(bat_scene *scene) {
+    for (int i = 0; i < scene->count; i++) free_entry(&scene->entries[i]);
+    free(scene->entries);
+    scene->entries = NULL;
+    scene->count = scene->item_count = 0;
+    scene->still_version++;
+    dirty_all(scene);
+}
+
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
     if (scene->revision == revision && !scene->stale) return BAT_OK;
     int count = bat_document_count(document);
     bat_item *items = calloc((size_t)count + 1, sizeof *items);
-    if (!items) return BAT_MEMORY;
-    bat_status status = scene->revision == revision ? BAT_OK : mirror(scene, document);
+    bat_status status = items ? BAT_OK : BAT_MEMORY;
+    if (scene->revision != revision) {
+        if (status == BAT_OK) status = mirror(scene, document);
+        if (status != BAT_OK) drop(scene);
+    }
     if (status != BAT_OK) {
         free(items);
         return status;
