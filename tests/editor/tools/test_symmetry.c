@@ -395,6 +395,52 @@ static void splines_and_lines_have_images_that_follow(void **state) {
     bat_editor_free(editor);
 }
 
+static void levels_follow_as_levels(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    const uint64_t first = digest(editor);
+    line(editor, 100, 300, 400, 300, 60);
+    bat_editor_command(editor, "tool-levels");
+    pen p = pen_for(editor);
+    p.time = 1e6;
+    tap(&p, 250, 239);
+    bat_editor_command(editor, "take-apart");
+    bat_editor_command(editor, "accept");
+    bat_editor_frame(editor);
+    assert_true(bat_object_shape(object(editor, 0), 0) != NULL);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    bat_editor_command(editor, "tool-sketch");
+    line(editor, 180, 254, 320, 254, 25);
+    assert_int_equal(count(editor), 2);
+    assert_true(bat_object_shape(object(editor, 0), 0) != NULL);
+    assert_true(bat_object_shape(object(editor, 1), 0) != NULL);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    round_trip(editor, first);
+    bat_editor_free(editor);
+}
+
+static void on_a_plane_nothing_is_mirrored(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_object *plane = NULL;
+    bat_document_create(&document);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    assert_int_equal(bat_object_create_plane(bat_document_new_id(document), "floor", (double[]){0, 0, 0},
+                                             (double[]){1, 0, 0.3, 0, 1, 0.2}, &plane),
+                     BAT_OK);
+    bat_document_insert(document, 0, plane);
+    bat_object_release(plane);
+    bat_editor *editor = editor_of(document);
+    bat_editor_set(editor, "symmetry", 1);
+    assert_int_equal(bat_editor_command(editor, "draw-on-plane"), BAT_OK);
+    line(editor, 100, 300, 350, 250, 60);
+    assert_int_equal(count(editor), 2);
+    bat_editor_command(editor, "draw-on-page");
+    line(editor, 100, 500, 350, 450, 60);
+    assert_int_equal(count(editor), 4);
+    bat_editor_free(editor);
+}
+
 static void the_selection_is_moved_alone(void **state) {
     (void)state;
     bat_editor *editor = symmetric();
@@ -545,6 +591,8 @@ int main(void) {
                                        cmocka_unit_test(the_eraser_works_on_both_sides),
                                        cmocka_unit_test(points_and_smoothing_follow),
                                        cmocka_unit_test(splines_and_lines_have_images_that_follow),
+                                       cmocka_unit_test(levels_follow_as_levels),
+                                       cmocka_unit_test(on_a_plane_nothing_is_mirrored),
                                        cmocka_unit_test(the_selection_is_moved_alone),
                                        cmocka_unit_test(the_axis_is_shown_and_chosen),
                                        cmocka_unit_test(without_a_page_the_axis_stays_where_it_was),
