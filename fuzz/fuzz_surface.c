@@ -58,6 +58,25 @@ static void check_finer(const bat_surface *s, bat_direction d, double at) {
     bat_surface_free(same);
 }
 
+/* The line becomes what it is asked to be, or the surface stays. */
+static void check_redraw(const bat_surface *s, bat_direction d, double at, double other) {
+    bat_curve *line = NULL;
+    bat_surface *made = NULL;
+    bat_surface_redraw_report report;
+    bat_surface_redraw_options options;
+    bat_surface_redraw_options_init(&options, sizeof options);
+    double low[3], high[3], reach = 0;
+    bat_surface_box(s, low, high);
+    for (int c = 0; c < 3; c++) reach = fmax(reach, fmax(fabs(low[c]), fabs(high[c])));
+    if (bat_surface_isocurve(s, d, other, &line) == BAT_OK) {
+        const bat_status status = bat_surface_redraw(s, d, at, line, &options, &made, NULL, &report);
+        if ((status == BAT_OK) != (made != NULL)) abort();
+        if (made && !(report.line_error <= 1e-9 * reach)) abort();
+    }
+    bat_curve_free(line);
+    bat_surface_free(made);
+}
+
 static void check(const bat_surface *s) {
     double low[3], high[3], domain[2][2], at[2][3];
     bat_surface_box(s, low, high);
@@ -66,6 +85,7 @@ static void check(const bat_surface *s) {
         bat_surface_spread(s, d, 3, at[d]);
         if (bat_surface_degree(s, d) < 1 || bat_surface_count(s, d) < 2) abort();
         check_finer(s, d, at[d][1]);
+        check_redraw(s, d, at[d][1], at[d][2]);
     }
     for (int k = 0; k < 9; k++) check_place(s, at[BAT_U][k / 3], at[BAT_V][k % 3], low, high);
     if (bat_surface_count(s, BAT_U) * bat_surface_count(s, BAT_V) <= 40)

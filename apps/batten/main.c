@@ -26,6 +26,7 @@ static const cli_command *const commands[] = {
     &command_surface_isocurve,
     &command_surface_closest,
     &command_surface_hit,
+    &command_surface_redraw,
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 

@@ -120,20 +120,40 @@ static void put_report(bat_text *text, const bat_sketch_report *report) {
     bat_text_string(text, "}");
 }
 
+/* A report becomes the last member of an object. Releases both. */
+static int write_reported(char *data, size_t size, bat_text *report) {
+    bat_text text = {0};
+    while (size && data[size - 1] != '}') size--;
+    while (size > 1 && (data[size - 2] == '\n' || data[size - 2] == ' ')) size--;
+    bat_text_add(&text, data, size - 1);
+    bat_free(data);
+    char *end = NULL;
+    if (bat_text_finish(report, &end, &size) != BAT_OK) {
+        bat_text_free(&text);
+        return fail_memory();
+    }
+    bat_text_string(&text, ",\n  \"report\": ");
+    bat_text_add(&text, end, size);
+    bat_text_string(&text, "\n}");
+    bat_free(end);
+    return write_text(&text);
+}
+
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report) {
     char *data;
     size_t size;
-    bat_status status = bat_curve_write(curve, &data, &size);
-    if (status != BAT_OK) return fail_memory();
-    while (size && data[size - 1] != '}') size--; /* the report becomes the object's last member */
-    while (size > 1 && (data[size - 2] == '\n' || data[size - 2] == ' ')) size--;
     bat_text text = {0};
-    bat_text_add(&text, data, size - 1);
-    bat_free(data);
-    bat_text_string(&text, ",\n  \"report\": ");
+    if (bat_curve_write(curve, &data, &size) != BAT_OK) return fail_memory();
     put_report(&text, report);
-    bat_text_string(&text, "\n}");
-    return write_text(&text);
+    return write_reported(data, size, &text);
+}
+
+int write_surface(const bat_surface *surface, bat_text *report) {
+    char *data;
+    size_t size;
+    if (bat_surface_write(surface, &data, &size) == BAT_OK) return write_reported(data, size, report);
+    bat_text_free(report);
+    return fail_memory();
 }
 
 int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,

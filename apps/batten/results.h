@@ -25,6 +25,8 @@ void put_points(bat_text *text, const double *numbers, size_t count, int dimensi
 /* Ends the text with a line end, and writes it to standard output. Releases it. */
 int write_text(bat_text *text);
 int write_curve(const bat_curve *curve);
+/* The surface with its report (JSON), which is released. */
+int write_surface(const bat_surface *surface, bat_text *report);
 /* The curve with its report, to standard output. */
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
 /* What a sketch's status means for the user; stroke: the stroke file's name. */

@@ -110,6 +110,46 @@ BAT_API bat_status bat_surface_insert_knots(const bat_surface *surface, bat_dire
 BAT_API bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
                                       const double *knots, bat_surface **out);
 
+/* How a redrawn line carries the surface along. options may be NULL: the defaults. */
+typedef struct bat_surface_redraw_options {
+    size_t size;       /* of this struct, as base.h says */
+    double reach;      /* radius of the bump, in parameter units; 0: 2.5 times the mean span */
+    size_t hold_count; /* rows that stay as they are: */
+    const int *hold;   /* their numbers, along the direction that is crossed */
+} bat_surface_redraw_options;
+
+BAT_API void bat_surface_redraw_options_init(bat_surface_redraw_options *options, size_t size);
+static inline bat_surface_redraw_options bat_surface_redraw_defaults(void) {
+    bat_surface_redraw_options options;
+    bat_surface_redraw_options_init(&options, sizeof options);
+    return options;
+}
+
+typedef struct bat_surface_redraw_report {
+    double value; /* where the line is, in the domain */
+    double reach; /* the radius that was used */
+    double moved
+        [2]; /* what can have moved: the supports of the rows that did; closed: unwrapped round the line */
+    double gain;       /* the greatest way of a row, by that of the line: above 1.25 a user should be told */
+    double line_error; /* greatest distance of the new line's control points from those asked for */
+    int knots_before[2], knots_after[2]; /* of u and v */
+} bat_surface_redraw_report;
+
+/*
+ * The surface with its line at u (BAT_U) or v (BAT_V) redrawn; the rows beside the line come along, with weights that
+ * fall off as (x^2 - 1)^2 (docs/math/surfaces.md). line: as the line is to be, in space, of the degree of the direction
+ * it runs along, on the surface's knots or a superset, to which the surface is then refined. Rows beyond the reach, and
+ * those held, keep every bit. weights (may be NULL): bat_surface_count numbers of the direction that is crossed, how far
+ * each row moves by the way of the line, 0 for those that stay. report may be NULL. BAT_DIMENSION, BAT_DEGREE: the
+ * line's are others; BAT_ARGUMENT: the line is closed and the direction open or the other way round, reach is negative
+ * or not finite, or there is no such row; BAT_KNOTS: not a superset; BAT_NUMBER: `at` is NaN, or points lie too far out;
+ * BAT_DOT: the line is a point (a collapsed edge); BAT_FAR: the line cannot move: no row beside it may, or the gain
+ * would be above 4 (weights and report are filled in). O(points).
+ */
+BAT_API bat_status bat_surface_redraw(const bat_surface *surface, bat_direction direction, double at,
+                                      const bat_curve *line, const bat_surface_redraw_options *options,
+                                      bat_surface **out, double *weights, bat_surface_redraw_report *report);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,7 +4,7 @@ import json
 import unittest
 
 import numpy
-from scipy.interpolate import BSpline, bisplev
+from scipy.interpolate import BSpline, bisplev, insert
 
 from program import ProgramTest
 
@@ -188,6 +188,70 @@ class Search(ProgramTest):
     def test_bad_data(self):
         name = self.file("s.json", BOWL)
         self.assertIn("--point", self.refused(1, "surface", "closest", name, "--point", "1e80,0,0"))
+
+
+class Redraw(ProgramTest):
+    def redraw(self, sheet, line, *words):
+        return self.json("surface", "redraw", self.file("s.json", sheet), self.file("l.json", line), *words)
+
+    def line(self, sheet, option, at, move=(0, 0, 1)):
+        line = self.json("surface", "isocurve", self.file("s.json", sheet), option, repr(at))
+        return dict(line, points=(numpy.array(line["points"]) + move).tolist())
+
+    def test_the_line_is_the_new_one(self):
+        for closed in ((False, False), (True, False), (False, True)):
+            sheet = surface((3, 3), closed, (12, 11))
+            for option, d in (("--u", 0), ("--v", 1)):
+                line = self.line(sheet, option, 2.1)
+                made = self.redraw(sheet, line, option, "2.1")
+                report = made["report"]
+                self.assertEqual(list(report), ["direction", "value", "reach", "moved", "rows", "gain", "line_error",
+                                                "knots_before", "knots_after"])
+                self.assertEqual((report["direction"], report["value"]), ("uv"[d], 2.1))
+                spans = len(set(sheet["knots"][d])) - 1
+                width = sheet["knots"][d][-1] - sheet["knots"][d][0]
+                self.assertAlmostEqual(report["reach"], 2.5 * width / spans, 12)
+                got = self.json("surface", "isocurve", self.file("m.json", made), option, "2.1")
+                self.assertLess(numpy.abs(numpy.subtract(got["points"], line["points"])).max(), 1e-12)
+                before = numpy.moveaxis(numpy.array(sheet["points"]), d, 0)
+                after = numpy.moveaxis(numpy.array(made["points"]), d, 0)
+                moved = [i for i in range(len(before)) if not numpy.array_equal(before[i], after[i])]
+                self.assertEqual(moved, report["rows"])
+                self.assertLess(report["line_error"], 1e-12)
+
+    def test_a_superset_of_knots_refines(self):
+        sheet = surface((3, 2), count=(9, 8))
+        line = self.line(sheet, "--u", 2.0, (0, 0, 0))
+        knots, points, _ = insert(1.7, (numpy.array(line["knots"]), list(numpy.array(line["points"]).T), 2))
+        points = numpy.array(points).T[:9] + [0, 0, 1]
+        line = {"degree": 2, "closed": False, "knots": knots.tolist(), "points": points.tolist()}
+        made = self.redraw(sheet, line, "--u", "2")
+        self.assertEqual(made["knots"][1], line["knots"])
+        got = self.json("surface", "isocurve", self.file("m.json", made), "--u", "2")
+        self.assertLess(numpy.abs(numpy.subtract(got["points"], line["points"])).max(), 1e-12)
+        self.assertEqual(made["report"]["knots_after"][1], made["report"]["knots_before"][1] + 1)
+
+    def test_hold_and_reach(self):
+        sheet = surface((3, 3), count=(12, 11))
+        made = self.redraw(sheet, self.line(sheet, "--u", 2.0), "--u", "2", "--hold", "0,1", "--reach", "9")
+        self.assertEqual(made["report"]["rows"], list(range(2, 12)))
+        self.assertEqual(made["points"][:2], sheet["points"][:2])
+        self.assertEqual(made["report"]["reach"], 9)
+
+    def test_what_can_not_be(self):
+        sheet = surface((3, 3), count=(8, 7))
+        name, line = self.file("s.json", sheet), self.line(sheet, "--u", 1.0)
+        drawn = self.file("l.json", line)
+        for words, found in (
+            (["--u", "1", "--hold", "0"], "--u: expected a line that can move, found all rows"),
+            (["--u", "1.0001", "--hold", "0"], "gain up to 4, found"), (["--u", "0"], "--u: expected u in the domain"),
+            (["--v", "2"], "knots: expected the surface's knots"), (["--u", "2", "--hold", "8"], "expected rows 0 to 7, found 8"),
+        ):
+            with self.subTest(words=words):
+                self.assertIn(found, self.refused(1, "surface", "redraw", name, drawn, *words))
+        for change, found in (({"closed": True, "knots": [1, 1.5, 2, 2.2, 2.4, 2.6, 2.8, 3]}, "closed: expected"),
+                              ({"degree": 2, "knots": line["knots"][1:-1], "points": line["points"][1:]}, "degree: expected 3")):
+            self.assertIn(found, self.refused(1, "surface", "redraw", name, self.file("b.json", dict(line, **change)), "--u", "2"))
 
 
 if __name__ == "__main__":

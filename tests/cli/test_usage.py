@@ -9,7 +9,7 @@ import unittest
 from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay",
-            "surface eval", "surface isocurve", "surface closest", "surface hit"]
+            "surface eval", "surface isocurve", "surface closest", "surface hit", "surface redraw"]
 
 
 class Usage(ProgramTest):
@@ -65,6 +65,10 @@ class Usage(ProgramTest):
             ["surface", "closest", curve], ["surface", "closest", curve, "--point", "1,2"],
             ["surface", "hit", curve], ["surface", "hit", curve, "--ray", "0,0,0,0,0,0"],
             ["surface", "hit", curve, "--ray", "0,0,0,1,1"],
+            ["surface", "redraw", curve, "--u", "1"], ["surface", "redraw", curve, curve],
+            ["surface", "redraw", "-", "-", "--u", "1"], ["surface", "redraw", curve, curve, "--u", "1", "--hold", "1.5"],
+            ["surface", "redraw", curve, curve, "--u", "1", "--hold", "-1"],
+            ["surface", "redraw", curve, curve, "--u", "1", "--reach", "0"],
             ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
         ):
             with self.subTest(words=words):

@@ -316,6 +316,10 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);
+    bat_status drawn = bat_surface_isocurve(s, BAT_V, v[1], &line);
+    if (drawn == BAT_OK)
+        drawn = bat_surface_redraw(s, BAT_V, v[1] + 0.01 * seed, line, NULL, &made, NULL, NULL);
+    d = add_surface(add_curve(d, BAT_OK, &line), drawn, &made);
     const double turn[12] = {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, seed};
     d = add_surface(d, bat_surface_transform(s, turn, &made), &made);
     d = add_surface(d, bat_surface_copy(s, &made), &made);

@@ -62,6 +62,14 @@ static bat_status hits(made *out) {
     return bat_surface_hits(sheet, (const double[3]){30, 0, 0}, (const double[3]){at[0] - 30, at[1], at[2]},
                             0, NULL, &count);
 }
+static bat_status redraw(made *out) {
+    bat_curve *line = NULL;
+    bat_status status = bat_surface_isocurve(sheet, BAT_V, 0.5, &line);
+    if (status == BAT_OK)
+        status = bat_surface_redraw(sheet, BAT_V, 0.5, line, NULL, &out->surface, NULL, NULL);
+    bat_curve_free(line);
+    return status;
+}
 static bat_status write_text(made *out) {
     size_t size;
     return bat_surface_write(sheet, &out->text, &size);
@@ -70,8 +78,9 @@ static bat_status read_text(made *out) { return bat_surface_read(text, text_size
 
 static void each_allocation(void **state) {
     (void)state;
-    static operation *const operations[] = {nearest,  hits,     copy,   transform, line_at_u,  line_at_v,
-                                            insert_u, insert_v, refine, grid,      write_text, read_text};
+    static operation *const operations[] = {redraw,    nearest,    hits,     copy,     transform,
+                                            line_at_u, line_at_v,  insert_u, insert_v, refine,
+                                            grid,      write_text, read_text};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);
