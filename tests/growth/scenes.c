@@ -380,6 +380,16 @@ static bat_editor *pair(int n) {
     return editor;
 }
 
+/* One, straight, with n beside it. */
+static bat_editor *single(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, 1, false);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_editor *turned(int n) {
     bat_editor *editor = lines(n);
     bat_editor_command(editor, "view-right");
@@ -439,6 +449,7 @@ const growth_scene growth_scenes[] = {
     {"n lines, the view turned", turned},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
+    {"one of n lines", single},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},
 };
