@@ -126,7 +126,7 @@ void bat_plan_leads(bat_plan *plan) {
         if (e->kind == BAT_END_FREE) continue;
         e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)), rho * e->angle);
         e->lead *= generous;
-        e->lead = fmax(fmin(e->lead, 0.6 * L + 4 * e->offset), 12); /* a dab has no wide blend */
+        e->lead = fmax(fmin(e->lead, 0.5 * L + 3.6 * e->offset), 12); /* a dab has no wide blend */
         e->blend = fmin(rho * e->angle, 0.2 * L);
     }
 }

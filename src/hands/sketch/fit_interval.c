@@ -1,5 +1,6 @@
 #include "hands/sketch/fit_interval.h"
 #include "curve/banded.h"
+#include "base/real.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +9,14 @@
 static const double softer = 1.0 / 64, shortest_span = 0.5;
 static const double work_dense = 6.5e5; /* some 13 ms: what is not met by then counts as missed */
 
-static void set_copy(bat_knot_set *to, const bat_knot_set *from) {
+static const double close = 0.6;  /* of what is allowed is for the dense fit */
+static const double finest = 0.4; /* spans shorter than this share of the waves followed are not split */
+
+double bat_local_spare(const bat_local_problem *q, size_t i) {
+    return (1 - close) * fmin(q->allowed[i], q->tolerance);
+}
+
+void bat_knots_copy(bat_knot_set *to, const bat_knot_set *from) {
     to->count = from->count;
     memcpy(to->w, from->w, (size_t)from->count * sizeof *to->w);
     memcpy(to->fixed, from->fixed, (size_t)from->count);
@@ -37,6 +45,37 @@ static void start_knots(bat_local_machine *k) {
     }
 }
 
+/* The first sample beyond w. */
+static size_t first_after(const bat_local_problem *q, double w) {
+    size_t low = 0, high = q->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (q->w[middle] <= w)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The shortest wave that is followed at sample i, px. */
+static double wave_at(const bat_local_machine *k, size_t i) {
+    return k->problem->wavelength * bat_exp(bat_log(fabs(k->soft[i])) / 6);
+}
+
+/* Softens the penalty near a slot that fails: the waves followed there become half as long. */
+static bool soften(bat_local_machine *k, double from, double to, double reach) {
+    const bat_local_problem *q = k->problem;
+    bool changed = false;
+    size_t i = first_after(q, from - reach);
+    for (; i < q->count && q->w[i] < to + reach; i++)
+        if (k->soft[i] > 1e-9) {
+            k->soft[i] *= -softer; /* negative: done in this round */
+            changed = true;
+        }
+    return changed;
+}
+
 /* Splits every span with a failing sample into k->trial; spans finer than the wavelength get less penalty
  * too. Returns whether anything changed. */
 static bool split_failing(bat_local_machine *k) {
@@ -47,7 +86,6 @@ static bool split_failing(bat_local_machine *k) {
     const bat_knot_set *now = &k->best;
     next->count = 0;
     bool changed = false;
-    size_t window = 0; /* first sample that the softening of this slot reaches */
     for (int s = 0; s < slots; s++) {
         if (s >= 1) { /* knot at the start of slot s is interior knot s - 1 */
             next->w[next->count] = now->w[s - 1];
@@ -55,19 +93,13 @@ static bool split_failing(bat_local_machine *k) {
         }
         const double h = t[s + 1] - t[s];
         if (!(h > 0)) continue;
-        bool fails = false;
-        for (size_t i = k->first[s]; i < k->first[s + 1] && !fails; i++) fails = bat_local_fails(k, i);
-        if (!fails) continue;
-        const double v = q->law[k->first[s] < q->count ? k->first[s] : q->count - 1];
-        if (h * v < q->wavelength) {
-            while (window < q->count && q->w[window] <= t[s] - q->wavelength) window++;
-            for (size_t i = window; i < q->count && q->w[i] < t[s + 1] + q->wavelength; i++)
-                if (k->soft[i] > 1e-9 && k->soft[i] <= 1) {
-                    k->soft[i] *= -softer; /* negative: done in this round */
-                    changed = true;
-                }
-        }
-        if (h * v > 2 * shortest_span && k->first[s + 1] - k->first[s] > 1 &&
+        size_t i = k->first[s];
+        while (i < k->first[s + 1] && !bat_local_fails(k, i)) i++;
+        if (i == k->first[s + 1]) continue;
+        const double v = q->law[i];
+        double wave = wave_at(k, i);
+        if (h * v < wave) changed |= soften(k, t[s], t[s + 1], wave / v), wave /= 2;
+        if (h * v > finest * wave && h * v > 2 * shortest_span && k->first[s + 1] - k->first[s] > 1 &&
             next->count + slots - s + 1 < k->room) {
             next->w[next->count] = t[s] + 0.5 * h;
             next->fixed[next->count++] = 0;
@@ -85,6 +117,13 @@ static double worst_ratio(const bat_local_machine *k) {
         if (ratio > worst) worst = ratio;
     }
     return worst;
+}
+
+static bool misses(const bat_local_machine *k) {
+    const double *allowed = k->problem->allowed;
+    for (size_t i = 0; i < k->problem->count; i++)
+        if (!(k->distance[i] <= allowed[i] * allowed[i])) return true;
+    return false;
 }
 
 /* Samples where the dense fit already leaves the speed law are not held to it later. */
@@ -121,6 +160,12 @@ static void machine_free(bat_local_machine *k) {
     free(k->rank);
     free(k->slow);
     free(k->first);
+    free(k->shape);
+    free(k->aim);
+    free(k->bend);
+    free(k->pull);
+    free(k->need);
+    free(k->curvature);
     free(k->limit);
     free(k->distance);
     free(k->soft);
@@ -135,7 +180,7 @@ static void machine_free(bat_local_machine *k) {
 
 static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     memset(k, 0, sizeof *k);
-    k->problem = q, k->stiffness = 1;
+    k->problem = q, k->stiffness = 1, k->x = k->data = q->x;
     const int p = q->degree;
     k->room = (int)fmin(2 * (double)q->count + 32, 1 << 22) + q->fixed_count * p;
     const size_t n = (size_t)(k->room + 2 * p + 4), m = (size_t)q->dimension;
@@ -154,13 +199,19 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     k->slow = malloc((n + 1) * sizeof(double));
     k->border = q->closed ? malloc((n * (size_t)p + BAT_CYCLIC_DENSE) * sizeof(double)) : NULL;
     k->first = malloc((n + 1) * sizeof *k->first);
+    k->shape = malloc(q->count * m * sizeof(double));
+    k->aim = malloc(q->count * m * sizeof(double));
+    k->pull = malloc(q->count * m * sizeof(double));
+    k->bend = malloc(q->count * sizeof(double));
+    k->need = malloc(q->count * sizeof(double));
+    k->curvature = malloc(q->count * sizeof(double));
     k->limit = malloc(q->count * sizeof(double));
     k->distance = malloc(q->count * sizeof(double));
     k->soft = malloc(q->count * sizeof(double));
     k->wild = calloc(q->count, 1);
     bool fine = k->space.knots && k->remembered && k->a && k->b && k->points && k->local && k->factor &&
-                k->rank && k->slow && k->first && k->limit && k->distance && k->soft && k->wild &&
-                (!q->closed || k->border);
+                k->rank && k->slow && k->first && k->shape && k->aim && k->bend && k->pull && k->need &&
+                k->curvature && k->limit && k->distance && k->soft && k->wild && (!q->closed || k->border);
     bat_knot_set *sets[3] = {&k->best, &k->trial, &k->spare};
     for (int i = 0; i < 3; i++) {
         sets[i]->w = malloc(n * sizeof(double));
@@ -168,8 +219,25 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
         fine = fine && sets[i]->w && sets[i]->fixed;
     }
     if (!fine) return false;
-    for (size_t i = 0; i < q->count; i++) k->limit[i] = q->allowed[i] * q->allowed[i], k->soft[i] = 1;
+    for (size_t i = 0; i < q->count; i++) {
+        const double tight = q->allowed[i] - bat_local_spare(q, i);
+        k->limit[i] = tight * tight;
+        k->soft[i] = 1;
+    }
+
     return true;
+}
+
+/* From the dense fit to few knots. */
+static bat_status make_few(bat_local_machine *k) {
+    bat_status status = BAT_OK;
+    bat_local_take_shape(k);
+    if (k->missed) return bat_local_reduce(k);
+    status = bat_local_fair(k);
+    if (status == BAT_OK) status = bat_local_reduce(k);
+    if (status == BAT_OK && k->data == k->aim) status = bat_local_few(k);
+    if (status == BAT_OK) status = bat_local_stiffen(k, 3);
+    return status;
 }
 
 bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
@@ -182,7 +250,7 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
     start_knots(k);
     bat_status status = BAT_OK;
     double least = INFINITY;
-    set_copy(&k->spare, &k->best);
+    bat_knots_copy(&k->spare, &k->best);
     for (int round = 0; round < 24; round++) {
         bat_local_try(k, &k->best, &status);
         if (status == BAT_SINGULAR && k->ridge == 0) { /* too few samples somewhere: hold still there */
@@ -192,23 +260,20 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
         if (status != BAT_OK) break;
         const double ratio = worst_ratio(k);
         const bool met = ratio <= 1; /* the speed law binds the removal only */
-        if (ratio < least) least = ratio, set_copy(&k->spare, &k->best);
+        if (ratio < least) least = ratio, bat_knots_copy(&k->spare, &k->best);
         if (met || bat_local_enough(k, work_dense) || !split_failing(k)) break;
-        set_copy(&k->best, &k->trial);
+        bat_knots_copy(&k->best, &k->trial);
     }
     if (status == BAT_OK || least < INFINITY) { /* a later round may fail where an earlier one did not */
-        set_copy(&k->best, &k->spare);
+        bat_knots_copy(&k->best, &k->spare);
         bat_local_try(k, &k->best, &status);
-        k->missed = worst_ratio(k) > 1;
+        k->missed = misses(k);
     }
     if (status == BAT_OK) {
-        for (size_t i = 0; i < q->count; i++)
-            if (bat_local_fails(k, i)) k->limit[i] = 1.05 * k->distance[i];
         mark_wild(k);
-        if (q->remove) status = bat_local_reduce(k);
-        if (q->remove && status == BAT_OK && !k->missed) status = bat_local_stiffen(k);
+        if (q->remove) status = make_few(k);
     }
-    k->exact = true;
+    k->exact = true, k->x = q->x;
     if (status == BAT_OK) bat_local_try(k, &k->best, &status);
     if (status == BAT_OK) {
         const int n = k->space.count;

@@ -26,6 +26,7 @@ typedef struct bat_local_problem {
     bat_local_side side[2];
     int fixed_count;
     const double *fixed; /* corners: knots of multiplicity p that stay */
+    double tolerance;    /* what is allowed on the stroke */
     double span;         /* length of the first spans */
     double wavelength;   /* shorter waves are not followed */
     bool remove;         /* knots that are not needed go */
@@ -55,6 +56,12 @@ typedef struct bat_knot_set {
     unsigned char *fixed; /* corner copies: never moved nor removed */
 } bat_knot_set;
 
+/* What stands out in a curve's curvature by at least so much. */
+typedef struct bat_local_bumps {
+    double least;
+    int extrema, inflections;
+} bat_local_bumps;
+
 typedef struct bat_local_machine {
     const bat_local_problem *problem;
     int room; /* interior knots that fit in the arrays */
@@ -63,10 +70,21 @@ typedef struct bat_local_machine {
     bat_lsq_memo memo[2]; /* of the last solve, and of the one before */
     double *remembered;   /* their block */
     size_t *first;
-    double *limit;       /* squared allowed error of each sample */
-    double *distance;    /* squared error of each sample, of the last solve */
-    double *soft;        /* a sample's factor on the penalty */
-    unsigned char *wild; /* a sample where even the dense fit leaves the speed law */
+    const double *x;      /* what distances are measured to: the problem's samples, later the shape */
+    const double *data;   /* what is fitted: the samples, later the aim */
+    double *shape;        /* the dense fit at the samples' parameters */
+    double *aim;          /* the fairest curve near it */
+    double *bend;         /* its squared curvature */
+    double *curvature;    /* of the last solve at the samples, in the plane with its sign */
+    bat_local_bumps fair; /* of the fair curve */
+    double *need;         /* how its knots should be spread: |C''''| at the samples, mean 1 */
+    double *pull;         /* C''' + bend C' of what is fitted, at its samples */
+    bool pulled;          /* the penalty is on the difference to that */
+    bool bent;            /* bend is known: the penalty is on the change of curvature, else on C''' */
+    double *limit;        /* squared allowed error of each sample */
+    double *distance;     /* squared error of each sample, of the last solve */
+    double *soft;         /* a sample's factor on the penalty */
+    unsigned char *wild;  /* a sample where even the dense fit leaves the speed law */
     bat_knot_set best, trial, spare;
     double *points; /* of the last solve */
     int solves;
@@ -92,8 +110,25 @@ bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_st
 int bat_local_fewest(const bat_local_problem *problem);
 /* Removes and merges knots of machine->best while every sample stays within its limit. */
 bat_status bat_local_reduce(bat_local_machine *machine);
-/* After the knots: the stiffest curve with machine->best that stays within the limits. */
-bat_status bat_local_stiffen(bat_local_machine *machine);
+/* The stiffest curve with machine->best that stays within the limits; steps: of the search. */
+bat_status bat_local_stiffen(bat_local_machine *machine, int steps);
+/* Of what is allowed, what is left for fairness and fewer knots once the dense fit is done. */
+double bat_local_spare(const bat_local_problem *problem, size_t i);
+/* The dense fit, the last solve, takes the place of the samples: what follows stays near it. */
+void bat_local_take_shape(bat_local_machine *machine);
+/* The fairest curve near it, with its knots, becomes what is fitted. */
+bat_status bat_local_fair(bat_local_machine *machine);
+/* Notes how fair the last solve is, and how its knots should be spread. */
+void bat_local_note(bat_local_machine *machine);
+/* About as many knots as machine->best has, placed afresh where that is fairer. */
+bat_status bat_local_few(bat_local_machine *machine);
+void bat_knots_copy(bat_knot_set *to, const bat_knot_set *from);
+/* The points of the last solve at the samples' parameters; its curvature is remembered for the penalty. */
+void bat_local_read(bat_local_machine *machine, double *points);
+/* machine->curvature of the last solve. */
+void bat_local_curvature(bat_local_machine *machine);
+/* Adds the penalty on the change of curvature to the normal equations. */
+void bat_local_energy(bat_local_machine *machine, double mu);
 /* Whether more than `most` work was spent on a stroke that misses its tolerance. */
 static inline bool bat_local_enough(const bat_local_machine *m, double most) {
     return m->work + 4 * m->sought > most;

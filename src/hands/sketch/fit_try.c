@@ -84,7 +84,7 @@ static void factors(bat_local_machine *k) {
         size_t from = k->first[s], to = k->first[s + 1];
         if (from >= q->count) from = q->count - 1;
         if (to <= from) to = from + 1;
-        double soft = 1;
+        double soft = k->soft[from];
         for (size_t i = from; i < to; i++) soft = fmin(soft, k->soft[i]);
         const double v = q->law[from + (to - from) / 2], v2 = v * v;
         k->factor[s] = soft / (v2 * v2 * v);
@@ -136,10 +136,13 @@ static void assemble(bat_local_machine *k, const bat_knot_set *set) {
     factors(k);
     const bat_lsq_memo last = k->memo[1];
     k->memo[1] = k->memo[0], k->memo[0] = last;
-    bat_lsq_memo_fill(&k->space, m, k->first, q->w, q->x, q->weight, &k->memo[1], true, &k->memo[0]);
+    bat_lsq_memo_fill(&k->space, m, k->first, q->w, k->data, q->weight, &k->memo[1], true, &k->memo[0]);
     bat_lsq_memo_add(&k->space, m, &k->memo[0], k->a, k->b);
     const double omega = q->wavelength / (2 * BAT_PI), mu = omega * omega * omega;
-    bat_lsq_memo_penalty(&k->space, 3, k->stiffness * mu * mu, k->factor, &k->memo[0], k->a);
+    if (k->bent)
+        bat_local_energy(k, k->stiffness * mu * mu);
+    else
+        bat_lsq_memo_penalty(&k->space, 3, k->stiffness * mu * mu, k->factor, &k->memo[0], k->a);
     if (k->ridge > 0)
         for (int i = 0; i < n; i++) {
             double *diagonal = k->a + (size_t)i * (size_t)(p + 1);
@@ -172,9 +175,9 @@ static bool near_enough(bat_local_machine *k, bat_status *status) {
     const bat_local_problem *q = k->problem;
     const int m = q->dimension;
     if (k->exact)
-        bat_lsq_error(&k->space, m, k->local, q->count, q->w, q->x, 2, NULL, k->distance);
+        bat_lsq_error(&k->space, m, k->local, q->count, q->w, k->x, 2, NULL, k->distance);
     else
-        bat_lsq_plain(&k->space, m, k->local, k->first, q->w, q->x, k->distance);
+        bat_lsq_plain(&k->space, m, k->local, k->first, q->w, k->x, k->distance);
     bool fine = true;
     for (size_t i = 0; i < q->count;) {
         if (!bat_local_fails(k, i)) {
@@ -185,7 +188,7 @@ static bool near_enough(bat_local_machine *k, bat_status *status) {
         while (i < q->count && bat_local_fails(k, i)) i++;
         k->sought += (double)(i - from);
         if (!k->exact)
-            bat_lsq_error(&k->space, m, k->local, i - from, q->w + from, q->x + from * (size_t)m, 2, NULL,
+            bat_lsq_error(&k->space, m, k->local, i - from, q->w + from, k->x + from * (size_t)m, 2, NULL,
                           k->distance + from);
         for (size_t j = from; j < i; j++) {
             fine = fine && !bat_local_fails(k, j);

@@ -111,8 +111,11 @@ void bat_plan_problem(const bat_plan *plan, bat_local_problem *q) {
     q->w = t->w, q->x = t->x, q->weight = t->weight, q->allowed = t->allowed, q->law = t->law;
     q->first = t->first, q->last = t->last;
     q->fixed_count = plan->fixed_count, q->fixed = plan->fixed;
+    q->tolerance = plan->tolerance;
     q->span = fmax(8 * plan->tolerance, 2);
     q->wavelength = 18;
+    if (plan->stroke) /* waves that belong to what was drawn are shorter than this */
+        q->wavelength = fmin(fmax(0.6 * plan->stroke->grain, 18), 75);
     q->remove = true;
     for (int side = 0; side < 2 && !plan->periodic; side++) problem_side(plan, side, &q->side[side]);
 }

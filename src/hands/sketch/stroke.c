@@ -285,7 +285,7 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
         out->sigma = k.sigma;
         status = look(&k);
         if (status == BAT_OK) status = smooth_without_hooks(&k);
-        if (status == BAT_OK) out->share = share_of_tolerance(&k);
+        if (status == BAT_OK) out->share = share_of_tolerance(&k), out->grain = k.grain;
     }
     if (status == BAT_OK && is_dot(&k)) status = BAT_DOT;
     if (status == BAT_OK && o->corners) status = keep_corners(&k);

@@ -11,6 +11,7 @@ typedef struct bat_clean {
     double *arc;    /* arc[i]: length from the start; owned */
     double length;
     double sigma; /* noise */
+    double grain; /* size of what is drawn */
     double share; /* of the tolerance, that a drawing of this size can bear */
     size_t corner_count;
     size_t *corners; /* indices of kept corners, ascending, ends excluded; owned */

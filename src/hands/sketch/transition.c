@@ -344,7 +344,7 @@ bat_status bat_plan_target(bat_plan *plan) {
         }
         transition(plan, side, count, points);
         for (size_t i = 0; i < count && status == BAT_OK; i++)
-            status = bat_target_add(t, plan->dimension, points + i * m, 2 * plan->tolerance);
+            status = bat_target_add(t, plan->dimension, points + i * m, 4 * plan->tolerance);
     }
     b = t->count - 1;
     if (status == BAT_OK && plan->end[1].kind == BAT_END_KEPT && plan->end[1].cut != plan->end[1].joint_u)

@@ -1,0 +1,184 @@
+/* Knots for the fair curve (docs/math sketch 5.7): few, dense where the change of curvature changes, and as many as it
+ * takes for the result to have no extremum of curvature, and no inflection, that the fair curve does not have. */
+#include "hands/sketch/fit_interval.h"
+#include "base/real.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LAWS = 3, FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2 };
+/* Density of knots: (1 - even) |F''''|^power / its mean + even. */
+static const struct { double power, even; } laws[LAWS] = {{0.5, 0.1}, {0.25, 0.25}, {0.67, 0.1}};
+static const double of_range = 0.04, of_mean = 0.05; /* what counts as an extremum */
+static const double near = 1.6;       /* times what is allowed: then moving the knots is tried */
+static const double shift = 0.3;      /* of the gap to the next knot, that a knot is moved by */
+static const double work_few = 1.5e5; /* some 3 ms */
+static const double not_fair = 1.01, each_bump = 0.5; /* off, of what is near enough but less fair */
+
+/* Extrema that stand out by more than `least`. */
+static int extrema(const double *x, size_t count, double least) {
+    double low = x[0], high = x[0];
+    int way = 0, found = 0;
+    for (size_t i = 1; i < count; i++) {
+        low = fmin(low, x[i]), high = fmax(high, x[i]);
+        if (!(way >= 0 && x[i] < high - least) && !(way <= 0 && x[i] > low + least)) continue;
+        found += way != 0;
+        way = x[i] < high - least && way >= 0 ? -1 : 1;
+        low = high = x[i];
+    }
+    return found;
+}
+
+/* Changes of sign between values farther than `least` from zero. */
+static int inflections(const double *x, size_t count, double least) {
+    int way = 0, found = 0;
+    for (size_t i = 0; i < count; i++) {
+        const int now = x[i] > least ? 1 : x[i] < -least ? -1 : 0;
+        found += now != 0 && way == -now;
+        if (now != 0) way = now;
+    }
+    return found;
+}
+
+/* Of the last solve. least: what stands out. */
+static bat_local_bumps bumps_of(bat_local_machine *k, double least) {
+    const size_t count = k->problem->count;
+    bat_local_curvature(k);
+    return (bat_local_bumps){least, extrema(k->curvature, count, least),
+                             inflections(k->curvature, count, 0.25 * least)};
+}
+
+static double what_stands_out(const double *curvature, size_t count) {
+    double low = curvature[0], high = low, mean = 0;
+    for (size_t i = 0; i < count; i++) {
+        low = fmin(low, curvature[i]), high = fmax(high, curvature[i]);
+        mean += fabs(curvature[i]) / (double)count;
+    }
+    return fmax(of_range * (high - low), of_mean * mean);
+}
+
+/* |F''''| at the samples, its mean 1: the jump of the third derivative from one slot to the next over the way between
+ * their middles. */
+static void find_need(bat_local_machine *k) {
+    const bat_local_problem *q = k->problem;
+    const int p = q->degree, m = q->dimension;
+    const double *t = k->space.knots + p;
+    double last[BAT_DIMENSION_MAX], at = 0, jump = 0, mean = 0;
+    size_t done = 0;
+    int found = 0;
+    for (int s = 0; s < bat_lsq_slots(&k->space); s++) {
+        const double half = 0.5 * (t[s + 1] - t[s]), middle = t[s] + half;
+        if (!(half > 0)) continue;
+        const double *local = k->local + (size_t)s * (size_t)((p + 1) * m);
+        double third[BAT_DIMENSION_MAX], sum = 0;
+        for (int c = 0; c < m; c++) {
+            third[c] = local[3 * m + c] / (half * half * half);
+            if (found > 0) sum += (third[c] - last[c]) * (third[c] - last[c]);
+        }
+        if (found > 0) jump = sqrt(sum) / (middle - at);
+        if (found > 0)
+            for (; done < q->count && q->w[done] < middle; done++) k->need[done] = jump;
+        memcpy(last, third, sizeof third);
+        at = middle, found++;
+    }
+    for (; done < q->count; done++) k->need[done] = jump;
+    for (size_t i = 0; i < q->count; i++) mean += k->need[i] / (double)q->count;
+    for (size_t i = 0; i < q->count; i++) k->need[i] = mean > 0 ? k->need[i] / mean : 1;
+}
+
+void bat_local_note(bat_local_machine *k) {
+    bat_local_curvature(k);
+    k->fair = bumps_of(k, what_stands_out(k->curvature, k->problem->count));
+    find_need(k);
+}
+
+/* `count` knots into k->trial, where the integral of the density is even. */
+static void place(bat_local_machine *k, int count, int law) {
+    const bat_local_problem *q = k->problem;
+    double *sum = k->curvature, mean = 0; /* room that is free now */
+    for (size_t i = 0; i < q->count; i++) {
+        sum[i] = k->need[i] > 1e-12 ? bat_exp(laws[law].power * bat_log(k->need[i])) : 0;
+        mean += sum[i] / (double)q->count;
+    }
+    for (size_t i = 0; i < q->count; i++) {
+        const double density = (1 - laws[law].even) * (mean > 0 ? sum[i] / mean : 1) + laws[law].even;
+        sum[i] = i > 0 ? sum[i - 1] + density * (q->w[i] - q->w[i - 1]) : 0;
+    }
+    k->trial.count = count;
+    size_t i = 1;
+    for (int n = 0; n < count; n++) {
+        const double want = sum[q->count - 1] * (n + 1) / (count + 1);
+        while (i + 1 < q->count && sum[i] < want) i++;
+        const double h = sum[i] - sum[i - 1], f = h > 0 ? (want - sum[i - 1]) / h : 0;
+        k->trial.w[n] = q->w[i - 1] + f * (q->w[i] - q->w[i - 1]);
+        k->trial.fixed[n] = 0;
+    }
+}
+
+/* How far the last solve is from what is allowed; 1: just within, and as fair as can be. */
+static double off(bat_local_machine *k, bool fine) {
+    double worst = 0;
+    for (size_t i = 0; i < k->problem->count; i++) worst = fmax(worst, k->distance[i] / k->limit[i]);
+    const bat_local_bumps b = bumps_of(k, k->fair.least);
+    const int more = (b.extrema > k->fair.extrema ? b.extrema - k->fair.extrema : 0) +
+                     (b.inflections > k->fair.inflections ? b.inflections - k->fair.inflections : 0);
+    return fmax(sqrt(worst), more > 0 || !fine ? not_fair + each_bump * more : 0);
+}
+
+static double try_off(bat_local_machine *k, bat_status *status) {
+    const bool fine = bat_local_try(k, &k->trial, status);
+    if (*status == BAT_OK) return off(k, fine);
+    if (*status == BAT_SINGULAR) *status = BAT_OK;
+    return INFINITY;
+}
+
+/* Moves knots of k->spare, which are `least` off, to either side while that helps. The last solve is of k->trial. */
+static double move(bat_local_machine *k, double least, double most_work, bat_status *status) {
+    const bat_local_problem *q = k->problem;
+    const int n = k->spare.count;
+    for (int j = 0; j < 2 * n * SWEEPS; j++) {
+        const int i = j / 2 % n;
+        const double *w = k->spare.w;
+        const double before = i > 0 ? w[i - 1] : 0, after = i + 1 < n ? w[i + 1] : q->end;
+        bat_knots_copy(&k->trial, &k->spare);
+        k->trial.w[i] += shift * ((j % 2 ? after : before) - w[i]);
+        const double now = try_off(k, status);
+        if (now < least) least = now, bat_knots_copy(&k->spare, &k->trial);
+        if (least <= 1 || *status != BAT_OK || k->work > most_work) break;
+    }
+    return least;
+}
+
+/* `count` knots in the best of some places, in k->spare; how far they are off. */
+static double best_places(bat_local_machine *k, int count, double most_work, bat_status *status) {
+    double least = INFINITY;
+    for (int law = 0; law < LAWS && *status == BAT_OK && least > 1; law++) {
+        place(k, count, law);
+        const double now = try_off(k, status);
+        if (now < least) least = now, bat_knots_copy(&k->spare, &k->trial);
+    }
+    if (*status == BAT_OK && least > 1 && least < near && count > 0)
+        least = move(k, least, most_work, status);
+    return least;
+}
+
+bat_status bat_local_few(bat_local_machine *k) {
+    const bat_local_problem *q = k->problem;
+    const int now = k->best.count, fewest = bat_local_fewest(q);
+    const int more = q->side[0].pins + q->side[1].pins > 2 ? MORE_KEPT
+                                                           : MORE; /* a curve redrawn often must not grow */
+    const double most_work = k->work + work_few;
+    bat_status status = BAT_OK;
+    if (q->fixed_count > 0 || now > MOST) return BAT_OK;
+    if (bat_local_try(k, &k->best, &status) && off(k, true) <= 1) return BAT_OK;
+    k->pulled =
+        false; /* with few knots the least change of curvature is what is wanted, not that of the fair curve */
+    for (int n = now > fewest + FEWER ? now - FEWER : fewest; n <= now + more; n++) {
+        if (status != BAT_OK || k->work > most_work) break;
+        if (!(best_places(k, n, most_work, &status) <= 1)) continue;
+        bat_knots_copy(&k->best, &k->spare);
+        return status;
+    }
+    k->pulled = true;
+    return status;
+}
