@@ -7,20 +7,9 @@
 #include <string.h>
 
 static const double softer = 1.0 / 64, shortest_span = 0.5;
-static const double work_dense = 6.5e5; /* some 13 ms: what is not met by then counts as missed */
+static const double work_dense = 4e5; /* some 8 ms: what is not met by then counts as missed */
 
-static const double close = 0.6;  /* of what is allowed is for the dense fit */
 static const double finest = 0.4; /* spans shorter than this share of the waves followed are not split */
-
-double bat_local_spare(const bat_local_problem *q, size_t i) {
-    return (1 - close) * fmin(q->allowed[i], q->tolerance);
-}
-
-void bat_knots_copy(bat_knot_set *to, const bat_knot_set *from) {
-    to->count = from->count;
-    memcpy(to->w, from->w, (size_t)from->count * sizeof *to->w);
-    memcpy(to->fixed, from->fixed, (size_t)from->count);
-}
 
 static bool set_add(bat_knot_set *set, int room, double w, bool fixed) {
     if (set->count >= room) return false;
@@ -228,11 +217,19 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     return true;
 }
 
+enum { MOST_FAIRED = 300 }; /* knots of the dense fit: fairing takes a few dozen solves */
+
 /* From the dense fit to few knots. */
 static bat_status make_few(bat_local_machine *k) {
     bat_status status = BAT_OK;
+    if (k->missed || k->best.count > MOST_FAIRED) { /* by the samples themselves */
+        for (size_t i = 0; i < k->problem->count; i++) {
+            const double allowed = k->problem->allowed[i];
+            k->limit[i] = fmax(allowed * allowed, 1.05 * k->distance[i]);
+        }
+        return bat_local_reduce(k);
+    }
     bat_local_take_shape(k);
-    if (k->missed) return bat_local_reduce(k);
     status = bat_local_fair(k);
     if (status == BAT_OK) status = bat_local_reduce(k);
     if (status == BAT_OK && k->data == k->aim) status = bat_local_few(k);

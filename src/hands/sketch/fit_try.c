@@ -7,6 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+void bat_knots_copy(bat_knot_set *to, const bat_knot_set *from) {
+    to->count = from->count;
+    memcpy(to->w, from->w, (size_t)from->count * sizeof *to->w);
+    memcpy(to->fixed, from->fixed, (size_t)from->count);
+}
+
 int bat_local_fewest(const bat_local_problem *q) {
     const int p = q->degree;
     if (q->closed) return p;
@@ -204,7 +210,7 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     k->slow_count = 0;
     assemble(k, set);
     k->solves++;
-    k->work += (double)q->count + 8.0 * k->space.count;
+    k->work += (double)q->count + (k->bent ? 20.0 : 8.0) * k->space.count;
     *status = solve(k, set);
     if (*status != BAT_OK) return false;
     memcpy(k->points, k->b, (size_t)k->space.count * (size_t)m * sizeof *k->points);

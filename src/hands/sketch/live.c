@@ -1,6 +1,6 @@
 /* The sketch hand while the pen is down (docs/math sketch 5.9). A session keeps the samples; the commit is the one-shot
  * call on all of them, so both agree bit for bit. A preview is the close fit that the commit starts from: one solve with
- * even knots, so that what has been shown stays where it is. The commit leaves it by less than half the tolerance. */
+ * even knots, so that what has been shown stays where it is. The commit leaves it by less than half the tolerance: it is bound to its own close fit. */
 #include "hands/sketch/sketch.h"
 
 #include <math.h>
