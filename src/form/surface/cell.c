@@ -1,6 +1,7 @@
 #include "form/surface/cell.h"
 #include "curve/lsq.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { MOST = BAT_DEGREE_MAX + 1 };
@@ -28,6 +29,19 @@ void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out) {
     for (int j = 0; j <= q; j++) to_bezier(a, span[0], out->net + 3 * j, q + 1);
     out->low[0] = out->low[1] = 0, out->high[0] = out->high[1] = 1;
     out->halvings = 0;
+}
+
+void bat_span_box(const bat_surface *surface, const int span[2], double low[3], double high[3]) {
+    const int p = surface->axis[0].degree, q = surface->axis[1].degree;
+    for (int c = 0; c < 3; c++) low[c] = INFINITY, high[c] = -INFINITY;
+    for (int k = span[0] - p; k <= span[0]; k++) {
+        const double *point = bat_surface_stored_row(surface, k).points + (size_t)(span[1] - q) * 3;
+        for (int l = 0; l <= q; l++, point += 3)
+            for (int c = 0; c < 3; c++) { /* no NaN: plain comparisons, which are faster than fmin */
+                low[c] = point[c] < low[c] ? point[c] : low[c];
+                high[c] = point[c] > high[c] ? point[c] : high[c];
+            }
+    }
 }
 
 /* De Casteljau at the middle of p + 1 points that lie `stride` numbers apart. */

@@ -17,6 +17,8 @@ typedef struct bat_cell {
 
 /* The whole span as a cell. */
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
+/* The box of the control points of a span. */
+void bat_span_box(const bat_surface *surface, const int span[2], double low[3], double high[3]);
 /* The middle of a direction becomes an edge: `cell` keeps the lower half, the other one goes to `upper`. */
 void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell *upper);
 /* The same surface with its stored points moved: each becomes axes . (point - origin); axes: 3 rows, or NULL. */

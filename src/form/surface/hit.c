@@ -247,15 +247,11 @@ static void search_all(search *s, bat_cell *stack) {
         if (!(axis[0].knots[i] < axis[0].knots[i + 1])) continue;
         for (int j = q; j < axis[1].spread && !s->failed; j++) {
             if (!(axis[1].knots[j] < axis[1].knots[j + 1])) continue;
-            range box[3] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
-            for (int k = i - p; k <= i; k++) {
-                const double *point = bat_surface_stored_row(s->seen, k).points + (size_t)(j - q) * 3;
-                for (int l = 0; l <= q; l++, point += 3)
-                    for (int c = 0; c < 3; c++)
-                        box[c].low = fmin(box[c].low, point[c]), box[c].high = fmax(box[c].high, point[c]);
-            }
+            double low[3], high[3];
             s->span[0] = i, s->span[1] = j;
-            if (has_zero(box[0], s->rounding) && has_zero(box[1], s->rounding) && box[2].high >= s->behind)
+            bat_span_box(s->seen, s->span, low, high);
+            if (has_zero((range){low[0], high[0]}, s->rounding) &&
+                has_zero((range){low[1], high[1]}, s->rounding) && high[2] >= s->behind)
                 search_span(s, stack);
         }
     }

@@ -177,13 +177,8 @@ static int by_bound(const void *a, const void *b) {
 }
 
 static double box_bound(const bat_surface *seen, int i, int j) {
-    const int p = seen->axis[0].degree, q = seen->axis[1].degree;
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, sum = 0;
-    for (int k = i - p; k <= i; k++) {
-        const double *point = bat_surface_stored_row(seen, k).points + (size_t)(j - q) * 3;
-        for (int l = 0; l <= q; l++, point += 3)
-            for (int c = 0; c < 3; c++) low[c] = fmin(low[c], point[c]), high[c] = fmax(high[c], point[c]);
-    }
+    double low[3], high[3], sum = 0;
+    bat_span_box(seen, (const int[2]){i, j}, low, high);
     for (int c = 0; c < 3; c++) {
         const double d = fmax(fmax(low[c], -high[c]), 0);
         sum += d * d;
