@@ -380,12 +380,15 @@ static bat_editor *pair(int n) {
     return editor;
 }
 
-/* One, straight, with n beside it. */
-static bat_editor *single(int n) {
+/* A straight one, chosen, with n beside it. */
+static bat_editor *straight(int n) {
     bat_document *made = document();
+    bat_curve *line = NULL;
+    if (bat_curve_create_clamped(2, 1, 2, (double[]){380, 390, 430.5, 410.25}, &line) != BAT_OK) abort();
     for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    const bat_id id = add_curve(made, line, 0);
     bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
-    bat_editor_select(editor, 1, false);
+    bat_editor_select(editor, id, false);
     bat_editor_frame(editor);
     return editor;
 }
@@ -449,7 +452,7 @@ const growth_scene growth_scenes[] = {
     {"n lines, the view turned", turned},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
-    {"one of n lines", single},
+    {"a straight line beside n", straight},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},
 };
