@@ -28,7 +28,7 @@ for text in written:
 
 text = (root / "docs/format.md").read_text()
 examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", text, re.S)]
-parts = ["#/$defs/curve", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None]
+parts = ["#/$defs/curve", "#/$defs/surface", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None]
 assert len(examples) == len(parts)
 for example, part in zip(examples, parts):
     (document if part is None else jsonschema.Draft202012Validator({"$ref": part, "$defs": schema["$defs"]})).validate(example)
@@ -40,7 +40,7 @@ kinds = schema["$defs"]["object"]["properties"]
 assert [kinds["id"]["maximum"], kinds["parent"]["maximum"], schema["properties"]["next"]["maximum"] - 1] == 3 * [ids]
 assert f"| `id` | 1 to {ids}, each once |" in text and f"1 to {ids + 1}; may be left out" in text
 
-example = examples[4]
+example = examples[-1]
 for path, value in [(("batten",), 2), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
                     (("objects", 0, "id"), 0), (("objects", 0, "id"), ids + 1), (("next",), ids + 2), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
                     (("objects", 0, "style", "stroke"), "red"), (("objects", 0, "style", "opacity"), 2),
