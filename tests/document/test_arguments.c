@@ -487,13 +487,89 @@ static void of_objects_and_documents(void **state) {
     bat_document_free(document);
 }
 
+static void of_surfaces(void **state) {
+    (void)state;
+    const double knots[] = {0, 0, 1, 1}, points[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1}, nan[] = {0, NAN, 0};
+    const int one[2] = {1, 1}, four[2] = {4, 4};
+    const bool open[2] = {false, false};
+    const size_t two[2] = {2, 2};
+    double at[2] = {0, 1}, found[18] = {7}, matrix[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    bat_surface *s = NULL, *made = NULL;
+    bat_surface_point place = {0};
+    size_t count = 0;
+    bat_curve *line = NULL;
+    assert_int_equal(bat_surface_create(one, open, two, points, four, knots, knots, &s), BAT_OK);
+    ARGUMENT(bat_surface_create(NULL, open, two, points, four, knots, knots, &made));
+    ARGUMENT(bat_surface_create(one, NULL, two, points, four, knots, knots, &made));
+    ARGUMENT(bat_surface_create(one, open, NULL, points, four, knots, knots, &made));
+    ARGUMENT(bat_surface_create(one, open, two, points, NULL, knots, knots, &made));
+    ARGUMENT(bat_surface_create(one, open, two, points, four, NULL, knots, &made));
+    ARGUMENT(bat_surface_create(one, open, two, points, four, knots, NULL, &made));
+    ARGUMENT(bat_surface_create(one, open, two, points, four, knots, knots, NULL));
+    ARGUMENT(bat_surface_copy(NULL, &made));
+    ARGUMENT(bat_surface_copy(s, NULL));
+    ARGUMENT(bat_surface_transform(NULL, matrix, &made));
+    ARGUMENT(bat_surface_transform(s, NULL, &made));
+    ARGUMENT(bat_surface_transform(s, matrix, NULL));
+    ARGUMENT(bat_surface_eval_grid(NULL, 2, at, 2, at, 0, found));
+    ARGUMENT(bat_surface_eval_grid(s, 2, at, 2, at, -1, found));
+    ARGUMENT(bat_surface_eval_grid(s, 2, NULL, 2, at, 0, found));
+    ARGUMENT(bat_surface_eval_grid(s, 2, at, 2, NULL, 0, found));
+    ARGUMENT(bat_surface_eval_grid(s, 2, at, 2, at, 0, NULL));
+    COUNT(bat_surface_eval_grid(s, 2, at, SIZE_MAX / 8, at, 0, found));
+    ARGUMENT(bat_surface_normal(NULL, 0, 0, found));
+    ARGUMENT(bat_surface_normal(s, 0, 0, NULL));
+    ARGUMENT(bat_surface_curvature(NULL, 0, 0, found, found));
+    ARGUMENT(bat_surface_curvature(s, 0, 0, NULL, found));
+    ARGUMENT(bat_surface_curvature(s, 0, 0, found, NULL));
+    ARGUMENT(bat_surface_isocurve(NULL, BAT_U, 0, &out));
+    ARGUMENT(bat_surface_isocurve(s, BAT_U, 0, NULL));
+    NUMBER(bat_surface_isocurve(s, BAT_V, NAN, &out));
+    ARGUMENT(bat_surface_nearest(NULL, points, &place));
+    ARGUMENT(bat_surface_nearest(s, NULL, &place));
+    ARGUMENT(bat_surface_nearest(s, points, NULL));
+    NUMBER(bat_surface_nearest(s, nan, &place));
+    ARGUMENT(bat_surface_hits(NULL, points, points + 3, 1, &place, &count));
+    ARGUMENT(bat_surface_hits(s, NULL, points + 3, 1, &place, &count));
+    ARGUMENT(bat_surface_hits(s, points, NULL, 1, &place, &count));
+    ARGUMENT(bat_surface_hits(s, points, points + 3, 1, NULL, &count));
+    ARGUMENT(bat_surface_hits(s, points, points + 3, 1, &place, NULL));
+    ARGUMENT(bat_surface_hits(s, points, points, 1, &place, &count)); /* no direction */
+    NUMBER(bat_surface_hits(s, nan, points + 3, 1, &place, &count));
+    NUMBER(bat_surface_hits(s, points, nan, 1, &place, &count));
+    ARGUMENT(bat_surface_insert_knots(NULL, BAT_U, 1, at, &made));
+    ARGUMENT(bat_surface_insert_knots(s, BAT_U, 1, NULL, &made));
+    ARGUMENT(bat_surface_insert_knots(s, BAT_U, 1, at, NULL));
+    ARGUMENT(bat_surface_refine(NULL, BAT_V, 4, knots, &made));
+    ARGUMENT(bat_surface_refine(s, BAT_V, 4, NULL, &made));
+    ARGUMENT(bat_surface_refine(s, BAT_V, 4, knots, NULL));
+    assert_int_equal(bat_surface_isocurve(s, BAT_U, 0, &line), BAT_OK);
+    bat_surface_redraw_options options = bat_surface_redraw_defaults();
+    ARGUMENT(bat_surface_redraw(NULL, BAT_U, 0, line, NULL, &made, NULL, NULL));
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, NULL, NULL, &made, NULL, NULL));
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, NULL, NULL, NULL, NULL));
+    NUMBER(bat_surface_redraw(s, BAT_U, NAN, line, NULL, &made, NULL, NULL));
+    options.reach = -1;
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, &options, &made, NULL, NULL));
+    options.reach = INFINITY;
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, &options, &made, NULL, NULL));
+    options.reach = 0, options.hold_count = 1;
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, &options, &made, NULL, NULL));
+    options.hold = (const int[]){2};
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, &options, &made, NULL, NULL));
+    options.size = 0;
+    ARGUMENT(bat_surface_redraw(s, BAT_U, 0, line, &options, &made, NULL, NULL));
+    assert_null(made);
+    assert_true(found[0] == 7 && count == 0 && place.distance == 0);
+    bat_curve_free(line);
+    bat_surface_free(s);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(of_refinement),
-                                       cmocka_unit_test(of_measures_and_drags),
-                                       cmocka_unit_test(of_strokes),
-                                       cmocka_unit_test(of_strokes_and_what_they_mean),
-                                       cmocka_unit_test(of_svg),
-                                       cmocka_unit_test(of_levels),
-                                       cmocka_unit_test(of_objects_and_documents)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(of_refinement), cmocka_unit_test(of_measures_and_drags),
+        cmocka_unit_test(of_strokes),    cmocka_unit_test(of_strokes_and_what_they_mean),
+        cmocka_unit_test(of_svg),        cmocka_unit_test(of_levels),
+        cmocka_unit_test(of_surfaces),   cmocka_unit_test(of_objects_and_documents)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
