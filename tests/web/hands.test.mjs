@@ -189,6 +189,7 @@ for (const [screen, viewport] of [['tablet', { width: 1024, height: 768 }], ['na
       assert.deepEqual(await small(page), []);
       for (const sheet of ['style', 'layers', 'settings', 'menu']) {
         await page.tap(`[data-name=${sheet}]`);
+        await page.waitForSelector(`#${sheet}:popover-open button, #${sheet}:popover-open input`);
         await settle(page);
         assert.deepEqual(await small(page), [], sheet);
         const inside = await page.$eval(`#${sheet}`, (element) => {
@@ -215,6 +216,7 @@ for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800
         return [id, (left + right) / 2 < innerWidth / 2 ? 'left' : 'right'];
       })));
       await page.click('[data-name=settings]');
+      await page.waitForSelector('#settings [data-property=left-hand]');
       assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
       await page.locator('#settings [data-property=left-hand]').check();
       await settle(page);
