@@ -174,7 +174,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(redrawn.kind, 'shape');
     assert.equal(details(redrawn), drawn);
     await shot('sketched');
-    assert.ok(await page.locator('.levels').isVisible());
+    await page.locator('.levels').waitFor();
     await key('Control+z', 'l');
 
     // Detail to the arch.
