@@ -1,4 +1,4 @@
-/* The axis of symmetry that a session has: told to the journal, since it is no part of the drawing. */
+/* The session's axis of symmetry: kept in the journal, since it is not part of the drawing. */
 #include "editor/session/journal_line.h"
 #include "editor/session/session.h"
 

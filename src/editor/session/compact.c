@@ -1,8 +1,8 @@
-/* The journal made short: a snapshot of a later document, then the steps that can still be undone. */
+/* Compacts the journal: a snapshot of a later document, then the steps that can still be undone. */
 #include "editor/session/record.h"
 #include "editor/session/session.h"
 
-enum { STEPS = 250 }; /* that stay undoable */
+enum { STEPS = 250 }; /* steps that stay undoable */
 
 static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
@@ -33,7 +33,7 @@ static bat_status write_losses(bat_session *session) {
     return status;
 }
 
-/* All of it, into the empty journal. document: a copy, which comes to be as it is now. */
+/* Writes the whole journal into the empty one. document: a copy, which ends up in the present state. */
 static bat_status write_all(bat_session *session, bat_document *document) {
     const bat_history *history = &session->history;
     int first = history->done > STEPS ? history->done - STEPS : 0;

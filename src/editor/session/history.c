@@ -24,7 +24,7 @@ bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *do
     return BAT_OK;
 }
 
-/* In the document as it is after all deltas: what was at `place` after delta i. */
+/* The index, after all deltas, of what was at `place` after delta i. */
 static int place_now(const bat_delta *deltas, int count, int i, int place) {
     for (i++; i < count; i++) {
         if (!deltas[i].before) place += deltas[i].index <= place;
@@ -33,7 +33,7 @@ static int place_now(const bat_delta *deltas, int count, int i, int place) {
     return place;
 }
 
-/* As far as groups are concerned. */
+/* No difference that matters to groups. */
 static bool alike(const bat_object *a, const bat_object *b) {
     bool groups = bat_object_is_group(a) || bat_object_is_group(b);
     return bat_object_parent(a) == bat_object_parent(b) &&
@@ -96,7 +96,7 @@ bat_status bat_history_reserve(bat_history *history) {
 
 void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas) {
     if (history->count > history->done) drop_steps(history, history->done, history->count - history->done);
-    if (history->count == BAT_HISTORY_ROOM) { /* many at once: each time moves all that stay */
+    if (history->count == BAT_HISTORY_ROOM) { /* many at once: every drop moves all that stay */
         int more = BAT_HISTORY_ROOM - BAT_HISTORY_STEPS + 1;
         drop_steps(history, 0, more);
         history->done -= more;

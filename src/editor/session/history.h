@@ -1,41 +1,40 @@
 /*
- * History: what undo and redo need. A step is the list of replacements that one committed change made, in
- * order; undoing it exchanges the objects back, last first. Objects are shared, never copied, so a step costs
- * what it changed.
+ * History: what undo and redo need. A step is the list of replacements that one committed change made, in order; undo
+ * swaps the objects back, last first. Objects are shared, never copied, so a step costs no more than what it changed.
  */
 #ifndef BATTEN_EDITOR_SESSION_HISTORY_H
 #define BATTEN_EDITOR_SESSION_HISTORY_H
 
 #include <batten/document.h>
 
-/* Steps kept, at least; older ones are forgotten when there is no more room. */
+/* The least number of steps kept, and the most; the oldest are dropped when there is no more room. */
 enum { BAT_HISTORY_STEPS = 1000, BAT_HISTORY_ROOM = 1250 };
 
-/* At `index`: before NULL: after was inserted; after NULL: before was removed; else replaced. */
+/* At `index`. before NULL: after was inserted; after NULL: before was removed; otherwise it was replaced. */
 typedef struct bat_delta {
     int index;
     bat_object *before, *after; /* retained, or NULL */
 } bat_delta;
 
 typedef struct bat_step {
-    int label; /* what the step did, as the engine numbers its texts */
+    int label; /* what the step did: a number of the string table */
     int count;
     bat_delta *deltas;      /* owned */
-    uint64_t before, after; /* serial numbers of the states it leads from and to */
+    uint64_t before, after; /* serial numbers of the states before and after it */
 } bat_step;
 
 typedef struct bat_history {
     bat_step *steps;
     int count, done, room; /* steps[0..done) can be undone, steps[done..count) redone */
-    uint64_t state;        /* serial number of the present state; equal numbers, equal documents */
-    uint64_t states;       /* numbers given so far */
+    uint64_t state;        /* serial number of the present state; equal numbers mean equal documents */
+    uint64_t states;       /* serial numbers given out so far */
 } bat_history;
 
 /* All zero is an empty history. */
 void bat_history_clear(bat_history *history);
 /* Makes room for one more step, so that the push that follows cannot fail. */
 bat_status bat_history_reserve(bat_history *history);
-/* Takes the deltas over; forgets what could have been redone. Needs a reserve before it. */
+/* Takes ownership of the deltas; drops the steps that could have been redone. Call reserve first. */
 void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas);
 /* BAT_STATE: nothing to undo. BAT_MEMORY: nothing changed. */
 bat_status bat_history_undo(bat_history *history, bat_document *document);
@@ -45,11 +44,11 @@ bool bat_history_can_redo(const bat_history *history);
 
 /* Applies a delta forwards or backwards. */
 bat_status bat_delta_apply(const bat_delta *delta, bat_document *document, bool forwards);
-/* Applies count deltas (backwards: last first); when one fails, those before it are taken back. */
+/* Applies `count` deltas (backwards: last first); when one fails, those already applied are reverted. */
 bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *document, bool forwards);
 void bat_deltas_free(bat_delta *deltas, int count);
-/* Whether the groups of a document hold together, if they did before these deltas were applied to it. What a stroke
- * changes is looked at alone: O(count) then, else O(objects). */
+/* Whether the document's groups are well formed, given that they were before these deltas were applied. O(count) for
+ * the changes of a stroke, which are checked alone; otherwise O(objects). */
 bool bat_deltas_hold(const bat_delta *deltas, int count, const bat_document *document);
 
 #endif

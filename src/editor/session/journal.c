@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for `more` bytes and a final zero. */
+/* Makes room for `more` bytes and a final zero. */
 static char *grow(char **text, size_t size, size_t *room, size_t more) {
     if (*room - size <= more || !*text) {
         size_t wanted = *room ? 2 * *room : 256;

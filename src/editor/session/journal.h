@@ -1,4 +1,4 @@
-/* The journal: JSON lines (docs/journal.md), appended to and never changed. */
+/* The journal: JSON lines (docs/journal.md), append-only. */
 #ifndef BATTEN_EDITOR_SESSION_JOURNAL_H
 #define BATTEN_EDITOR_SESSION_JOURNAL_H
 
@@ -10,7 +10,7 @@ typedef struct bat_journal {
 } bat_journal;
 
 void bat_journal_free(bat_journal *journal);
-/* Adds a line and its end. failed: the line could not be made for want of memory; BAT_MEMORY then. */
+/* Appends a line and its line break. failed: memory ran out while the line was made, so return BAT_MEMORY. */
 bat_status bat_journal_append(bat_journal *journal, const char *line, size_t size, bool failed);
 
 #endif

@@ -5,7 +5,7 @@
 void bat_line_number(bat_text *line, double number) {
     char digits[40];
     double scaled = round(number * 1e4);
-    /* k / 10^4 correctly rounded is the double that the decimal reads back as. */
+    /* k / 10^4, correctly rounded, is the double that the decimal reads back as. */
     if (fabs(scaled) < 1e15 && scaled / 1e4 == number && !(number == 0 && signbit(number))) {
         uint64_t left = (uint64_t)fabs(scaled);
         char *at = digits + sizeof digits;

@@ -1,4 +1,4 @@
-/* What the user is told, and what the host is asked to do. */
+/* Notices for the user, and requests to the host. */
 #ifndef BATTEN_EDITOR_SESSION_NOTICE_H
 #define BATTEN_EDITOR_SESSION_NOTICE_H
 
@@ -11,14 +11,14 @@ typedef struct bat_notices {
     bat_string notice; /* BAT_STRING_COUNT: none */
     char notice_text[BAT_NOTICE_ROOM];
     uint32_t notice_version;
-    uint32_t requests; /* of the host, BAT_ASK_ bits */
+    uint32_t requests; /* to the host, BAT_ASK_ bits */
 } bat_notices;
 
 /* In the language in force. */
 const char *bat_word(const bat_context *c, bat_string text);
 void bat_notice(bat_context *c, bat_string text);
-/* The text with its first "%" replaced by the value. */
+/* Sets the notice to the text with its first "%" replaced by the value. */
 void bat_notice_value(bat_context *c, bat_string text, const char *value);
-void bat_notice_failure(bat_context *c, bat_status status); /* out of memory, or no curve */
+void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif

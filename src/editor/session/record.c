@@ -28,7 +28,7 @@ void bat_change_write(const bat_delta *deltas, int count, bat_string label, bat_
         bat_text_string(line, "}");
     }
     bat_text_string(line, "]");
-    /* A journal's line is one line; outside strings a line's end is as good as a space. */
+    /* A journal entry must be one line; outside strings a line break can be replaced by a space. */
     if (line->failed) return;
     for (size_t i = from; i < line->size; i++)
         if (line->data[i] == '\n') line->data[i] = ' ';

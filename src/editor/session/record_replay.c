@@ -1,4 +1,4 @@
-/* A change as a journal's line, made again. */
+/* Replays a change from a journal line. */
 #include "editor/session/record.h"
 #include "editor/session/context.h"
 #include "editor/session/history.h"

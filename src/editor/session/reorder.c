@@ -46,7 +46,7 @@ static int compare(const void *a, const void *b) {
     return (x->id > y->id) - (x->id < y->id);
 }
 
-/* old[i]: where the listing's object i is in the document, -1: not there. places: room for the document's. */
+/* old[i]: index in the document of the listing's object i, or -1. places: room for the document's count. */
 static void find_old(const bat_listing *listing, const bat_document *document, place *places, int *old) {
     int count = bat_document_count(document);
     for (int i = 0; i < count; i++) places[i] = (place){bat_object_id(bat_document_at(document, i)), i};
@@ -58,8 +58,8 @@ static void find_old(const bat_listing *listing, const bat_document *document, p
     }
 }
 
-/* Marks in stays[old index] a longest run of the listing whose old indices ascend. ends, before: room for the
- * listing's count each. Schensted 1961. */
+/* Sets stays[old index] along a longest increasing subsequence of the old indices in the listing. ends, before: each
+ * with room for the listing's count. Schensted 1961. */
 static void find_run(const int *old, int count, int *ends, int *before, bool *stays) {
     int length = 0;
     for (int i = 0; i < count; i++) {

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* Where the index is, or belongs. */
+/* The slot that holds the index, or where it belongs. */
 static int *place_of(const bat_replaced *replaced, int index) {
     unsigned mask = (1U << replaced->bits) - 1,
              place = (uint32_t)index * 0x9e3779b9U >> (32 - replaced->bits);

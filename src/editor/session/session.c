@@ -1,4 +1,4 @@
-/* A session: opened, logged, freed. */
+/* Sessions: opening, logging, freeing. */
 #include <batten/bezier.h>
 #include "editor/session/session.h"
 #include "editor/session/journal_line.h"
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The journal's first line: the document as it is when the journal begins. JSON may be broken over lines; a
- * journal's line may not, and outside strings a line's end is as good as a space. */
+/* The journal's first line: the document at the time the journal begins. JSON may contain line breaks, but a journal
+ * entry may not; outside strings a line break can be replaced by a space. */
 static bat_status write_head(const bat_document *document, const char *name, bat_journal *journal) {
     char *text = NULL;
     size_t size = 0;

@@ -46,7 +46,7 @@ static bat_status add(bat_context *c, int index, const bat_object *before, bat_o
     if (before && after)
         bat_replaced_add(&transaction->replaced, index, transaction->count);
     else
-        bat_replaced_clear(&transaction->replaced); /* indices mean something else from now on */
+        bat_replaced_clear(&transaction->replaced); /* indices have another meaning from here on */
     transaction->deltas[transaction->count++] = delta;
     c->session->revision++;
     return BAT_OK;
@@ -76,7 +76,7 @@ bat_status bat_transaction_remove(bat_context *c, int index) {
     return before ? add(c, index, before, NULL) : BAT_ARGUMENT;
 }
 
-/* Whether curves that were made of something are plain now. */
+/* Whether any curve that was generated from other data is plain now. */
 static bool frees(const bat_transaction *transaction) {
     for (int i = 0; i < transaction->count; i++) {
         const bat_object *before = transaction->deltas[i].before, *after = transaction->deltas[i].after;
@@ -86,7 +86,7 @@ static bool frees(const bat_transaction *transaction) {
     return false;
 }
 
-/* A stroke has a line of its own, and has mirrored what it does. */
+/* A stroke has a journal line of its own, and has mirrored its changes already. */
 static bool mirrors(const bat_context *c, const bat_text *line) {
     return !line && !c->session->transaction.told && c->settings->values[BAT_PROPERTY_SYMMETRY] != 0;
 }
@@ -128,7 +128,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         bat_transaction_cancel(c);
         return status;
     }
-    /* Whichever tool it was: told now, and again should the tool have something to say of its own. */
+    /* Whichever tool it was, notify now, and again if the tool has a notice of its own. */
     if (frees(transaction)) {
         bat_notice(c, BAT_STRING_NOTICE_FREED);
         c->session->freed = true;
@@ -142,7 +142,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
 
 void bat_transaction_cancel(bat_context *c) {
     bat_transaction *transaction = &c->session->transaction;
-    /* Taking back needs no memory: the document keeps the room it had. */
+    /* Reverting needs no memory: the document keeps the room it had. */
     if (transaction->count) {
         bat_deltas_apply(transaction->deltas, transaction->count, c->session->document, false);
         c->session->revision++;

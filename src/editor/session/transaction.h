@@ -1,7 +1,6 @@
 /*
- * A transaction: the only way the engine changes its document. Changes show at once (a drag updates them
- * again and again); commit makes one step of the history of them and one line of the journal, cancel takes
- * them back.
+ * A transaction: the only way the engine changes its document. Changes show at once (a drag updates them again and
+ * again); commit turns them into one undo step and one line of the journal; cancel reverts them.
  */
 #ifndef BATTEN_EDITOR_SESSION_TRANSACTION_H
 #define BATTEN_EDITOR_SESSION_TRANSACTION_H
@@ -15,26 +14,27 @@
 
 typedef struct bat_transaction {
     bool open;
-    bool told; /* all that it changes is said: nothing is to be mirrored */
+    bool told; /* its changes are complete: nothing is to be mirrored */
     bat_delta *deltas;
     int count, room;
     bat_replaced replaced; /* since the last insertion or removal */
 } bat_transaction;
 
-/* BAT_STATE when one is open. */
+/* BAT_STATE when one is already open. */
 bat_status bat_transaction_begin(bat_context *c);
-/* Each changes the document at once; on failure the transaction stays open and as it was. */
+/* Each changes the document at once; on failure the transaction stays open and unchanged. */
 bat_status bat_transaction_insert(bat_context *c, int index, bat_object *object);
 bat_status bat_transaction_replace(bat_context *c, int index, bat_object *object);
 bat_status bat_transaction_remove(bat_context *c, int index);
-/* Ends it. label: what undo would take back, one of the texts. line: the journal's line for it, without the
- * digest and the closing brace, which are added here; NULL: the line is made of the changes themselves
- * (change.h), so that a tool needs no codec of its own. On failure everything is taken back: BAT_MEMORY,
- * BAT_ARGUMENT when a group would fall apart, BAT_COUNT when pictures would be too many. A transaction without changes makes no step. */
+/* Ends the transaction. label: the string that names the undo step. line: its journal line without the digest and the
+ * closing brace, which are added here; NULL: the line is made from the changes themselves (record.h), so that a tool
+ * needs no codec of its own. On failure everything is reverted: BAT_MEMORY, BAT_ARGUMENT when a group would fall
+ * apart, BAT_COUNT when there would be too many pictures, BAT_STATE when the document is read-only. A transaction
+ * without changes makes no step. */
 bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *line);
 void bat_transaction_cancel(bat_context *c);
-/* Ends it after changes that came to `status`: commits them when it is BAT_OK, else takes them back. Returns the status, or
- * that of the commit. */
+/* Ends the transaction after changes whose result is `status`: commits them when it is BAT_OK, otherwise reverts
+ * them. Returns that status, or that of the commit. */
 bat_status bat_transaction_end(bat_context *c, bat_status status, bat_string label);
 
 #endif
