@@ -130,7 +130,7 @@ static bat_status apply(bat_context *c, bat_listing *listing, bat_string label) 
     return status;
 }
 
-/* The images of objects first..end, groups left aside; within a transaction. */
+/* Transforms the objects first to end, except groups; within a transaction. */
 static bat_status transform_range(bat_context *c, int first, int end, const double matrix[6]) {
     bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = first; i < end; i++) {
@@ -159,7 +159,7 @@ bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_str
     return status;
 }
 
-/* Whether anything but groups is in first..end, and `gone` does not hold it all. */
+/* Whether first..end holds anything but groups that `gone` does not mark. */
 static bool has_paths(const bat_document *document, int first, int end, const bool *gone) {
     for (int i = first; i < end; i++)
         if (!gone[i] && !bat_object_is_group(bat_document_at(document, i))) return true;
@@ -175,7 +175,7 @@ bat_status bat_arrange_delete(bat_context *c) {
     bat_listing listing = {.failed = !gone};
     for (int i = 0; i < count && gone; i++)
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) gone[k] = true;
-    /* A group that the deletion leaves empty goes too; a layer stays. */
+    /* A group left empty by the deletion goes too; a layer stays. */
     for (int i = 0; i < all && gone; i++) {
         const bat_object *object = bat_document_at(document, i);
         int end = bat_object_is_mere_group(object) ? bat_document_end(document, i) : i;
@@ -191,7 +191,7 @@ bat_status bat_arrange_delete(bat_context *c) {
     return apply(c, &listing, BAT_STRING_STEP_DELETE);
 }
 
-/* Copies of objects first..end with new ids, moved; the parents among them are mapped. */
+/* Adds copies of the objects first to end, transformed, with new ids; parents among them are mapped to their copies. */
 static void copy_range(bat_context *c, bat_listing *listing, int first, int end, const double matrix[6]) {
     const bat_document *document = c->session->document;
     int start = listing->count;
@@ -232,7 +232,7 @@ bool bat_arrange_leave(bat_context *c) {
     int outer = parent ? bat_document_find(c->session->document, parent) : -1;
     bool group = outer >= 0 && bat_object_is_mere_group(bat_document_at(c->session->document, outer));
     bat_selection_clear(&c->choice->selection);
-    bat_selection_add(&c->choice->selection, c->choice->entered); /* without memory: not selected */
+    bat_selection_add(&c->choice->selection, c->choice->entered); /* out of memory: not selected */
     c->choice->entered = group ? parent : 0;
     return true;
 }
@@ -298,7 +298,7 @@ bat_status bat_arrange_group(bat_context *c) {
         free(roots);
         return BAT_STATE;
     }
-    /* The group takes the place of the root in front, and is where that one was. */
+    /* The group takes the place of the frontmost root and has its parent. */
     int front = roots[count - 1];
     bat_id id = bat_document_new_id(c->session->document);
     bat_object *group = NULL;
@@ -329,7 +329,7 @@ bat_status bat_arrange_group(bat_context *c) {
         bat_selection_clear(&c->choice->selection);
         status = bat_selection_add(&c->choice->selection, id);
     }
-    return status == BAT_ARGUMENT ? BAT_STATE : status; /* too deep */
+    return status == BAT_ARGUMENT ? BAT_STATE : status; /* nested too deeply */
 }
 
 bat_status bat_arrange_ungroup(bat_context *c) {
@@ -383,7 +383,7 @@ bat_status bat_arrange_ungroup(bat_context *c) {
 
 /* ---- order ---- */
 
-/* Puts the chosen ones of the siblings where the order has them; each keeps its neighbours' order. */
+/* Moves the chosen siblings as the order says; the chosen and the others each keep their own order. */
 static void permute(int *siblings, const bool *chosen, int *spare, int count, bat_order order) {
     bool forward = order == BAT_ORDER_FORWARD || order == BAT_ORDER_FRONT;
     if (order == BAT_ORDER_BACK || order == BAT_ORDER_FRONT) {
@@ -403,7 +403,7 @@ static void permute(int *siblings, const bool *chosen, int *spare, int count, ba
     }
 }
 
-/* Lists what is in first..end, siblings in their new order, and what is in them. */
+/* Lists the objects of first..end with their contents, siblings in their new order. */
 static void list_ordered(const bat_document *document, int first, int end, const bool *chosen,
                          bat_order order, bat_listing *listing) {
     int count = 0, *siblings = first < end ? malloc(2 * (size_t)(end - first) * sizeof *siblings) : NULL;

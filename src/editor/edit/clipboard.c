@@ -1,4 +1,4 @@
-/* The clipboard: what is selected as an SVG file that keeps every knot, and what a file holds put into the drawing. */
+/* The clipboard: copies the selection as an SVG file that keeps every knot, and pastes the contents of a file. */
 #include "document/document.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
@@ -18,9 +18,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double STEP = 10; /* px that a paste is off what was copied, and off the paste before */
+static const double STEP = 10; /* px between a paste and what was copied, or the paste before */
 
-/* The selected objects with all that is in them, in no group of the rest. */
+/* Adds the selected objects with everything in them, outside any group of the others. */
 static bat_status gather(const bat_context *c, bat_listing *listing) {
     int *roots, count;
     bat_status status = bat_arrange_roots(c, &roots, &count);
@@ -42,7 +42,7 @@ static bat_status copy(const bat_context *c, char **text, size_t *size) {
     bat_status status = gather(c, &listing);
     if (status == BAT_OK) status = bat_document_create(&part);
     if (status == BAT_OK && (status = bat_document_fill(part, listing.count, listing.objects)) == BAT_OK)
-        listing.count = 0; /* taken over */
+        listing.count = 0; /* ownership has passed on */
     if (status == BAT_OK) status = bat_svg_write(part, true, text, size);
     bat_document_free(part);
     bat_listing_free(&listing);
@@ -63,13 +63,13 @@ bat_status bat_clipboard_copy(bat_context *c, bool cut, char **text, size_t *siz
         return status;
     }
     *text = made;
-    c->clipboard->pastes = cut ? -1 : 0; /* what was cut goes back where it was */
+    c->clipboard->pastes = cut ? -1 : 0; /* after a cut the first paste goes back to the same place */
     c->clipboard->pasted = 0;
     bat_notice(c, cut ? BAT_STRING_NOTICE_CUT : BAT_STRING_NOTICE_COPIED);
     return BAT_OK;
 }
 
-/* How far the pasted go. own: copied from a drawing of ours, to be pasted near the place it has. */
+/* How far the pasted objects are shifted. own: copied from a Batten drawing, to be pasted near its own place. */
 static void find_shift(bat_context *c, const bat_document *document, bool own, double shift[2]) {
     const bat_stage *stage = c->stage;
     double box[4], low[2], high[2], to[2] = {stage->view.width / 2, stage->view.height / 2};
@@ -77,7 +77,7 @@ static void find_shift(bat_context *c, const bat_document *document, bool own, d
     if (c->modifiers & BAT_SHIFT || c->clipboard->paste_in_place) return;
     uint64_t digest = bat_document_digest(document);
     if (c->clipboard->pasted && c->clipboard->pasted != digest)
-        c->clipboard->pastes = 0; /* copied elsewhere meanwhile */
+        c->clipboard->pastes = 0; /* something else was copied meanwhile */
     c->clipboard->pasted = digest;
     if (own) shift[0] = shift[1] = STEP * bat_stage_pixel(stage) * ++c->clipboard->pastes;
     bat_document_bounds(document, box);
@@ -87,15 +87,15 @@ static void find_shift(bat_context *c, const bat_document *document, bool own, d
     bool seen = fmax(low[0], high[0]) > 0 && fmin(low[0], high[0]) < stage->view.width &&
                 fmax(low[1], high[1]) > 0 && fmin(low[1], high[1]) < stage->view.height;
     if (own && seen) return;
-    /* At the pointer, or in the middle when it is elsewhere. */
+    /* At the pointer, or in the middle of the view when the pointer is elsewhere. */
     if (!own && c->input->pen_near) to[0] = c->input->pen[0], to[1] = c->input->pen[1];
     bat_stage_seen(stage, to, shift);
     for (int k = 0; k < 2; k++) shift[k] -= box[k] / 2 + box[k + 2] / 2;
 }
 
 typedef struct pasting {
-    bat_id *ids; /* what the objects of the document are now; of a layer: what its contents are in */
-    int index;   /* where the next one goes */
+    bat_id *ids; /* new ids of the document's objects; for a layer: what now contains its contents */
+    int index;   /* where the next object goes */
     bat_id parent;
 } pasting;
 
@@ -104,7 +104,7 @@ static bat_status paste_one(bat_context *c, const bat_document *document, int i,
     const bat_object *object = bat_document_at(document, i);
     bat_id outer = bat_object_parent(object);
     bat_id parent = outer ? p->ids[bat_document_find(document, outer)] : p->parent;
-    if (bat_object_is(object, BAT_LAYER)) { /* its contents go into the layer that is active here */
+    if (bat_object_is(object, BAT_LAYER)) { /* its contents go into the active layer here */
         p->ids[i] = parent;
         return BAT_OK;
     }
@@ -134,7 +134,7 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++) status = paste_one(c, document, i, matrix, &p);
-        if (status == BAT_OK && p.index == first) status = BAT_STATE; /* nothing but layers */
+        if (status == BAT_OK && p.index == first) status = BAT_STATE; /* it held nothing but layers */
         status = bat_transaction_end(c, status, BAT_STRING_STEP_PASTE);
     }
     free(p.ids);
@@ -142,7 +142,7 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) c->choice->wanted = BAT_CHOOSES;
     bat_selection_clear(&c->choice->selection);
     for (int i = first; i < p.index;
-         i = bat_document_end(c->session->document, i)) /* without memory: not selected */
+         i = bat_document_end(c->session->document, i)) /* out of memory: not selected */
         bat_selection_append(&c->choice->selection, bat_object_id(bat_document_at(c->session->document, i)));
     bat_selection_sort(&c->choice->selection);
     bat_selection_prune(&c->choice->selection, c->session->document);

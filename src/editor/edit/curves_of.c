@@ -49,7 +49,7 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
     return status;
 }
 
-/* The object in the place of the one at this index, within the open transaction; status: of making it. */
+/* Replaces the object at this index, within the open transaction; status: of making the new object. */
 static bat_status put(bat_context *c, int at, bat_status status, bat_object *after) {
     if (status == BAT_OK) status = bat_transaction_replace(c, at, after);
     bat_object_release(after);

@@ -1,4 +1,4 @@
-/* One changed curve into the document: what most tools end with. */
+/* Putting a changed curve into the document: what most tools end with. */
 #ifndef BATTEN_EDITOR_EDIT_CURVES_OF_H
 #define BATTEN_EDITOR_EDIT_CURVES_OF_H
 
@@ -8,23 +8,23 @@
 #include <batten/editor.h>
 #include <batten/levels.h>
 
-/* The curve of that dimension that an edit works on, or NULL when the document has none such; a planar one. */
+/* The curve that an edit works on, of the given dimension or planar; NULL when the document has no such curve. */
 const bat_curve *bat_edit_target_in(const bat_document *document, int dimension, bat_id object, int curve);
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
 /* The object without one of its curves; *out NULL when none is left. */
 bat_status bat_without_curve(const bat_object *object, int index, bat_object **out);
-/* Within a transaction: a new path of one curve, in front within `parent` (0: of all). Takes the curve over, whatever it
- * returns. */
+/* Within a transaction: inserts a new path of one curve, frontmost within `parent` (0: of all). Takes ownership of
+ * the curve, whatever it returns. */
 bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,
                             bat_curve *curve);
-/* Within a transaction: the object's curve `index` becomes `curve`, which is taken over whatever it returns. */
+/* Within a transaction: replaces the object's curve `index` by `curve`; takes ownership of it, whatever it returns. */
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
-/* Within a transaction: the object is without that curve, or gone. */
+/* Within a transaction: removes that curve from the object, or the object when no curve is left. */
 bat_status bat_remove_curve(bat_context *c, bat_id object, int index);
-/* bat_put_curve as one step of its own. */
+/* bat_put_curve as an undo step of its own. */
 bat_status bat_commit_curve(bat_context *c, bat_id object, int index, bat_curve *curve, bat_string label);
 
-/* The same with a curve of levels. */
+/* The same for a curve with levels. */
 bat_status bat_put_shape(bat_context *c, bat_id object, int index, bat_shape *shape);
 bat_status bat_commit_shape(bat_context *c, bat_id object, int index, bat_shape *shape, bat_string label);
 

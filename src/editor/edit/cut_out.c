@@ -42,7 +42,7 @@ bat_status bat_spans_add(bat_spans *spans, double u0, double u1) {
     return BAT_OK;
 }
 
-/* Distance of the curve's point at u from the segment a b, minus the radius. */
+/* Distance of the curve's point at u from the segment ab, minus the radius. */
 static double clearance(const bat_curve *curve, double u, const double a[2], const double b[2],
                         double radius) {
     double p[2], x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
@@ -52,7 +52,7 @@ static double clearance(const bat_curve *curve, double u, const double a[2], con
     return bat_hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y) - radius;
 }
 
-/* The place between an inside and an outside parameter where the border is crossed. */
+/* The parameter between one inside and one outside at which the curve crosses the border. */
 static double border(const bat_curve *curve, double inside, double outside, const double a[2],
                      const double b[2], double radius) {
     for (int i = 0; i < HALVINGS; i++) {
@@ -66,7 +66,7 @@ static double border(const bat_curve *curve, double inside, double outside, cons
     return inside;
 }
 
-/* Whether the box of count points is within reach of the segment's. */
+/* Whether the box of `count` points is within reach of the segment's box. */
 static bool hull_near(const double *hull, int count, const double a[2], const double b[2], double radius) {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < count; i++)
@@ -83,7 +83,7 @@ bool bat_spans_near(const bat_curve *curve, const double a[2], const double b[2]
     return hull_near(bat_curve_points(curve), bat_point_count(curve), a, b, radius);
 }
 
-/* Samples to take in a Bezier segment: none when its hull is out of reach. */
+/* Number of samples to take in a Bézier segment: 0 when its hull is out of reach. */
 static int steps_of(const double *hull, int count, const double a[2], const double b[2], double radius) {
     double length = 0;
     if (!hull_near(hull, count, a, b, radius)) return 0;
@@ -130,7 +130,7 @@ bat_status bat_spans_rest(const bat_spans *spans, const bat_curve *curve, double
     for (int i = 0; i < gaps && status == BAT_OK; i++) {
         double u0 = i ? spans->list[i - 1][1] : domain[0];
         double u1 = i < spans->count ? spans->list[i][0] : domain[1];
-        if (closed && i == 0 && spans->count) continue; /* comes with the last gap, over the seam */
+        if (closed && i == 0 && spans->count) continue; /* comes with the last gap, across the seam */
         if (closed && i == spans->count && i) u1 = spans->list[0][0] + (domain[1] - domain[0]);
         if (!(u0 < u1) || !(bat_curve_length(curve, u0, u1, 1e-3) > least)) continue;
         status = bat_curve_piece(curve, u0, u1, &list[made]);

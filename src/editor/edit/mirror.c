@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double REACH = 12;         /* px from an end to the axis that it is led to */
-enum { CHANGES_MOST = 64, LOOKS = 96 }; /* objects of one step; places where a change is looked for */
+static const double REACH = 12;         /* px: an end this close to the axis is extended to it */
+enum { CHANGES_MOST = 64, LOOKS = 96 }; /* objects in one step; places where a change is looked for */
 
 /* ---- what has changed ---- */
 
-/* An object before the transaction and now; NULL: not there. */
+/* An object before the transaction and now; NULL: it did not or does not exist. */
 typedef struct change {
     bat_id id;
     bat_object *before, *after;
@@ -36,7 +36,7 @@ static change *change_of(mirroring *w, bat_id id) {
     return NULL;
 }
 
-/* False: more than this is for. */
+/* False: more objects have changed than this handles. */
 static bool gather(mirroring *w) {
     const bat_transaction *transaction = &w->c->session->transaction;
     for (int i = 0; i < transaction->count; i++) {
@@ -72,7 +72,7 @@ typedef struct twin {
     int curve;
 } twin;
 
-/* Whether the curve was there before, and is still the same. */
+/* Whether the curve existed before and has not changed. */
 static bool untouched(mirroring *w, const bat_object *object, int curve) {
     const change *known = change_of(w, bat_object_id(object));
     if (!known) return true;
@@ -96,7 +96,7 @@ static twin twin_of(mirroring *w, const bat_curve *curve) {
     return (twin){0, 0};
 }
 
-/* Whether the step has joined the curve with what was its twin. */
+/* Whether the step has joined the curve with its former twin. */
 static bool has_lost_twin(mirroring *w, const bat_curve *curve) {
     for (int i = 0; i < w->count; i++)
         for (int j = 0; j < curves_in(w->changes[i].before) && !w->changes[i].after; j++)
@@ -105,13 +105,13 @@ static bool has_lost_twin(mirroring *w, const bat_curve *curve) {
     return false;
 }
 
-/* ---- mirrored ---- */
+/* ---- mirroring ---- */
 
 static bat_status whole(const mirroring *w, const bat_curve *curve, int side, bat_curve **out) {
     return bat_mirror_whole(w->mirror, curve, side, REACH * w->pixel, w->tolerance, out);
 }
 
-/* Which side of the axis more has changed on: -1 or 1. */
+/* The side of the axis on which more has changed: -1 or 1. */
 static int changed_side(const mirroring *w, const bat_curve *before, const bat_curve *after) {
     bat_finder *finder = NULL;
     double domain[2], at[2], sums[2] = {0, 0};
@@ -127,7 +127,7 @@ static int changed_side(const mirroring *w, const bat_curve *before, const bat_c
     return sums[1] > sums[0] ? 1 : -1;
 }
 
-/* The image of an object under an id; in all else like another. */
+/* The image of the object `of`, with the given id; its other attributes as those of `like`. */
 static bat_status image_like(mirroring *w, const bat_object *of, const bat_object *like, bat_id id,
                              bat_object **out) {
     double matrix[6];
@@ -142,7 +142,7 @@ static bat_status image_like(mirroring *w, const bat_object *of, const bat_objec
     return status;
 }
 
-/* A new object in front of that of the id. */
+/* Inserts the image as a new object in front of the object with the id `below`. */
 static bat_status add_image(mirroring *w, const bat_object *of, const bat_object *like, bat_id below) {
     bat_document *document = w->c->session->document;
     bat_object *image = NULL;
@@ -158,7 +158,7 @@ static const bat_object *found(const mirroring *w, bat_id id) {
     return bat_document_at(document, bat_document_find(document, id));
 }
 
-/* The object becomes the image of another, and stays what it is in all else. */
+/* The object with the id becomes the image of another, and keeps its other attributes. */
 static bat_status become_image(mirroring *w, const bat_object *of, bat_id id) {
     bat_object *image = NULL;
     bat_status status = image_like(w, of, found(w, id), id, &image);
@@ -182,7 +182,7 @@ static bat_status fresh(mirroring *w, const bat_object *object) {
     return add_image(w, object, object, bat_object_id(object));
 }
 
-/* The twin becomes the curve's image: the object's, when that is more than its curve. */
+/* The twin becomes the image of the curve, or of the object when the object is more than its curve. */
 static bat_status follow(mirroring *w, const change *now, int k, twin t) {
     bat_curve *image = NULL;
     if (bat_object_is(now->after, BAT_MADE) && curves_in(now->after) == 1 &&
@@ -192,7 +192,7 @@ static bat_status follow(mirroring *w, const change *now, int k, twin t) {
     return status == BAT_OK ? bat_put_curve(w->c, t.object, t.curve, image) : status;
 }
 
-/* A curve that was its own image. */
+/* Handles a curve that was its own image. */
 static bat_status stays_whole(mirroring *w, const change *now, int k) {
     const bat_curve *before = bat_object_curve(now->before, k), *after = bat_object_curve(now->after, k);
     bat_curve *made = NULL;
@@ -225,7 +225,7 @@ static bat_status gone(mirroring *w, const bat_curve *curve) {
 
 /* ---- cut into pieces ---- */
 
-/* What lies on that side of the axis, in all pieces together. */
+/* Total length of all the pieces on that side of the axis. */
 static double left_on(const mirroring *w, const change *pieces, int count, int side) {
     double length = 0;
     for (int i = 0; i < count; i++) {
@@ -241,8 +241,8 @@ static double left_on(const mirroring *w, const change *pieces, int count, int s
     return length;
 }
 
-/* Of a curve that was its own image: a piece across the axis is whole again, of the others those are kept that lie on the
- * side where less is left, and their images. */
+/* For a curve that was its own image: a piece that crosses the axis becomes whole again; of the others, those on the
+ * side where less is left are kept, with their images. */
 static bat_status keep_piece(mirroring *w, const change *piece, int side) {
     const bat_curve *curve = bat_object_curve(piece->after, 0);
     bat_curve *made = NULL;

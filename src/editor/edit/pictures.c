@@ -1,4 +1,4 @@
-/* Pictures to trace: images behind the drawing. */
+/* Tracing pictures: images behind the drawing. */
 #include "editor/edit/pictures.h"
 #include "base/real.h"
 #include "editor/edit/affine.h"
@@ -21,7 +21,7 @@ static bat_string why(bat_status status) {
                                      : BAT_STRING_NOTICE_NOT_POSSIBLE;
 }
 
-/* In the middle of the view, at most four fifths of it; one to one when there is no view to speak of. */
+/* In the middle of the view, filling at most four fifths of it; at scale 1 when the view has no usable size. */
 static void place(const bat_stage *stage, const bat_picture *picture, double matrix[6]) {
     double sides[2], middle[2], scale = 1;
     bat_picture_sides(picture, sides);
@@ -48,7 +48,7 @@ static bat_status insert(bat_context *c, const bat_picture *picture, const char 
     if (status != BAT_OK) return status;
     c->choice->wanted = BAT_CHOOSES;
     bat_selection_clear(&c->choice->selection);
-    bat_selection_add(&c->choice->selection, id); /* without memory: not selected */
+    bat_selection_add(&c->choice->selection, id); /* out of memory: not selected */
     return BAT_OK;
 }
 
@@ -78,7 +78,7 @@ int bat_tracing_count(const bat_document *document) {
     return count;
 }
 
-/* Which pictures commands mean: those selected, or, when none is, the one in front, or all. */
+/* Which pictures a command acts on: those selected, or when none is, the frontmost one, or all. */
 typedef struct meaning {
     bool chosen, all;
     int front; /* index */
@@ -105,7 +105,7 @@ static bool meant(const bat_context *c, const meaning *m, int index) {
 
 typedef bat_status make_function(const bat_object *object, const double *numbers, bat_object **out);
 
-/* Each picture that is meant made over, as one step. BAT_STATE: there is none. */
+/* Rebuilds each of these pictures, as one step. BAT_STATE: there is none. */
 static bat_status make_over(bat_context *c, bool all, make_function *make, const double *numbers,
                             bat_string label) {
     int changed = 0;
@@ -154,7 +154,7 @@ double bat_tracing_opacity(const bat_context *c) {
     return c->settings->values[BAT_PROPERTY_PICTURE_OPACITY];
 }
 
-/* which: 0 hidden, 1 locked. All become so; when all are, none is. */
+/* which: 0 hidden, 1 locked. Sets it for all; clears it when it is set for all already. */
 static bat_status turn_over(bat_context *c, int which) {
     double numbers[2] = {-1, -1};
     bool so = true;
@@ -164,7 +164,7 @@ static bat_status turn_over(bat_context *c, int which) {
             so = so && (which ? bat_object_is_locked(object) : bat_object_is_hidden(object));
     }
     numbers[which] = !so;
-    bat_selection_clear(&c->choice->selection); /* all are meant */
+    bat_selection_clear(&c->choice->selection); /* applies to all pictures */
     bat_status status = make_over(c, true, state, numbers, BAT_STRING_STEP_LAYER);
     if (status == BAT_STATE) bat_notice(c, BAT_STRING_NOTICE_NO_PICTURE);
     return status;

@@ -5,24 +5,24 @@
 #include <math.h>
 #include <string.h>
 
-/* Rows: what is pulled, the two ends, and a node for each control point that is reached and two beside them. */
+/* Rows: the pulls, the two ends, and one node for each control point reached and two beside them. */
 enum { REACHED = BAT_PULLS_MAX * (BAT_DEGREE_MAX + 1), ROWS = 2 * REACHED, ENTRIES = BAT_DEGREE_MAX + 1 };
 
 static const double SAME = 1e-12,
-                    APART = 1e-8; /* squared sines: one row of others; a pull of what must stay */
+                    APART = 1e-8; /* squared sines: one row from the others; a pull from what must stay */
 
-/* Of the control points' moves: sum weights[i] move[points[i]] = delta. */
+/* A linear equation for the control points' moves: sum weights[i] move[points[i]] = delta. */
 typedef struct row {
-    int node; /* that it keeps smooth; -1: none */
+    int node; /* the node that it keeps smooth; -1: none */
     int count, points[ENTRIES];
     double weights[ENTRIES], delta[2];
-    double size; /* sum of the squares of its weights, those of pinned points too */
+    double size; /* sum of the squares of its weights, including those of pinned points */
 } row;
 
 typedef struct system {
     const bat_curve *curve;
-    int pinned[2];                              /* control points that are ends and stay; -1: none */
-    int pulls, reached[REACHED], reached_count; /* control points that the pulls hang on */
+    int pinned[2];                              /* control points at ends, which stay; -1: none */
+    int pulls, reached[REACHED], reached_count; /* control points that the pulls depend on */
     int count;
     row rows[ROWS];
     double gram[ROWS][ROWS], share[ROWS][2];
@@ -38,7 +38,7 @@ static void add_entry(const system *s, row *r, int point, double weight) {
     r->size += weight * weight;
     if (point == s->pinned[0] || point == s->pinned[1]) return;
     for (int i = 0; i < r->count; i++)
-        if (r->points[i] == point) { /* a short closed curve has a point several times in a row */
+        if (r->points[i] == point) { /* a short closed curve can have a point several times in a row */
             r->weights[i] += weight;
             return;
         }
@@ -62,7 +62,7 @@ static row *add_place(system *s, double u) {
     return r;
 }
 
-/* A handle that nothing pulls moves for one node; what hangs on two stays. */
+/* A handle that no pull reaches moves for one node; one shared by two nodes stays. */
 static bool may_move(const system *s, int point, int node) {
     bat_smooth_node other;
     if (is_reached(s, point)) return true;
@@ -98,14 +98,14 @@ static void add_ends(system *s, const double *u) {
         if (pulled || s->pinned[side] >= 0) continue;
         row *r = add_place(s, domain[side]);
         if (r->count != 1) continue;
-        s->pinned[side] = r->points[0]; /* it hangs on one point */
+        s->pinned[side] = r->points[0]; /* the end depends on one point */
         s->count--;
     }
 }
 
 static void gather(system *s, int count, const double *u, const double *delta, bool ends) {
     s->pulls = count;
-    if (ends) { /* first, for what they pin */
+    if (ends) { /* first, because the ends pin points */
         add_ends(s, u);
         s->count = 0;
     }
@@ -132,8 +132,8 @@ static double product(const row *a, const row *b) {
     return sum;
 }
 
-/* Cholesky, conditions first and pulls last (row k stands at place count - 1 - k); a condition that follows from
- * others is left out. */
+/* Cholesky, conditions first and pulls last (row k has position count - 1 - k); a condition that follows from others
+ * is left out. */
 static bat_status solve(system *s) {
     int n = s->count;
     for (int j = 0; j < n; j++)
@@ -168,7 +168,7 @@ static bat_status solve(system *s) {
     return BAT_OK;
 }
 
-/* A copy whose points may still be written. */
+/* A copy whose points may still be changed. */
 static bat_status begin(const bat_curve *curve, bat_curve **out) {
     bat_status status = bat_curve_allocate(curve->degree, 2, curve->closed, curve->count, out);
     if (status != BAT_OK) return status;
@@ -183,7 +183,7 @@ bat_status bat_pull(const bat_curve *curve, int count, const double *u, const do
     system s;
     bat_status status = BAT_SINGULAR;
     for (int ends = 1; ends >= 0 && status == BAT_SINGULAR;
-         ends--) { /* all but at an end: that is what is pulled */
+         ends--) { /* all but the one at the end being pulled */
         s = (system){.curve = curve, .pinned = {-1, -1}};
         gather(&s, count, u, delta, ends != 0);
         status = solve(&s);
@@ -201,7 +201,7 @@ bat_status bat_pull(const bat_curve *curve, int count, const double *u, const do
     return bat_curve_finish(moved, out);
 }
 
-/* The handle opposite to the one that has moved: in line with it, as long as it was. */
+/* Turns the opposite handle into line with the one that has moved, keeping its length. */
 static void turn_opposite(double *points, int moved, int on, int opposite) {
     double *far = points + 2 * opposite, *at = points + 2 * on, *near = points + 2 * moved;
     double away[2] = {at[0] - near[0], at[1] - near[1]}, length = bat_hypot(away[0], away[1]);

@@ -3,7 +3,7 @@
 #include "curve/curve.h"
 #include <math.h>
 
-static const double SMOOTH = 0.06; /* tangent of the turn */
+static const double SMOOTH = 0.06; /* tangent of the turning angle */
 
 bool bat_smooth_node_at(const bat_curve *curve, int on, bat_smooth_node *node) {
     int p = curve->degree, n = curve->count, stored = curve->closed ? on + p : on;

@@ -18,7 +18,7 @@ const bat_curve *bat_edit_curve(const bat_document *document, const bat_edit *ed
     return bat_edit_target_in(document, bat_stage_dimension(&edit->stage), object, curve);
 }
 
-/* The curves of a SEVERAL edit, one a part: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
+/* The curves of a SEVERAL edit, one per part: BAT_OK, or BAT_TOLERANCE with the best ones found; otherwise none. */
 static bat_status chain(const bat_document *document, const bat_edit *edit, bat_curve *out[BAT_EDIT_PARTS]) {
     const bat_curve *curves[BAT_EDIT_PARTS];
     bat_sketch_meaning meaning[BAT_EDIT_PARTS];
@@ -36,7 +36,7 @@ static bat_status chain(const bat_document *document, const bat_edit *edit, bat_
     return bat_sketch_chain(edit->part_count, curves, cuts, meaning, &stroke, &edit->options, out);
 }
 
-/* The first of them stands for all. */
+/* The first of them represents all. */
 static bat_status compute_first(const bat_document *document, const bat_edit *edit, bat_curve **out) {
     bat_curve *made[BAT_EDIT_PARTS];
     bat_status status = chain(document, edit, made);
@@ -84,7 +84,7 @@ bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sket
     return status;
 }
 
-/* The curve is only what has been shown of it. */
+/* The curve is only for display. */
 static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_shape *shape = NULL;
     bat_curve_free(curve);
@@ -93,7 +93,7 @@ static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *cur
     return shape ? bat_put_shape(c, edit->object, edit->curve, shape) : status;
 }
 
-/* The curve is only what has been shown of them. */
+/* The curve is only for display. */
 static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_curve *made[BAT_EDIT_PARTS];
     bat_curve_free(curve);

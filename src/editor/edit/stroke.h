@@ -1,8 +1,7 @@
 /*
- * An edit: one change of the document with all that it needs to be made again, anywhere, with the same
- * result. Tools make edits, the journal keeps them, replay performs them: the same two calls for all three.
- * A new kind of edit adds a row to KINDS in edit.c, its case in bat_edit_commit, and its words in
- * strings.def.
+ * An edit: one change of the document with everything needed to make it again, anywhere, with the same result. Tools
+ * make edits, the journal keeps them, replay performs them: all three through the same two calls. A new kind of edit
+ * adds a row to KINDS in stroke_record.c, its case in bat_edit_commit, and its strings in strings.def.
  */
 #ifndef BATTEN_EDITOR_EDIT_STROKE_H
 #define BATTEN_EDITOR_EDIT_STROKE_H
@@ -26,43 +25,43 @@ typedef enum bat_edit_kind {
     BAT_EDIT_COUNT
 } bat_edit_kind;
 
-/* What a stroke over a curve with levels does when it does not name one. */
+/* What a stroke over a curve with levels does when it does not name a level. */
 typedef enum bat_level_choice {
-    BAT_LEVEL_AUTO = -1, /* the coarsest that comes within the tolerance follows it */
-    BAT_LEVEL_FREE = -2, /* the base is redrawn with its knots, details kept */
-    BAT_LEVEL_BARE = -3  /* the same, details under the stroke dropped */
+    BAT_LEVEL_AUTO = -1, /* the coarsest level that comes within the tolerance follows the stroke */
+    BAT_LEVEL_FREE = -2, /* the base is redrawn with its knots, details are kept */
+    BAT_LEVEL_BARE = -3  /* the same, but details under the stroke are dropped */
 } bat_level_choice;
 
 enum { BAT_EDIT_PARTS = BAT_INTENT_PARTS };
 
-/* One of several curves that touch, redrawn by its part of the stroke. */
+/* One of several touching curves, redrawn by its part of the stroke. */
 typedef struct bat_edit_part {
     bat_id object;
     int curve;
     bat_sketch_meaning meaning;
-    double end[BAT_DIMENSION_MAX]; /* where the stroke is cut after it, document units */
+    double end[BAT_DIMENSION_MAX]; /* where the stroke is cut after this part, document units */
 } bat_edit_part;
 
 typedef struct bat_edit {
     bat_edit_kind kind;
-    bat_id object; /* the object changed; NEW: the id it gets */
+    bat_id object; /* the changed object; NEW: the id it gets */
     int curve;
-    int level;    /* LEVEL: the one redrawn, or a bat_level_choice */
+    int level;    /* LEVEL: the redrawn level, or a bat_level_choice */
     bat_id other; /* JOIN: the object joined to it */
     int other_curve;
     bat_sketch_meaning meaning; /* NEW, REDRAW, EXTEND */
-    int part_count;             /* SEVERAL; object, curve: the first of them */
+    int part_count;             /* SEVERAL; object and curve are the first part's */
     bat_edit_part part[BAT_EDIT_PARTS];
-    bat_stage stage; /* the stroke's samples are pixels of it, and lie on its ground */
+    bat_stage stage; /* the stroke's samples are in its pixels and lie on its ground */
     bat_sketch_options options;
     bat_style style;   /* NEW */
     bat_id parent;     /* NEW: the layer it goes into; 0: none */
-    bat_mirror mirror; /* on: what it does is done on both sides of this axis */
-    bool accepted;     /* the user said yes to a fit that misses the tolerance */
+    bat_mirror mirror; /* on: the edit is made on both sides of this axis */
+    bool accepted;     /* the user accepted a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;
 
-/* The curve of that number, when strokes on the edit's ground can be meant for it; else NULL. */
+/* The object's curve with that number, if strokes on the edit's ground can apply to it; otherwise NULL. */
 const bat_curve *bat_edit_curve(const bat_document *document, const bat_edit *edit, bat_id object, int curve);
 
 const char *bat_edit_name(bat_edit_kind kind);
@@ -70,16 +69,16 @@ bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */
 bat_string bat_edit_label(bat_edit_kind kind);
 
 /*
- * The curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
- * BAT_OK, or BAT_TOLERANCE with the best there is; else no curve.
+ * Computes the curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
+ * BAT_OK, or BAT_TOLERANCE with the best curve found; otherwise no curve.
  */
 bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report);
-/* The shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best there is; else none. */
+/* Computes the shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best one found; otherwise none. */
 bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report);
-/* Puts the curve into the document as one step of the history and one line of the journal, or changes
- * nothing. Takes the curve over, whatever it returns. */
+/* Puts the curve into the document as one undo step and one line of the journal, or changes nothing. Takes ownership
+ * of the curve, whatever it returns. */
 bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve);
 
 #endif

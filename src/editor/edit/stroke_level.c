@@ -1,4 +1,4 @@
-/* A stroke over a curve with levels: one of them follows it, and what lies above rides along. */
+/* A stroke over a curve with levels: one level follows it, and the finer ones ride along. */
 #include "editor/edit/stroke.h"
 #include "editor/input/samples.h"
 #include "editor/session/context.h"
@@ -7,7 +7,7 @@
 #include <batten/nearest.h>
 #include <math.h>
 
-enum { MEASURED = 64 }; /* samples that decide whether a level can follow the stroke */
+enum { MEASURED = 64 }; /* samples used to decide whether a level can follow the stroke */
 
 static double miss(const bat_shape *shape, const bat_samples *samples) {
     bat_finder *finder = NULL;
@@ -66,12 +66,12 @@ bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape 
     if (edit->level > top) return BAT_ARGUMENT;
     if (edit->level >= 0) return at_level(from, edit, edit->level, out, report);
     if (edit->level != BAT_LEVEL_AUTO) return freely(from, edit, out, report);
-    bat_shape *best = NULL; /* the finest when none is near enough */
+    bat_shape *best = NULL; /* the finest when none is close enough */
     bat_status status = BAT_STATE;
     for (int level = 0; level <= top; level++) {
         bat_shape *shape = NULL;
         bat_status now = at_level(from, edit, level, &shape, report);
-        if (now == BAT_STATE) continue; /* silent */
+        if (now == BAT_STATE) continue; /* skip it */
         status = now;
         if (now != BAT_OK) break;
         bool near = report->spans >= BAT_LEVEL_SPANS_LEAST &&

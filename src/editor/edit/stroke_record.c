@@ -5,7 +5,7 @@
 #include <string.h>
 #include <stdio.h>
 
-/* One row a kind: its name in the journal, and what undo says of it. */
+/* One row per kind: its name in the journal, and the string that names its undo step. */
 static const struct {
     const char *name;
     bat_string label;
@@ -36,7 +36,7 @@ static void number(bat_text *line, const char *name, double value) {
     bat_line_number(line, value);
 }
 
-/* All the same: one number stands for all. */
+/* When all are the same, one number stands for all. */
 static size_t distinct(const double *numbers, size_t count) {
     for (size_t i = 1; i < count; i++)
         if (numbers[i] != numbers[0]) return count;
@@ -69,7 +69,7 @@ static void stroke(bat_text *line, const bat_samples *samples) {
     bat_text_string(line, "}");
 }
 
-/* What is not as usual. */
+/* Writes only what differs from the default. */
 static void write_style(bat_text *line, const bat_style *style) {
     bat_style usual = bat_style_defaults();
     if (style->stroked != usual.stroked) number(line, "stroked", style->stroked);
@@ -82,7 +82,7 @@ static void write_style(bat_text *line, const bat_style *style) {
 
 static bool is_redraw(bat_edit_kind kind) { return kind == BAT_EDIT_REDRAW || kind == BAT_EDIT_EXTEND; }
 
-/* What the choice of meaning has said of a redraw. */
+/* What the choice of meaning has determined for a redraw. */
 static void write_redraw(bat_text *line, const bat_sketch_meaning *meaning) {
     if (meaning->sense) number(line, "sense", meaning->sense);
     if (!meaning->end[0] && !meaning->end[1]) return;
@@ -113,7 +113,7 @@ static void write_parts(bat_text *line, const bat_edit *edit) {
     bat_text_string(line, "]");
 }
 
-/* The page goes without saying. */
+/* The page is the default and not written. */
 static void write_ground(bat_text *line, const bat_ground *ground) {
     if (!ground->type->numbers) return;
     bat_text_string(line, ",\"ground\":{\"");
@@ -166,7 +166,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     stroke(line, &edit->samples);
 }
 
-/* ---- and back ---- */
+/* ---- reading ---- */
 
 bat_status bat_edit_number(const bat_json *json, uint32_t object, const char *name, double low, double high,
                            const double *otherwise, double *out, bat_problem *problem) {
@@ -187,7 +187,7 @@ bat_status bat_edit_number(const bat_json *json, uint32_t object, const char *na
     return bat_json_complain(json, node ? node : object, BAT_ARGUMENT, name, expected, problem);
 }
 
-/* A reader that stops at the first fault. */
+/* A reader that stops at the first error. */
 typedef struct reader {
     const bat_json *json;
     uint32_t object;
@@ -240,7 +240,7 @@ static bool item_numbers(const bat_json *json, uint32_t node, uint32_t count, do
     return good;
 }
 
-/* One number a sample, one for all, or none at all. */
+/* One number per sample, one for all, or none at all. */
 static bool column_fits(const bat_json *json, uint32_t list, uint32_t count) {
     uint32_t found = bat_json_count(json, list);
     return !list || found == count || (bat_json_type_of(json, list) == BAT_JSON_LIST && found == 1);
@@ -291,7 +291,7 @@ static bat_status read_stroke(const bat_json *json, uint32_t stroke, bat_edit *e
     return BAT_OK;
 }
 
-/* So many numbers, when they are there. */
+/* Reads that many numbers, if the member is there. */
 static bool read_numbers(reader *r, const char *name, int count, double limit, double *out) {
     uint32_t node = bat_json_member(r->json, r->object, name);
     if (!node || r->status != BAT_OK) return false;

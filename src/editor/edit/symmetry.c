@@ -24,11 +24,11 @@ bat_mirror bat_symmetry(bat_context *c) {
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] == 0 || bat_stage_dimension(c->stage) != 2)
         return (bat_mirror){0};
     if (!axis.on && !upright_middle(c, &axis) && !c->session->read_only)
-        bat_session_set_axis(c->session, &axis); /* no memory: the same again next time */
+        bat_session_set_axis(c->session, &axis); /* out of memory: the same again next time */
     return axis;
 }
 
-/* What of a step is mirrored, by what the step is called; 0: it acts on the selection, or on no curve. */
+/* What of a step is mirrored, by the step's label; 0: it acts on the selection, or on no curve. */
 static unsigned ways_of(bat_string label) {
     enum { SHAPE = BAT_MIRROR_TWINS | BAT_MIRROR_OWN };
     static const struct {
