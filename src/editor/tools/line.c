@@ -1,8 +1,10 @@
 /*
- * The line tool: a straight line by a drag. Shift keeps to steps of 15 degrees. Each further drag or click goes on from
- * where the last line ended, in the same curve, with a corner there; a click on that end, or Esc, is the end of it.
+ * The line tool: drag to draw a straight line. Shift constrains it to steps of 15 degrees. Each further drag or click
+ * continues from the end of the last line, in the same curve, with a corner there; a click on that end, or Esc,
+ * finishes it.
  *
- * IDLE --down--> PRESSED --up, moved--> ON --down, up--> ON ... --Esc--> IDLE. A click in IDLE puts the first point.
+ * IDLE --down--> PRESSED --up, moved--> ON --down, up--> ON ... --Esc--> IDLE. A click in IDLE places the first
+ * point.
  */
 #include "base/real.h"
 #include "curve/curve.h"
@@ -21,19 +23,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double CLICK = 5; /* px of travel that are still a click */
+static const double CLICK = 5; /* px of travel that still count as a click */
 
 typedef struct lining {
-    bool placed;             /* there is a point to go on from */
+    bool placed;             /* there is a point to continue from */
     bool hovering;           /* `at` is where the next line would end */
     bool pressed;            /* between down and up */
-    bool began;              /* this press has put the first point */
-    bat_id object;           /* the curve that goes on; 0: none yet */
+    bool began;              /* this press has placed the first point */
+    bat_id object;           /* the curve being continued; 0: none yet */
     double from[2], at[2];   /* document units */
-    double start[2], now[2]; /* view pixels of the press */
+    double start[2], now[2]; /* view pixels: at the press; now */
 } lining;
 
-/* The curve that goes on, while it ends where the last line did: undo or another tool may have changed it. */
+/* The curve being continued, as long as it ends where the last line did: undo or another tool may have changed it. */
 static const bat_curve *settle(const bat_context *c, lining *l) {
     if (!l->object) return NULL;
     const bat_curve *curve = bat_edit_target(c->session->document, l->object, 0);
@@ -84,7 +86,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (l->pressed && !event->predicted) place(c, l, event);
 }
 
-/* The curve, or nothing, and a straight piece from its end: knots as long as the piece, three at the corner. */
+/* Extends the curve (or nothing) by a straight piece: knot spacing equal to its length, a triple knot at the corner. */
 static bat_status straight(const bat_curve *before, const double from[2], const double to[2],
                            bat_curve **out) {
     int old = before ? bat_point_count(before) : 1, count = old + 3;
@@ -136,9 +138,9 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     place(c, l, event);
     l->pressed = false;
     bool clicked = bat_hypot(l->now[0] - l->start[0], l->now[1] - l->start[1]) <= CLICK;
-    if (clicked && l->began) return; /* the first point is put */
+    if (clicked && l->began) return; /* this click has placed the first point */
     if (bat_hypot(l->at[0] - l->from[0], l->at[1] - l->from[1]) <= CLICK * bat_stage_pixel(c->stage)) {
-        l->placed = false; /* on the end: that was all */
+        l->placed = false; /* a click on the end finishes the curve */
         l->object = 0;
         return;
     }
@@ -149,7 +151,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         bat_notice_failure(c, status);
 }
 
-/* A press is taken back first, then the line comes to its end. */
+/* Cancels a press first, then finishes the line. */
 static bool cancel(bat_context *c, void *state) {
     lining *l = state;
     bool had = l->placed;
@@ -163,7 +165,7 @@ static bool cancel(bat_context *c, void *state) {
     return had;
 }
 
-/* Before undo: only what is not in the document yet. */
+/* Before undo: drops only what is not in the document yet. */
 static bool undo(bat_context *c, void *state) {
     lining *l = state;
     return (l->pressed || !l->object) && cancel(c, state);

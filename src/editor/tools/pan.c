@@ -1,4 +1,4 @@
-/* The hand: every contact navigates while it is chosen (events.c), so it has no state of its own. */
+/* The hand: every contact navigates while this tool is chosen (events.c), so it has no state of its own. */
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/session/context.h"

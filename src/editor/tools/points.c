@@ -1,11 +1,11 @@
 /*
- * The points tool. Of the chosen curve (else the one under the pen) control polygon, control points and knots are
- * shown. A control point is dragged as it is, but smooth nodes stay smooth unless Alt is held; the curve is dragged
- * anywhere by direct manipulation, and its ends and a knot that is chosen stay where they are then. A double tap
- * inserts a knot, Delete removes one.
+ * The points tool. Shows control polygon, control points and knots of the chosen curve (or else the one under the
+ * pen). Control points can be dragged directly, with smooth nodes kept smooth unless Alt is held; the curve can be
+ * dragged anywhere by direct manipulation, while its ends and a chosen knot stay in place. A double tap inserts a
+ * knot, Delete removes one.
  *
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
- * which chooses. cancel: a drag is taken back, a press let go; else nothing is chosen.
+ * which chooses. cancel: reverts a drag or drops a press; otherwise deselects.
  */
 #include "base/vec.h"
 #include "curve/curve.h"
@@ -43,7 +43,7 @@
 #include <string.h>
 
 static const double HANDLE_REACH = 9, CURVE_REACH = 10, HANDLE_LEAD = 5; /* px */
-static const double TOUCH = 2.2;                                         /* as far for fingers */
+static const double TOUCH = 2.2;                                         /* factor on the reach for fingers */
 static const double TAP = 4, DOUBLE_TAP = 400;                           /* px, ms */
 static const float STRETCH_WIDTH = 4, HIGHLIGHT_WIDTH = 3;
 
@@ -52,7 +52,7 @@ static double reach(const bat_context *c, const bat_pointing *p, double pixels) 
     return pixels * factor * bat_stage_pixel(c->stage);
 }
 
-/* The chosen curve, NULL when there is none or it is gone. */
+/* The chosen curve; NULL when there is none or it is gone. */
 static const bat_curve *chosen_curve(const bat_context *c, const bat_pointing *p) {
     return p->object ? bat_edit_target(c->session->document, p->object, p->curve) : NULL;
 }
@@ -62,7 +62,7 @@ static void choose_nothing(bat_pointing *p) {
     p->measured = false;
 }
 
-/* What has been selected elsewhere is shown here, once. */
+/* Takes over, once, what has been selected elsewhere. */
 static void adopt(bat_context *c, bat_pointing *p) {
     if (c->choice->selection.count != 1 || c->choice->selection.ids[0] == p->adopted) return;
     p->object = p->adopted = c->choice->selection.ids[0];
@@ -70,7 +70,7 @@ static void adopt(bat_context *c, bat_pointing *p) {
     choose_nothing(p);
 }
 
-/* Undo and other commands may have taken away what is chosen. */
+/* Undo and other commands may have removed what was chosen. */
 static void settle(bat_context *c, bat_pointing *p) {
     adopt(c, p);
     const bat_curve *curve = chosen_curve(c, p);
@@ -95,17 +95,17 @@ static void choose_curve(bat_context *c, bat_pointing *p, bat_id object, int cur
     p->curve = curve;
     p->adopted = object;
     bat_selection_clear(&c->choice->selection);
-    if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
+    if (object) bat_selection_add(&c->choice->selection, object); /* out of memory: not selected */
 }
 
-/* The last control points of an open curve, which hold its ends. */
+/* Whether the handle is an end control point of an open curve, which fixes its end. */
 static bool is_end(const bat_curve *curve, const bat_handle *handle) {
     bool last = handle->index == 0 || handle->index == bat_point_count(curve) - 1;
     return handle->kind == BAT_HANDLE_POINT && last && !bat_curve_is_closed(curve);
 }
 
-/* The handle at the point. One beside the curve gives way to the curve when the pen is on that: where the control
- * polygon is close to the curve, the curve could not be pulled otherwise. */
+/* The handle at the point. A handle beside the curve yields to the curve when the pen is on the curve: otherwise the
+ * curve could not be pulled where its control polygon is close to it. */
 static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_curve *curve,
                       const double point[2], const bat_pick *pick, bat_handle *out) {
     double at[2];
@@ -116,7 +116,7 @@ static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_cur
     return distance <= pick->near.distance + reach(c, p, HANDLE_LEAD);
 }
 
-/* What a press here would take hold of: handles of the curve shown before curves. */
+/* What a press here would grab: handles of the displayed curve before curves. */
 static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
     double point[2];
     bat_handle handle = {0};
@@ -143,7 +143,7 @@ static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
-/* Whether the control point is one of a smooth node, and the node is to stay one. */
+/* Whether the control point belongs to a smooth node that is to stay smooth. */
 static bool is_tied(const bat_pointing *p, const bat_curve *curve, const bat_handle *handle) {
     bat_smooth_node node;
     if (!bat_smooth_node_of(curve, handle->index, &node)) return false;
@@ -163,7 +163,7 @@ static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_c
     return status == BAT_SINGULAR ? bat_pull(base, 1, u, deltas, out) : status;
 }
 
-/* From the press to where the pen is, document units; what is held snaps, Shift steps by angles. */
+/* From the press to the pen, document units; the grip snaps, Shift constrains to angle steps. */
 static void drag_delta(bat_context *c, bat_pointing *p, double delta[2]) {
     double from[2], to[2], held[2];
     int own = bat_document_find(c->session->document, p->grip.object);
@@ -253,7 +253,7 @@ static bat_status done(bat_context *c, bat_status status) {
     return status;
 }
 
-/* Inserts u until it is there `times` more; the shape stays. The knot is chosen then. */
+/* Inserts u until its multiplicity is `times` higher; the shape does not change. Chooses the knot. */
 static bat_status insert(bat_context *c, bat_pointing *p, const bat_curve *curve, double u, int times,
                          bat_string label) {
     bat_curve *after = NULL;
@@ -272,14 +272,14 @@ static bat_status insert(bat_context *c, bat_pointing *p, const bat_curve *curve
     return BAT_OK;
 }
 
-/* Takes out `times` copies of a knot when the curve then moves by no more than `within` document units. */
+/* Removes `times` copies of a knot if the curve then moves by no more than `within` document units. */
 static bat_status take_out(bat_context *c, bat_pointing *p, double u, int times, double within,
                            bat_string label) {
     const bat_curve *curve = chosen_curve(c, p);
     bat_curve *after = NULL;
     int removed = 0;
     double error = 0;
-    /* A bound without bounds tells what it would cost. */
+    /* With an unlimited bound it tells what the removal would cost. */
     bat_status status = bat_curve_remove_knot(curve, u, times, bat_curve_size(curve) * 1e6, &after, &removed,
                                               &error);
     if (status != BAT_OK) return done(c, status);
@@ -300,7 +300,7 @@ static bat_status take_out(bat_context *c, bat_pointing *p, double u, int times,
     return BAT_OK;
 }
 
-/* The knot that commands mean: the chosen one, or the one nearest to the chosen point. */
+/* The knot that commands act on: the chosen one, or the one nearest to the chosen point. */
 static bool meant_knot(const bat_context *c, const bat_pointing *p, double *u) {
     const bat_curve *curve = chosen_curve(c, p);
     if (!curve || !p->chosen.kind) return false;
@@ -322,8 +322,7 @@ static bat_status delete_knot(bat_context *c, bat_pointing *p) {
     return take_out(c, p, u, 1, within, BAT_STRING_STEP_KNOT_OUT);
 }
 
-/* Where a knot without a place of its own goes: under the pen, or into the middle of the span behind what is chosen.
- */
+/* Inserts a knot with no place given: under the pen, or in the middle of the span after what is chosen. */
 static bat_status insert_knot(bat_context *c, bat_pointing *p) {
     if (p->hovering && p->hot.kind == BAT_HANDLE_CURVE) {
         choose_curve(c, p, p->hot.object, p->hot.curve);
@@ -335,7 +334,7 @@ static bat_status insert_knot(bat_context *c, bat_pointing *p) {
     bat_curve_domain(curve, domain);
     from = p->chosen.kind ? p->chosen.u : domain[0];
     if (from >= domain[1]) from = domain[0];
-    if (p->chosen.kind != BAT_HANDLE_KNOT) { /* a point: the span that its Greville abscissa lies in */
+    if (p->chosen.kind != BAT_HANDLE_KNOT) { /* a point: the span that contains its Greville abscissa */
         double u, start = domain[0];
         for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL) && u <= from; after = u)
             start = u;
@@ -359,7 +358,7 @@ static bat_status make_corner(bat_context *c, bat_pointing *p) {
     return status;
 }
 
-/* Down to as many copies as leave the curve C2 (degree 2: C1), whatever it costs; what it cost is said. */
+/* Reduces the multiplicity until the curve is C2 (degree 2: C1), whatever the deviation, and reports the deviation. */
 static bat_status smooth_corner(bat_context *c, bat_pointing *p) {
     const bat_curve *curve = chosen_curve(c, p);
     double u;
@@ -383,7 +382,7 @@ static void measure_to(bat_context *c, bat_pointing *p, double u) {
     p->stretch[1] = fmax(p->chosen.u, u);
     double period = domain[1] - domain[0];
     if (bat_curve_is_closed(curve) &&
-        p->stretch[1] - p->stretch[0] > period / 2) { /* the shorter way round */
+        p->stretch[1] - p->stretch[0] > period / 2) { /* the shorter way around */
         double from = p->stretch[0];
         p->stretch[0] = p->stretch[1];
         p->stretch[1] = from + period;
@@ -419,7 +418,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_pointing *p = state;
     if (!p->pressed) return;
     drag(c, p);
-    if (!p->pressed) return; /* it failed */
+    if (!p->pressed) return; /* the drag has failed */
     bool dragged = p->dragging;
     bat_string label = p->grip.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
                                                         : BAT_STRING_STEP_PULL;
@@ -438,7 +437,7 @@ static bool cancel(bat_context *c, void *state) {
         bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
         return true;
     }
-    if (p->pressed) { /* it has chosen nothing yet: a tap does when it is lifted */
+    if (p->pressed) { /* nothing is chosen yet: a tap chooses when it is lifted */
         release(p);
         return true;
     }
@@ -448,7 +447,7 @@ static bool cancel(bat_context *c, void *state) {
     return any;
 }
 
-/* Undo takes back the drag under way, but what is chosen stays chosen. */
+/* Undo reverts the drag under way, but what is chosen stays chosen. */
 static bool undo(bat_context *c, void *state) {
     bat_pointing *p = state;
     return p->dragging && cancel(c, p);
@@ -458,7 +457,7 @@ static bool undo(bat_context *c, void *state) {
 
 static bat_status step(bat_context *c, bat_pointing *p, int direction) {
     const bat_curve *curve = chosen_curve(c, p);
-    if (!curve) { /* what is selected, else the first curve there is */
+    if (!curve) { /* the selected curve, else the first curve */
         bat_seen_sync(c);
         for (int pass = 0; pass < 2 && !curve; pass++)
             for (int i = 0; i < bat_document_count(c->session->document) && !curve; i++) {
@@ -473,7 +472,7 @@ static bat_status step(bat_context *c, bat_pointing *p, int direction) {
     }
     int count = bat_point_count(curve), at = direction > 0 ? 0 : count - 1;
     if (p->chosen.kind == BAT_HANDLE_POINT) at = p->chosen.index + direction;
-    if (at < 0 || at >= count) { /* the keyboard goes on to what lies behind the drawing */
+    if (at < 0 || at >= count) { /* the keyboard focus moves on to what follows the drawing */
         choose_nothing(p);
         return BAT_STATE;
     }
@@ -559,7 +558,7 @@ static void hover(bat_context *c, void *state, const bat_pointer *event) {
 static void leave(bat_context *c, void *state) {
     (void)c;
     bat_pointing *p = state;
-    p->adopted = p->object; /* what is selected elsewhere meanwhile is taken up */
+    p->adopted = p->object; /* a selection made elsewhere meanwhile is taken over */
     p->hovering = false;
     p->hot = (bat_handle){0};
 }
@@ -583,7 +582,7 @@ static void update(bat_context *c, void *state) {
     p->hot = p->hovering ? find(c, p, p->hover) : (bat_handle){0};
 }
 
-/* The stretch that a drag at u changes: the support of the basis functions there. */
+/* The stretch that a drag at u changes: the support of the basis functions at u. */
 static void show_support(bat_overlay *list, const bat_curve *curve, double u) {
     double range[2];
     bat_knots_reached(curve, u, range);

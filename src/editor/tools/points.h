@@ -9,29 +9,29 @@ typedef struct bat_pointing {
     bool hovering;
     bat_device device;
     double hover[2]; /* view pixels */
-    bat_handle hot;  /* what would be dragged */
-    bat_id object;   /* the curve whose points are shown for good; 0: that under the pen */
+    bat_handle hot;  /* what a press would drag */
+    bat_id object;   /* the curve whose points stay displayed; 0: the one under the pen */
     int curve;
-    bat_id adopted;    /* the selection that has been taken up */
-    bat_handle chosen; /* a point or knot of it, or none */
-    bat_handle corner; /* the knot that was made a corner last, or none: its points move alone */
-    bool measured;     /* with Shift: a stretch of it, from the chosen knot */
+    bat_id adopted;    /* the selection already taken over */
+    bat_handle chosen; /* its chosen point or knot, or none */
+    bat_handle corner; /* the knot last made a corner, or none: its points move alone */
+    bool measured;     /* with Shift: a measured stretch of the curve, from the chosen knot */
     double stretch[2]; /* ascending; closed: the end may lie in the next period */
 
     /* between down and up */
     bool pressed, dragging, due;
     bat_handle grip;
     double start[2], at[2]; /* view pixels */
-    bat_curve *base;        /* the curve as it was when the drag began, owned */
+    bat_curve *base;        /* the curve before the drag, owned */
 
-    bool tapped; /* a tap that a second one would make a double one */
+    bool tapped; /* a second tap now would make a double tap */
     double tap[2], tap_time;
 } bat_pointing;
 
-/* The place of the chosen control point or knot; false: none is chosen. Moving it is a step. */
+/* Position of the chosen control point or knot; false: none is chosen. Moving it is one step. */
 bool bat_pointing_chosen(bat_context *c, double place[2]);
 bat_status bat_pointing_shift(bat_context *c, const double delta[2]);
-/* Of the tool. */
+/* The state of the tool. */
 bat_pointing *bat_pointing_of(const bat_context *c);
 
 #endif

@@ -3,9 +3,9 @@
  *
  * IDLE --down on a handle--> SCALING, ROTATING --up--> IDLE (committed)
  * IDLE --down on an object--> PRESSED --move--> MOVING --up--> IDLE (committed); PRESSED --up--> IDLE (a click)
- * A move with Alt held at its beginning is of copies. A double click enters a group; Esc, or a click outside, leaves it.
+ * With Alt held at the start, a move makes copies. A double click enters a group; Esc, or a click outside, leaves it.
  * IDLE --down on nothing--> MARQUEE --up--> IDLE
- * cancel: to IDLE from anywhere, nothing changed. A drag holds a transaction from its first change to its end.
+ * cancel: to IDLE from any state, nothing changed. A drag holds a transaction open from its first change to its end.
  */
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
@@ -44,14 +44,14 @@ static const double PI = 3.14159265358979323846;
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
-/* Where handle i is on the box: 0, 1/2 or 1 along each axis. */
+/* Position of handle i on the box: 0, 1/2 or 1 along each axis. */
 static void handle_share(int handle, double share[2]) {
     static const double shares[8][2] = {{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5},
                                         {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}};
     memcpy(share, shares[handle], sizeof shares[0]);
 }
 
-/* Of the box (document units), in view pixels. False: too crowded, or no such side. */
+/* Position of the handle of the box (document units) in view pixels. False: too crowded, or no such side. */
 static bool handle_place(const bat_stage *stage, const double box[4], int handle, double out[2]) {
     double share[2] = {0.5, 0};
     if (handle < BAT_GRIP_ROTATE) handle_share(handle, share);
@@ -86,7 +86,7 @@ static int handle_at(const bat_context *c, const double pixel[2], bat_device dev
     return found;
 }
 
-/* What a click here means: the whole group, or with deep the object itself. 0: nothing. */
+/* What a click here selects: the whole group, or with `deep` the object itself. 0: nothing. */
 static bat_id object_at(bat_context *c, const double pixel[2], bat_device device, bool deep) {
     double point[2];
     bat_seen_sync(c);
@@ -118,14 +118,14 @@ static void forget_drag(bat_selecting *s) {
     s->handle = BAT_GRIP_NONE;
 }
 
-/* Begins another selection, without losing the one there is: a press may yet be cancelled. */
+/* Begins a new selection but keeps the current one: a press may still be cancelled. */
 static void replace_selection(bat_context *c, bat_selecting *s) {
     bat_selection_swap(&c->choice->selection, &s->earlier);
     bat_selection_clear(&c->choice->selection);
     s->replaced = true;
 }
 
-/* What is selected is again what was before the press. */
+/* Restores the selection from before the press. */
 static void take_press_back(bat_context *c, bat_selecting *s) {
     if (s->replaced)
         bat_selection_swap(&c->choice->selection, &s->earlier);
@@ -137,11 +137,11 @@ static void take_press_back(bat_context *c, bat_selecting *s) {
     s->clicked_at = 0;
 }
 
-/* Takes the drag back; the copies are gone, what they were made of is selected as before the press. */
+/* Reverts the drag: the copies are removed, and the selection from before the press is restored. */
 static void take_back(bat_context *c, bat_selecting *s) {
     bat_transaction_cancel(c);
     for (int i = 0; s->originals && i < s->original_count; i++)
-        bat_selection_add(&c->choice->selection, s->originals[i]); /* there is room: they were in it */
+        bat_selection_add(&c->choice->selection, s->originals[i]); /* there is room: it was selected before */
     take_press_back(c, s);
     forget_drag(s);
 }
@@ -155,7 +155,7 @@ static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
     if (s->source_count < BAT_SNAP_SOURCES) s->sources[s->source_count++] = (bat_snap_source){{x, y}, kinds};
 }
 
-/* What of the selection snaps: the box to lines, ends of curves and the place held to everything. */
+/* What snaps of the selection: the box to lines; curve ends and the grabbed place to everything. */
 static void find_sources(bat_context *c, bat_selecting *s) {
     double held[2], domain[2], end[2];
     s->source_count = 0;
@@ -175,7 +175,7 @@ static void find_sources(bat_context *c, bat_selecting *s) {
         }
 }
 
-/* Keeps what the drag is going to change, as it is now. */
+/* Records the objects that the drag is going to change. */
 static bat_status take_hold(bat_context *c, bat_selecting *s) {
     const bat_document *document = c->session->document;
     int count;
@@ -190,7 +190,7 @@ static bat_status take_hold(bat_context *c, bat_selecting *s) {
     return c->session->transaction.open ? BAT_OK : bat_transaction_begin(c);
 }
 
-/* Copies in place of the selection, to be dragged. */
+/* Replaces the selection by copies to be dragged. */
 static bat_status lift(bat_context *c, bat_selecting *s) {
     size_t size = (size_t)c->choice->selection.count * sizeof *s->originals;
     s->originals = malloc(size);
@@ -200,7 +200,7 @@ static bat_status lift(bat_context *c, bat_selecting *s) {
     return bat_arrange_lift(c);
 }
 
-/* ---- what the drag makes ---- */
+/* ---- what the drag does ---- */
 
 static double snapped_angle(double radians, bool snap) {
     return snap ? round(radians / (PI / 12)) * (PI / 12) : radians;
@@ -214,7 +214,7 @@ static void scaling(const bat_selecting *s, uint32_t modifiers, const double fro
         double low = s->box[k], high = s->box[k + 2], opposite = low + (1 - share[k]) * (high - low);
         about[k] = modifiers & BAT_ALT || share[k] == 0.5 ? low / 2 + high / 2 : opposite;
         double held = low + share[k] * (high - low), arm = held - about[k];
-        /* The handle keeps its distance to the pointer. */
+        /* The handle keeps its distance from the pointer. */
         if (share[k] != 0.5 && arm != 0) factor[k] = (arm + to[k] - from[k]) / arm;
     }
     if (modifiers & BAT_SHIFT) {
@@ -222,7 +222,7 @@ static void scaling(const bat_selecting *s, uint32_t modifiers, const double fro
         double size = fabs(factor[leading]);
         for (int k = 0; k < 2; k++) factor[k] = share[k] == 0.5 ? size : copysign(size, factor[k]);
     }
-    /* Nothing can be scaled back from nothing. */
+    /* A box of no size cannot be scaled back up. */
     for (int k = 0; k < 2; k++)
         if (fabs(factor[k]) < 1e-4) factor[k] = factor[k] < 0 ? -1e-4 : 1e-4;
     bat_matrix_scaling(factor[0], factor[1], about, matrix);
@@ -250,7 +250,7 @@ static void moving(bat_context *c, bat_selecting *s, const double from[2], doubl
     bat_matrix_translation(by[0], by[1], matrix);
 }
 
-/* The handle held goes to `to` less the distance it was taken hold of at; it is what snaps. */
+/* The grabbed handle goes to `to` less the offset at which it was grabbed; the handle is what snaps. */
 static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], double to[2]) {
     double share[2], by[2] = {to[0] - from[0], to[1] - from[1]};
     handle_share(s->handle, share);
@@ -388,10 +388,10 @@ static void click(bat_context *c, bat_selecting *s) {
         return;
     }
     bat_selection_clear(selection);
-    bat_selection_add(selection, s->pressed); /* there is room: it was in it */
+    bat_selection_add(selection, s->pressed); /* there is room: it was in the selection before */
 }
 
-/* The marquee, view pixels, low before high. */
+/* The marquee in view pixels, low before high. */
 static void marquee(const bat_context *c, const bat_selecting *s, double box[4]) {
     (void)c;
     const double *a = s->start, *b = s->at;
@@ -424,7 +424,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     if (was == BAT_SELECTING_PRESSED) click(c, s);
     if (was == BAT_SELECTING_MARQUEE) select_box(c, s);
     if (dragging(s)) {
-        /* A handle that was only touched changes nothing. */
+        /* A handle that was only tapped changes nothing. */
         bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
         bat_status status = moved ? change(c, s) : BAT_OK;
         if (status == BAT_OK)
@@ -453,7 +453,7 @@ static void modifiers(bat_context *c, void *state) {
     s->due = s->due || dragging(s);
 }
 
-/* The next of what a click could select, back to front; past the last one the keyboard goes on. */
+/* Selects the next of what a click could select, back to front; past the last one the key goes to the host. */
 static bat_status step_object(bat_context *c, int direction) {
     bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
@@ -473,7 +473,7 @@ static bat_status step_object(bat_context *c, int direction) {
     return BAT_STATE;
 }
 
-/* By a degree or a hundredth about the middle, with Shift by more. */
+/* By a degree or a hundredth about the middle; more with Shift. */
 static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix[6]) {
     bool far = c->modifiers & BAT_SHIFT,
          turns = id == BAT_COMMAND_ROTATE_LEFT || id == BAT_COMMAND_ROTATE_RIGHT;
@@ -526,7 +526,7 @@ static void update(bat_context *c, void *state) {
     bat_seen_sync(c);
 }
 
-/* ---- what is shown ---- */
+/* ---- display ---- */
 
 static void show_handle(bat_overlay *overlay, const bat_stage *stage, const double pixel[2], bool round) {
     double r = HANDLE, corners[10], point[2];
@@ -543,7 +543,7 @@ static void show_handle(bat_overlay *overlay, const bat_stage *stage, const doub
     bat_path_close(&overlay->path);
 }
 
-/* The box: of the document, or with a stage, of its pixels. */
+/* The box: of the document, or, given a stage, in its pixels. */
 static void show_box(bat_overlay *overlay, const bat_stage *stage, const double box[4]) {
     double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
     for (int i = 0; i < 5 && stage; i++)
@@ -569,7 +569,7 @@ static void show_selection(const bat_context *c, const bat_selecting *s, bat_ove
         if (handle_place(stage, box, i, place)) show_handle(overlay, stage, place, i == BAT_GRIP_ROTATE);
 }
 
-/* The box of the group that was entered, and its name. */
+/* The box of the entered group, and its name. */
 static void show_entered(const bat_context *c, bat_overlay *list) {
     double box[4];
     int at = c->choice->entered ? bat_document_find(c->session->document, c->choice->entered) : -1;
@@ -627,7 +627,7 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
     if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
-    if (s->handle != BAT_GRIP_NONE) /* the handles lie as the view is turned */
+    if (s->handle != BAT_GRIP_NONE) /* the handles follow the rotation of the view */
         return handles[(s->handle + 8 + (int)round(bat_stage_angle(c->stage) / 45)) % 4];
     if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_CURSOR_MOVE;
     return BAT_CURSOR_ARROW;

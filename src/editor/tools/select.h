@@ -8,46 +8,46 @@
 
 typedef enum bat_selecting_state {
     BAT_SELECTING_IDLE,
-    BAT_SELECTING_PRESSED, /* down on something, not moved yet */
+    BAT_SELECTING_PRESSED, /* pen down on something, not moved yet */
     BAT_SELECTING_MARQUEE,
     BAT_SELECTING_MOVING,
     BAT_SELECTING_SCALING,
     BAT_SELECTING_ROTATING
 } bat_selecting_state;
 
-/* The eight handles lie around the box, from the top left on clockwise; then the one that rotates. */
+/* The eight handles of the box, clockwise from the top left; then the handle that rotates. */
 enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_NONE = -1, BAT_SNAP_SOURCES = 40 };
 
 typedef struct bat_selecting {
     bat_selecting_state state;
     bat_device device;
-    double start[2], at[2]; /* view pixels: where the pointer came down, where it is */
+    double start[2], at[2]; /* view pixels: where the pointer went down; where it is */
     bool hovering;
     bat_id hovered; /* what a click would select; 0: nothing */
-    int handle;     /* under the pointer, or held */
+    int handle;     /* under the pointer, or grabbed */
 
     bat_id pressed;    /* 0: on nothing */
     bool was_selected; /* before the press: a click then selects it alone */
-    bool replaced;     /* the press has begun another selection; `earlier` is the one before */
+    bool replaced;     /* the press has begun a new selection; `earlier` is the previous one */
     bat_selection earlier;
     bat_id entered; /* before the press */
-    double box[4];  /* of the selection, when the drag began */
-    int *indices;   /* of the paths that the drag changes, and what they were */
+    double box[4];  /* of the selection, at the start of the drag */
+    int *indices;   /* of the paths that the drag changes, and the paths before it */
     bat_object **before;
     int count;
-    bat_id *originals; /* a drag of copies: what was selected before; else NULL */
+    bat_id *originals; /* when dragging copies: the previous selection; otherwise NULL */
     int original_count;
-    bool due; /* the drag has moved on since the objects were last changed */
+    bool due; /* the drag has moved since the objects were last updated */
 
-    double clicked[2], clicked_at;             /* view pixels, time: of the last press, for a double click */
-    bat_snap_source sources[BAT_SNAP_SOURCES]; /* of what moves: what may snap; when the drag began */
+    double clicked[2], clicked_at;             /* view pixels, time: of the last press, for double clicks */
+    bat_snap_source sources[BAT_SNAP_SOURCES]; /* what may snap of the moving objects */
     int source_count;
 
-    double point[2]; /* document units: the last place that was clicked; where to split */
+    double point[2]; /* document units: the last clicked place, where to split */
     bool has_point;
 } bat_selecting;
 
-/* Of the tool. */
+/* The state of the tool. */
 bat_selecting *bat_selecting_of(const bat_context *c);
 
 #endif

@@ -1,8 +1,9 @@
 /*
- * The span tool: two places on a picture whose distance the user knows; the property picture-span then scales it.
+ * The span tool: marks two points on a picture whose distance the user knows; the property picture-span then scales
+ * the picture.
  *
- * IDLE --down near a place, or where there is room for one--> HELD --up--> IDLE; with two places the host is asked to
- * let the distance be typed. A third press begins anew.
+ * IDLE --down near a point, or where there is room for one--> HELD --up--> IDLE; with two points the host is asked to
+ * let the user enter the distance. A third press begins anew.
  */
 #include "base/real.h"
 #include "base/vec.h"
@@ -24,7 +25,7 @@
 typedef struct bat_spanning {
     double at[2][2]; /* document units */
     int count;
-    int held; /* the one under the pointer while it is down; -1: none */
+    int held; /* the one being dragged; -1: none */
 } bat_spanning;
 
 static const double REACH = 10, REACH_TOUCH = 22, CROSS = 7; /* px */

@@ -1,8 +1,8 @@
 /*
- * A tool: a small state machine that turns pointer events into edits. One tool a file, or a folder; its state is its own:
- * the toolbox allocates it by its size and hands it to each call, and nobody else looks into it. A mode is a tool that
- * lies over the chosen one while it is on. Every member but size may be NULL. Tools never see contacts that navigate,
- * predicted samples of others, or bad numbers: events.c keeps those away.
+ * A tool: a small state machine that turns pointer events into edits. One tool per file or folder; its state is
+ * private: the toolbox allocates it by its size and hands it to each call, and nobody else looks into it. A mode is a
+ * tool that is active over the chosen one while it is on. Every member except size may be NULL. Tools never see
+ * contacts that navigate, predicted samples of other pointers, or invalid numbers: events.c filters these.
  */
 #ifndef BATTEN_EDITOR_TOOLS_TOOL_H
 #define BATTEN_EDITOR_TOOLS_TOOL_H
@@ -13,12 +13,12 @@
 #include <batten/sketch.h>
 #include <batten/tangents.h>
 
-/* What a tool is making, for those who show it. */
+/* What a tool is making, for those parts that display it. */
 typedef struct bat_readout {
-    const bat_curve *curve;          /* as it would be; NULL: nothing to show */
-    const bat_sketch_report *report; /* of its fit; NULL: none */
-    bool waits;                      /* it waits for a yes */
-    bool goes_on;                    /* it is made piece by piece, until a yes ends it */
+    const bat_curve *curve;          /* preview; NULL: nothing to show */
+    const bat_sketch_report *report; /* of the curve's fit; NULL: none */
+    bool waits;                      /* it awaits confirmation */
+    bool goes_on;                    /* it is made piece by piece until it is confirmed */
 } bat_readout;
 
 /* A stretch of a curve; closed curves: u[1] may lie in the next period. */
@@ -28,7 +28,7 @@ typedef struct bat_stretch {
     double u[2];
 } bat_stretch;
 
-/* A curve, and the active one of its levels. */
+/* A curve and its active level. */
 typedef struct bat_focus {
     bat_id object;
     int curve, level;
@@ -38,51 +38,56 @@ typedef struct bat_focus {
 typedef struct bat_traced {
     size_t count;
     const double *points;     /* x y, document units */
-    const bat_spline *spline; /* that they lie on */
-    bat_id object;            /* that is redrawn; 0: what the place of the first one means */
+    const bat_spline *spline; /* the spline that they lie on */
+    bat_id object;            /* the object being redrawn; 0: depends on where the first point lies */
     int curve;
 } bat_traced;
 
 typedef struct bat_tool {
-    size_t size; /* of its state, which is all zero before `begin` */
+    size_t size; /* of the state, which is zeroed before `begin` */
     void (*begin)(void *state);
-    void (*end)(void *state);      /* frees what the state owns: also when another document is opened */
-    bool (*on)(const void *state); /* modes: lies over the chosen tool now */
+    void (*end)(void *state); /* frees what the state owns; also called when another document is opened */
+    bool (*on)(const void *state); /* modes: active over the chosen tool now */
     void (*hover)(bat_context *c, void *state, const bat_pointer *event);
     void (*leave)(bat_context *c, void *state);
     void (*down)(bat_context *c, void *state, const bat_pointer *event);
-    void (*move)(bat_context *c, void *state, const bat_pointer *event); /* also predicted samples, flagged */
+    /* Also called for predicted samples, which are flagged. */
+    void (*move)(bat_context *c, void *state, const bat_pointer *event);
     void (*up)(bat_context *c, void *state, const bat_pointer *event);
-    /* Drops whatever is under way, or waits for a yes; true when there was something. Nothing changes. */
+    /* Drops whatever is under way or awaits confirmation; true when there was something. The document does not
+     * change. */
     bool (*cancel)(bat_context *c, void *state);
-    /* Drops what has not been committed, before undo and redo go through the history; NULL: cancel. */
+    /* Drops what has not been committed, before undo or redo steps through the history; NULL: cancel is called. */
     bool (*undo)(bat_context *c, void *state);
-    /* Commands of tools (commands.def says which); BAT_STATE: there is nothing to do it to. */
+    /* Commands for tools (marked in commands.def); BAT_STATE: they have nothing to act on. */
     bat_status (*command)(bat_context *c, void *state, bat_command_id id);
-    /* Says yes to what waits for it; false when nothing does. */
+    /* Confirms what awaits confirmation; false when nothing does. */
     bool (*accept)(bat_context *c, void *state);
     void (*modifiers)(bat_context *c, void *state);        /* c->modifiers has changed */
-    bool (*busy)(const bat_context *c, const void *state); /* between down and up */
-    /* A panel's hand holds something of it, whichever tool is chosen; and is taken off, what it did taken back. */
+    bool (*busy)(const bat_context *c, const void *state); /* pointer is down */
+    /* Whether a panel control is dragging something of the tool, whichever tool is chosen; the second ends that and
+     * reverts it. */
     bool (*held_by_panel)(const void *state);
     void (*let_go)(bat_context *c, void *state);
-    /* Once a frame, before the overlay: the costly part (previews, picking for the highlight). */
+    /* Once per frame, before the overlay: the costly part (previews, picking for the highlight). */
     void (*update)(bat_context *c, void *state);
     void (*overlay)(bat_context *c, void *state, bat_overlay *overlay);
     bat_string (*hint)(const bat_context *c, const void *state);
     bat_cursor (*cursor)(const bat_context *c, const void *state);
-    void (*readout)(const bat_context *c, const void *state, bat_readout *out); /* out: all zero before */
-    /* The last step can be read as something else: the number of the readings offered; 0: it cannot. */
+    /* out: zeroed before the call. */
+    void (*readout)(const bat_context *c, const void *state, bat_readout *out);
+    /* The number of other readings offered for the last step; 0: it cannot be read otherwise. */
     uint32_t (*readings)(const bat_context *c, const void *state);
-    bool (*over)(const bat_context *c, const void *state); /* the pointer is over something of it */
-    bool (*hits)(bat_context *c, void *state,
-                 const bat_pointer *event); /* a press there would be on something */
-    bool (*stretch)(const bat_context *c, const void *state,
-                    bat_stretch *out);                                      /* that is chosen; false: none */
-    bool (*focus)(const bat_context *c, const void *state, bat_focus *out); /* the curve that it has chosen */
-    bat_status (*work)(bat_context *c, void *state,
-                       const bat_stretch *on); /* what the tool does, on a stretch */
-    /* A stroke without a pen: as if it came down at the first point and went through the others; lifted; forgotten. */
+    bool (*over)(const bat_context *c, const void *state); /* the pointer is over something of the tool */
+    /* Whether a press there would act on something. */
+    bool (*hits)(bat_context *c, void *state, const bat_pointer *event);
+    /* The chosen stretch; false: none. */
+    bool (*stretch)(const bat_context *c, const void *state, bat_stretch *out);
+    bool (*focus)(const bat_context *c, const void *state, bat_focus *out); /* the curve it has chosen */
+    /* What the tool does, applied to a stretch. */
+    bat_status (*work)(bat_context *c, void *state, const bat_stretch *on);
+    /* A stroke without a pen: as if the pen went down at the first point and moved through the others; lifted;
+     * dropped. */
     bat_status (*trace)(bat_context *c, void *state, const bat_traced *stroke);
     bat_status (*lift)(bat_context *c, void *state, const bat_traced *stroke);
     void (*drop)(bat_context *c, void *state);

@@ -58,7 +58,7 @@ bool bat_toolbox_has(const bat_context *c, unsigned trait) {
     return bat_tool_at(c->choice->tool)->traits & trait;
 }
 
-/* The tool that a panel's hand holds something of; NULL: none. */
+/* The tool that a panel control is dragging something of; NULL: none. */
 static const bat_slot *in_panel(const bat_context *c) {
     for (int i = 0; i < BAT_SLOTS; i++) {
         const bat_slot *slot = &c->toolbox->slots[i];
@@ -128,7 +128,7 @@ void bat_toolbox_choose(bat_context *c, bat_tool_id id) {
     const bat_slot *waypoints = &c->toolbox->slots[BAT_TOOL_COUNT + BAT_MODE_WAYPOINTS];
     const bat_slot *range = &c->toolbox->slots[BAT_TOOL_COUNT + BAT_MODE_RANGE];
     waypoints->is->drop(c, waypoints->state);
-    /* A range stays, for the other tool to do something with it. */
+    /* A range stays, so that the other tool can act on it. */
     if (!range->is->on(range->state)) bat_toolbox_drop(c);
     leave(c);
     c->choice->tool = id;

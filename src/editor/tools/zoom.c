@@ -1,5 +1,5 @@
-/* The zoom tool: a click comes nearer, with Alt goes away; a rectangle drawn fills the window. Documents never
- * change by it. */
+/* The zoom tool: a click zooms in, with Alt out; a dragged rectangle is zoomed to fill the window. The document never
+ * changes. */
 #include "base/vec.h"
 #include "editor/scene/path.h"
 #include "editor/session/context.h"
@@ -11,14 +11,14 @@
 #include "base/real.h"
 #include <math.h>
 
-/* Between down and up; view pixels. */
+/* While the pointer is down; view pixels. */
 typedef struct bat_zooming {
     bool down;
     double start[2], at[2];
 } bat_zooming;
 
-#define CLICK 5.0 /* pixels of travel that are still a click */
-#define STEP 2.0  /* of a click */
+#define CLICK 5.0 /* pixels of travel that still count as a click */
+#define STEP 2.0  /* zoom factor of a click */
 
 static bool away(const bat_context *c) { return c->modifiers & BAT_ALT; }
 
@@ -53,7 +53,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     if (drawn(z) && window[0] > 0 && window[1] > 0) {
         double size[2] = {fabs(z->at[0] - z->start[0]), fabs(z->at[1] - z->start[1])};
         double middle[2] = {(z->at[0] + z->start[0]) / 2, (z->at[1] + z->start[1]) / 2};
-        /* One side is over CLICK / sqrt(2), so the factor is finite. */
+        /* One side exceeds CLICK / sqrt(2), so the factor is finite. */
         double factor = fmin(window[0] / fmax(size[0], 1e-3), window[1] / fmax(size[1], 1e-3));
         bat_stage_pan(stage, middle, centre);
         bat_stage_zoom(stage, centre, away(c) ? 1 / factor : factor);

@@ -1,6 +1,6 @@
 /*
- * The eraser. What lies within its circle is marked while it moves and goes when it is lifted: a curve loses its end,
- * falls into two, or opens when it was closed. The pen's eraser end is this tool, whatever tool is chosen.
+ * The eraser. What its circle passes over is marked while it moves, and removed when it is lifted: a curve loses an
+ * end, falls in two, or opens when it was closed. The eraser end of a pen is this tool, whichever tool is chosen.
  */
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
@@ -26,10 +26,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double LEAST = 0.75; /* px: shorter remains go too */
+static const double LEAST = 0.75; /* px: shorter remnants are removed too */
 static const float ERASED_WIDTH = 5;
 
-/* One curve that the eraser has met. */
+/* One curve that the eraser has touched. */
 typedef struct rubbed_curve {
     bat_id object;
     int curve;
@@ -42,7 +42,7 @@ typedef struct erasing {
     int count, room;
 } erasing;
 
-/* Nothing under way; the memory is given back. */
+/* Ends whatever is under way, and frees the memory. */
 static void end(void *state) {
     erasing *b = state;
     for (int i = 0; i < b->count; i++) bat_spans_free(&b->rubbed[i].spans);
@@ -57,7 +57,7 @@ static double radius(const bat_context *c, const erasing *b) {
 }
 
 static rubbed_curve *rubbed_of(erasing *b, bat_id object, int curve) {
-    for (int i = b->count - 1; i >= 0; i--) /* mostly one of the last */
+    for (int i = b->count - 1; i >= 0; i--) /* usually one of the last */
         if (b->rubbed[i].object == object && b->rubbed[i].curve == curve) return &b->rubbed[i];
     if (b->count == b->room) {
         int room = b->room ? 2 * b->room : 8;
@@ -75,7 +75,7 @@ static void give_up(bat_context *c, erasing *b, bat_status status) {
     bat_notice_failure(c, status);
 }
 
-/* From one place of the eraser to the next, both view pixels. */
+/* Erases from one position to the next, both in view pixels. */
 static void rub(bat_context *c, erasing *b, const double from[2], const double to[2]) {
     const bat_scene *scene = c->scene;
     double a[2], end[2], r = radius(c, b);
@@ -104,7 +104,7 @@ static void rub(bat_context *c, erasing *b, const double from[2], const double t
 
 /* ---- cutting out ---- */
 
-/* All that is left of an object: curves owned by the list. */
+/* What is left of an object: curves owned by the list. */
 typedef struct rest {
     bat_curve **curves;
     int count, room;
@@ -116,7 +116,7 @@ static void rest_free(rest *r) {
     *r = (rest){0};
 }
 
-/* Takes the pieces over, whatever it returns. */
+/* Takes ownership of the pieces, whatever it returns. */
 static bat_status rest_add(rest *r, int count, bat_curve **pieces) {
     if (r->count + count > r->room) {
         int room = 2 * r->room + count;
@@ -132,7 +132,7 @@ static bat_status rest_add(rest *r, int count, bat_curve **pieces) {
     return BAT_OK;
 }
 
-/* rubbed: those of the object that have spans, ascending. */
+/* rubbed: those curves of the object that have spans, ascending. */
 static bat_status rest_of(const bat_context *c, const rubbed_curve *rubbed, int rubbed_count,
                           const bat_object *object, rest *out) {
     const double least = LEAST * bat_stage_pixel(c->stage);
@@ -154,7 +154,8 @@ static bat_status rest_of(const bat_context *c, const rubbed_curve *rubbed, int 
     return status;
 }
 
-/* Curves first..first+count of the rest, which are the object's then, as a copy of it; id 0: its own. */
+/* Makes a copy of the object that has curves first to first + count of the rest, which it then owns; id 0: keeps its
+ * id. */
 static bat_status copy_with(const bat_object *object, rest *r, int first, int count, bat_id id,
                             bat_object **out) {
     bat_object *same = NULL;
@@ -170,7 +171,7 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
     return status;
 }
 
-/* An object of one curve falls into objects of one curve; one of several stays one. */
+/* An object of one curve is split into objects of one curve each; one of several curves stays one object. */
 static bat_status cut(bat_context *c, const rubbed_curve *rubbed, int count) {
     int at = bat_document_find(c->session->document, rubbed->object);
     if (at < 0) return BAT_OK;
@@ -228,7 +229,7 @@ static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
     rubbed_curve *rubbed = rubbed_of(b, on->object, on->curve);
     bat_status status = rubbed ? bat_spans_add(&rubbed->spans, on->u[0], fmin(on->u[1], domain[1]))
                                : BAT_MEMORY;
-    if (status == BAT_OK && on->u[1] > domain[1]) /* over the seam */
+    if (status == BAT_OK && on->u[1] > domain[1]) /* across the seam */
         status = bat_spans_add(&rubbed->spans, domain[0], domain[0] + (on->u[1] - domain[1]));
     if (status == BAT_OK) status = cut_all(c, b);
     end(b);

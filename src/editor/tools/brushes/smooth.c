@@ -1,7 +1,7 @@
 /*
- * The smooth brush. A circle shows its reach; the stretch of the nearest curve within it is lit. Painting adds to the
- * stretch, which is faired as a whole: the curve as it will be is shown, and kept when the pen is lifted. A tap calms
- * what is lit.
+ * The smooth brush. A circle shows its reach; the stretch of the nearest curve within it is highlighted. Painting
+ * adds to the stretch, which is faired as a whole: a preview shows the result, which is kept when the pen is lifted.
+ * A tap fairs the highlighted stretch.
  */
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
@@ -31,15 +31,15 @@ static const float STRETCH_WIDTH = 4, FIT_WIDTH = 2;
 typedef struct smoothing {
     bat_brush brush;
     bool due;
-    /* The curve under it, and the stretch within its reach; while painting: all that was painted. Closed curves: the
-     * stretch may begin or end in another period. */
+    /* The curve under the brush, and the stretch within its reach; while painting: the whole painted stretch. Closed
+     * curves: the stretch may begin or end in another period. */
     bat_id object; /* 0: none */
     int curve;
     double u, range[2];
     bat_curve *preview; /* owned; NULL: none */
 } smoothing;
 
-/* Nothing under way; the memory is given back. */
+/* Ends whatever is under way, and frees the memory. */
 static void end(void *state) {
     smoothing *b = state;
     bat_curve_free(b->preview);
@@ -52,14 +52,14 @@ static double radius(const bat_context *c) {
     return c->settings->values[BAT_PROPERTY_BRUSH_SIZE] * bat_stage_pixel(c->stage);
 }
 
-/* What the pen's pressure makes of it. A curve is found within all of it, however light the tap. */
+/* The radius scaled by the pen's pressure. A curve is found within the full radius, however light the tap. */
 static double pressed(const bat_context *c, const smoothing *b) { return b->brush.pressure * radius(c); }
 
 static const bat_curve *target(const bat_context *c, const smoothing *b) {
     return b->object ? bat_edit_target(c->session->document, b->object, b->curve) : NULL;
 }
 
-/* Half of the stretch within a circle: the chord's, at this distance from its middle. */
+/* Half of the chord that a circle cuts at this distance from its centre. */
 static double half(double radius_, double distance) {
     return sqrt(fmax(radius_ * radius_ - distance * distance, radius_ * radius_ / 16));
 }
@@ -81,7 +81,7 @@ static void look(bat_context *c, smoothing *b) {
         b->object = 0;
 }
 
-/* The curve goes on under the brush: its stretch grows, in whichever period lies next. */
+/* The brush moves on along the curve: the stretch grows, in whichever period is nearest. */
 static void paint(bat_context *c, smoothing *b) {
     const bat_curve *curve = target(c, b);
     double point[2], domain[2], range[2], r = radius(c);
@@ -122,7 +122,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (b->object)
         paint(c, b);
     else
-        look(c, b); /* the stroke began beside every curve */
+        look(c, b); /* the stroke began away from every curve */
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
@@ -160,7 +160,7 @@ static void update(bat_context *c, void *state) {
     b->due = false;
     bat_curve_free(b->preview);
     b->preview = NULL;
-    fair(c, b, &b->preview); /* without one nothing is shown */
+    fair(c, b, &b->preview); /* if it fails, nothing is shown */
 }
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {

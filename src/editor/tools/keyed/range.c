@@ -25,7 +25,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double STEP = 4, LEAST = 2, MARGIN = 40; /* px along the curve; from the window's border */
+static const double STEP = 4, LEAST = 2, MARGIN = 40; /* px: along the curve; from the window's border */
 static const float RANGE_WIDTH = 5, CURVE_WIDTH = 2;
 
 const bat_curve *bat_range_curve(const bat_context *c) {
@@ -39,7 +39,7 @@ static double period_of(const bat_curve *curve) {
     return domain[1] - domain[0];
 }
 
-/* The parameter at length s from u, in whichever period u lies. */
+/* The parameter at arc length s from u, in whichever period u lies. */
 static double along(const bat_curve *curve, double u, double s) {
     double domain[2], period = period_of(curve), turns = 0;
     bat_curve_domain(curve, domain);
@@ -50,7 +50,7 @@ static double along(const bat_curve *curve, double u, double s) {
     return v + turns;
 }
 
-/* The middle third. */
+/* Sets the range to the middle third. */
 static void reset(bat_range *r, const bat_curve *curve) {
     double domain[2], length;
     bat_curve_domain(curve, domain);
@@ -61,7 +61,7 @@ static void reset(bat_range *r, const bat_curve *curve) {
     r->end = 0;
 }
 
-/* Undo may have taken the curve away, or made it shorter. */
+/* Undo may have removed the curve or made it shorter. */
 static const bat_curve *settle(bat_context *c, bat_range *r) {
     const bat_curve *curve = bat_range_curve(c);
     double domain[2];
@@ -106,7 +106,7 @@ bat_status bat_command_range(bat_context *c, bat_command_id id) {
     if (tool->is->leave) tool->is->leave(c, tool->state);
     bat_seen_sync(c);
     const bat_scene *scene = c->scene;
-    int end = 0; /* of the selected group that the walk is in */
+    int end = 0; /* of the selected group being walked through */
     for (int i = 0; i < scene->count && c->choice->selection.count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         bat_id object = bat_object_id(entry->object);
@@ -134,7 +134,7 @@ void bat_range_end(bat_context *c) {
 
 /* ---- keys ---- */
 
-/* The end goes along the curve, but not past the other one. */
+/* Moves the end along the curve, but not past the other end. */
 static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, double u) {
     double domain[2], period = period_of(curve), pixel = bat_stage_pixel(c->stage);
     bool closed = bat_curve_is_closed(curve);
@@ -143,7 +143,7 @@ static bat_status move(bat_context *c, bat_range *r, const bat_curve *curve, dou
     double far = r->u[1 - r->end] + (r->end ? period : -period);
     u = r->end ? fmin(fmax(u, near), far) : fmax(fmin(u, near), far);
     if (!closed) u = fmin(fmax(u, domain[0]), domain[1]);
-    if (r->end ? u <= r->u[0] : u >= r->u[1]) return BAT_OK; /* the curve is shorter than the least */
+    if (r->end ? u <= r->u[0] : u >= r->u[1]) return BAT_OK; /* the curve is shorter than the least range */
     r->u[r->end] = u;
     double turns = closed ? floor((r->u[0] - domain[0]) / period) * period : 0;
     r->u[0] -= turns;
@@ -175,7 +175,7 @@ static bat_status step_knot(bat_context *c, bat_range *r, const bat_curve *curve
     return isnan(best) ? BAT_OK : move(c, r, curve, best);
 }
 
-/* The curves of the drawing, back to front; past the last one the keyboard goes on to what lies behind it. */
+/* Steps through the curves of the drawing, back to front; past the last one the key goes to the host. */
 static bat_status step_curve(bat_context *c, bat_range *r, int direction) {
     bat_seen_sync(c);
     int i = bat_document_find(c->session->document, r->object), j = r->curve + direction;
@@ -245,7 +245,7 @@ static bool cancel(bat_context *c, void *state) {
     return was;
 }
 
-/* Undo goes through the history; the range stays where it can. */
+/* Undo goes on to the history; the range stays where it can. */
 static bool undo(bat_context *c, void *state) {
     (void)state;
     (void)c;

@@ -31,7 +31,7 @@ static bool meet(const bat_context *c, const bat_waypoints *w, int i, int j, dou
     return bat_hypot(p[2 * i] - p[2 * j], p[2 * i + 1] - p[2 * j + 1]) <= pixels * pixel_of(c);
 }
 
-/* The last one has just been put and lies on the one before it. */
+/* The last point has just been placed and coincides with the one before it. */
 static bool resting(const bat_context *c, const bat_waypoints *w) {
     int last = w->count - 1;
     return last > 0 && !w->object && meet(c, w, last, last - 1, SAME);
@@ -44,7 +44,7 @@ bat_status bat_command_place(bat_context *c, bat_command_id id) {
          !(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES)) ||
         bat_toolbox_tool(c) != bat_toolbox_chosen(c))
         return BAT_STATE;
-    /* A chosen spline is being shaped: Escape first lets go of it. */
+    /* A chosen spline is being edited: Escape deselects it first. */
     const bat_slot *chosen = bat_toolbox_chosen(c);
     bat_focus focus;
     if (chosen->is->lift && chosen->is->focus && chosen->is->focus(c, chosen->state, &focus))
@@ -107,7 +107,7 @@ static bat_spline spline_of(const bat_context *c, const bat_waypoints *w, double
     return spline;
 }
 
-/* Points of the stroke, evenly enough for a pen's; *count of them. */
+/* Samples the stroke, about as evenly as a pen does; *count of them. */
 static bat_status sample(const bat_context *c, const bat_waypoints *w, double **out, size_t *count) {
     double tangents[2 * BAT_WAYPOINTS_MAX], *bezier = NULL;
     bat_spline spline = spline_of(c, w, tangents);
@@ -135,7 +135,7 @@ static bat_status sample(const bat_context *c, const bat_waypoints *w, double **
     return BAT_OK;
 }
 
-/* The sketch tool is given the stroke as if a pen had drawn it and were still down. */
+/* Gives the sketch tool the stroke as if a pen had drawn it and were still down. */
 static bat_status trace(bat_context *c, bat_waypoints *w) {
     double *points = NULL;
     size_t count = 0;
@@ -159,7 +159,7 @@ static void finish(bat_context *c, bat_waypoints *w) {
     bat_spline spline = spline_of(c, w, tangents);
     status = trace(c, w);
     if (status == BAT_OK) status = tool->is->lift(c, tool->state, &(bat_traced){.spline = &spline});
-    if (status == BAT_COUNT) { /* nothing but one place */
+    if (status == BAT_COUNT) { /* all points coincide */
         bat_notice(c, BAT_STRING_NOTICE_DOT);
         return;
     }
@@ -193,7 +193,7 @@ static bat_status insert(bat_context *c, bat_waypoints *w, int index, const doub
     return BAT_OK;
 }
 
-/* Half way to the next one; behind the last, half way to the one before it. */
+/* Adds a point half way to the next one; after the last, half way to the one before it. */
 static bat_status add(bat_context *c, bat_waypoints *w) {
     int left = w->chosen < w->count - 1 ? w->chosen : w->chosen - 1;
     if (left < 0) return BAT_STATE;
@@ -201,12 +201,12 @@ static bat_status add(bat_context *c, bat_waypoints *w) {
     return insert(c, w, left + 1, (double[]){(a[0] + a[2]) / 2, (a[1] + a[3]) / 2});
 }
 
-/* The ends of a redrawn stretch stay; a new line keeps the point that is being placed. */
+/* Removes a point. The ends of a redrawn stretch stay; a new line keeps the point that is being placed. */
 static bat_status take_out(bat_context *c, bat_waypoints *w) {
     (void)c;
     int i = w->chosen;
     if (w->object ? i == 0 || i == w->count - 1 : w->count == 1) return BAT_OK;
-    if (!w->object && i == w->count - 1) i--; /* the one that Enter has put last */
+    if (!w->object && i == w->count - 1) i--; /* the point that Enter placed last */
     w->count--;
     memmove(w->points + 2 * i, w->points + 2 * (i + 1), (size_t)(w->count - i) * 2 * sizeof *w->points);
     if (w->chosen > i || w->chosen == w->count) w->chosen--;
@@ -240,7 +240,7 @@ static bat_status command(bat_context *c, void *state, bat_command_id id) {
     }
 }
 
-/* A new line: puts the point, or ends where one has just been put. */
+/* A new line: places the point, or ends the line where a point has just been placed. */
 static bool accept(bat_context *c, void *state) {
     bat_waypoints *w = state;
     int last = w->count - 1;
@@ -253,7 +253,7 @@ static bool accept(bat_context *c, void *state) {
     return true;
 }
 
-/* Back to the range, if that is what they lie on. */
+/* Returns to the range, if the waypoints lie on it. */
 static bool cancel(bat_context *c, void *state) {
     bat_waypoints *w = state;
     if (!w->on) return false;
@@ -273,7 +273,7 @@ static void update(bat_context *c, void *state) {
     }
     if (!bat_stage_same(c->stage, &w->stage)) w->due = true;
     w->stage = *c->stage;
-    if (w->due) trace(c, w); /* one place alone has no stroke */
+    if (w->due) trace(c, w); /* a single place makes no stroke */
     const bat_slot *tool = bat_toolbox_chosen(c);
     if (tool->is->trace && tool->is->update) tool->is->update(c, tool->state);
 }
@@ -300,7 +300,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     const double *at = w->points + 2 * w->chosen;
     bat_overlay_item(list, BAT_ROLE_CHOSEN, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
     bat_overlay_circle(list, at, 7 * pixel);
-    bat_overlay_item(list, BAT_ROLE_HANDLE, BAT_ITEM_STROKED, 2); /* arms that find the eye */
+    bat_overlay_item(list, BAT_ROLE_HANDLE, BAT_ITEM_STROKED, 2); /* arms that catch the eye */
     for (int i = 0; i < 4; i++) {
         double x = (i == 0) - (i == 1), y = (i == 2) - (i == 3);
         bat_overlay_polyline(list, 2,
@@ -323,7 +323,7 @@ static const char *check(const bat_context *c, const void *state) {
     return NULL;
 }
 
-/* The chosen tool carries out the stroke. */
+/* The stroke's outcome is what the chosen tool makes of it. */
 static void readout(const bat_context *c, const void *state, bat_readout *out) {
     (void)state;
     const bat_slot *tool = bat_toolbox_chosen(c);

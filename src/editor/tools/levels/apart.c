@@ -1,4 +1,4 @@
-/* Taking a curve apart: the preview, made and accepted. */
+/* Taking a curve apart into levels: the preview, made and accepted. */
 #include "editor/tables/commands.h"
 #include "curve/curve.h"
 #include "editor/choice/choice.h"
@@ -16,12 +16,12 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The fewest points that a base has. */
+/* The least number of control points of a base. */
 static int least(const bat_curve *curve) {
     return bat_curve_is_closed(curve) ? 3 : bat_curve_degree(curve) + 1;
 }
 
-/* As many as are left when every other knot goes, `levels` times. */
+/* The number of control points left when every other knot is removed, `levels` times. */
 int bat_apart_halved(const bat_curve *curve, int levels) {
     int fixed = bat_curve_is_closed(curve) ? 1 : bat_curve_degree(curve) + 1, count = bat_point_count(curve);
     for (; levels > 0; levels--) count = (count - fixed) / 2 + fixed;

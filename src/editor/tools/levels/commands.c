@@ -1,5 +1,5 @@
-/* Commands and properties of levels: taking a curve apart, adding a level, stepping, copying, flattening, the
- * frame rule. They act on the curve chosen in the levels tool, or else on what is selected. */
+/* Commands and properties of levels: taking a curve apart, adding a level, stepping, copying, flattening, the frame
+ * rule. They act on the curve chosen in the levels tool, or otherwise on the selection. */
 #include "editor/tables/commands.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/stroke.h"
@@ -16,7 +16,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The chosen curve, seen in its tool. */
+/* The chosen curve; switches to the levels tool, which shows it. */
 static const bat_curve *chosen(bat_context *c) {
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS))
         bat_toolbox_choose(c, bat_tool_that(BAT_EDITS_LEVELS));
@@ -107,7 +107,7 @@ bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve) {
     return told(c, status, BAT_STRING_NOTICE_FAILED);
 }
 
-/* In the levels tool, and in the sketch tool over the chosen curve; elsewhere the keys mean something else. */
+/* Steps in the levels tool, and in the sketch tool over the chosen curve; elsewhere the keys have other meanings. */
 static bat_status step(bat_context *c, int direction) {
     bat_leveling *l = bat_leveling_of(c);
     const bat_slot *chosen_tool = bat_toolbox_chosen(c);

@@ -1,11 +1,11 @@
 /*
- * The levels tool. Of the chosen curve the active level's control polygon is shown. A control point of it is
- * dragged as it is; the curve is dragged anywhere, and the active level bends so that the place under the pen
- * follows, details above riding along. A tap chooses another curve, or, while detail is being copied, the one
- * that gets it. A curve that is being taken apart is shown as it would be until Enter or Esc.
+ * The levels tool. It shows the active level's control polygon for the chosen curve. Its control points can be
+ * dragged directly; the curve can be dragged anywhere, and the active level bends so that the point under the pen
+ * follows, with the details above riding along. A tap chooses another curve, or, while detail is being copied, the
+ * curve that receives it. A curve that is being taken apart is previewed until Enter or Esc.
  *
- * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a
- * tap. cancel: a drag is taken back, else taking apart or copying dropped.
+ * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap.
+ * cancel: reverts a drag, or else drops taking apart or copying.
  */
 #include "base/vec.h"
 #include "curve/curve.h"
@@ -37,16 +37,16 @@
 #include <string.h>
 
 static const double HANDLE_REACH = 9, CURVE_REACH = 10, HANDLE_LEAD = 5, TAP = 4; /* px */
-static const double TOUCH = 2.2;                                                  /* as far for fingers */
-static const double CLOSE = 0.02;               /* px between the pen and the place it drags */
-static const double AXIS = 18, AXES_APART = 26; /* px: length of an axis, and between frames */
+static const double TOUCH = 2.2;                /* factor on the reach for fingers */
+static const double CLOSE = 0.02;               /* px between the pen and the point it drags */
+static const double AXIS = 18, AXES_APART = 26; /* px: length of an axis; distance between frames */
 enum { AXES_MAX = 400 };
 
 static double reach(const bat_context *c, double pixels) {
     return pixels * (bat_leveling_of(c)->device == BAT_DEVICE_TOUCH ? TOUCH : 1) * bat_stage_pixel(c->stage);
 }
 
-/* The control polygon that can be dragged. */
+/* The control polygon whose points can be dragged. */
 static const bat_curve *active(const bat_context *c) {
     const bat_shape *shape = bat_leveling_shape(c);
     return shape && !bat_leveling_of(c)->apart ? bat_shape_curve(shape, bat_leveling_of(c)->level) : NULL;
@@ -62,8 +62,8 @@ static double near_point(const bat_curve *curve, const double at[2], int *index)
     return best;
 }
 
-/* What a press here would take hold of: points of the active level before curves, but a curve under the pen
- * before a point beside it. */
+/* What a press here would grab: points of the active level before curves, but a curve under the pen before a point
+ * beside it. */
 static bat_handle find(bat_context *c, const double pixel[2]) {
     const bat_leveling *l = bat_leveling_of(c);
     double point[2];
@@ -82,17 +82,17 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
 
 /* ---- dragging ---- */
 
-/* The session's shape with the grip moved by delta from where it was. */
+/* Moves the grip of the session's shape by delta from its original position. */
 static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                         const double delta[2]) {
     if (grip->kind == BAT_HANDLE_POINT) return bat_shape_live_move(live, grip->index, 1, delta);
     bat_status status = bat_shape_live_drag_finest(live, grip->u, delta, CLOSE * bat_stage_pixel(c->stage),
                                                    NULL);
-    /* Where the details turn faster than the sweep moves, the sweep alone follows. */
+    /* Where the details turn faster than the sweep moves, only the sweep follows. */
     return status == BAT_TOLERANCE ? bat_shape_live_drag(live, grip->u, delta) : status;
 }
 
-/* The same, as a shape of its own. */
+/* The same, as a separate shape. */
 static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                          const double delta[2], bat_shape **out) {
     bat_shape *shape = NULL;
@@ -151,7 +151,7 @@ static void begin_drag(bat_context *c) {
     bat_leveling_choose(c, l->grip.object, l->grip.curve);
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
-    if (!shape) { /* nothing to bend it by */
+    if (!shape) { /* nothing can bend it */
         l->pressed = false;
         bat_notice(c, BAT_STRING_NOTICE_NO_LEVELS);
         return;
@@ -235,11 +235,11 @@ static bool undo(bat_context *c, void *state) {
     return true;
 }
 
-/* What is chosen stays chosen for the other tools; the command then deselects it. */
+/* The chosen curve stays chosen for the other tools; the command then deselects it. */
 static bool cancel(bat_context *c, void *state) {
     (void)state;
     bat_leveling *l = bat_leveling_of(c);
-    if (l->pressed && !l->dragging) { /* a finger of a pinch, say: what waits for a yes goes on waiting */
+    if (l->pressed && !l->dragging) { /* a finger of a pinch, say: what awaits confirmation stays */
         release(l);
         return true;
     }
@@ -255,7 +255,7 @@ static bat_status step(bat_context *c, int direction) {
     bat_leveling *l = bat_leveling_of(c);
     bat_seen_sync(c);
     for (int i = 0; i < bat_document_count(c->session->document) && !l->object;
-         i++) { /* the first there is */
+         i++) { /* the first curve of all */
         bat_id id = bat_object_id(bat_document_at(c->session->document, i));
         if (bat_edit_target(c->session->document, id, 0) && !bat_seen_out_of_reach(c, i))
             bat_leveling_choose(c, id, 0);
@@ -264,7 +264,7 @@ static bat_status step(bat_context *c, int direction) {
     if (!polygon) return l->object ? BAT_OK : BAT_STATE;
     int count = bat_point_count(polygon), at = l->chosen + direction;
     if (l->chosen < 0) at = direction > 0 ? 0 : count - 1;
-    l->chosen = at < 0 || at >= count ? -1 : at; /* the keyboard goes on to what lies behind the drawing */
+    l->chosen = at < 0 || at >= count ? -1 : at; /* the keyboard focus moves on to what follows the drawing */
     return l->chosen < 0 ? BAT_STATE : BAT_OK;
 }
 
@@ -281,7 +281,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
     bat_shape_live_cancel(live);
     if (status == BAT_OK) status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_POINT);
     tell(c, status);
-    return status == BAT_STATE ? BAT_OK : status; /* muted: said, and the view does not move instead */
+    return status == BAT_STATE ? BAT_OK : status; /* muted: BAT_OK keeps the key from moving the view */
 }
 
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
@@ -337,7 +337,7 @@ static void line(bat_overlay *list, bat_role role, float width, const bat_curve 
     bat_path_curve(&list->path, curve);
 }
 
-/* One axis of the frames at the nodes of the level above, thinned to what can be told apart. */
+/* Shows one axis of the frames at the nodes of the level above, thinned so that the marks stay distinguishable. */
 static void show_axis(const bat_context *c, bat_overlay *list, bat_role role, size_t count,
                       const bat_frame3 *frames, bool across) {
     double pixel = bat_stage_pixel(c->stage), last[2] = {INFINITY, INFINITY};
@@ -394,7 +394,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     int level = l->apart ? 0 : l->level;
     const bat_curve *curve = bat_shape_curve(shape, level);
     if (under && under == chosen && !l->apart && !l->copying && hot->kind == BAT_HANDLE_CURVE) {
-        double range[2]; /* what would bend */
+        double range[2]; /* the part that would bend */
         bat_knots_reached(curve, hot->u, range);
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, 4);
         bat_overlay_stretch(list, under, range[0], range[1]);

@@ -1,4 +1,4 @@
-/* The chosen curve and its levels: finding them, and changing them as steps. */
+/* The chosen curve and its levels: finding them, and changing them in undo steps. */
 #include "editor/edit/curves_of.h"
 #include "curve/curve.h"
 #include "editor/tools/levels/state.h"
@@ -64,7 +64,7 @@ void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
     l->object = l->adopted = object;
     l->curve = curve;
     bat_selection_clear(&c->choice->selection);
-    if (object) bat_selection_add(&c->choice->selection, object); /* without memory: not selected */
+    if (object) bat_selection_add(&c->choice->selection, object); /* out of memory: not selected */
 }
 
 bat_status bat_leveling_put(bat_context *c, bat_shape *shape) {

@@ -1,6 +1,6 @@
 /*
- * What the levels tool and the level strip know: the chosen curve, which of its levels is the active one, and
- * what is under way with it. Levels are counted from the base, which is 0.
+ * The state shared by the levels tool and the level strip: the chosen curve, its active level, and the operation
+ * under way. Levels are numbered from the base, which is 0.
  */
 #ifndef BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 #define BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
@@ -13,9 +13,9 @@
 typedef struct bat_leveling {
     bat_id object; /* the chosen curve; 0: none */
     int curve;
-    bat_id adopted; /* the selection that has been taken up */
-    int level;      /* the active one */
-    int chosen;     /* a control point of it; -1: none */
+    bat_id adopted; /* the selection already taken into account */
+    int level;      /* the active level */
+    int chosen;     /* index of its chosen control point; -1: none */
 
     bool hovering;
     bat_device device;
@@ -26,46 +26,46 @@ typedef struct bat_leveling {
     bool pressed, dragging, due;
     bat_handle grip;
     double start[2], at[2]; /* view pixels */
-    bool fading;            /* a hand on a fader holds the transaction */
-    bat_shape *base;        /* the shape as the fader found it, owned */
+    bool fading;            /* a fader is being dragged and holds the transaction */
+    bat_shape *base;        /* the shape before the fader was moved, owned */
     bat_shape_live *live;   /* the drag's session, owned */
 
-    bat_shape *apart; /* the curve taken apart, shown until Enter or Esc; owned */
+    bat_shape *apart; /* the curve taken apart, a preview until Enter or Esc; owned */
     uint64_t apart_revision;
-    bool copying; /* the next tap chooses the curve that gets the detail */
+    bool copying; /* the next tap chooses the curve that receives the detail */
 
-    uint32_t version; /* of what the strip shows */
+    uint32_t version; /* of the contents of the strip */
     uint64_t shown;
-    char *strip; /* JSON, made when asked for */
+    char *strip; /* JSON, made on request */
 } bat_leveling;
 
 void bat_leveling_free(bat_leveling *leveling);
-/* Takes up the selection, forgets what is gone. */
+/* Takes over the selection; drops what is gone. */
 void bat_leveling_settle(bat_context *c);
 void bat_leveling_choose(bat_context *c, bat_id object, int curve);
 /* The chosen curve and its levels; NULL: none. */
 const bat_curve *bat_leveling_curve(const bat_context *c);
 const bat_shape *bat_leveling_shape(const bat_context *c);
-/* The chosen curve with this shape, within the open transaction, or as a step of its own. Takes the shape over,
- * whatever it returns. */
+/* Gives the chosen curve this shape, within the open transaction or as a step of its own. Takes ownership of the
+ * shape, whatever it returns. */
 bat_status bat_leveling_put(bat_context *c, bat_shape *shape);
 bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label);
-/* A hand on a fader is taken off, and what it did taken back; false: there was none. */
+/* Ends a fader drag and reverts it; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
-/* Whether the strip is to be seen, and the number of what it shows then; 0: not. */
+/* The version of the strip's contents; 0: the strip is not visible. */
 uint32_t bat_leveling_version(bat_context *c);
 
-/* Taking apart: the preview anew, dropped (false: there was none), made so. */
+/* Taking apart: updates the preview; drops it (false: there was none); accepts it. */
 bat_status bat_apart_make(bat_context *c);
-/* As many points as are left when every other knot goes, `levels` times; no fewer than a base has. */
+/* The number of control points left when every other knot is removed, `levels` times; at least that of a base. */
 int bat_apart_halved(const bat_curve *curve, int levels);
 bool bat_apart_drop(bat_context *c);
 bool bat_apart_accept(bat_context *c);
-/* Properties of levels: what follows from a new value; what FRAME_RULE is. */
+/* Properties of levels: applies a new value; gives the value of FRAME_RULE. */
 bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value);
-/* Detail of the chosen curve to another. */
+/* Copies the chosen curve's detail to another curve. */
 bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve);
-/* Of the tool. */
+/* The state of the tool. */
 bat_leveling *bat_leveling_of(const bat_context *c);
 
 #endif

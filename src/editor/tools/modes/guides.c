@@ -1,5 +1,5 @@
 /*
- * IDLE --down in a ruler, or on a guide--> on --up--> IDLE: put where it is, or taken away over the ruler.
+ * IDLE --down in a ruler, or on a guide--> on --up--> IDLE: the guide is placed, or removed when over the ruler.
  * cancel: to IDLE, nothing changed.
  */
 #include "editor/tools/modes/guides.h"
@@ -31,7 +31,7 @@ int bat_guide_chosen(const bat_context *c) {
     return g->chosen ? bat_document_find(c->session->document, g->chosen) : -1;
 }
 
-/* Commits, or takes everything back and tells. */
+/* Commits, or reverts everything and notifies the user. */
 static bat_status finish(bat_context *c, bat_status status) {
     status = bat_transaction_end(c, status, BAT_STRING_STEP_GUIDE);
     if (status != BAT_OK) bat_notice_failure(c, status);
@@ -127,7 +127,7 @@ int bat_guides_hot(bat_context *c) {
     return guide_at(c, c->input->pen, c->input->points, &axis) ? axis : -1;
 }
 
-/* A press there would be on something of the chosen tool. */
+/* Whether a press there would act on something of the chosen tool. */
 static bool hit(bat_context *c, const bat_pointer *event) {
     const bat_slot *tool = bat_toolbox_chosen(c);
     return tool->is->hits && tool->is->hits(c, tool->state, event);
@@ -184,7 +184,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_guiding *g = state;
-    (void)event; /* its place has been told as a move */
+    (void)event; /* its position has already come as a move */
     bat_guiding held = *g;
     *g = (bat_guiding){.chosen = held.id};
     if (!held.moved) return;

@@ -1,7 +1,7 @@
 /*
- * A stroke read again: after it was committed, for as long as the next one has not begun, it can be taken as something
- * else, or fitted closer or fairer. The step is taken back and the other one made, so the history has one step for the
- * stroke all the while.
+ * Reading a stroke again: after it was committed, and until the next one begins, it can be taken as something else,
+ * or fitted closer or fairer. The step is undone and the other one made, so the history always has exactly one step
+ * for the stroke.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
@@ -10,42 +10,42 @@
 #include "editor/tools/sketch/hold.h"
 #include "editor/tools/sketch/meaning.h"
 
-enum { BAT_AGAIN_MOST = 4 }; /* that the choice of meaning offers */
+enum { BAT_AGAIN_MOST = 4 }; /* readings that are offered at most */
 
 typedef struct bat_again {
-    int count, at;                     /* readings, the cheapest first; the one carried out. count 0: none */
-    bat_edit edit[BAT_AGAIN_MOST + 1]; /* their samples are those below */
+    int count, at;                     /* readings, the cheapest first; the one in force. count 0: none */
+    bat_edit edit[BAT_AGAIN_MOST + 1]; /* all share the samples below */
     bat_samples samples;               /* owned */
-    bat_figure_kind figure;            /* the figure that the samples are of, or none */
-    int raw;           /* the reading as the stroke that was drawn, not the figure; -1: none */
+    bat_figure_kind figure;            /* the figure that the samples represent, or none */
+    int raw;           /* the reading as the original stroke instead of the figure; -1: none */
     bat_samples drawn; /* its samples, owned */
-    double amount;     /* from raw, 0, to fair, 1; as it was drawn: 1/2 */
+    double amount;     /* from raw, 0, to fair, 1; as drawn: 1/2 */
     double tolerance;  /* of the stroke as drawn, document units */
-    bat_curve *before; /* what the reading carried out has redrawn, owned; NULL: nothing, or several curves */
-    bat_curve *fit;    /* as it would be, while the amount is being chosen; owned */
+    bat_curve *before; /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
+    bat_curve *fit;    /* preview while the amount is being chosen; owned */
     uint64_t revision; /* of the document after the stroke */
     double place[2];   /* the stroke's end, document units */
-    uint32_t version;  /* changes whenever the readings change or another is carried out */
+    uint32_t version;  /* changes whenever the readings change or another is put in force */
 } bat_again;
 
-/* Gathers what else the stroke could mean: readings not much dearer than the best, and a new line in any
- * case. The edits lack samples until bat_again_keep. */
+/* Gathers the other possible meanings of the stroke: readings not much dearer than the best, and always a new line.
+ * The edits have no samples until bat_again_keep. */
 void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit *edit, bat_again *again);
-/* The stroke is committed as `edit`. Its samples are taken over (*samples gets other memory in exchange);
- * when the stroke was held, so are the samples that it was drawn with. */
+/* The stroke has been committed as `edit`. Takes ownership of its samples (*samples gets other memory in exchange),
+ * and, when the stroke was held, also of the samples that it was drawn with. */
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
                     bat_hold *hold);
 void bat_again_drop(bat_again *again);
-/* Whether the stroke is still the last thing done. */
+/* Whether the stroke is still the last thing that was done. */
 bool bat_again_holds(const bat_context *c, const bat_again *again);
-/* Takes the stroke as the reading `at`. BAT_STATE: it no longer has readings; other errors come from
- * computing or committing, and leave everything as it was. */
+/* Takes the stroke as the reading `at`. BAT_STATE: its readings are no longer available; other errors come from
+ * computing or committing, and leave everything unchanged. */
 bat_status bat_again_read(bat_context *c, bat_again *again, int at);
-/* Fits it with another amount. done: for good; otherwise only `fit` is made, where that is one curve. Errors
- * as in bat_again_read. */
+/* Fits it with another amount. done: commits; otherwise only makes `fit`, if that is one curve. Errors as in
+ * bat_again_read. */
 bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done);
 void bat_again_free(bat_again *again);
-/* A reading as the user calls it. */
+/* The name of a reading for the user. */
 bat_string bat_again_word(const bat_again *again, int reading);
 
 #endif

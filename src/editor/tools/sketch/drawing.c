@@ -1,4 +1,4 @@
-/* The pen is down: its samples come in, and what they mean so far is chosen. */
+/* While the pen is down: samples come in, and what they mean so far is decided. */
 #include "base/real.h"
 #include "editor/edit/symmetry.h"
 #include "editor/edit/style.h"
@@ -38,7 +38,7 @@ void bat_sketching_start_smoothing(bat_sketching *s) {
 static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     bat_samples *samples = &s->edit.samples;
     double tilt[2] = {event->tilt_x, event->tilt_y}, pixel[2];
-    for (int k = 0; k < 2; k++) /* rounded as the journal keeps it; the pen's own places are already */
+    for (int k = 0; k < 2; k++) /* rounded as in the journal; the pen's own positions are rounded already */
         pixel[k] = s->steady.reach > 0 ? bat_samples_round(s->steady.end[k], 100) : s->steady.end[k];
     if (samples->count == 0)
         samples->start = event->time;
@@ -107,12 +107,12 @@ void bat_sketching_down(bat_context *c, void *state, const bat_pointer *event) {
                         false);
 }
 
-/* What the stroke means so far. It turns only for a better reading, or it would flicker. */
+/* Decides what the stroke means so far. The meaning changes only for a better reading, to avoid flicker. */
 static void decide(bat_context *c, bat_sketching *s) {
     bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing) return;
     bat_status status = bat_meaning_look(c, m, &s->edit.stage, &s->edit.samples, false);
-    if (status != BAT_OK) return; /* too short yet, or no memory: as it was */
+    if (status != BAT_OK) return; /* too short yet, or out of memory: unchanged */
     s->nothing = !m->count;
     if (s->nothing) return;
     const bat_reading *shown = NULL;
@@ -134,7 +134,7 @@ void bat_sketching_update_stroke(bat_context *c, bat_sketching *s) {
         bat_sketching_refresh_preview(c, s);
 }
 
-/* The samples have been replaced: what they mean is found out anew. */
+/* After the samples have been replaced: decides anew what they mean. */
 static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
     bat_sketching_drop_session(s);
     s->preview_due = true;
@@ -143,7 +143,7 @@ static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
     if (status != BAT_OK) give_up(c, s, status);
 }
 
-/* The pen rests: the stroke so far becomes a figure. */
+/* The pen rests: turns the stroke so far into a figure. */
 static void hold(bat_context *c, bat_sketching *s) {
     bat_status status = BAT_OK;
     while (status == BAT_OK && bat_steady_catch_up(&s->steady))
@@ -152,14 +152,14 @@ static void hold(bat_context *c, bat_sketching *s) {
     if (status == BAT_OK && s->meaning.count)
         bat_meaning_apply(c, &s->meaning, &s->meaning.readings[0], &s->edit);
     if (status == BAT_OK) status = bat_hold_take(&s->hold, &s->edit);
-    if (status == BAT_STATE || status == BAT_DOT) return; /* like nothing: it goes on as it is */
+    if (status == BAT_STATE || status == BAT_DOT) return; /* like no figure: the stroke goes on unchanged */
     read_figure(c, s, status);
     if (s->hold.on) bat_notice(c, bat_hold_word(s->hold.figure.kind));
 }
 
 void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
-    if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, the pen not yet lifted */
+    if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, but the pen is still down */
     if (event->predicted) {
         double point[2];
         bat_stage_seen(c->stage, (double[]){event->x, event->y}, point);
@@ -168,7 +168,7 @@ void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
         return;
     }
     s->predicted_count = 0;
-    s->hover[0] = event->x; /* where the highlight will be looked for when the stroke has ended */
+    s->hover[0] = event->x; /* where to look for the highlight after the stroke */
     s->hover[1] = event->y;
     if (s->hold.on) {
         read_figure(c, s, bat_hold_drag(&s->hold, &s->edit, s->hover));

@@ -1,11 +1,11 @@
-/* The pen is lifted: what the whole stroke means is carried out. */
+/* When the pen is lifted: the meaning of the whole stroke is carried out. */
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tools/sketch/parts.h"
 
-/* The curve that the stroke is fitted by as it is, or as a level of it. */
+/* Computes the curve fitted to the stroke, by itself or as a level of a curve. */
 static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
     bat_sketch_live *live = NULL;
     if (s->edit.kind == BAT_EDIT_SMOOTH || s->forced) {
@@ -17,8 +17,8 @@ static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, b
     return bat_edit_compute(c, &s->edit, live, curve, report);
 }
 
-/* Carries out what the whole stroke means, or the next reading where that cannot be done. Too far for a
- * redraw: a new curve. */
+/* Carries out the best reading of the whole stroke, or the next one that works. A forced redraw that is too far away
+ * makes a new curve. */
 static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report,
                        bool *strayed) {
     bat_edit *edit = &s->edit;
@@ -45,7 +45,7 @@ static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_
     return status;
 }
 
-/* One of several careless strokes over a line: the line is what all of them mean. */
+/* Handles one of several careless strokes over a line: the line becomes what all of them together mean. */
 static bool converge(bat_context *c, bat_sketching *s) {
     bat_curve *curve = NULL;
     if (s->forced || s->smoothing || s->hold.on) return false;
@@ -59,7 +59,7 @@ static bool converge(bat_context *c, bat_sketching *s) {
     return true;
 }
 
-/* Commits the curve, and keeps what else the stroke could mean. */
+/* Commits the curve, and keeps the other readings of the stroke. */
 static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
                    bool strayed) {
     bool closed = bat_curve_is_closed(curve), choice = !s->forced && !s->smoothing;
@@ -80,7 +80,7 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return;
-    if (s->has_pending) { /* not dropped by a stroke, so this was a tap */
+    if (s->has_pending) { /* a real stroke would have dropped it, so this was a tap */
         bat_sketching_accept(c, s);
         return;
     }

@@ -1,6 +1,6 @@
 /*
- * Careless strokes over one line, soon after each other: they converge (hands/sketch/converge.h) instead of the last one
- * winning. Each is a step of its own; the first is an ordinary stroke.
+ * Careless strokes over one line in quick succession: they converge (hands/sketch/converge.h) instead of the last one
+ * winning. Each is an undo step of its own; the first is an ordinary stroke.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_HAIRS_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_HAIRS_H
@@ -14,15 +14,16 @@ typedef struct bat_hairs {
     bat_samples strokes[BAT_HAIRS_MOST]; /* owned */
     bat_id object;
     int curve;
-    bool fresh;        /* the object is theirs alone; else they redraw a stretch of it */
+    bool fresh;        /* the object consists of them alone; otherwise they redraw a stretch of it */
     uint64_t revision; /* of the document after the last one */
-    double time;       /* when that ended, ms */
+    double time;       /* when that stroke ended, ms */
 } bat_hairs;
 
-/* The curve as all of them mean it, the edit's stroke included. BAT_STATE: that stroke is not one of them. */
+/* The curve that all of them together mean, including the edit's stroke. BAT_STATE: that stroke is not one of them. */
 bat_status bat_hairs_join(const bat_context *c, const bat_hairs *hairs, const bat_edit *edit,
                           bat_curve **out);
-/* The edit is done: its stroke is one more of them when it has joined, else the first of new ones, if any. */
+/* The edit is done: its stroke becomes one more of them if it has joined, otherwise the first of a new series, if it
+ * can be. */
 void bat_hairs_note(const bat_context *c, bat_hairs *hairs, const bat_edit *edit, bool joined);
 void bat_hairs_free(bat_hairs *hairs);
 

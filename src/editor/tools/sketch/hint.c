@@ -1,4 +1,4 @@
-/* What the pen is doing, or would do, in words. */
+/* What the pen is doing, or would do, as text. */
 #include "editor/tables/tables.h"
 #include "editor/tools/sketch/parts.h"
 

@@ -1,8 +1,8 @@
 /*
- * A stroke held at its end becomes a figure (hands/figures): its samples are replaced by places along that figure, so that
- * it is a stroke like any other from then on, and its record needs neither clock nor figure. While it is held, the figure
- * is dragged about its start, or its middle. A pen that rests is told by the times of events; a host repeats the last
- * one for those that send none.
+ * A stroke held at its end becomes a figure (hands/figures): its samples are replaced by points along that figure.
+ * From then on it is a stroke like any other, and its record needs neither clock nor figure. While it is held, the
+ * figure is dragged about its start, or about its middle. A resting pen is detected by the times of events; a host
+ * repeats the last event for devices that send none.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_HOLD_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_HOLD_H
@@ -12,22 +12,22 @@
 
 typedef struct bat_hold {
     double at[2], since; /* where the pen has come to rest, view pixels, and when, ms */
-    size_t count;        /* samples that the stroke had by then */
-    bool spent;          /* this rest has had its answer */
+    size_t count;        /* samples of the stroke at that time */
+    bool spent;          /* this rest has been handled */
     bool on;             /* the stroke is the figure */
-    double grip[2];      /* where the pen was when it became that */
+    double grip[2];      /* where the pen was when it became the figure */
     bat_figure figure;
-    bat_edit drawn; /* the stroke before; its samples are owned */
+    bat_edit drawn; /* the stroke as drawn; its samples are owned */
 } bat_hold;
 
 void bat_hold_begin(bat_hold *hold, const bat_pointer *event);
-/* Told of each event; count: samples so far. True once per rest, when it has lasted `seconds` (0: never). */
+/* Call for each event; count: samples so far. True once per rest, when it has lasted `seconds` (0: never). */
 bool bat_hold_due(bat_hold *hold, const bat_pointer *event, size_t count, double seconds);
-/* Turns the edit's stroke into the figure it is nearest to. BAT_STATE: it is like none, all is as it was. */
+/* Turns the edit's stroke into the figure nearest to it. BAT_STATE: it is like none; nothing changes. */
 bat_status bat_hold_take(bat_hold *hold, bat_edit *edit);
-/* The figure as the pen, now at `to`, drags it. */
+/* The figure as dragged by the pen, which is now at `to`. */
 bat_status bat_hold_drag(bat_hold *hold, bat_edit *edit, const double to[2]);
-/* Back to nothing; memory is kept. */
+/* Resets everything; the memory is kept. */
 void bat_hold_end(bat_hold *hold);
 bat_string bat_hold_word(bat_figure_kind kind);
 

@@ -1,4 +1,4 @@
-/* The pen above the drawing: what a stroke that began there would redraw. */
+/* The pen above the drawing: which curve a stroke that begins here would redraw. */
 #include "editor/edit/curves_of.h"
 #include "editor/input/contacts.h"
 #include "editor/scene/path.h"
@@ -8,7 +8,7 @@
 #include "editor/tools/sketch/parts.h"
 #include "editor/view/stage.h"
 
-static const double REACH = 12, REACH_TOUCH = 24; /* px from the pen to a curve that it means */
+static const double REACH = 12, REACH_TOUCH = 24; /* px: reach of the pen for curves */
 static const float HIGHLIGHT_WIDTH = 3;
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
@@ -62,7 +62,7 @@ bat_cursor bat_sketching_cursor(const bat_context *c, const void *state) {
     return s->pick.object ? BAT_CURSOR_PEN : BAT_CURSOR_CROSS;
 }
 
-/* What would be redrawn. */
+/* The curve that would be redrawn. */
 bool bat_sketching_focus(const bat_context *c, const void *state, bat_focus *out) {
     const bat_sketching *s = state;
     (void)c;

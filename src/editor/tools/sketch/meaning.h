@@ -1,6 +1,6 @@
 /*
- * What the stroke under the pen means: the editor's side of the choice (hands/sketch/intent.h). It looks for the curves
- * beside the stroke as the stroke grows, and makes edits of readings.
+ * The meaning of the stroke under the pen: the editor's side of the choice (hands/sketch/intent.h). It looks for
+ * curves beside the stroke as the stroke grows, and turns readings into edits.
  */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_MEANING_H
@@ -12,32 +12,32 @@
 
 typedef struct bat_meaning_curve {
     bat_id object;
-    int entry, curve; /* of the object in the scene, of the curve in the object */
+    int entry, curve; /* index of the object in the scene; of the curve in the object */
 } bat_meaning_curve;
 
 typedef struct bat_meaning {
-    bat_intent *intent; /* NULL: none under way */
-    size_t fed, asked;  /* samples that the intent has; samples beside which curves were looked for */
-    bool restricts;     /* only what is chosen may change */
-    double last[2];     /* pixel where they were looked for last */
+    bat_intent *intent; /* NULL: no stroke */
+    size_t fed, asked;  /* samples given to the intent; samples at which nearby curves were looked for */
+    bool restricts;     /* only the selection may change */
+    double last[2];     /* pixel where curves were last looked for */
     int curve_count, curve_room;
-    bat_meaning_curve *curves; /* as the intent numbers them */
-    int *found;                /* 2 * curve_room: where each of them is, hashed; -1: nothing */
+    bat_meaning_curve *curves; /* in the intent's numbering */
+    int *found;                /* 2 * curve_room: hash table of their indices; -1: empty */
     int count;
     bat_reading readings[BAT_INTENT_READINGS]; /* the best first */
 } bat_meaning;
 
 bat_status bat_meaning_begin(bat_context *c, bat_meaning *meaning, bat_device device);
 void bat_meaning_end(bat_meaning *meaning);
-/* Reads the stroke so far, or the whole. view: of the stroke. BAT_DOT: too short to say. */
+/* Reads the stroke so far, or the whole stroke. stage: the stroke's. BAT_DOT: too short to tell. */
 bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_stage *stage,
                             const bat_samples *samples, bool whole);
-/* Sets the edit to what this reading says; everything else in it stays as it is. */
+/* Sets the edit according to the reading; everything else in it stays as it is. */
 void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,
                        bat_edit *edit);
 /* Whether the curve has levels, and which of them a stroke over it redraws. */
 bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level);
-/* Whether the reading would make that same kind of edit of the same curves. */
+/* Whether the reading would make the same kind of edit of the same curves. */
 bool bat_meaning_is(const bat_meaning *meaning, const bat_reading *reading, const bat_edit *edit);
 
 #endif

@@ -1,15 +1,15 @@
-/* What the files of the sketch tool have from each other. s, state: the tool's (sketching.h). */
+/* What the files of the sketch tool share. s, state: the tool's state (sketching.h). */
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_PARTS_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_PARTS_H
 
 #include "editor/tools/sketch/sketching.h"
 #include "editor/tools/tool.h"
 
-/* ---- sketching.c: what is kept, let go of ---- */
+/* ---- sketching.c: memory ---- */
 void bat_sketching_drop_preview(bat_sketching *s);
 void bat_sketching_drop_session(bat_sketching *s);
 void bat_sketching_drop_pending(bat_sketching *s);
-/* Back to nothing under the pen; the memory of the samples is kept. */
+/* Resets the stroke under the pen; the memory of the samples is kept. */
 void bat_sketching_end_stroke(bat_sketching *s);
 void bat_sketching_end(void *state);
 
@@ -17,55 +17,55 @@ void bat_sketching_end(void *state);
 bat_pick bat_sketching_pick_at(bat_context *c, const double pixel[2], bat_device device);
 void bat_sketching_hover(bat_context *c, void *state, const bat_pointer *event);
 void bat_sketching_leave(bat_context *c, void *state);
-void bat_sketching_look(bat_context *c, bat_sketching *s); /* once a frame: picks anew when it has to */
+void bat_sketching_look(bat_context *c, bat_sketching *s); /* once per frame: picks anew if needed */
 void bat_sketching_highlight(const bat_context *c, bat_overlay *overlay, int dimension, bat_id object,
                              int curve);
 bat_cursor bat_sketching_cursor(const bat_context *c, const void *state);
 bool bat_sketching_focus(const bat_context *c, const void *state, bat_focus *out);
 
 /* ---- drawing.c: the pen is down ---- */
-/* Before anything is known a stroke is a new curve; forced: it redraws what was picked. */
+/* Until more is known a stroke is a new curve; forced: it redraws what was picked. */
 void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *event, bat_pick pick,
                          bool forced);
 void bat_sketching_down(bat_context *c, void *state, const bat_pointer *event);
 void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event);
 void bat_sketching_start_smoothing(bat_sketching *s);
-void bat_sketching_update_stroke(bat_context *c, bat_sketching *s); /* once a frame */
+void bat_sketching_update_stroke(bat_context *c, bat_sketching *s); /* once per frame */
 static inline bool bat_sketching_smooths_nothing(const bat_sketching *s) {
     return s->smoothing && s->edit.kind == BAT_EDIT_NEW;
 }
 
 /* ---- preview.c: the fit so far ---- */
-/* Whether the fit is that of one curve that changes; else what is shown is the stroke itself, as a curve. */
+/* Whether the fit replaces part of one curve; otherwise the stroke itself is shown as a curve. */
 bool bat_sketching_one_changes(const bat_edit *edit);
-/* Gives the session, begun when needed, the samples it has not had. */
+/* Feeds new samples to the session; starts it when needed. */
 bat_status bat_sketching_feed(bat_context *c, bat_sketching *s);
 void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s);
 
 /* ---- finish.c: the pen is lifted ---- */
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event);
 
-/* ---- said.c: what is said of it ---- */
+/* ---- said.c: messages ---- */
 bat_string bat_sketching_outcome(const bat_edit *edit, bool strayed, bool closed);
 void bat_sketching_say_done(bat_context *c, const bat_edit *edit, const bat_sketch_report *report,
                             bool strayed, bool closed);
 void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status status);
 
-/* ---- pending.c: a fit that waits for a yes ---- */
+/* ---- pending.c: a fit that awaits confirmation ---- */
 void bat_sketching_keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report);
-bool bat_sketching_accept(bat_context *c, void *state); /* false: none does */
+bool bat_sketching_accept(bat_context *c, void *state); /* false: nothing awaits it */
 
 /* ---- traced.c: a stroke without a pen ---- */
 bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *stroke);
 bat_status bat_sketching_lift(bat_context *c, void *state, const bat_traced *stroke);
 
-/* ---- show.c: what lies over the drawing ---- */
+/* ---- show.c: the overlay ---- */
 void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
-/* The last stroke as it would be, over what it is. */
+/* The last stroke with the new amount, over its present state. */
 void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 
-/* ---- hint.c: what it does, in words ---- */
+/* ---- hint.c: what it does, as text ---- */
 bat_string bat_sketching_hint(const bat_context *c, const void *state);
 
 /* ---- reread.c: the last stroke, read again ---- */

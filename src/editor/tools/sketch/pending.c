@@ -1,4 +1,4 @@
-/* A fit that misses the tolerance waits for a yes. */
+/* A fit that misses the tolerance awaits confirmation. */
 #include "editor/session/notice.h"
 #include "editor/tools/sketch/parts.h"
 

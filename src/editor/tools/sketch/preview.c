@@ -1,4 +1,4 @@
-/* What the stroke so far would make: its samples are fitted while the pen is down, once a frame. */
+/* The preview of the stroke so far: its samples are fitted while the pen is down, once per frame. */
 #include "editor/edit/curves_of.h"
 #include "editor/input/samples.h"
 #include "editor/session/session.h"
@@ -34,13 +34,13 @@ bat_status bat_sketching_feed(bat_context *c, bat_sketching *s) {
     return status;
 }
 
-/* The points before and after the stroke proper: where the fit blends into the old curve; x y of them. */
+/* Keeps the points before and after the new stretch, where the fit blends into the old curve, as x y. */
 static void keep_blends(bat_sketching_preview *preview, int dimension, const bat_sketch_live_info *info) {
     if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
         return;
     size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
     double *blends = malloc((counts[0] + counts[1]) * 2 * sizeof *blends);
-    if (!blends) return; /* only a picture */
+    if (!blends) return; /* out of memory: only the picture lacks them */
     for (size_t i = 0; i < counts[0] + counts[1]; i++) {
         size_t at = i < counts[0] ? i : info->stroke_last + i - counts[0];
         memcpy(blends + 2 * i, info->target + at * (size_t)dimension, 2 * sizeof *blends);

@@ -1,4 +1,4 @@
-/* The last stroke, read as something else or fitted anew (again.h): the tool's side, which says what came of it. */
+/* Reading the last stroke again, or fitting it anew (again.h): the tool's side, which reports the result. */
 #include "editor/session/notice.h"
 #include "editor/tools/sketch/parts.h"
 

@@ -1,4 +1,4 @@
-/* What is said of a stroke that is done, or that could not be. */
+/* Messages about a stroke that is done, or that failed. */
 #include "editor/session/notice.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/sketch/parts.h"
@@ -12,7 +12,7 @@ bat_string bat_sketching_outcome(const bat_edit *edit, bool strayed, bool closed
     return BAT_STRING_COUNT;
 }
 
-/* A level whose spans are long against the stroke cannot follow it. */
+/* A level whose spans are long compared to the stroke cannot follow it. */
 static bool too_short(const bat_edit *edit, const bat_sketch_report *report) {
     return edit->kind == BAT_EDIT_LEVEL && report->spans > 0 && report->spans < BAT_LEVEL_SPANS_LEAST &&
            report->max_error > edit->options.tolerance;

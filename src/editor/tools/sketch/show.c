@@ -1,4 +1,4 @@
-/* A stroke as it is shown: the ink, the fit, and what of the old curve goes. */
+/* How a stroke is shown: the ink, the fit, and the part of the old curve that is replaced. */
 #include "base/vec.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/mirror.h"
@@ -16,7 +16,7 @@ static const double KNOT_RADIUS = 3.5; /* px */
 static const double SURE_AFTER = 20,
                     SURE = 0.1; /* px; how much cheaper the best reading is, per pixel of stroke */
 
-/* Marks on the knots strictly inside u0..u1, in whichever period they lie. */
+/* Marks the knots strictly inside u0..u1, in whichever period they lie. */
 static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, double u1, double radius) {
     const double *knots = bat_curve_knots(curve);
     int count = bat_curve_knot_count(curve), marks = 0;
@@ -36,7 +36,7 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
     }
 }
 
-/* The fit: what is new of it, or all of a new curve; its knots where knots are asked for. */
+/* Shows the fit: its new part, or all of a new curve; with its knots if knots are shown. */
 static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, const bat_curve *curve,
                      const bat_sketch_report *report, bool whole) {
     double range[2];
@@ -50,7 +50,7 @@ static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, 
     mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_stage_pixel(c->stage));
 }
 
-/* The stretch fades the old line, so it has to be as wide. */
+/* The stretch covers the old line, so it has to be as wide. */
 static float stretch_width(const bat_context *c, bat_id id) {
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, id));
@@ -66,8 +66,8 @@ static void show_stretch(const bat_context *c, bat_overlay *overlay, const bat_e
     bat_overlay_stretch(overlay, target, report->changed[0], report->changed[1]);
 }
 
-/* Whether the meaning is sure; a new line needs no more. Until then the ink and the fit are both shown as
- * they might become. */
+/* Whether the meaning is certain; always so for a new line. Until then both ink and fit are drawn as possible
+ * outcomes. */
 static bool sure(const bat_sketching *s) {
     const bat_meaning *m = &s->meaning;
     if (s->forced || s->smoothing || s->edit.kind == BAT_EDIT_NEW || m->count < 2) return true;
@@ -75,7 +75,7 @@ static bool sure(const bat_sketching *s) {
     return length >= SURE_AFTER && m->readings[1].cost - m->readings[0].cost >= SURE * length;
 }
 
-/* What the stroke does beyond the axis; before there is a fit of a new line, what its ink does there. */
+/* Shows what the stroke does on the other side of the axis; as long as a new line has no fit, the image of its ink. */
 static void show_other_side(bat_context *c, const bat_sketching *s, const bat_curve *target,
                             bat_overlay *overlay) {
     const bat_edit *edit = &s->edit;
@@ -115,7 +115,7 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
                  !bat_sketching_one_changes(&s->edit));
     if (s->edit.mirror.on) show_other_side(c, s, target, overlay);
     if ((s->predicted_count || s->steady.reach > 0) &&
-        samples->count) { /* from the ink through the pen to the predicted places */
+        samples->count) { /* from the ink through the pen to the predicted points */
         double pen[2];
         bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, INK_WIDTH);
         const double *last = samples->points + 2 * (samples->count - 1);
@@ -136,7 +136,7 @@ void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_
     show_fit(c, overlay, BAT_ROLE_FIT, s->again.fit, NULL, true);
 }
 
-/* The fit that waits for a yes. */
+/* The fit that awaits confirmation. */
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
     const bat_edit *edit = &s->pending;
     bool whole = !bat_sketching_one_changes(edit);

@@ -1,11 +1,10 @@
 /*
- * The sketch tool. What a stroke means is decided from the whole of it (meaning.h): a new curve, or one curve
- * or several redrawn, an extension, a join, a closing; Alt smooths. What it means so far is shown while the
- * pen is down, with its fit, computed once a frame. Nothing is binding before the pen is lifted.
+ * The sketch tool. The meaning of a stroke is decided from the whole of it (meaning.h): a new curve, a redraw of one
+ * or several curves, an extension, a join, a closing; Alt smooths. While the pen is down the meaning so far is shown
+ * with its fit, computed once per frame. Nothing is final before the pen is lifted.
  *
- * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be
- * met. PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from
- * anywhere.
+ * IDLE --down--> DRAWING --up--> IDLE (committed, or nothing), or PENDING when the tolerance could not be met.
+ * PENDING: accept or a tap commits, cancel drops, a stroke drops it and draws anew. cancel: to IDLE from any state.
  */
 #include "editor/edit/curves_of.h"
 #include "editor/input/contacts.h"
@@ -22,7 +21,7 @@ static bool cancel(bat_context *c, void *state) {
     bat_sketching *s = state;
     if (s->state == BAT_SKETCHING_IDLE) return false;
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
-    /* While drawing, what is released is a tap on what waits for a yes: it goes on waiting. */
+    /* While drawing over a pending fit, only the stroke is dropped: the fit stays pending. */
     if (!drawing) bat_sketching_drop_pending(s);
     bat_sketching_end_stroke(s);
     bat_notice(c, drawing ? BAT_STRING_NOTICE_CANCELLED : BAT_STRING_NOTICE_DROPPED);

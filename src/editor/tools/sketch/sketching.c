@@ -1,4 +1,4 @@
-/* What the sketch tool keeps, let go of. */
+/* The sketch tool's memory: what it keeps, and releasing it. */
 #include "editor/input/samples.h"
 #include "editor/tools/sketch/parts.h"
 #include <stdlib.h>

@@ -12,17 +12,17 @@
 #include "editor/tools/sketch/meaning.h"
 
 typedef enum bat_sketching_state {
-    BAT_SKETCHING_IDLE,    /* hovering or away */
+    BAT_SKETCHING_IDLE,    /* pen hovering or away */
     BAT_SKETCHING_DRAWING, /* the pen is down */
-    BAT_SKETCHING_PENDING  /* a fit that misses the tolerance waits for yes or no */
+    BAT_SKETCHING_PENDING  /* a fit that misses the tolerance awaits yes or no */
 } bat_sketching_state;
 
-/* What the last frame's preview found; zero when it is not valid. */
+/* The result of the last frame's preview; zero when not valid. */
 typedef struct bat_sketching_preview {
     bat_status status;
     bat_curve *curve; /* owned; NULL: nothing to show */
     bat_sketch_report report;
-    double *blends; /* the two transitions' points, x y, owned */
+    double *blends; /* points of the two transitions, x y, owned */
     size_t blend_counts[2];
 } bat_sketching_preview;
 
@@ -36,23 +36,23 @@ typedef struct bat_sketching {
     bat_stage pick_stage;
 
     /* DRAWING */
-    bat_edit edit;         /* of the stroke under the pen */
+    bat_edit edit;         /* made by the stroke under the pen */
     bat_steady steady;     /* between the pen and the samples */
-    bat_hold hold;         /* held at its end it becomes a figure */
-    bool forced;           /* what it means was said beforehand */
-    bat_meaning meaning;   /* what it may mean */
-    bool nothing;          /* it means none of what it may mean */
-    bool smoothing;        /* Alt was held at some moment of the stroke */
+    bat_hold hold;         /* a stroke held at its end becomes a figure */
+    bool forced;           /* its meaning was given in advance */
+    bat_meaning meaning;   /* its possible meanings */
+    bool nothing;          /* none of its possible meanings is allowed */
+    bool smoothing;        /* Alt was held at some point of the stroke */
     double travelled;      /* pixels, the greatest distance from the first sample */
-    bat_sketch_live *live; /* NULL: no session (it is begun when it is needed) */
-    size_t fed;            /* samples the session has */
+    bat_sketch_live *live; /* NULL: none yet (it starts when needed) */
+    size_t fed;            /* samples fed to the session */
     bool preview_due;
     bat_sketching_preview preview;
     size_t predicted_count;
     double predicted[2 * 16]; /* document units */
 
-    bat_hairs hairs; /* careless strokes over one line, the last ones done */
-    bat_again again; /* IDLE: what the last stroke could mean besides */
+    bat_hairs hairs; /* the last careless strokes over one line */
+    bat_again again; /* IDLE: other readings of the last stroke */
 
     /* PENDING, and DRAWING over it while it may still be a tap */
     bool has_pending;
@@ -61,12 +61,12 @@ typedef struct bat_sketching {
     bat_sketch_report pending_report;
 } bat_sketching;
 
-/* Of the tool in this editor. */
+/* The state of the tool in this editor. */
 bat_sketching *bat_sketching_of(const bat_context *c);
-/* Whether the last stroke can be read again; takes it as another of its readings (again.h). */
+/* Whether the last stroke has other readings; and takes it as one of them (again.h). */
 bool bat_sketching_readings(const bat_context *c, const bat_sketching *s);
 bat_status bat_sketching_read_as(bat_context *c, bat_sketching *s, int reading);
-/* Fits it closer or fairer. */
+/* Fits the last stroke closer or fairer. */
 bat_status bat_sketching_refit(bat_context *c, bat_sketching *s, double amount, bool done);
 
 #endif

@@ -22,7 +22,7 @@ bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *st
                                 true);
         else
             bat_sketching_down(c, s, &event);
-        s->steady = bat_steady_begin(0, (double[]){event.x, event.y}); /* no hand trembles */
+        s->steady = bat_steady_begin(0, (double[]){event.x, event.y}); /* no trembling hand to steady */
     }
     return BAT_OK;
 }

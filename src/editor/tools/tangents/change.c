@@ -1,4 +1,4 @@
-/* The tangents tool: its changes of the document, one step each. */
+/* The tangents tool: its changes to the document, each an undo step. */
 #include "editor/edit/arrange.h"
 #include "editor/edit/style.h"
 #include "editor/session/context.h"
@@ -31,7 +31,7 @@ void bat_splining_tell(bat_context *c, bat_status status, bat_string done) {
         bat_notice(c, done);
 }
 
-/* The object takes the place of the one there is, or, NULL, takes it away, as one step. */
+/* Replaces the present object by this one, or removes it (NULL), as one step. */
 static bat_status put(bat_context *c, bat_string step, bat_id id, bat_object *object) {
     int at = bat_document_find(c->session->document, id);
     bat_status status = bat_transaction_begin(c);
@@ -40,7 +40,7 @@ static bat_status put(bat_context *c, bat_string step, bat_id id, bat_object *ob
     return bat_transaction_end(c, status, step);
 }
 
-/* The draft becomes the chosen spline, in one step. */
+/* Writes the draft to the chosen spline, in one step. */
 bat_status bat_splining_commit(bat_context *c, bat_string step) {
     bat_splining *s = bat_splining_of(c);
     bat_spline spline = bat_draft_spline(&s->draft);
@@ -54,7 +54,7 @@ bat_status bat_splining_commit(bat_context *c, bat_string step) {
 bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     bat_style style = bat_styling_new(c);
     bat_object *object = NULL;
-    /* Is it one at all? Ids are not given back. */
+    /* Check first that it is valid: an id once taken is not returned. */
     bat_status status = bat_object_create_spline(1, NULL, &style, spline, NULL, &object);
     bat_object_release(object);
     if (status != BAT_OK) return status;
@@ -86,7 +86,7 @@ static bat_status remove_object(bat_context *c) {
     return status;
 }
 
-/* Takes a point out; a spline that is left with none but one point goes. */
+/* Removes a point; a spline left with a single point is removed. */
 bat_status bat_splining_remove_point(bat_context *c, int point) {
     bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
@@ -112,7 +112,7 @@ bat_status bat_splining_default(bat_context *c, int point) {
     return status;
 }
 
-/* The draft with a point on the curve; *index: which. */
+/* Adds a point on the curve to the draft; *index: its index. */
 bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int *index, double *deviation) {
     const bat_spline *spline = bat_splining_spline(c);
     if (!spline) return BAT_STATE;

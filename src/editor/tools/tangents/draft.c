@@ -4,7 +4,7 @@
 #include <string.h>
 
 void bat_draft_free(bat_draft *draft) {
-    free(draft->points); /* the block of all arrays begins with it */
+    free(draft->points); /* the block of all arrays starts here */
     *draft = (bat_draft){0};
 }
 

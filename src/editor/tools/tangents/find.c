@@ -1,4 +1,4 @@
-/* The tangents tool: what of its spline, or which other one, lies under the pen. */
+/* The tangents tool: hit testing, on its spline and on others. */
 #include "base/vec.h"
 #include "hands/tangents/spline.h"
 #include "editor/scene/scene.h"
@@ -13,11 +13,11 @@
 #include <math.h>
 
 static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REACH = 8; /* px */
-static const double TOUCH = 1.8; /* times as far for fingers */
+static const double TOUCH = 1.8; /* factor on the reach for fingers */
 
 typedef struct place {
     double point[2], pixel; /* document units; size of a view pixel in them */
-    double reach;           /* 1, or more for fingers */
+    double reach;           /* 1; more for fingers */
 } place;
 
 static place place_at(const bat_context *c, const double pixel[2], bat_device device) {
@@ -26,7 +26,7 @@ static place place_at(const bat_context *c, const double pixel[2], bat_device de
     return p;
 }
 
-/* View pixels from a document point that lies `length` along `direction` from `at`. */
+/* Distance in view pixels from a document point that lies `length` along `direction` from `at`. */
 static double away(const place *p, const double at[2], const double direction[2], double length) {
     double x = at[0] + direction[0] * length - p->point[0], y = at[1] + direction[1] * length - p->point[1];
     return bat_hypot(x, y) / p->pixel;
@@ -55,7 +55,7 @@ static bool on_handle(const place *p, const bat_spline *s, int i, const double h
     return away(p, s->points + 2 * i, handle, sign / 3) <= HANDLE_REACH * p->reach;
 }
 
-/* Where on the spline's segments a parameter of its curve lies. */
+/* The place on the spline's segments for a parameter of its curve. */
 static bat_spline_hit on_curve(const bat_curve *curve, double u) {
     const double *knots = bat_curve_knots(curve);
     int count = bat_curve_knot_count(curve), segment = -1, last = 0;
@@ -65,7 +65,7 @@ static bat_spline_hit on_curve(const bat_curve *curve, double u) {
     return (bat_spline_hit){.part = BAT_PART_CURVE, .segment = segment, .t = fmin(fmax(t, 0.001), 0.999)};
 }
 
-/* While points are placed nearly every place is one for the next. */
+/* While points are being placed, a press nearly anywhere places the next one. */
 static bat_spline_hit find_placing(const place *p, const bat_spline *s, const bat_joint *joints) {
     int last = bat_spline_count(s) - 1;
     double direction[2];
@@ -91,7 +91,7 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
         if (i >= 0) return (bat_spline_hit){.part = BAT_PART_POINT, .point = i};
         if (chosen >= 0) {
             bat_spline_hit hit = {.point = chosen};
-            if (on_ring(&p, spline, chosen)) /* first: a handle's end may lie on it */
+            if (on_ring(&p, spline, chosen)) /* first: a handle's end may lie on the ring */
                 hit.part = BAT_PART_DIRECTION;
             else if (on_handle(&p, spline, chosen, joints[chosen].right, 1))
                 hit.part = BAT_PART_RIGHT;

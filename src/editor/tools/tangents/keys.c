@@ -1,4 +1,4 @@
-/* The tangents tool by the keyboard: its commands. */
+/* The tangents tool on the keyboard: its commands. */
 #include "curve/frames_walk.h"
 #include "hands/tangents/spline.h"
 #include "editor/session/context.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 
 static const double STEP = 15 * BAT_PI / 180;  /* with Shift */
-static const double NUDGE_TURN = BAT_PI / 180; /* radians a key press */
+static const double NUDGE_TURN = BAT_PI / 180; /* radians per key press */
 
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_splining *s = bat_splining_of(c);
@@ -46,7 +46,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
     return BAT_OK;
 }
 
-/* Points and their directions, one after the other; past the last the key is the host's. */
+/* Steps through points and their directions; past the last one the key goes to the host. */
 static bat_status step_point(bat_context *c, int step) {
     bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
@@ -84,7 +84,7 @@ static bat_status take_back(bat_context *c) {
     return status;
 }
 
-/* In the middle of the segment that follows the point; of the last one, of the segment before it. */
+/* Adds a point in the middle of the segment after the point; for the last point, of the segment before it. */
 static bat_status add_behind(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);

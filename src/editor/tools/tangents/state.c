@@ -1,4 +1,4 @@
-/* What the tangents tool knows of its spline, and how it shows it. */
+/* The tangents tool's knowledge of its spline, and how the spline is shown. */
 #include "base/vec.h"
 #include "hands/tangents/spline.h"
 #include "curve/frames_walk.h"
@@ -24,7 +24,7 @@
 bat_splining *bat_splining_of(const bat_context *c) { return bat_toolbox_that(c, BAT_EDITS_SPLINES)->state; }
 
 static const double POINT_RADIUS = 4.5, CHOSEN_RADIUS = 5.5, HANDLE_RADIUS = 4, ARROW_HEAD = 12; /* px */
-static const double LINE = 18, HALF_WIDTH = 66;    /* px: between values; of most of them */
+static const double LINE = 18, HALF_WIDTH = 66; /* px: between lines of values; half the usual width of one */
 static const double GHOSTS[] = {-20, -10, 10, 20}; /* degrees */
 enum { GHOST_POINTS_MAX = 2000, MARKS_MAX = 3000 };
 
@@ -43,7 +43,7 @@ const bat_spline *bat_splining_spline(bat_context *c) {
     const bat_spline *spline = object ? bat_object_spline(object) : NULL;
     if (!spline || spline->dimension != 2) {
         if (s->object)
-            s->point = s->placing ? 0 : -1; /* undone: the first point waits for its second again */
+            s->point = s->placing ? 0 : -1; /* after undo: the first point awaits its second again */
         s->object = 0;
         return NULL;
     }
@@ -112,14 +112,14 @@ void bat_splining_direction(const bat_spline *spline, const bat_joint *joints, i
     out[0] = 1, out[1] = 0;
 }
 
-/* ---- the picture ---- */
+/* ---- display ---- */
 
 static void dot(bat_overlay *list, bat_role role, const double at[2], double radius) {
     bat_overlay_item(list, role, BAT_ITEM_FILLED | BAT_ITEM_STROKED, 1.5F);
     bat_overlay_circle(list, at, radius);
 }
 
-/* automatic: nothing was given, the direction is the default. */
+/* automatic: no direction is given, this is the default. */
 static void arrow(bat_overlay *list, const double at[2], const double d[2], double radius, double head,
                   bool automatic) {
     double tip[2] = {at[0] + radius * d[0], at[1] + radius * d[1]};
@@ -140,7 +140,7 @@ static void circle(bat_overlay *list, const double at[2], double radius) {
     bat_overlay_circle(list, at, radius);
 }
 
-/* The directions between the chords, which the formula reaches, and fainter all the others. */
+/* The directions between the chords, which the formula can yield, and fainter all the others. */
 static void zones(bat_overlay *list, const bat_spline *spline, const bat_joint *joints, int point,
                   double radius) {
     double before[2], after[2];
@@ -173,7 +173,7 @@ static void handles(bat_overlay *list, const double at[2], const bat_joint *join
         if (bat_hypot(d[side][0], d[side][1]) > 0) bat_overlay_mark(list, ends[side], HANDLE_RADIUS * pixel);
 }
 
-/* The segments on either side of a point of the draft, as one path. */
+/* The segments on both sides of a point of the draft, as one path. */
 static void beside(bat_overlay *list, const bat_draft *draft, int point,
                    const bat_tangents_options *options) {
     bat_spline spline = bat_draft_spline(draft);
@@ -196,7 +196,7 @@ static void beside(bat_overlay *list, const bat_draft *draft, int point,
     free(joints);
 }
 
-/* Where the direction leads when it is turned on, either way. */
+/* Where the curve would go with the direction turned further, either way. */
 static void ghosts(bat_overlay *list, bat_draft *draft, int point, const bat_tangents_options *options) {
     double *tangent = draft->tangents + 2 * point, kept[2] = {tangent[0], tangent[1]};
     if ((kept[0] == 0 && kept[1] == 0) || draft->count > GHOST_POINTS_MAX) return;
@@ -216,7 +216,7 @@ typedef struct corner {
     double dx, dy;
 } corner;
 
-/* Beside the circle, on that of its four sides that chords and handles keep away from most. */
+/* Beside the circle, on the one of its four sides that chords and handles keep most clear of. */
 static corner value_corner(const bat_spline *spline, const bat_joint *joints, int point) {
     static const double sides[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
     double lines[4][2], best = INFINITY;
@@ -255,7 +255,7 @@ static void values(bat_context *c, bat_overlay *list, const bat_spline *spline, 
     if (!isnan(joint->angle_in)) {
         snprintf(text, sizeof text, "%s %.1f°   %s %.1f°", in, joint->angle_in * 180 / BAT_PI, out,
                  joint->angle_out * 180 / BAT_PI);
-    } else { /* an end has one chord */
+    } else { /* an end point has one chord */
         bool first = bat_splining_chord(spline, joints, point, 1, chord);
         if (!first && bat_splining_chord(spline, joints, point, -1, chord)) chord[0] *= -1, chord[1] *= -1;
         double cross = chord[0] * direction[1] - chord[1] * direction[0];
@@ -279,7 +279,7 @@ static void values(bat_context *c, bat_overlay *list, const bat_spline *spline, 
 
 /* ---- all of it ---- */
 
-/* A spline of one point: nothing of it is in the document yet. */
+/* A spline of one point: none of it is in the document yet. */
 static void first_point(bat_context *c, bat_overlay *list) {
     const bat_splining *s = bat_splining_of(c);
     double pixel = bat_stage_pixel(c->stage), hover[2];
@@ -299,7 +299,7 @@ static void first_point(bat_context *c, bat_overlay *list) {
     dot(list, BAT_ROLE_CHOSEN, s->first, CHOSEN_RADIUS * pixel);
 }
 
-/* The curve as it would be with the next point under the pen, or closed. */
+/* The curve with the next point under the pen, or closed. */
 static void next_point(bat_context *c, bat_overlay *list, const bat_spline *spline,
                        const bat_tangents_options *options) {
     bat_splining *s = bat_splining_of(c);

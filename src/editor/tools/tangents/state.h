@@ -1,5 +1,5 @@
-/* The tangents tool's state, and what its files share: tool_tangents.c (events), splining.c (the picture), and those
- * named below. */
+/* The tangents tool's state, and what its files share: tangents.c (events), state.c (display), and the files named
+ * below. */
 #ifndef BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
@@ -12,7 +12,7 @@
 typedef enum bat_splining_state {
     BAT_SPLINING_IDLE,
     BAT_SPLINING_PRESSED, /* the pen is down and has not moved */
-    BAT_SPLINING_DRAGGING /* it has, or it has placed a point; a transaction is open unless that was the first */
+    BAT_SPLINING_DRAGGING /* it has moved or placed a point; a transaction is open unless that was the first */
 } bat_splining_state;
 
 typedef enum bat_part {
@@ -21,7 +21,7 @@ typedef enum bat_part {
     BAT_PART_DIRECTION, /* the circle around a point, or the arrow in it */
     BAT_PART_LEFT,      /* the ends of the handles */
     BAT_PART_RIGHT,
-    BAT_PART_CURVE, /* of the chosen spline */
+    BAT_PART_CURVE, /* the curve of the chosen spline */
     BAT_PART_FIRST, /* the first point, which closes the curve */
     BAT_PART_OTHER  /* another spline */
 } bat_part;
@@ -29,84 +29,84 @@ typedef enum bat_part {
 typedef struct bat_spline_hit {
     bat_part part;
     int point;
-    int segment; /* CURVE: as bat_tangents numbers them, and where on it */
+    int segment; /* CURVE: segment numbered as in bat_tangents, and where on it */
     double t;
     bat_id object; /* OTHER */
 } bat_spline_hit;
 
 typedef struct bat_splining {
     bat_id object;     /* the chosen spline; 0: none */
-    int point;         /* the chosen point of it; -1: none */
-    bool on_direction; /* keys turn the direction there instead of moving the point */
+    int point;         /* its chosen point; -1: none */
+    bool on_direction; /* keys turn the direction at the point instead of moving the point */
     bool placing;      /* the next tap adds a point; with no object: `first` is the only one yet */
     double first[2], first_direction[2];
 
     bat_splining_state state;
     bat_device device;
-    bat_spline_hit press; /* what the pen holds */
-    bat_string step;      /* what comes of it */
+    bat_spline_hit press; /* what the pen has grabbed */
+    bat_string step;      /* the label of the resulting step */
     bat_draft draft;
     double start[2], at[2], travelled; /* view pixels */
-    double base[2], base_tension[2];   /* of the point when the drag began */
-    bool due, failed;                  /* the draft is not in the document yet; it could not be put there */
+    double base[2], base_tension[2];   /* of the point at the start of the drag */
+    bool due, failed; /* the document lacks the draft's last change; putting it there failed */
     bool snapped;
-    double guide[2]; /* the direction snapped to */
+    double guide[2]; /* the direction that was snapped to */
 
-    double tap_time, tap_at[2]; /* of the last tap, for double ones */
+    double tap_time, tap_at[2]; /* of the last tap, for double taps */
     bat_spline_hit tap;
 
     bool hovering, hover_changed;
     double hover[2]; /* view pixels */
     bat_spline_hit over;
-    int near; /* the point whose circle is shown because the pen is near; -1: none */
+    int near; /* the point whose circle shows because the pen is near; -1: none */
     uint64_t over_revision;
     bat_stage over_stage;
 
-    bat_joint *joints; /* of the chosen spline as it was at joints_revision */
+    bat_joint *joints; /* of the chosen spline as of joints_revision */
     bat_id joints_object;
     uint64_t joints_revision;
 } bat_splining;
 
-/* View pixels: the prompt's circle; where the arrow, pulled further out, sets the tension. */
+/* View pixels: the radius of the prompt's circle; the radius beyond which pulling the arrow sets the tension. */
 #define BAT_PROMPT_RADIUS 44.0
 #define BAT_TENSION_RADIUS 62.0
 
-void bat_splining_free(bat_splining *s); /* back to nothing chosen */
-/* The chosen spline, or NULL; lets go of one that is gone. */
+void bat_splining_free(bat_splining *s); /* resets everything */
+/* The chosen spline, or NULL; deselects one that is gone. */
 const bat_spline *bat_splining_spline(bat_context *c);
-/* Its joints; NULL when there is none, or no memory. */
+/* Its joints; NULL: no spline, or out of memory. */
 const bat_joint *bat_splining_joints(bat_context *c);
-/* The direction at a point as built, a unit vector. */
+/* The direction of the curve at a point, a unit vector. */
 void bat_splining_direction(const bat_spline *spline, const bat_joint *joints, int point, double out[2]);
-/* The chord from one point to the next one, a unit vector; false at the end of an open spline. */
+/* The chord from a point to its neighbour, a unit vector; false at the end of an open spline. */
 bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step,
                         double out[2]);
 void bat_splining_overlay(bat_context *c, bat_overlay *overlay);
-/* splining_find.c: what lies under a view pixel; notes the point whose circle is near. */
+/* find.c: what lies under a view pixel; notes the point whose circle is near. */
 bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_device device);
 
-/* splining_change.c. The object of the chosen spline; its values into the draft, and back as one step. */
+/* change.c: the object of the chosen spline; loading its values into the draft, and committing them as one step. */
 const bat_object *bat_splining_object(const bat_context *c);
 bat_status bat_splining_load(bat_context *c);
 bat_status bat_splining_commit(bat_context *c, bat_string step);
-/* Tells what was done, or why it was not. */
+/* Notifies the user of what was done, or why it was not. */
 void bat_splining_tell(bat_context *c, bat_status status, bat_string done);
-double bat_splining_tension(double value); /* within limits */
-/* The draft with a point on the curve; *index: which; *deviation may be NULL. */
+double bat_splining_tension(double value); /* clamped to its limits */
+/* Adds a point on the curve to the draft; *index: its index; *deviation may be NULL. */
 bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int *index, double *deviation);
-/* Each makes one step and tells of it. */
+/* Each makes one step and notifies the user. */
 bat_status bat_splining_insert(bat_context *c, int segment, double t);
 bat_status bat_splining_remove_point(bat_context *c, int point);
 bat_status bat_splining_default(bat_context *c, int point);
 bat_status bat_splining_close(bat_context *c);
-/* A new object, which is chosen then; tells nothing. */
+/* Makes a new object and chooses it; without a notice. */
 bat_status bat_splining_make(bat_context *c, const bat_spline *spline);
 bat_status bat_splining_give_free(bat_context *c);
 
-/* tool_tangents.c: no more points are placed; false: none were. splining_keys.c: commands of the tool. */
+/* tangents.c: stops placing points; false: none were being placed. keys.c: commands of the tool. */
 bool bat_splining_stop(bat_context *c);
 bat_status bat_splining_command(bat_context *c, bat_command_id id);
-/* Of the tool. */
+/* The state of the tool. */
 bat_splining *bat_splining_of(const bat_context *c);
 
 #endif

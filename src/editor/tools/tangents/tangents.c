@@ -1,10 +1,10 @@
 /*
- * The tangents tool. Taps place points; at each, a circle prompts for a direction, and the curve follows the arrow
- * dragged in it. Points, directions, handles and the curve itself of the chosen spline can be dragged.
+ * The tangents tool. Taps place points; at each point a circle prompts for a direction, and the curve follows the
+ * arrow dragged in it. Points, directions, handles and the curve itself of the chosen spline can be dragged.
  *
  * IDLE --down--> PRESSED --moved--> DRAGGING --up--> IDLE (committed); PRESSED --up--> a tap. A press that places a
- * point is a drag of its direction at once. cancel: a drag goes back to IDLE and changes nothing; else placing ends;
- * else nothing is chosen.
+ * point drags its direction at once. cancel: reverts a drag and goes back to IDLE; otherwise ends placing; otherwise
+ * deselects.
  */
 #include "editor/edit/arrange.h"
 #include "hands/tangents/spline.h"
@@ -32,7 +32,7 @@
 
 static const double TAP = 4;                  /* px that a tap may travel */
 static const double DOUBLE_TAP = 400;         /* ms */
-static const double SNAP = 3 * BAT_PI / 180;  /* radians from a chord or a neighbour's direction */
+static const double SNAP = 3 * BAT_PI / 180;  /* radians: reach of a chord or a neighbour's direction */
 static const double STEP = 15 * BAT_PI / 180; /* with Shift */
 
 /* ---- drags ---- */
@@ -42,7 +42,7 @@ static void unit(double v[2]) {
     if (length > 0) v[0] /= length, v[1] /= length;
 }
 
-/* To steps of 15 degrees, or to a chord or a neighbour's direction nearby. */
+/* Snaps to steps of 15 degrees, or to a chord or a neighbour's direction nearby. */
 static void snap(bat_context *c, double direction[2]) {
     bat_splining *s = bat_splining_of(c);
     s->snapped = false;
@@ -75,7 +75,7 @@ static void snap(bat_context *c, double direction[2]) {
     s->guide[0] = direction[0], s->guide[1] = direction[1];
 }
 
-/* The lengths of the point's handles were its tension 1. */
+/* The lengths that the point's handles would have with tension 1. */
 static bool natural_handles(bat_context *c, int point, double out[2]) {
     bat_splining *s = bat_splining_of(c);
     bat_joint *joints = malloc((size_t)s->draft.count * sizeof *joints);
@@ -92,7 +92,7 @@ static bool natural_handles(bat_context *c, int point, double out[2]) {
     return status == BAT_OK;
 }
 
-/* A direction, and a length in document units, for the held point. */
+/* Sets a direction, and a length in document units, for the grabbed part. */
 static void pull(bat_context *c, double direction[2], double length) {
     bat_splining *s = bat_splining_of(c);
     bat_part part = s->press.part;
@@ -117,14 +117,14 @@ static void pull(bat_context *c, double direction[2], double length) {
     }
 }
 
-/* The pen's place, as it now is, goes into the draft and from there into the document. */
+/* Applies the pen's present position to the draft, and through it to the document. */
 static void apply(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     s->due = false;
     double point[2], start[2];
     bat_stage_seen(c->stage, s->at, point);
     bat_stage_seen(c->stage, s->start, start);
-    if (!s->object) { /* the first point of all has nothing but a direction */
+    if (!s->object) { /* the very first point has only a direction */
         s->first_direction[0] = s->travelled > TAP ? point[0] - s->first[0] : 0;
         s->first_direction[1] = s->travelled > TAP ? point[1] - s->first[1] : 0;
         unit(s->first_direction);
@@ -171,7 +171,7 @@ static void let_go(bat_splining *s) {
     s->hover_changed = true;
 }
 
-/* The pen has moved: what it came down on comes along. */
+/* The pen has moved: begins dragging what it went down on. */
 static void begin_drag(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     bat_spline_hit press = s->press;
@@ -196,7 +196,7 @@ static void begin_drag(bat_context *c) {
     bat_notice_failure(c, status);
 }
 
-/* A point at the end, whose direction the pen then drags. */
+/* Adds a point at the end; the pen then drags its direction. */
 static bat_status add_point(bat_context *c, const double point[2]) {
     bat_splining *s = bat_splining_of(c);
     bat_object *object = NULL;
@@ -217,7 +217,7 @@ static bat_status add_point(bat_context *c, const double point[2]) {
     if (id) {
         status = bat_object_with_spline(bat_splining_object(c), &spline, &object);
     } else {
-        status = bat_object_create_spline(1, NULL, &style, &spline, NULL, &object); /* is it one at all? */
+        status = bat_object_create_spline(1, NULL, &style, &spline, NULL, &object); /* is it valid? */
         bat_object_release(object);
         object = NULL;
         if (status != BAT_OK) return status;
@@ -241,7 +241,7 @@ static bat_status add_point(bat_context *c, const double point[2]) {
 
 /* ---- taps ---- */
 
-/* The last point of a spline that is being placed. */
+/* Whether the press ends placing: on the last point of the spline being placed. */
 static bool ends_placing(bat_context *c, const bat_spline_hit *press) {
     const bat_spline *spline = bat_splining_of(c)->placing ? bat_splining_spline(c) : NULL;
     return spline && press->point == bat_spline_count(spline) - 1;
@@ -284,7 +284,7 @@ static void tap(bat_context *c, const bat_pointer *event) {
 
 /* ---- events ---- */
 
-/* Where a tap would place a point; Shift: at a step of angle from the last one. */
+/* Where a tap would place a point; with Shift at a multiple of the angle step from the last one. */
 static void place_to_snap(bat_context *c, double point[2]) {
     const bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = s->placing ? bat_splining_spline(c) : NULL;
@@ -346,7 +346,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         if (s->travelled <= TAP)
             tap(c, event);
         else
-            let_go(s); /* a drag of what cannot be dragged */
+            let_go(s); /* what was pressed cannot be dragged */
         return;
     }
     apply(c);
@@ -425,7 +425,7 @@ static void update(bat_context *c, void *state) {
     if (s->state != BAT_SPLINING_IDLE) {
         if (s->state == BAT_SPLINING_DRAGGING && s->due) {
             apply(c);
-            bat_seen_sync(c); /* the still list shows the drag */
+            bat_seen_sync(c); /* the static list shows the drag */
         }
         return;
     }
@@ -439,7 +439,7 @@ static void update(bat_context *c, void *state) {
     s->over_stage = *stage;
 }
 
-/* ---- words ---- */
+/* ---- texts ---- */
 
 static bat_string hint(const bat_context *c, const void *state) {
     (void)state;
