@@ -1,4 +1,4 @@
-/* Commands that the host carries out: it is asked with the next frame. */
+/* Commands that the host carries out: requests sent to it with the next frame. */
 #include "editor/tables/commands.h"
 #include "editor/edit/clipboard.h"
 #include "editor/session/notice.h"

@@ -23,9 +23,9 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double REACH = 24; /* px from the pen to a curve that it means */
+static const double REACH = 24; /* px: reach of the pen for curves */
 
-/* What the command would calm: the range, or the stretch that is measured, else that around the pen. */
+/* What the command would fair: the range, or the measured stretch, or else the stretch around the pen. */
 static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double range[2]) {
     const bat_slot *tool = bat_toolbox_tool(c);
     bat_stretch chosen;
@@ -50,7 +50,7 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
     return target;
 }
 
-/* A closed curve as a whole: what holds the first half still is calmed after it. */
+/* A closed curve faired as a whole takes a second pass, half a period on, for the part that the first one held still. */
 static bat_status calm(const bat_context *c, const bat_curve *curve, const double range[2], bat_curve **out) {
     double pixel = bat_stage_pixel(c->stage), limit = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
     double domain[2];
@@ -70,7 +70,7 @@ static bat_status calm(const bat_context *c, const bat_curve *curve, const doubl
     return second == BAT_STATE ? status : second;
 }
 
-/* Within the transaction; *far grows to how far curves have moved. */
+/* Within the transaction; *far grows to the farthest that curves have moved. */
 static bat_status calm_one(bat_context *c, bat_id object, int index, const double range[2], double *far) {
     const bat_curve *curve = bat_edit_target(c->session->document, object, index);
     bat_curve *calmed = NULL;
@@ -85,11 +85,11 @@ static bat_status calm_one(bat_context *c, bat_id object, int index, const doubl
     return bat_put_curve(c, object, index, calmed);
 }
 
-/* All curves of what is selected; BAT_STATE: none of them has anything left to calm. */
+/* Fairs all curves of the selection; BAT_STATE: none of them has anything left to fair. */
 static bat_status calm_selection(bat_context *c, double *far) {
     const bat_document *document = c->session->document;
     bat_status any = BAT_STATE;
-    int end = 0; /* of the selected group that the walk is in */
+    int end = 0; /* of the selected group being walked through */
     bat_seen_sync(c);
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_id id = bat_object_id(bat_document_at(document, i));

@@ -1,4 +1,4 @@
-/* Commands that cut and mend the selected curves. */
+/* Commands that cut and join the selected curves. */
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
@@ -35,7 +35,7 @@ static double distance(int dimension, const double *a, const double *b) {
     return sum;
 }
 
-/* The curve on to a point, by a straight line when it does not end there. Takes the curve over. */
+/* Extends the curve to a point by a straight line unless it ends there already. Takes ownership of the curve. */
 static bat_status lead_to(bat_curve *curve, const double *to, bat_curve **out) {
     int dimension = bat_curve_dimension(curve);
     double points[6];
@@ -76,7 +76,8 @@ static bat_status opened(const bat_curve *curve, bat_curve **out) {
 
 static bat_status reversed(const bat_curve *curve, bat_curve **out) { return bat_curve_reverse(curve, out); }
 
-/* A way to make another curve of one, and how many it did; curves for which it is BAT_STATE stay. */
+/* A function that makes one curve from another, and how many it has changed; curves for which it returns BAT_STATE
+ * stay. */
 typedef struct making {
     bat_status (*make)(const bat_curve *curve, bat_curve **out);
     int changed;
@@ -89,7 +90,7 @@ static bat_status make_one(void *context, const bat_curve *curve, bat_curve **ou
     return status == BAT_STATE ? bat_curve_copy(curve, out) : status;
 }
 
-/* The object with each of its curves put through `make`. BAT_STATE: all of them stay. */
+/* The object with `make` applied to each of its curves. BAT_STATE: all of them stay. */
 static bat_status made_over(const bat_object *object, bat_status (*make)(const bat_curve *, bat_curve **),
                             bat_object **out) {
     making way = {make, 0};
@@ -153,7 +154,7 @@ typedef struct open_curve {
     int object, curve; /* indices */
 } open_curve;
 
-/* The selected open curves of the plane; at most `room` written. */
+/* The selected open planar curves; at most `room` are written. */
 static int find_open(const bat_context *c, const int *members, int count, open_curve *out, int room) {
     int found = 0;
     for (int i = 0; i < count; i++) {
@@ -168,7 +169,7 @@ static int find_open(const bat_context *c, const int *members, int count, open_c
     return found;
 }
 
-/* a's end is led to b's start; the nearest two ends are met, for which either may be turned round. */
+/* Joins the nearest two ends, reversing either curve if necessary: a's end is extended to b's start. */
 static bat_status joined(const bat_curve *a, const bat_curve *b, bat_curve **out) {
     double best = INFINITY, p[3], q[3];
     int turn_a = 0, turn_b = 0;
@@ -210,7 +211,7 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
     if (status != BAT_OK) return status;
     status = bat_object_with_curve(bat_document_at(document, two[0].object), two[0].curve, curve, &after);
     if (status != BAT_OK) return status;
-    if (two[0].object == two[1].object) { /* the second lies behind the first in the same object */
+    if (two[0].object == two[1].object) { /* the second comes after the first in the same object */
         status = bat_without_curve(after, two[1].curve, &rest);
         if (status == BAT_OK) status = bat_transaction_replace(c, two[0].object, rest);
     } else {
@@ -226,7 +227,7 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
     return status;
 }
 
-/* Two open curves become one; a single one is closed. */
+/* Joins two open curves into one; closes a single one. */
 bat_status bat_command_curve_join(bat_context *c, bat_command_id id) {
     int *members = NULL, count = 0, found;
     open_curve two[2];
@@ -242,7 +243,7 @@ bat_status bat_command_curve_join(bat_context *c, bat_command_id id) {
 
 /* ---- split ---- */
 
-/* Two pieces: the first stays the object's, the second becomes an object in front of it (index + 1). */
+/* Splits into two pieces: the first stays in the object, the second becomes an object in front of it (index + 1). */
 static bat_status split_at(bat_context *c, int index, int curve, double u) {
     const bat_object *object = bat_document_at(c->session->document, index);
     const bat_curve *whole = bat_object_curve(object, curve);

@@ -1,4 +1,4 @@
-/* The dispatcher: what each command of the table does. */
+/* The dispatcher: calls the function of each command in the table. */
 #include "editor/commands/dispatch.h"
 #include "editor/tables/commands.h"
 #include "editor/session/session.h"
@@ -28,7 +28,7 @@ bat_status bat_command_do(bat_context *c, const char *name) {
     bat_command_id id = bat_command_named(name);
     if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
     bat_status status = bat_command_run(c, id, true);
-    /* Named, it is done at once; its key shows the reach while it is held. */
+    /* Called by name, the command acts at once; while its key is held, its reach is shown. */
     return id == BAT_COMMAND_CALM && status == BAT_OK ? bat_command_run(c, id, false) : status;
 }
 

@@ -6,7 +6,7 @@
 #include "editor/tables/tables.h"
 
 bat_status bat_command_run(bat_context *c, bat_command_id id, bool down);
-/* What the calls of the public header say, which have their names. */
+/* See the calls of the same names in the public header. */
 bat_status bat_command_do(bat_context *c, const char *name);
 bat_status bat_command_bind(bat_context *c, const char *command, const char *keys);
 bat_status bat_property_set(bat_context *c, const char *property, double value);

@@ -6,7 +6,8 @@
 #include "editor/tables/words.h"
 #include "editor/view/stage.h"
 
-/* What can be drawn on and comes after the ground in the drawing, or the first; not what is hidden with its layer. */
+/* The next object in the drawing, after the present ground, that can be drawn on, or the first; none in a hidden
+ * layer. */
 static const bat_object *next_ground(const bat_context *c, bat_ground *out) {
     const bat_document *document = c->session->document;
     int now = c->stage->ground.object ? bat_document_find(document, c->stage->ground.object) : -1;

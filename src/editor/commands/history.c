@@ -7,8 +7,9 @@
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
 
-/* The selection after a step: what the step brought back is selected, for it is what the eye looks for; what
- * is gone is not. While drawing nothing is selected so: it would keep the other curves from being redrawn. */
+/* Updates the selection after a step: what the step brought back is selected, since the user will look for it; what
+ * is gone is not. In a drawing tool nothing is selected in this way: a selection would keep the other curves from
+ * being redrawn. */
 static void follow(bat_context *c, bool undone) {
     const bat_history *history = &c->session->history;
     const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
@@ -21,10 +22,10 @@ static void follow(bat_context *c, bool undone) {
         if (from || !to || bat_document_find(c->session->document, bat_object_id(to)) < 0) continue;
         if (!cleared) bat_selection_clear(&c->choice->selection);
         cleared = true;
-        bat_selection_append(&c->choice->selection, bat_object_id(to)); /* without memory: not selected */
+        bat_selection_append(&c->choice->selection, bat_object_id(to)); /* out of memory: not selected */
     }
     bat_selection_sort(&c->choice->selection);
-    bat_selection_prune(&c->choice->selection, c->session->document); /* what is hidden or locked */
+    bat_selection_prune(&c->choice->selection, c->session->document); /* drops what is hidden or locked */
 }
 
 static bat_status step(bat_context *c, bool back) {
@@ -33,7 +34,7 @@ static bat_status step(bat_context *c, bool back) {
     return status;
 }
 
-/* Which step it was; else why there was none. */
+/* Reports which step it was, or why there was none. */
 static bat_status tell_step(bat_context *c, bat_status status, bat_string done, bat_string nothing) {
     const bat_history *history = &c->session->history;
     if (status != BAT_OK) {
@@ -45,7 +46,7 @@ static bat_status tell_step(bat_context *c, bat_status status, bat_string done, 
     return status;
 }
 
-/* What has not been committed yet is what the user wants gone first. */
+/* Uncommitted changes are what the user wants undone first. */
 bat_status bat_command_undo(bat_context *c, bat_command_id id) {
     (void)id;
     if (bat_toolbox_drop_uncommitted(c)) return BAT_OK;

@@ -9,9 +9,9 @@
 #include "editor/session/session.h"
 #include "document/document.h"
 
-static const double REACH = 16; /* px from the pen to a curve that it means */
+static const double REACH = 16; /* px: reach of the pen for curves */
 
-/* With nothing selected: what a click under the pen would select. */
+/* With no selection: keeps what a click under the pen would select. */
 static bat_status keep_under_pen(bat_context *c) {
     double point[2];
     bat_seen_sync(c);

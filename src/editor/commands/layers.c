@@ -1,4 +1,4 @@
-/* Layers: the active one takes new curves; names, eyes and locks of all objects. */
+/* Layers: the active one receives new curves; names, visibility and locks of all objects. */
 #include "document/nesting.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
@@ -31,7 +31,7 @@ static bat_status told(bat_context *c, bat_status status) {
     return status;
 }
 
-/* Makes the document the listing, as one step; frees the listing. */
+/* Applies the listing to the document, as one step; frees the listing. */
 static bat_status apply(bat_context *c, bat_listing *listing) {
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
@@ -73,7 +73,7 @@ bat_status bat_command_layer_delete(bat_context *c, bat_command_id id) {
     return told(c, apply(c, &listing));
 }
 
-/* Past as many siblings in front (or, steps < 0, behind) as there are, at most so many. */
+/* Moves past that many siblings in front (steps < 0: behind), or as many as there are. */
 static bat_status shift(bat_context *c, int at, int steps) {
     const bat_document *document = c->session->document;
     if (at < 0) return BAT_STATE;
@@ -85,7 +85,7 @@ static bat_status shift(bat_context *c, int at, int steps) {
         if (last) break;
         to = bat_document_end(document, to);
     }
-    int behind = 0; /* siblings */
+    int behind = 0; /* number of siblings */
     for (int i = 0; i < at && steps < 0; i++)
         behind += bat_object_parent(bat_document_at(document, i)) == parent;
     for (int i = 0; i < at && steps < 0; i++) {
@@ -107,7 +107,7 @@ static bat_status shift(bat_context *c, int at, int steps) {
 static bat_status shift_active(bat_context *c, int steps) {
     int at = active(c);
     bat_status status = shift(c, at, steps);
-    return at >= 0 && status == BAT_STATE ? status : told(c, status); /* at the end already: no news */
+    return at >= 0 && status == BAT_STATE ? status : told(c, status); /* at the end already: no notice */
 }
 
 bat_status bat_command_layer_up(bat_context *c, bat_command_id id) {
@@ -129,12 +129,12 @@ bat_status bat_command_layer_take(bat_context *c, bat_command_id id) {
         if (status == BAT_STATE) bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
         return status;
     }
-    for (int i = 0; i < count; i++) /* a layer does not go into itself, nor what is in it out of it */
+    for (int i = 0; i < count; i++) /* refused for layers: one cannot go into itself or lose its contents */
         if (bat_object_is(bat_document_at(document, roots[i]), BAT_LAYER)) status = BAT_STATE;
     bat_listing listing = {0};
     int end = bat_document_end(document, at);
     for (int i = 0; i <= bat_document_count(document) && status == BAT_OK;) {
-        if (i == end) /* in front of all that is in the layer */
+        if (i == end) /* in front of everything in the layer */
             for (int k = 0; k < count && !listing.failed; k++) {
                 bat_object *placed = NULL;
                 bat_object_with_parent(bat_document_at(document, roots[k]), c->choice->layer, &placed);
@@ -144,7 +144,7 @@ bat_status bat_command_layer_take(bat_context *c, bat_command_id id) {
         if (i == bat_document_count(document)) break;
         if (next < count && roots[next] == i) {
             int after = bat_document_end(document, roots[next++]);
-            /* The layer's end may be the end of what is taken. */
+            /* The layer may end where the moved objects end. */
             if (i < end && after > end) status = BAT_STATE;
             if (after == end && i < end) {
                 i = end;
@@ -173,7 +173,7 @@ bat_status bat_layer_activate(bat_context *c, bat_id id) {
     return BAT_OK;
 }
 
-/* Replaces the object at `at` by what was made of it; takes that over. */
+/* Replaces the object at `at` by `after`; takes ownership of that. */
 static bat_status replace(bat_context *c, int at, bat_object *after, bat_status status, bat_string label) {
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {

@@ -18,7 +18,7 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
     if (value < row->low || value > row->high) return BAT_ARGUMENT;
     if (row->type != BAT_PROPERTY_NUMBER && value != floor(value)) return BAT_ARGUMENT;
     if (bat_property_at(id)->group == BAT_GROUP_STYLE) {
-        /* Who chooses a colour wants to see it. */
+        /* Choosing a colour also makes it visible. */
         bat_property_id shown = id == BAT_PROPERTY_STROKE_COLOUR ? BAT_PROPERTY_STROKED
                                 : id == BAT_PROPERTY_FILL_COLOUR ? BAT_PROPERTY_FILLED
                                                                  : id;

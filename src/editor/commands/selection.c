@@ -68,10 +68,10 @@ bat_status bat_command_distribute(bat_context *c, bat_command_id id) {
 
 bat_status bat_command_delete(bat_context *c, bat_command_id id) {
     (void)id;
-    /* In a tool that deletes points, an object must not go because a point could not. */
+    /* In a tool that deletes points, an object must not be deleted because a point could not. */
     const bat_slot *tool = bat_toolbox_tool(c);
     if (tool->is->command && !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return BAT_STATE;
-    if (!c->choice->selection.count) return BAT_STATE; /* the key may mean something else */
+    if (!c->choice->selection.count) return BAT_STATE; /* the key may have another meaning */
     return told(c, bat_arrange_delete(c));
 }
 
@@ -84,7 +84,7 @@ bat_status bat_command_deselect(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
-/* Whole groups, layers' contents one by one. */
+/* Selects groups as wholes, the contents of layers one by one. */
 bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
     (void)id;
     const bat_document *document = c->session->document;
@@ -107,7 +107,7 @@ bat_status bat_command_select_all(bat_context *c, bat_command_id id) {
     }
     bat_selection_sort(&c->choice->selection);
     if (status != BAT_OK) return told(c, status);
-    /* Seen at once where there are handles for it. */
+    /* Switches to a tool that shows handles for the selection. */
     if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) bat_toolbox_choose(c, bat_tool_that(BAT_CHOOSES));
     return BAT_OK;
 }

@@ -1,4 +1,4 @@
-/* The selected curves with as few knots as keep them within the tolerance. */
+/* Simplifies the selected curves: as few knots as keep them within the tolerance. */
 #include "editor/tables/commands.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
@@ -14,13 +14,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double CORNER = 0.05; /* what turns by more, in radians, stays a corner */
+static const double CORNER = 0.05; /* radians: larger turns stay corners */
 
 typedef struct tally {
-    size_t before, after; /* control points of all that is selected */
+    size_t before, after; /* control points of the whole selection */
 } tally;
 
-/* Within the transaction: each curve of the object that can do with fewer points. */
+/* Within the transaction: simplifies each curve of the object that can do with fewer points. */
 static bat_status simplify_object(bat_context *c, int index, double tolerance, tally *sum) {
     const bat_object *object = bat_document_at(c->session->document, index);
     const bat_id id = bat_object_id(object);

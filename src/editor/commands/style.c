@@ -6,7 +6,7 @@
 bat_status bat_command_style(bat_context *c, bat_command_id id) {
     static const struct preset {
         bat_command_id id;
-        double width, opacity; /* width 0: filled, and no line around it */
+        double width, opacity; /* width 0: filled, without a stroke */
     } presets[] = {{BAT_COMMAND_STYLE_HAIRLINE, 0.5, 1},
                    {BAT_COMMAND_STYLE_PEN, 2, 1},
                    {BAT_COMMAND_STYLE_MARKER, 12, 0.5},

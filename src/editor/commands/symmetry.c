@@ -10,9 +10,9 @@
 #include "editor/view/stage.h"
 #include <math.h>
 
-static const double STRAIGHT = 0.5; /* px that a line may bend */
+static const double STRAIGHT = 0.5; /* px: greatest deviation from a straight line */
 
-/* Through both ends of the curve, when it is straight between them. */
+/* The line through both ends of the curve, if the curve is straight between them. */
 static bool axis_of(const bat_curve *curve, double within, bat_mirror *out) {
     double ends[2][2], domain[2];
     if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) return false;

@@ -1,4 +1,4 @@
-/* Commands that choose a tool, and those that the tool in force carries out. */
+/* Commands that choose a tool, and those passed on to the tool in force. */
 #include "editor/choice/choice.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"

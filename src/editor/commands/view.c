@@ -1,4 +1,4 @@
-/* Commands that change what is seen, not what is drawn. */
+/* Commands that change the view, not the drawing. */
 #include "editor/tables/commands.h"
 #include "editor/input/input.h"
 #include "editor/scene/seen.h"
@@ -7,7 +7,7 @@
 #include "editor/view/stage.h"
 #include <math.h>
 
-static const double TURN = 15; /* degrees a step */
+static const double TURN = 15; /* degrees per step */
 
 bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
     (void)id;
@@ -39,7 +39,7 @@ bat_status bat_command_turn(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
-/* A tenth of the window. */
+/* Pans by a tenth of the window. */
 bat_status bat_command_pan(bat_context *c, bat_command_id id) {
     double x = (id == BAT_COMMAND_PAN_RIGHT) - (id == BAT_COMMAND_PAN_LEFT);
     double y = (id == BAT_COMMAND_PAN_DOWN) - (id == BAT_COMMAND_PAN_UP);
@@ -53,7 +53,7 @@ bat_status bat_command_hold_pan(bat_context *c, bool down) {
     return BAT_OK;
 }
 
-/* The property with the command's name, turned over. */
+/* Toggles the property with the command's name. */
 bat_status bat_command_switch(bat_context *c, bat_command_id id) {
     bat_property_id property = bat_property_named(bat_command_at(id)->name);
     double *value = &c->settings->values[property];
@@ -68,7 +68,7 @@ bat_status bat_command_draw_new(bat_context *c, bool down) {
     return BAT_OK;
 }
 
-/* As drawn, redraw only, new only, and round again. */
+/* Cycles through: as drawn, redraw only, new only. */
 bat_status bat_command_meaning(bat_context *c, bat_command_id id) {
     static const bat_string words[] = {BAT_STRING_MEANING_DRAWN, BAT_STRING_MEANING_REDRAW,
                                        BAT_STRING_MEANING_NEW};
@@ -79,7 +79,7 @@ bat_status bat_command_meaning(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
-/* The next value of a ladder whose rungs lie about a third apart. */
+/* Moves to the next value on a scale with six steps per decade. */
 bat_status bat_command_tolerance(bat_context *c, bat_command_id id) {
     static const double rungs[] = {0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20};
     const int count = (int)(sizeof rungs / sizeof *rungs);
