@@ -31,7 +31,7 @@
 
 enum { ROWS_MAX = 500, POINTS_MAX = 1000 };
 
-/* The words with each % replaced by the next value. */
+/* Writes the text with each % replaced by the next value. */
 static void fill(const bat_context *c, bat_text *text, bat_string words, const char *const *values) {
     const char *at = bat_word(c, words);
     for (const char *hole; (hole = strchr(at, '%')); at = hole + 1, values++) {
@@ -47,7 +47,7 @@ static void fill_number(const bat_context *c, bat_text *text, bat_string words, 
     fill(c, text, words, (const char *const[]){value});
 }
 
-/* ---- points: a spline's, else the control points of all curves, one after the other ---- */
+/* ---- points: of a spline, else the control points of all curves in sequence ---- */
 
 static int points_of(const bat_object *object) {
     const bat_spline *spline = bat_object_spline(object);
@@ -57,7 +57,7 @@ static int points_of(const bat_object *object) {
     return count;
 }
 
-/* Which curve the point belongs to; *index becomes its index there. NULL: none such. */
+/* The curve that the point belongs to; *index becomes the point's index in it. NULL: no such point. */
 static const bat_curve *curve_of(const bat_object *object, int *index, int *curve) {
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *found = bat_object_curve(object, i);
@@ -82,7 +82,7 @@ static bool place_of(const bat_object *object, int index, double out[2]) {
     return true;
 }
 
-/* words: with holes for x and y, or for which, of how many, x and y. */
+/* words: a text with placeholders for x and y, or for the point's number, the count, x and y. */
 static void place_words(const bat_context *c, bat_text *text, bat_string words, int index, int count,
                         const double at[2]) {
     char values[4][32];
@@ -112,7 +112,7 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");
     if (!*name || curves < 2) bat_text_string(text, bat_word(c, bat_kind_word(bat_object_type(object))));
-    if (!*name) { /* by its number: it has to be called something */
+    if (!*name) { /* a number, because it needs some name */
         bat_text_string(text, " ");
         bat_text_integer(text, bat_object_id(object));
     }
@@ -132,7 +132,7 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
     if (bat_object_is_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
 }
 
-/* As a JSON string; frees the words. */
+/* Writes the words as a JSON string, and frees them. */
 static void quote(bat_text *json, bat_text *words) {
     bat_text_add(words, "", 1);
     if (words->failed) json->failed = true;
@@ -187,7 +187,7 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
     return keep(c, &json);
 }
 
-/* Which of the object's points is chosen, -1: none. */
+/* The chosen point of the object; -1: none. */
 static int chosen_of(const bat_context *c, const bat_object *object) {
     const bat_pointing *p = bat_pointing_of(c);
     bat_id id = bat_object_id(object);
@@ -248,11 +248,11 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
     return BAT_OK;
 }
 
-/* ---- what has happened ---- */
+/* ---- what has just happened ---- */
 
 enum { MODE_NONE, MODE_POINT, MODE_DIRECTION, MODE_KNOT, MODE_RANGE, MODE_WAYPOINT };
 
-/* What the keys would move, and where it is. */
+/* What the arrow keys would move, and its position. */
 static void look(const bat_context *c, bat_told *now) {
     const bat_document *document = c->session->document;
     const bat_waypoints *w = bat_waypoints_of(c);
@@ -299,7 +299,7 @@ static void say_place(const bat_context *c, bat_text *text, const bat_told *now)
     if (now->mode == MODE_DIRECTION) place_words(c, text, BAT_STRING_SAID_DIRECTION, 0, 0, now->at);
     if (now->mode == MODE_KNOT) place_words(c, text, BAT_STRING_SAID_KNOT, 0, 0, now->at);
     if (now->mode == MODE_RANGE && object && now->object != c->panels->told.object) {
-        bat_outline_words(c, object, text); /* another curve */
+        bat_outline_words(c, object, text); /* another curve than before */
         next_sentence(text);
     }
     if (now->mode == MODE_RANGE)
@@ -327,14 +327,14 @@ const char *bat_panel_said(bat_context *c) {
     bat_told *told = &c->panels->told, now = {0};
     const bat_history *history = &c->session->history;
     bat_text text = {0};
-    if (bat_toolbox_busy(c)) return ""; /* it is not over yet */
+    if (bat_toolbox_busy(c)) return ""; /* still under way */
     look(c, &now);
     now.begun = true;
     now.tool = (int)c->choice->tool;
     now.state = history->state;
     now.selection = c->choice->selection.version;
     now.selected = c->choice->selection.count;
-    /* Undo and redo are told by their notices. */
+    /* Undo and redo have notices of their own. */
     bool undone = c->notices->notice == BAT_STRING_NOTICE_UNDONE ||
                   c->notices->notice == BAT_STRING_NOTICE_REDONE;
     bool changed = now.state != told->state && !undone && history->done > 0;
@@ -351,7 +351,7 @@ const char *bat_panel_said(bat_context *c) {
         say_place(c, &text, &now);
     *told = now;
     size_t size = text.failed ? 0 : text.size;
-    if (size >= sizeof told->text) { /* cut between letters */
+    if (size >= sizeof told->text) { /* cut between characters */
         size = sizeof told->text - 1;
         while (size && ((unsigned char)text.data[size] & 0xc0) == 0x80) size--;
     }

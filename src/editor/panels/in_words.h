@@ -1,4 +1,4 @@
-/* The drawing in words: objects, their points, and what has just happened, for those who do not see it. */
+/* The drawing in words, for users who cannot see it: objects, their points, and what has just happened. */
 #ifndef BATTEN_EDITOR_PANELS_IN_WORDS_H
 #define BATTEN_EDITOR_PANELS_IN_WORDS_H
 
@@ -9,20 +9,20 @@
 
 enum { BAT_SAID_ROOM = 240 };
 
-/* What was true when it was last told. */
+/* The state at the last message. */
 typedef struct bat_told {
     bool begun;
     int tool;
     uint64_t state; /* of the history */
     uint32_t selection;
     int selected;
-    bat_id object; /* of the point below */
+    bat_id object; /* that the point below belongs to */
     int mode, point;
     double at[2];
     char text[BAT_SAID_ROOM];
 } bat_told;
 
-/* The object in words: name, kind, open or closed, how many points. */
+/* Describes the object: name, kind, open or closed, number of points. */
 void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text);
 
 #endif

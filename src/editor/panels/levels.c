@@ -1,4 +1,4 @@
-/* The level strip: what it shows, as JSON, and what its faders and buttons do. */
+/* The level strip: its contents as JSON, and the actions of its faders and buttons. */
 #include "editor/panels/panels.h"
 #include "curve/curve.h"
 #include "editor/session/context.h"
@@ -21,7 +21,7 @@ static bool any_muted(const bat_shape *shape, int from, int to) {
     return false;
 }
 
-/* Whether this level is the last that sounds, and all up to it do. */
+/* Whether this level is the last one not muted, with none muted below it. */
 static bool solo(const bat_shape *shape, int level) {
     int top = bat_shape_levels(shape);
     if (level >= top || any_muted(shape, 1, level)) return false;
@@ -66,7 +66,7 @@ const char *bat_panel_levels(bat_context *c) {
     return l->strip = text.data;
 }
 
-/* ---- what it does ---- */
+/* ---- actions ---- */
 
 static bat_status begin_fade(bat_context *c, const bat_shape *shape) {
     bat_leveling *l = bat_leveling_of(c);
@@ -94,7 +94,7 @@ static bat_status fade(bat_context *c, const bat_shape *shape, int level, double
     bat_status status = l->fading                              ? BAT_OK
                         : bat_shape_gain(shape, level) == gain ? BAT_STATE
                                                                : begin_fade(c, shape);
-    if (status == BAT_STATE) return BAT_OK; /* it is there already */
+    if (status == BAT_STATE) return BAT_OK; /* no change */
     if (status == BAT_OK) status = bat_shape_copy(l->base, &edited);
     if (status == BAT_OK) {
         status = bat_shape_set_gain(edited, level, gain);
@@ -110,7 +110,7 @@ static bat_status fade(bat_context *c, const bat_shape *shape, int level, double
 
 static bat_status silence(bat_context *c, const bat_shape *shape, bat_level_act act, int level, bool muted) {
     int top = bat_shape_levels(shape);
-    bool alone = act == BAT_LEVEL_SOLO && (level == top || solo(shape, level)); /* let all sound again */
+    bool alone = act == BAT_LEVEL_SOLO && (level == top || solo(shape, level)); /* again: unmute all */
     bat_shape *edited = NULL;
     bat_status status = bat_shape_copy(shape, &edited);
     for (int l = 1; l <= top && status == BAT_OK; l++) {

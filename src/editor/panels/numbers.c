@@ -59,12 +59,12 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
     case BAT_NUMBER_Y: *value = box[1] - zero[1]; break;
     case BAT_NUMBER_WIDTH: *value = box[2] - box[0]; break;
     case BAT_NUMBER_HEIGHT: *value = box[3] - box[1]; break;
-    default: *value = 0; /* it turns from where it is */
+    default: *value = 0; /* relative to the present state */
     }
     return true;
 }
 
-/* Of the selection: about its upper left corner, turns about its middle and against the clock. */
+/* Changes the selection: about its upper left corner; rotation is about its middle, counterclockwise. */
 static bat_status change_selection(bat_context *c, bat_number_id id, double from, double to) {
     double box[4], matrix[6], factor = to / from;
     bat_string step = BAT_STRING_STEP_MOVE;
@@ -77,7 +77,7 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
         bat_matrix_rotation(-fmod(to, 360) * BAT_PI / 180, about, matrix);
         step = BAT_STRING_STEP_ROTATE;
     } else {
-        if (!(from > 0)) return BAT_STATE; /* nothing can be scaled from nothing */
+        if (!(from > 0)) return BAT_STATE; /* nothing can be scaled up from zero */
         if (!(factor > 0 && isfinite(factor))) return BAT_ARGUMENT;
         bat_matrix_scaling(id == BAT_NUMBER_WIDTH ? factor : 1, id == BAT_NUMBER_HEIGHT ? factor : 1, box,
                            matrix);
@@ -146,7 +146,7 @@ const char *bat_panel_number(bat_context *c, const char *name) {
     bat_property_id property = bat_property_named(name);
     if (property == BAT_PROPERTY_COUNT || bat_property_get(c, name, &value) != BAT_OK) return text;
     const char *unit = bat_property_at(property)->unit;
-    bool pixels = !strcmp(unit, "px"); /* of the view */
+    bool pixels = !strcmp(unit, "px"); /* view pixels */
     if (pixels || !strcmp(unit, "unit"))
         bat_unit_write(c, pixels ? value * bat_stage_pixel(c->stage) : value, text);
     else

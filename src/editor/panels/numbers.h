@@ -1,4 +1,4 @@
-/* Numbers of what is chosen, read and entered as text. */
+/* Numeric values of what is chosen, read and entered as text. */
 #ifndef BATTEN_EDITOR_PANELS_NUMBERS_H
 #define BATTEN_EDITOR_PANELS_NUMBERS_H
 
@@ -6,7 +6,8 @@
 #include "editor/tables/tables.h"
 #include "editor/view/unit.h"
 
-/* Document units, or degrees; lengths along an axis count from the page's corner. False: there is no such thing now. */
+/* The value in document units, or degrees; positions along an axis count from the page's corner. False: there is no
+ * such value now. */
 bool bat_number_now(bat_context *c, bat_number_id id, double *value);
 
 #endif

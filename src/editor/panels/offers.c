@@ -1,4 +1,4 @@
-/* Which commands the selection makes possible: what a row of buttons shows. */
+/* Which commands the selection makes possible: the contents of a row of buttons. */
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/panels/panels.h"
@@ -13,9 +13,9 @@
 #include <stdlib.h>
 
 typedef struct facts {
-    int roots, groups, layers; /* roots, and which of them are these */
-    int open, closed;          /* curves */
-    bool page;                 /* there is one to align a single root to */
+    int roots, groups, layers; /* number of roots; groups and layers among them */
+    int open, closed;          /* number of curves */
+    bool page;                 /* there is a page to align a single root to */
 } facts;
 
 static bat_status find(const bat_context *c, facts *f) {

@@ -1,4 +1,5 @@
-/* What stands beside the drawing, as text that the host reads; each made when asked for, and kept until then. */
+/* The contents of the panels beside the drawing, as text that the host reads; each is made on request and kept until
+ * the next one. */
 #ifndef BATTEN_EDITOR_PANELS_PANELS_H
 #define BATTEN_EDITOR_PANELS_PANELS_H
 
@@ -8,12 +9,12 @@
 
 typedef struct bat_panels {
     char *actions, *layers, *outline, *readings, *tables;
-    char number_text[BAT_UNIT_ROOM]; /* what bat_panel_number hands out */
+    char number_text[BAT_UNIT_ROOM]; /* the text returned by bat_panel_number */
     bat_told told;
 } bat_panels;
 
 void bat_panels_free(bat_panels *panels);
-/* What the calls of the public header say, which have their names. */
+/* See the calls of the same names in the public header. */
 const char *bat_panel_tables(bat_context *c);
 const char *bat_panel_layers(bat_context *c);
 const char *bat_panel_actions(bat_context *c);

@@ -1,4 +1,4 @@
-/* The chips at the end of a stroke: what else it could mean. */
+/* The chips at the end of a stroke: its other readings. */
 #include "editor/panels/panels.h"
 #include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "Redraw roof" where the curve has a name. */
+/* "Redraw roof" if the curve has a name. */
 static void word(const bat_context *c, const bat_again *again, int reading, bat_text *text) {
     bat_text words = {0};
     const bat_edit *edit = &again->edit[reading];

@@ -19,7 +19,7 @@ static void field(bat_text *line, const char *name, const char *value) {
     bat_text_json_string(line, value);
 }
 
-/* A list of what stands between spaces. */
+/* Writes a JSON list of the words that `list` separates by spaces. */
 static void list_of(bat_text *line, const char *name, const char *list) {
     bat_text_string(line, name);
     for (const char *at = list; *at;) {
@@ -93,7 +93,7 @@ const char *bat_panel_tables(bat_context *c) {
     }
     bat_text_string(&line, "],\"strings\":{");
     for (int i = 0; i < BAT_STRING_COUNT; i++) {
-        if (!*bat_string_key((bat_string)i)) continue; /* kept apart */
+        if (!*bat_string_key((bat_string)i)) continue; /* stored separately */
         if (i) bat_text_string(&line, ",");
         bat_text_json_string(&line, bat_string_key((bat_string)i));
         bat_text_string(&line, ":");
