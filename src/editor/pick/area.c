@@ -1,13 +1,14 @@
-/* Picking by area: fills under a point, drawings in a box. On the scene's float paths, flattened. */
+/* Picking by area: fills under a point, drawings within a box. Works on the scene's float paths, flattened. */
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include <math.h>
 
-enum { PIECES = 12 }; /* lines a cubic is taken as */
+enum { PIECES = 12 }; /* lines per cubic */
 
-typedef bool line_function(void *user, const double a[2], const double b[2]); /* true: enough */
+typedef bool line_function(void *user, const double a[2], const double b[2]); /* true: stop */
 
-/* Every line of the path, relative to the origin; open subpaths are closed for fills (closing). */
+/* Calls `take` with every line of the path, relative to the origin; with `closing`, open subpaths are closed, as for
+ * fills. */
 static bool each_line(const bat_scene_entry *entry, bool closing, line_function *take, void *user) {
     const float *at = entry->path, *end = at ? at + entry->item.path_count : NULL;
     double start[2] = {0, 0}, now[2] = {0, 0}, next[2];
@@ -92,7 +93,7 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
                 found = i;
             }
         }
-        /* What lies behind a fill is not meant, but for a line that is within reach already. */
+        /* What lies behind a fill is not picked, unless a line has been found within reach already. */
         if (fills(scene, entry, point)) return found >= 0 ? found : i;
     }
     return found;
@@ -100,7 +101,7 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
 
 typedef struct area {
     const bat_stage *stage;
-    const double *origin; /* of the lines */
+    const double *origin; /* of the lines' coordinates */
     const double *box;    /* view pixels */
 } area;
 
@@ -123,7 +124,7 @@ static bool crosses(void *user, const double from[2], const double to[2]) {
     return t0 <= t1;
 }
 
-/* The box, upright in the document, around the view's. */
+/* The box in the document, axis-aligned, around the box in the view. */
 static void around(const bat_stage *stage, const double box[4], double out[4]) {
     for (int i = 0; i < 4; i++) {
         double corner[2];

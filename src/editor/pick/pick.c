@@ -9,7 +9,7 @@ static bool box_near(const double box[4], const double point[2], double within) 
     return bat_hypot(dx, dy) <= within;
 }
 
-/* Whether the object can be picked, and its box is near enough. */
+/* Whether the object can be picked, and its box is close enough. */
 static bool within_reach(const bat_scene_entry *entry, const double point[2], double within) {
     return !entry->hidden && !entry->locked && box_near(entry->box, point, within);
 }

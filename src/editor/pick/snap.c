@@ -16,11 +16,11 @@
 #include <string.h>
 
 static const double REACH = 8;                /* px */
-static const double CROWDED = 8;              /* px that the grid's lines are apart at least */
+static const double CROWDED = 8;              /* px: least distance between grid lines */
 static const double STEP = 15 * BAT_PI / 180; /* radians */
 enum { BRANCHES = 12, TURNS = 4, NEWTON = 16 };
 
-/* A stretch of curve that comes near: the parameter of its closest point. */
+/* A part of a curve that comes near: the parameter of its closest point. */
 typedef struct branch {
     const bat_curve *curve;
     double u;
@@ -39,7 +39,7 @@ typedef struct search {
 
 static double apart(const double a[2], const double b[2]) { return bat_hypot(a[0] - b[0], a[1] - b[1]); }
 
-/* ---- which is best ---- */
+/* ---- choosing the best ---- */
 
 static bool better(const bat_snap *a, const bat_snap *b) {
     if (a->kind == BAT_SNAP_NONE || b->kind == BAT_SNAP_NONE) return a->kind != BAT_SNAP_NONE;
@@ -82,7 +82,7 @@ static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
     if (near->distance > s->within) return;
     if (wants(s, BAT_SNAP_CURVE)) offer(s, BAT_SNAP_CURVE, near->point);
     if (!wants(s, BAT_SNAP_CROSSING)) return;
-    /* A curve may come by more than once: each time is a branch. */
+    /* A curve may come near more than once: each time is a branch. */
     if (bat_curve_nearest_all(curve, s->point, s->within, TURNS, near, &found) != BAT_OK) return;
     for (size_t i = 0; i < found && i < TURNS && s->branch_count < BRANCHES; i++)
         s->branches[s->branch_count++] = (branch){curve, near[i].u};
@@ -115,7 +115,7 @@ static double inside(const bat_curve *curve, double u) {
     return fmin(fmax(u, domain[0]), domain[1]);
 }
 
-/* Where two branches meet, by Newton's steps from their points closest to the pen. */
+/* The point where two branches meet, by Newton steps from their points closest to the pen. */
 static void cross(search *s, branch a, branch b) {
     double p[4], q[4], near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + s->within);
     for (int i = 0; i < NEWTON; i++) {
@@ -123,8 +123,7 @@ static void cross(search *s, branch a, branch b) {
         bat_curve_eval(b.curve, b.u, 1, q);
         double x = q[0] - p[0], y = q[1] - p[1], turn = p[2] * q[3] - p[3] * q[2];
         if (bat_hypot(x, y) <= near) break;
-        if (!(fabs(turn) > 1e-9 * bat_hypot(p[2], p[3]) * bat_hypot(q[2], q[3])))
-            return; /* along each other */
+        if (!(fabs(turn) > 1e-9 * bat_hypot(p[2], p[3]) * bat_hypot(q[2], q[3]))) return; /* parallel */
         a.u = inside(a.curve, a.u + (x * q[3] - y * q[2]) / turn);
         b.u = inside(b.curve, b.u + (x * p[3] - y * p[2]) / turn);
     }
@@ -136,12 +135,12 @@ static void cross(search *s, branch a, branch b) {
         bat_curve_domain(a.curve, domain);
         double period = domain[1] - domain[0], gap = fabs(a.u - b.u);
         if (bat_curve_is_closed(a.curve)) gap = fmin(gap, period - gap);
-        if (gap <= 1e-6 * period) return; /* the two have become one */
+        if (gap <= 1e-6 * period) return; /* the two have merged */
     }
     offer(s, BAT_SNAP_CROSSING, p);
 }
 
-/* Where a branch meets the guide. */
+/* The point where a branch meets the guide. */
 static void cross_guide(search *s, branch a, int axis, double at) {
     double p[4], near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + s->within);
     for (int i = 0; i < NEWTON; i++) {
@@ -156,7 +155,7 @@ static void cross_guide(search *s, branch a, int axis, double at) {
 
 /* ---- guides and grid ---- */
 
-/* The nearest line across each axis, if one is near. */
+/* The nearest line along each axis, if any is near. */
 typedef struct lines {
     bool there[2];
     double at[2];
@@ -188,7 +187,7 @@ static lines near_grid(const search *s) {
     return found;
 }
 
-/* Guides draw first; a coordinate that none draws is the grid's. */
+/* Guides take precedence; a coordinate that no guide holds snaps to the grid. */
 static void try_lines(search *s, const lines *guides, const lines *grid) {
     bat_snap snap = {BAT_SNAP_NONE, {s->point[0], s->point[1]}, {false, false}, 0, {0, 0}};
     for (int k = 0; k < 2; k++) {
@@ -259,10 +258,10 @@ void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) 
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
     double x = point[0] - origin[0], y = point[1] - origin[1];
     bool fine = c->settings->values[BAT_PROPERTY_SNAP_ANGLES] != 0;
-    int turn = (int)round(bat_atan2(y, x) / STEP); /* of 24 a whole turn */
+    int turn = (int)round(bat_atan2(y, x) / STEP); /* 24 make a full turn */
     if (!fine) turn = fabs(x) >= fabs(y) ? 0 : 6;
     double u = bat_cos(turn * STEP), v = bat_sin(turn * STEP);
-    if (turn % 6 == 0) u = turn % 12 == 0, v = !(turn % 12 == 0); /* upright to the last bit */
+    if (turn % 6 == 0) u = turn % 12 == 0, v = !(turn % 12 == 0); /* exact along the axes */
     double length = x * u + y * v;
     point[0] = origin[0] + length * u;
     point[1] = origin[1] + length * v;

@@ -1,6 +1,7 @@
 /*
- * Snapping: what a place near the pen is drawn to. Of what lies within reach, ends come before crossings, then guides,
- * curves, and the grid; of one kind, the nearest. Switched by properties; Ctrl or Meta held turns it off for a while.
+ * Snapping: what a point near the pen is attracted to. Among things within reach, ends come before crossings, then
+ * guides, curves, and the grid; of one kind, the nearest wins. Properties turn it on and off; holding Ctrl or Meta
+ * suspends it.
  */
 #ifndef BATTEN_EDITOR_PICK_SNAP_H
 #define BATTEN_EDITOR_PICK_SNAP_H
@@ -14,18 +15,18 @@ typedef enum bat_snap_kind {
     BAT_SNAP_GUIDE,
     BAT_SNAP_CURVE,
     BAT_SNAP_GRID,
-    BAT_SNAP_ANGLE /* steps of 15 degrees from where a drag began, with Shift */
+    BAT_SNAP_ANGLE /* Shift: steps of 15 degrees from where a drag began */
 } bat_snap_kind;
 
 typedef struct bat_snap {
     bat_snap_kind kind;
     double point[2]; /* document units */
-    bool bound[2];   /* which of its coordinates are drawn; both but for guides and the grid */
-    double distance; /* that it was drawn over, document units */
-    double from[2];  /* ANGLE: where the ray begins */
+    bool bound[2];   /* which coordinates are fixed; both, except for guides and the grid */
+    double distance; /* by which it was moved, document units */
+    double from[2];  /* ANGLE: origin of the ray */
 } bat_snap;
 
-/* A place that may snap, and to which kinds (bits 1 << kind). */
+/* A point that may snap, and the kinds it may snap to (bits 1 << kind). */
 typedef struct bat_snap_source {
     double point[2]; /* document units */
     unsigned kinds;
@@ -35,19 +36,19 @@ typedef struct bat_snap_source {
 #define BAT_SNAP_LINES (1u << BAT_SNAP_GUIDE | 1u << BAT_SNAP_GRID)
 
 /*
- * What one of the sources, moved by delta, snaps to. kind NONE: nothing. Objects at the document indices but[0..count),
- * ascending, are left aside: what moves. The scene must be in step. Costs a box test an object and source, and the
- * finders of what is near. *which (may be NULL): the source that snapped.
+ * What one of the sources, moved by delta, snaps to. kind NONE: nothing. Objects at the document indices
+ * but[0..count), ascending, are ignored: they are being moved. The scene must be up to date. Costs a box test per
+ * object and source, and a search in the curves nearby. *which (may be NULL): the source that snapped.
  */
 bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
                        const bat_snap_source *sources, const double delta[2], int *which);
-/* The same for one place; kept for the picture. `point` becomes the place snapped to. */
+/* The same for a single point; the result is kept for display. `point` becomes the point snapped to. */
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]);
-/* `point` goes to the nearest ray of 15 degrees (or, with that switched off, axis) from the origin; kept for the
- * picture. */
+/* Moves `point` to the nearest ray in steps of 15 degrees (or, with that turned off, the nearest axis) from the
+ * origin; the result is kept for display. */
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
 
-/* The distance of the grid's lines as they are drawn, document units; 0: no grid is shown. */
+/* The spacing of the grid as drawn, document units; 0: no grid is shown. */
 double bat_grid_step(const bat_context *c);
 
 #endif
