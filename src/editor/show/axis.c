@@ -12,7 +12,7 @@ void bat_axis_show(bat_context *c, bat_overlay *overlay) {
     if (!axis.on) return;
     bat_stage_box(c->stage, box);
     const double x = (box[0] + box[2]) / 2, y = (box[1] + box[3]) / 2;
-    /* From the place nearest to the window's middle as far as the window reaches. */
+    /* From the point nearest to the window's middle, as far as the window reaches. */
     const double far = bat_hypot(box[2] - box[0], box[3] - box[1]);
     const double s = (x - axis.at[0]) * axis.along[0] + (y - axis.at[1]) * axis.along[1];
     bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, WIDTH);

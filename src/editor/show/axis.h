@@ -1,4 +1,4 @@
-/* The axis of symmetry, and what a stroke becomes on its other side. */
+/* The axis of symmetry, and the result of a stroke on its other side. */
 #ifndef BATTEN_EDITOR_SHOW_AXIS_H
 #define BATTEN_EDITOR_SHOW_AXIS_H
 
@@ -8,7 +8,7 @@
 
 /* A dashed line across the window, while symmetry is on. */
 void bat_axis_show(bat_context *c, bat_overlay *overlay);
-/* As ghosts: the curve, or when that is NULL the image of x y of so many places. */
+/* Shows as ghosts the curve, or when that is NULL the image of `count` points x y. */
 void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,
                          const bat_curve *curve);
 

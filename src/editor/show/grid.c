@@ -1,4 +1,4 @@
-/* The grid: as its spacing says, or fewer of its lines when they would crowd. */
+/* The grid: at its spacing, or with fewer lines when they would be too crowded. */
 #include "editor/show/snapped.h"
 #include "editor/scene/path.h"
 #include "editor/session/context.h"

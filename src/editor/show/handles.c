@@ -5,7 +5,7 @@
 
 static const double POINT_RADIUS = 3, KNOT_RADIUS = 3.5, RING_STEP = 3, ONE_RADIUS = 5.5; /* px */
 static const float POLYGON_WIDTH = 1, RING_WIDTH = 1.25F;
-enum { MARKS_MAX = 4000 }; /* more in sight than that is a texture, not handles */
+enum { MARKS_MAX = 4000 }; /* more marks than this in view are a texture, not handles */
 
 bool bat_knot_next(const bat_curve *curve, double after, double *u, int *multiplicity) {
     const double *knots = bat_curve_knots(curve);
@@ -61,7 +61,7 @@ void bat_knots_reached(const bat_curve *curve, double u, double range[2]) {
     bat_curve_domain(curve, domain);
     u = bat_curve_reduce(curve, u);
     span = bat_span(curve, u, p);
-    /* stored knots reach p beyond the domain, no further */
+    /* stored knots extend p beyond the domain, no further */
     int first = span - p, last = span + p + 1, top = curve->spread + p;
     range[0] = first < 0 ? domain[0] : curve->knots[first];
     range[1] = last > top ? domain[1] : curve->knots[last];
@@ -107,7 +107,7 @@ void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double o
     }
 }
 
-/* ---- how they look ---- */
+/* ---- display ---- */
 
 static bool in_sight(const bat_stage *stage, const double point[2]) {
     double screen[2];

@@ -1,6 +1,6 @@
 /*
- * Handles: what of a curve can be taken hold of (control points, knots, any place on it), where they are and how
- * they look. A closed curve's knots count once; the ends of an open one are no handles of their own.
+ * Handles: the parts of a curve that can be grabbed (control points, knots, any point on it), where they are and how
+ * they look. Each distinct knot of a closed curve counts once; the ends of an open one are not handles.
  */
 #ifndef BATTEN_EDITOR_SHOW_HANDLES_H
 #define BATTEN_EDITOR_SHOW_HANDLES_H
@@ -12,7 +12,7 @@ typedef enum bat_handle_kind {
     BAT_HANDLE_NONE,
     BAT_HANDLE_POINT, /* a control point */
     BAT_HANDLE_KNOT,
-    BAT_HANDLE_CURVE /* a place on the curve */
+    BAT_HANDLE_CURVE /* a point on the curve */
 } bat_handle_kind;
 
 typedef struct bat_handle {
@@ -24,27 +24,27 @@ typedef struct bat_handle {
 } bat_handle;
 
 /* The next distinct knot above `after` (-INFINITY: the first) that can be a handle; false: there is none. Closed:
- * within the domain, its end left out. *multiplicity may be NULL. */
+ * within the domain, without its end. *multiplicity may be NULL. */
 bool bat_knot_next(const bat_curve *curve, double after, double *u, int *multiplicity);
-/* How often u can be removed: its multiplicity if it is a handle, else 0. */
+/* How many times u can be removed: its multiplicity if it is a handle, otherwise 0. */
 int bat_knot_held(const bat_curve *curve, double u);
 /* The knot nearest to u; false when the curve has none. */
 bool bat_knot_near(const bat_curve *curve, double u, double *knot);
 
-/* The control point or knot of the curve nearest to the point within `reach`; of equals the control point.
- * kind, index and u of *out are set. */
+/* The control point or knot of the curve nearest to the point and within `reach`; among equals the control point.
+ * Sets kind, index and u of *out. */
 bool bat_handle_find(const bat_curve *curve, const double point[2], double reach, bat_handle *out);
-/* The parameter that a control point belongs to: the mean of its p inner knots. */
+/* The Greville abscissa of a control point: the mean of its p inner knots. */
 double bat_handle_greville(const bat_curve *curve, int index);
 /* The stretch that changes when the curve is pulled at u: the support of the basis functions there. */
 void bat_knots_reached(const bat_curve *curve, double u, double range[2]);
 void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double out[2]);
 
-/* Knots as diamonds, a ring for each further multiplicity; ends of open curves as bars across. */
+/* Knots as diamonds, with one ring for each further multiplicity; the ends of open curves as bars across. */
 void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
 /* Control polygon and control points. */
 void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
-/* One handle, larger. */
+/* One handle, enlarged. */
 void bat_handles_show_one(bat_overlay *overlay, const bat_curve *curve, const bat_handle *handle,
                           bat_role role, const bat_stage *stage);
 

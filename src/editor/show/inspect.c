@@ -22,11 +22,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double SPACING = 7, TALL = 46, HIGHEST = 110; /* px: between teeth, of the tall ones, of any */
+static const double SPACING = 7, TALL = 46, HIGHEST = 110; /* px: between teeth, of tall ones, of any */
 static const double REACH = 16, MARK = 4;                  /* px */
 enum { TEETH_MAX = 1500, INFLECTIONS_MAX = 200 };
 
-/* A tooth: where it stands, the unit normal, the curvature, the length of curve it stands for. */
+/* A tooth: its point, the unit normal, the curvature, the length of curve that it represents. */
 typedef struct tooth {
     double at[2], normal[2], curvature, share;
 } tooth;
@@ -38,7 +38,7 @@ static bool in_sight(const bat_stage *stage, const double point[2]) {
            screen[1] < stage->view.height + HIGHEST;
 }
 
-/* The teeth in sight; *count of them. NULL: no memory, or none. */
+/* The teeth in view; *count of them. NULL: out of memory, or none. */
 static tooth *grow(const bat_curve *curve, const bat_stage *stage, int *count) {
     int segments = bat_curve_segment_count(curve);
     double *breaks = malloc(((size_t)segments + 1) * sizeof *breaks);
@@ -67,15 +67,14 @@ static tooth *grow(const bat_curve *curve, const bat_stage *stage, int *count) {
     return teeth;
 }
 
-/* Document units a unit of curvature: along nine tenths of the curve no tooth is longer than TALL. In steps of the square root
- * of two, so that it does not breathe while the curve is dragged. 0: the curve is straight. */
+/* Document units per unit of curvature: along nine tenths of the curve no tooth is longer than TALL. In steps of the
+ * square root of two, so that the comb does not pulsate while the curve is dragged. 0: the curve is straight. */
 static double scale_of(const tooth *teeth, int count, double pixel) {
     double low = 0, high = 0, whole = 0;
     for (int i = 0; i < count; i++) whole += teeth[i].share;
     for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
     double least = high / 8;
-    for (int round = 0; round < 40;
-         round++) { /* to where one in ten is higher; no order is needed for that */
+    for (int round = 0; round < 40; round++) { /* up to where one in ten is higher; needs no sorting */
         double middle = (low + high) / 2;
         double above = 0;
         for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle ? teeth[i].share : 0;
@@ -85,7 +84,7 @@ static double scale_of(const tooth *teeth, int count, double pixel) {
             high = middle;
     }
     double usual = fmax(high, least);
-    if (!(usual * pixel > 1e-7) || !isfinite(usual)) return 0; /* flatter than can be seen */
+    if (!(usual * pixel > 1e-7) || !isfinite(usual)) return 0; /* too flat to see */
     double scale = TALL * pixel / usual;
     return bat_exp(floor(bat_log(scale) / 0.34657359) * 0.34657359);
 }
@@ -111,7 +110,7 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage
             double gap = i ? bat_hypot(teeth[i].at[0] - teeth[i - 1].at[0],
                                        teeth[i].at[1] - teeth[i - 1].at[1])
                            : INFINITY;
-            bool on = gap < 6 * SPACING * pixel; /* else the curve was out of sight between them */
+            bool on = gap < 6 * SPACING * pixel; /* otherwise the curve was out of view between them */
             (on ? bat_path_line : bat_path_move)(&overlay->path, teeth[i].normal[0], teeth[i].normal[1]);
         }
     }
@@ -126,7 +125,7 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage
     }
 }
 
-/* The curve that is looked at. */
+/* The curve being inspected. */
 static const bat_curve *look(bat_context *c) {
     bat_insight *insight = c->insight;
     if (c->input->pen_near && !c->session->busy && bat_contacts_clear(c)) {

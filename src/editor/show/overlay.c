@@ -99,7 +99,7 @@ void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2
 
 void bat_overlay_end(bat_overlay *overlay, double pixel) {
     uint32_t kept = 0;
-    /* A command cut off by a failed allocation would leave a torn item: commands are added whole or not at
+    /* A command cut off by a failed allocation would leave an incomplete item: commands are added whole or not at
      * all. */
     size_t whole = overlay->path.count;
     for (uint32_t i = 0; i < overlay->count; i++) {

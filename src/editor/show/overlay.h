@@ -1,4 +1,4 @@
-/* The overlay: the live list, made anew for every frame by the tool at work. */
+/* The overlay: the live list, rebuilt for every frame by the tool in force. */
 #ifndef BATTEN_EDITOR_SHOW_OVERLAY_H
 #define BATTEN_EDITOR_SHOW_OVERLAY_H
 
@@ -7,7 +7,7 @@
 enum { BAT_OVERLAY_ITEMS = 48, BAT_OVERLAY_LABELS = 128, BAT_LABEL_ROOM = 96 };
 
 typedef struct bat_overlay {
-    bat_path path; /* of all items, one after the other */
+    bat_path path; /* of all items in sequence */
     bat_item items[BAT_OVERLAY_ITEMS];
     size_t starts[BAT_OVERLAY_ITEMS];
     uint32_t count;
@@ -19,23 +19,23 @@ typedef struct bat_overlay {
 void bat_overlay_free(bat_overlay *overlay);
 /* Empties the list, keeps the memory. */
 void bat_overlay_begin(bat_overlay *overlay, const double origin[2]);
-/* A new item; what is added to overlay->path from now on is its path. width: view pixels. */
+/* Starts a new item; what is added to overlay->path from now on is its path. width: view pixels. */
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width);
 void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points);
-/* The stretch u0..u1 of the curve; nothing when it cannot be cut out. */
+/* Adds the stretch u0..u1 of the curve; nothing if it cannot be cut out. */
 void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1);
-/* A small square on its corner around a point; radius in document units. */
+/* Adds a small diamond around a point; radius in document units. */
 void bat_overlay_mark(bat_overlay *overlay, const double point[2], double radius);
 void bat_overlay_square(bat_overlay *overlay, const double point[2], double radius);
-/* A circle, and the arc of it from angle a0 to a1 (radians from x towards y), which begins a new subpath or, with
- * `on`, goes on with a line from where the path is. */
+/* Adds a circle; and the arc of it from angle a0 to a1 (radians from x towards y), which begins a new subpath or,
+ * with `on`, continues the path with a line to its start. */
 void bat_overlay_circle(bat_overlay *overlay, const double centre[2], double radius);
 void bat_overlay_arc(bat_overlay *overlay, const double centre[2], double radius, double a0, double a1,
                      bool on);
-/* A text beside a point; dx, dy: view pixels. Copied, and cut when too long. */
+/* Adds a text beside a point; dx, dy: view pixels. The text is copied, and cut when too long. */
 void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2], double dx, double dy,
                        const char *text);
-/* Sets pointers and bounds; items without a path fall out. pixel: a view pixel in document units. */
+/* Sets pointers and bounds; drops items without a path. pixel: a view pixel in document units. */
 void bat_overlay_end(bat_overlay *overlay, double pixel);
 
 #endif

@@ -10,8 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double LABEL_APART = 64, TICK_APART = 5; /* px at least */
-static const double TICK = 4, MIDDLE = 8;             /* px long */
+static const double LABEL_APART = 64, TICK_APART = 5; /* px: least distances */
+static const double TICK = 4, MIDDLE = 8;             /* px: lengths */
 enum { TICKS_MAX = 4000 };
 
 bool bat_rulers_on(const bat_context *c) {
@@ -24,7 +24,7 @@ int bat_ruler_at(const bat_context *c, const double pixel[2]) {
     return left == top ? -1 : top;
 }
 
-/* A line between view pixels, along the window's axis k: so far along, and across from a to b. */
+/* A line in view pixels at the position `along` on the window's axis k, across from a to b. */
 static void across(bat_overlay *overlay, const bat_stage *stage, int k, double along, double a, double b) {
     double from[2], to[2];
     bat_stage_seen(stage, k ? (double[]){a, along} : (double[]){along, a}, from);
@@ -33,7 +33,7 @@ static void across(bat_overlay *overlay, const bat_stage *stage, int k, double a
     bat_path_line(&overlay->path, to[0], to[1]);
 }
 
-/* 1, 2 or 5 times a power of ten, the least not below. */
+/* The least value of 1, 2 or 5 times a power of ten that is not below. */
 static double round_up(double value) {
     double power = 1;
     while (power < value) power *= 10;
@@ -64,7 +64,7 @@ static void show_ticks(const bat_context *c, bat_overlay *overlay, int axis) {
         double at[2];
         bat_unit_number(value, text);
         bat_stage_seen(stage, axis ? (double[]){0, along} : (double[]){along, 0}, at);
-        double half = 3.2 * (double)strlen(text) + 4; /* of the text's length */
+        double half = 3.2 * (double)strlen(text) + 4; /* half the length of the text */
         bat_overlay_label(overlay, BAT_ROLE_RULER, at, axis ? 7 : half, axis ? half : 7, text);
         if (axis && overlay->label_count) overlay->labels[overlay->label_count - 1].turn = 90;
     }

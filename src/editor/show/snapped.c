@@ -1,4 +1,4 @@
-/* Marks what was snapped to, with a word. */
+/* Marks what was snapped to, with a label. */
 #include "base/real.h"
 #include "editor/pick/snap.h"
 #include "editor/session/notice.h"
@@ -26,11 +26,11 @@ void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
         bat_overlay_circle(overlay, at, size);
     } else if (snap->kind == BAT_SNAP_ANGLE) {
         bat_overlay_polyline(overlay, 2, (double[]){snap->from[0], snap->from[1], at[0], at[1]});
-        /* Against the clock from the right, as protractors have it; y points down. */
+        /* Counterclockwise from the right, as on a protractor; y points down. */
         double degrees = round(bat_atan2(snap->from[1] - at[1], at[0] - snap->from[0]) * 180 / BAT_PI);
         bat_unit_number(degrees, angle);
         strcat(angle, "°");
-    } else { /* a cross: upright for lines, on its corner for crossings */
+    } else { /* a cross: upright for lines, diagonal for crossings */
         double a = snap->kind == BAT_SNAP_CROSSING ? size : 0,
                b = snap->kind == BAT_SNAP_CROSSING ? -size : 0;
         if (snap->kind != BAT_SNAP_CROSSING) size *= 1.4;
