@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const float PALE = 0.2F; /* of the opacity of what is not isolated */
+static const float PALE = 0.2F; /* factor on the opacity of what is not isolated */
 static const uint32_t ITEM_PAGE = 0xffffffff;
 
 void bat_scene_init(bat_scene *scene) {
@@ -29,7 +29,7 @@ void bat_scene_free(bat_scene *scene) {
     bat_scene_init(scene);
 }
 
-/* How far paint reaches beyond the outline. */
+/* How far the paint extends beyond the outline. */
 static double reach(const bat_style *style) {
     if (!style->stroked) return 0;
     double factor = style->cap == BAT_CAP_SQUARE ? 1.5 : 1;
@@ -103,8 +103,8 @@ static bat_item page_item(bat_scene *scene) {
     return item;
 }
 
-/* Where in old[first..count) the object's former entry is, looked for a little ahead only: changes are local,
- * and a miss merely rebuilds. -1: not found. */
+/* The index in old[first..count) of the object's former entry, or -1. Looks only a little ahead: changes are local,
+ * and a miss merely costs a rebuild. */
 static int former(const bat_scene *scene, int first, const bat_object *object, bool same_pointer) {
     for (int i = first; i < scene->count && i < first + 8; i++) {
         const bat_object *other = scene->entries[i].object;
@@ -114,7 +114,7 @@ static int former(const bat_scene *scene, int first, const bat_object *object, b
     return -1;
 }
 
-/* Entries for the document's objects: those still there are moved over, the rest are dropped and counted
+/* Makes entries for the document's objects: those that still exist are moved over, the rest are dropped and counted
  * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
     const bat_isolation *isolation = scene->isolation;
@@ -127,12 +127,12 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
         int found = former(scene, old, object, true);
         if (found >= 0) {
             entries[i] = scene->entries[found];
-            scene->entries[found].object = NULL; /* taken */
+            scene->entries[found].object = NULL; /* moved */
             old = found + 1;
         } else {
             entries[i].object = bat_object_retain(object);
             bat_object_bounds(object, entries[i].box);
-            found = former(scene, old, object, false); /* replaced: its place keeps the two walks in step */
+            found = former(scene, old, object, false); /* replaced: keeps the two walks in step */
             if (found >= 0) old = found + 1;
         }
     }
@@ -144,7 +144,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
     free(scene->entries);
     scene->entries = entries;
     scene->count = count;
-    /* A group's change is a change of all that is in it. */
+    /* A change to a group affects everything in it. */
     bat_nesting nesting = {0};
     for (int i = 0, end = 0; i < count; i++) {
         bat_nesting_level level = {0};
@@ -175,7 +175,7 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
     dirty_all(scene);
 }
 
-/* As it is painted: in outlines, or pale. */
+/* The item as painted: in outline mode, or pale. */
 static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
     bat_item item = entry->item;
     if (scene->outline && item.role == BAT_ROLE_OBJECT) {
@@ -187,7 +187,7 @@ static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
     return item;
 }
 
-/* Empty: better than what is no more, whose places stand for other objects now. */
+/* Empties the scene: better than stale entries, whose indices belong to other objects now. */
 static void drop(bat_scene *scene) {
     for (int i = 0; i < scene->count; i++) free_entry(&scene->entries[i]);
     free(scene->entries);
@@ -233,7 +233,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
             if (make_path(scene, entry))
                 bat_box_add(scene->dirty, entry->item.bounds);
             else {
-                scene->stale = true; /* tried again with the next frame */
+                scene->stale = true; /* retried with the next frame */
                 status = BAT_MEMORY;
             }
         }

@@ -1,7 +1,7 @@
 /*
- * The scene: what is derived from the document and worth keeping between frames: float paths, boxes, finders.
- * One entry an object, in the document's order. An entry lives as long as its object is in the document, so a
- * change costs what it changes, and a pointer compare an object.
+ * The scene: what is derived from the document and worth keeping between frames: float paths, boxes, finders. One
+ * entry per object, in document order. An entry lives as long as its object is in the document, so an update costs
+ * what has changed, plus one pointer comparison per object.
  */
 #ifndef BATTEN_EDITOR_SCENE_SCENE_H
 #define BATTEN_EDITOR_SCENE_SCENE_H
@@ -11,10 +11,10 @@
 #include "editor/view/stage.h"
 #include <batten/nearest.h>
 
-/* What finds a place on a curve. */
+/* Finds the nearest point of a curve. */
 typedef struct bat_scene_line {
-    bat_finder *finder; /* NULL until asked for */
-    bat_curve *picture; /* of a space curve: its x y, which the finder looks at */
+    bat_finder *finder; /* NULL until requested */
+    bat_curve *picture; /* of a space curve: its x y, which the finder searches */
 } bat_scene_line;
 
 typedef struct bat_scene_entry {
@@ -22,39 +22,39 @@ typedef struct bat_scene_entry {
     double box[4];      /* of the outline, document units */
     float *path;        /* NULL until made */
     bat_item item;
-    bool hidden, locked;   /* itself, or a group it is in; what is not isolated is locked */
-    bool pale;             /* it is not isolated */
-    bat_scene_line *lines; /* one a curve; NULL until asked for */
+    bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
+    bool pale;             /* not isolated */
+    bat_scene_line *lines; /* one per curve; NULL until requested */
 } bat_scene_entry;
 
 typedef struct bat_scene {
     bat_scene_entry *entries;
     int count;
     double origin[2];
-    bat_item *items; /* the static list: the page's border when there is one, then the objects */
+    bat_item *items; /* the static list: the page's border if there is a page, then the objects */
     int item_count;
     double page[4];
     float page_path[13];
-    uint32_t versions; /* of items, given so far */
+    uint32_t versions; /* numbers given out so far to versions of items */
     uint32_t still_version;
     float dirty[4];
     uint64_t revision;              /* of the document that the entries mirror */
-    bool outline;                   /* thin lines without fill */
-    const bat_isolation *isolation; /* borrowed; NULL: all is within reach */
-    uint32_t isolated;              /* its version as shown */
+    bool outline;                   /* outline mode: thin lines without fill */
+    const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
+    uint32_t isolated;              /* the isolation's version as shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
 } bat_scene;
 
 void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
-/* How the next sync shows it: in outlines; with all but what is isolated pale. */
+/* Sets how the next sync shows the document: in outline mode; with everything not isolated pale. */
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
-/* Mirrors the document. BAT_MEMORY: the scene is as it was, or some paths are missing until the next call. */
+/* Mirrors the document. BAT_MEMORY: the scene is unchanged, or lacks some paths until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
-/* Moves the origin to the view's middle when floats would show (a quarter of a pixel). */
+/* Moves the origin to the view's middle when float rounding would become visible (a quarter of a pixel). */
 void bat_scene_rebase(bat_scene *scene, const bat_stage *stage);
-/* The finder of a curve of an entry, of a space curve of its picture (x y, at the same parameters); made at first use,
- * NULL when memory is out. */
+/* The finder of a curve of an entry; for a space curve that of its picture (x y, at the same parameters). Made on
+ * first use; NULL when out of memory. */
 const bat_finder *bat_scene_finder(bat_scene *scene, int entry, int curve);
 
 #endif

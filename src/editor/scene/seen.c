@@ -5,7 +5,7 @@
 #include "editor/tables/settings.h"
 #include <string.h>
 
-/* The ground is where its object is now; the page when it is gone. */
+/* Moves the ground to where its object is now, or to the page when the object is gone. */
 static void follow_ground(bat_context *c) {
     bat_ground *ground = &c->stage->ground;
     if (!ground->object) return;

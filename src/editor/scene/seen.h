@@ -1,4 +1,4 @@
-/* View and scene together: what is seen, and where. */
+/* View and scene together: what is visible, and where. */
 #ifndef BATTEN_EDITOR_SCENE_SEEN_H
 #define BATTEN_EDITOR_SCENE_SEEN_H
 
@@ -7,11 +7,11 @@
 
 enum { BAT_FIT_MARGIN = 32 };
 
-/* Brings the scene up to date before it is asked something. */
+/* Brings the scene up to date before it is queried. */
 void bat_seen_sync(bat_context *c);
-/* Hidden and locked objects, as the last picture had them, are not for tools. */
+/* Whether the object was hidden or locked as of the last sync: tools do not touch it. */
 bool bat_seen_out_of_reach(const bat_context *c, int at);
-/* Shows all: one rule for what "all" is. False: nothing to fit to. */
+/* Fits the view to everything; the one definition of "everything". False: nothing to fit to. */
 bool bat_seen_fit(bat_context *c);
 
 #endif
