@@ -1,8 +1,6 @@
-/* The stage: the view, and the ground that the pen draws on. Tools ask it where the pen is and what lies there; only this
- * room knows how a pixel becomes a place.
- *
- * "Drawing coordinates" are x y of a place as the window shows it; a place in space has a third, which the view of a page
- * looks along. */
+/* The stage: the view, and the ground that the pen draws on. Tools ask it where the pen is and what is there; only
+ * this room knows how a pixel becomes a point.  "Drawing coordinates" are the x y of a point as the window shows it;
+ * a point in space has a third coordinate, along which the view of a page looks. */
 #ifndef BATTEN_EDITOR_VIEW_STAGE_H
 #define BATTEN_EDITOR_VIEW_STAGE_H
 
@@ -15,29 +13,30 @@ typedef struct bat_stage {
 } bat_stage;
 
 bat_stage bat_stage_defaults(void);
-/* The dimension of places: 2 on the page, else 3. */
+/* The dimension of points: 2 on the page, otherwise 3. */
 int bat_stage_dimension(const bat_stage *stage);
 /* Where the pen is on the ground. BAT_SINGULAR: the ground is seen edge-on; BAT_NUMBER: too far away. */
 bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hit *out);
-/* Drawing coordinates under a pixel, and the pixel over them. */
+/* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]);
 void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[2]);
-/* The same for all at once: x' = map[0] x + map[1] y + map[2], y' = map[3] x + map[4] y + map[5] in pixels. */
+/* The same as an affine map: x' = map[0] x + map[1] y + map[2], y' = map[3] x + map[4] y + map[5] in pixels. */
 void bat_stage_map(const bat_stage *stage, double map[6]);
-/* The length of a view pixel in document units; pixels a document unit. */
+/* The length of a view pixel in document units; pixels per document unit. */
 double bat_stage_pixel(const bat_stage *stage);
 double bat_stage_scale(const bat_stage *stage);
-/* Which way the drawing's top lies, in pixels, of length 1; how far it is turned, degrees. */
+/* The upward direction of the drawing in pixels, of length 1; the rotation of the view in degrees. */
 void bat_stage_up(const bat_stage *stage, double up[2]);
 double bat_stage_angle(const bat_stage *stage);
-/* Width and height of the window, pixels; its middle; the upright box around what it shows, drawing coordinates. */
+/* Width and height of the window in pixels; its middle; the axis-aligned box around what it shows, in drawing
+ * coordinates. */
 void bat_stage_window(const bat_stage *stage, double size[2]);
 void bat_stage_middle(const bat_stage *stage, double pixel[2]);
 void bat_stage_box(const bat_stage *stage, double box[4]);
-/* Whether both show the same, alike. */
+/* Whether both show the same, in the same way. */
 bool bat_stage_same(const bat_stage *a, const bat_stage *b);
 
-/* Moves the view as its functions say (view.h). */
+/* Moves the view; see the functions of view.h. */
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]);
 void bat_stage_bring(bat_stage *stage, const double at[2], double margin);
 void bat_stage_zoom(bat_stage *stage, const double about[2], double factor);

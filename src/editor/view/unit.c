@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double SIZES[] = {1, 96 / 25.4, 96}; /* as the property numbers them */
+static const double SIZES[] = {1, 96 / 25.4, 96}; /* in the order of the property's values */
 
 double bat_unit_size(const bat_context *c) { return SIZES[(int)c->settings->values[BAT_PROPERTY_UNIT]]; }
 
@@ -47,13 +47,13 @@ enum { DEEPEST = 16 };
 
 typedef struct reading {
     const char *at;
-    double unit; /* of numbers without one */
+    double unit; /* unit of plain numbers */
     bool angle;
     int depth;
     bool wrong;
 } reading;
 
-/* A number, or a length in document units; then the unit that it was written in. */
+/* A number, or a length in document units; and the unit it was written in. */
 typedef struct quantity {
     double value, unit; /* 0: a number */
 } quantity;
@@ -122,7 +122,7 @@ static quantity product(reading *r) {
         if (times) {
             if (left.unit > 0 && right.unit > 0) r->wrong = true;
             left = (quantity){left.value * right.value, fmax(left.unit, right.unit)};
-        } else if (right.unit > 0 && left.unit == 0) { /* "1/4in" is a quarter of one */
+        } else if (right.unit > 0 && left.unit == 0) { /* "1/4in" is a quarter of an inch */
             left = (quantity){left.value / (right.value / right.unit) * right.unit, right.unit};
         } else {
             left = (quantity){left.value / right.value, right.unit > 0 ? 0 : left.unit};

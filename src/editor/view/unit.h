@@ -1,5 +1,5 @@
-/* Lengths in the unit in force: written for people, and read as they write them. A document unit is a px; an inch has
- * 96 of them. */
+/* Lengths in the unit in force, formatted for users and parsed as they write them. A document unit is a px; an inch
+ * has 96. */
 #ifndef BATTEN_EDITOR_VIEW_UNIT_H
 #define BATTEN_EDITOR_VIEW_UNIT_H
 
@@ -8,19 +8,19 @@
 
 enum { BAT_UNIT_ROOM = 32 };
 
-/* Document units in one of the unit in force. */
+/* Document units per unit in force. */
 double bat_unit_size(const bat_context *c);
-/* "12.5 mm": three decimals at most. */
+/* "12.5 mm": at most three decimals. */
 void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]);
-/* A number with at most three decimals and no needless zeros. */
+/* A number with at most three decimals and no trailing zeros. */
 void bat_unit_number(double value, char out[BAT_UNIT_ROOM]);
 /*
  * Reads "12", "12mm", "1in + 3 mm", "(2 + 3) * 4,5": + - * / and parentheses over numbers with px, mm, cm, in or pt;
- * a number without a unit is in the unit in force, or a factor. angle: plain numbers or degrees, nothing else.
- * BAT_SYNTAX: it is no such text; BAT_NUMBER: not finite.
+ * a number without a unit is in the unit in force, or a factor. angle: plain numbers or degrees only. BAT_SYNTAX: not
+ * such a text; BAT_NUMBER: not finite.
  */
 bat_status bat_unit_read(const bat_context *c, const char *text, bool angle, double *value);
-/* Where rulers and numbers count from: the page's corner, or the document's origin. */
+/* The point from which rulers and numbers count: the page's corner, or the document's origin. */
 void bat_unit_origin(const bat_context *c, double origin[2]);
 
 #endif

@@ -23,7 +23,7 @@ void bat_view_turn(bat_view *view, double degrees) {
     if (!isfinite(degrees)) return;
     double angle = round(remainder(degrees, 360) * 100) / 100;
     view->angle = angle <= -180 ? 180 : angle + 0; /* no -0 */
-    /* Upright is exact. */
+    /* Exact when upright. */
     view->cosine = angle == 0 ? 1 : bat_cos(view->angle * (BAT_PI / 180));
     view->sine = angle == 0 ? 0 : bat_sin(view->angle * (BAT_PI / 180));
 }
@@ -90,12 +90,12 @@ bool bat_view_fit(bat_view *view, const double box[4], double margin) {
     double width = box[2] - box[0], height = box[3] - box[1];
     if (!(width >= 0 && height >= 0) || !isfinite(width) || !isfinite(height)) return false;
     if (!(view->width > 0 && view->height > 0)) return false;
-    /* Tiny windows give up their margin before the drawing. */
+    /* In tiny windows the margin shrinks rather than the drawing. */
     double room_x = fmax(view->width - 2 * margin, view->width / 2);
     double room_y = fmax(view->height - 2 * margin, view->height / 2);
     double middle[2] = {box[0] + width / 2, box[1] + height / 2};
     double c = fabs(view->cosine), s = fabs(view->sine), zoom = view->zoom;
-    double across = c * width + s * height, down = s * width + c * height; /* of the box as it lies turned */
+    double across = c * width + s * height, down = s * width + c * height; /* extent of the rotated box */
     if (width > 0 || height > 0)
         zoom = fmin(across > 0 ? room_x / across : INFINITY, down > 0 ? room_y / down : INFINITY);
     view->zoom = clamp(zoom, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
