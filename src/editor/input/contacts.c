@@ -26,7 +26,8 @@ void bat_contacts_remove(bat_contacts *contacts, int index) {
             (size_t)(contacts->count - index) * sizeof *contacts->list);
 }
 
-/* px: a finger's contact is 20 to 50 wide, from desk displays to dense tablets; a palm's longer side is 70 and more. */
+/* px: a finger's contact is 20 to 50 wide, from desktop displays to dense tablets; a palm's longer side is at least
+ * 70. */
 static const double PALM = 56;
 
 bool bat_contact_is_palm(const bat_pointer *event) {
@@ -70,7 +71,7 @@ void bat_contacts_navigate(bat_context *c, int index, const double to[2]) {
         if (i != index && c->input->contacts.list[i].duty == BAT_DUTY_NAVIGATE)
             other = &c->input->contacts.list[i];
     if (other) {
-        /* About the middle between them; past the detent both fingers keep their document points. */
+        /* About the midpoint between them; past the detent both fingers keep their document points. */
         double before[2], after[2];
         for (int k = 0; k < 2; k++) {
             before[k] = (moved->at[k] + other->at[k]) / 2;

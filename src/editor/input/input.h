@@ -1,4 +1,4 @@
-/* What comes in from the hands, as it stands now. */
+/* The present state of the input devices. */
 #ifndef BATTEN_EDITOR_INPUT_INPUT_H
 #define BATTEN_EDITOR_INPUT_INPUT_H
 
@@ -10,15 +10,15 @@ typedef struct bat_input {
     bat_contacts contacts;
     bat_fingers fingers;
     bat_taps taps;
-    bat_trail trail; /* of what drives the tool */
+    bat_trail trail; /* of the pointer that drives the tool */
     bool holding_pan, pen_seen;
-    double pen_time;   /* of the last event of a pen */
+    double pen_time;   /* of the last pen event */
     bool pen_near;     /* a pointer is over the drawing */
-    double pen[2];     /* where it was last, view pixels */
-    bat_device points; /* what kind it is */
-    unsigned brush;   /* a trait: the tool that the pen's other end, or its button, is down for; 0: neither */
-    bool drawing_new; /* the key that makes each stroke a new curve is held */
-    bool calming;     /* the key that calms is held */
+    double pen[2];     /* its last position, view pixels */
+    bat_device points; /* its kind */
+    unsigned brush;    /* trait of the tool for the pen's eraser end or barrel button; 0: neither */
+    bool drawing_new;  /* the key that makes every stroke a new curve is held */
+    bool calming;      /* the fairing key is held */
 } bat_input;
 
 #endif

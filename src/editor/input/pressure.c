@@ -1,4 +1,4 @@
-/* What a pen's pressure counts as. It scales the reach of the smooth brush and of the eraser. */
+/* The effect of a pen's pressure: it scales the reach of the smooth brush and of the eraser. */
 #include "base/real.h"
 #include "editor/input/pressure.h"
 #include "editor/session/context.h"
@@ -6,7 +6,7 @@
 #include "editor/tables/tables.h"
 #include <math.h>
 
-static const double LEAST = 0.25; /* of the reach, at the lightest touch */
+static const double LEAST = 0.25; /* share of the reach at the lightest touch */
 
 double bat_pressure(const bat_context *c, double pressure) {
     if (c->settings->values[BAT_PROPERTY_PRESSURE] == 0 || isnan(pressure)) return 1;

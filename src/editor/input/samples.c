@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8, MORE = 3 /* places that are not points */ };
+enum { COLUMNS = 8, MORE = 3 /* columns in all; columns other than places */ };
 
 void bat_samples_clear(bat_samples *samples) { samples->count = 0; }
 
 void bat_samples_free(bat_samples *samples) {
-    free(samples->pixels); /* the block of all columns begins with it */
+    free(samples->pixels); /* the block of all columns starts here */
     *samples = (bat_samples){0};
 }
 

@@ -1,4 +1,4 @@
-/* The samples of a stroke, as the pen gave them (view pixels) and where they lie on the ground (document units). */
+/* The samples of a stroke: as the pen gave them (view pixels), and where they lie on the ground (document units). */
 #ifndef BATTEN_EDITOR_INPUT_SAMPLES_H
 #define BATTEN_EDITOR_INPUT_SAMPLES_H
 
@@ -8,9 +8,9 @@
 
 enum { BAT_SAMPLES_MAX = 1 << 20 };
 
-/* Columns, grown together; time counts from the first sample. `places` are `points` on the page. */
+/* Columns that grow together; time counts from the first sample. On the page `places` is the same as `points`. */
 typedef struct bat_samples {
-    int dimension; /* of places: 2 on the page, else 3; as the first sample's ground has it */
+    int dimension; /* of places: 2 on the page, otherwise 3; set by the first sample's ground */
     size_t count, room;
     double *pixels; /* x y */
     double *points; /* x y, drawing coordinates (stage.h) */
@@ -20,15 +20,15 @@ typedef struct bat_samples {
     double start; /* host's time of the first sample */
 } bat_samples;
 
-/* Empties it and keeps the memory. */
+/* Empties it; the memory is kept. */
 void bat_samples_clear(bat_samples *samples);
 void bat_samples_free(bat_samples *samples);
-/* stage: of the stroke. BAT_COUNT when full, BAT_MEMORY, or as bat_stage_place; nothing added then. */
+/* stage: the stroke's. BAT_COUNT when full, BAT_MEMORY, or as bat_stage_place; nothing is added then. */
 bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
                            double pressure, double time, const double tilt[2]);
-/* The samples from `first` on, as the sketch hand takes them; borrowed. */
+/* The samples from `first` on as input to the sketch functions; borrowed. */
 bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first);
-/* Rounds to what the journal keeps: 1/100 for pixels, milliseconds and degrees; 1/10000 for pressure. */
+/* Rounds to the journal's precision: 1/100 for pixels, milliseconds and degrees; 1/10000 for pressure. */
 double bat_samples_round(double value, double parts);
 
 #endif

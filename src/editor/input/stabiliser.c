@@ -2,7 +2,7 @@
 #include "base/real.h"
 #include <string.h>
 
-static const double STEP = 3; /* px: as dense as a pen's own samples */
+static const double STEP = 3; /* px: as dense as typical pen samples */
 
 bat_steady bat_steady_begin(double strength, const double at[2]) {
     return (bat_steady){strength * strength / 2, {at[0], at[1]}, {at[0], at[1]}};
@@ -15,7 +15,7 @@ void bat_steady_move(bat_steady *steady, const double to[2]) {
         memcpy(end, to, 2 * sizeof *end);
     } else if (length > 0) {
         double left = bat_exp(-length / reach);
-        for (int k = 0; k < 2; k++) { /* behind the pen by its lag, and what is left of the lag there was */
+        for (int k = 0; k < 2; k++) { /* behind the pen by its lag, plus what is left of the earlier lag */
             double lag = reach * d[k] / length;
             end[k] = to[k] - lag + (end[k] - pen[k] + lag) * left;
         }

@@ -6,7 +6,7 @@
 
 static const double TAP_TIME = 250; /* ms from the first finger down to the last one up */
 static const double TAP_NEAR = 10;  /* px that a finger may travel */
-static const double PEN_AWAY = 500; /* ms since the pen was there */
+static const double PEN_AWAY = 500; /* ms since a pen was near */
 
 void bat_taps_down(bat_context *c, const bat_pointer *event, bool waits) {
     bat_taps *taps = &c->input->taps;

@@ -4,13 +4,13 @@
 #include <string.h>
 
 void bat_trail_add(bat_trail *trail, const double at[2], double time) {
-    if (trail->count == 2 * BAT_TRAIL_MAX) trail->count = BAT_TRAIL_MAX; /* the same places in the ring */
+    if (trail->count == 2 * BAT_TRAIL_MAX) trail->count = BAT_TRAIL_MAX; /* the same slots of the ring */
     int i = trail->count++ % BAT_TRAIL_MAX;
     memcpy(trail->at[i], at, sizeof trail->at[i]);
     trail->time[i] = time;
 }
 
-/* Of a step that began before the window, the share within it counts. */
+/* For a step that began before the time window, the share within it counts. */
 static double way(const bat_trail *trail) {
     int last = trail->count - 1, oldest = trail->count > BAT_TRAIL_MAX ? trail->count - BAT_TRAIL_MAX : 0;
     double since = trail->time[last % BAT_TRAIL_MAX] - BAT_TRAIL_TIME, sum = 0;
