@@ -1,4 +1,4 @@
-/* What is chosen: by commands acted on; never part of the document, history or journal. */
+/* The choices that commands act on; never part of the document, the history or the journal. */
 #ifndef BATTEN_EDITOR_CHOICE_CHOICE_H
 #define BATTEN_EDITOR_CHOICE_CHOICE_H
 
@@ -10,16 +10,16 @@
 typedef struct bat_choice {
     bat_selection selection;
     bat_id entered; /* the group whose members a click selects; 0: none */
-    bat_id layer;   /* the active one, where new curves go; 0: none */
+    bat_id layer;   /* the active layer, where new curves go; 0: none */
     bat_isolation isolation;
-    bat_tool_id tool; /* the chosen one */
-    unsigned wanted;  /* a trait: the tool that has it is to be chosen when the event is over; 0: none */
+    bat_tool_id tool; /* the chosen tool */
+    unsigned wanted;  /* trait of a tool to be chosen when the event is over; 0: none */
 } bat_choice;
 
 void bat_choice_free(bat_choice *choice);
-/* Another document is opened: nothing is chosen. */
+/* When another document is opened: resets all choices. */
 void bat_choice_forget(bat_context *c);
-/* After a step: what is gone is no longer selected, nor the active layer. */
+/* After a step: removes what is gone from the selection, and as active layer. */
 void bat_choice_follow(bat_context *c);
 
 #endif

@@ -1,5 +1,5 @@
-/* Isolation: all but some objects are pale and out of reach. It belongs to the editor: no history, no journal. What is
- * made meanwhile is within reach. */
+/* Isolation: all but some objects are pale and out of reach. It is part of the editor: no history, no journal.
+ * Objects made meanwhile are within reach. */
 #ifndef BATTEN_EDITOR_CHOICE_ISOLATION_H
 #define BATTEN_EDITOR_CHOICE_ISOLATION_H
 
@@ -10,7 +10,7 @@
 typedef struct bat_isolation {
     bool on;
     bat_selection kept; /* objects and groups */
-    bat_id from;        /* ids from here on are new */
+    bat_id from;        /* ids from this one on are new */
 } bat_isolation;
 
 bool bat_isolate_end(bat_context *c); /* false: it was not on */

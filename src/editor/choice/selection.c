@@ -13,7 +13,7 @@ void bat_selection_clear(bat_selection *selection) {
     selection->count = selection->loose = 0;
 }
 
-/* Where the id is, or would be, among those in order. */
+/* The index of the id, or where it would be inserted, among those in order. */
 static int place(const bat_selection *selection, bat_id id) {
     int low = 0, high = selection->count - selection->loose;
     while (low < high) {
