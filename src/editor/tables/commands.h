@@ -1,4 +1,4 @@
-/* What each row of the table of commands does: all functions of that shape, wherever they stand. */
+/* The functions behind the rows of the table of commands, declared in one place wherever they are defined. */
 #ifndef BATTEN_EDITOR_TABLES_COMMANDS_H
 #define BATTEN_EDITOR_TABLES_COMMANDS_H
 

@@ -3,14 +3,14 @@
 #include "editor/tables/keys.h"
 #include <string.h>
 
-/* One shortcut: its modifiers, and where its key lies. */
+/* One shortcut: its modifiers, and where its key is in the text. */
 typedef struct shortcut {
     uint32_t modifiers;
     const char *key;
     size_t size;
 } shortcut;
 
-/* The next shortcut of the list at *at, which is moved behind it; false at the end. */
+/* Reads the next shortcut of the list at *at, and moves *at past it; false at the end. */
 static bool next(const char **at, shortcut *out) {
     static const struct {
         const char *prefix;
@@ -55,7 +55,7 @@ bool bat_keys_match(const char *keys, const char *key, uint32_t modifiers) {
         if (one.size != size) continue;
         bool letter = size == 1 && is_letter(key[0]);
         if (letter ? lower(one.key[0]) != lower(key[0]) : memcmp(one.key, key, size) != 0) continue;
-        /* Where a sign lies decides whether it takes Shift: only letters and named keys ask for it. */
+        /* Whether a character needs Shift depends on the keyboard layout: only letters and named keys ask for Shift. */
         uint32_t asked = BAT_CTRL | BAT_ALT | (letter || size > 1 ? (uint32_t)BAT_SHIFT : 0);
         if ((modifiers & asked) == (one.modifiers & asked)) return true;
     }

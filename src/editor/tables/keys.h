@@ -1,4 +1,4 @@
-/* Shortcuts as texts. */
+/* Shortcuts as text. */
 #ifndef BATTEN_EDITOR_TABLES_KEYS_H
 #define BATTEN_EDITOR_TABLES_KEYS_H
 

@@ -1,4 +1,4 @@
-/* What the user has set: values of properties, shortcuts, the language. */
+/* The user's settings: values of properties, shortcuts, the language. */
 #ifndef BATTEN_EDITOR_TABLES_SETTINGS_H
 #define BATTEN_EDITOR_TABLES_SETTINGS_H
 
@@ -11,15 +11,15 @@ typedef enum bat_first { BAT_FIRST_DRAW, BAT_FIRST_UNDO, BAT_FIRST_POINTS, BAT_F
 
 typedef struct bat_settings {
     double values[BAT_PROPERTY_COUNT];
-    char keys[BAT_COMMAND_COUNT][BAT_KEYS_ROOM]; /* shortcuts as they are now */
+    char keys[BAT_COMMAND_COUNT][BAT_KEYS_ROOM]; /* the shortcuts in force */
     const char *
-        *words;        /* of another language, by bat_string; NULL in it: English. One block with its texts */
-    uint32_t followed; /* of the first hints, bits */
+        *words; /* of another language, by bat_string; a NULL entry: English. In one block with its texts */
+    uint32_t followed; /* first hints that have been followed, bits */
 } bat_settings;
 
-/* All as the tables have it. */
+/* Sets everything to the defaults of the tables. */
 void bat_settings_init(bat_settings *settings);
-/* A first hint was followed: the property goes on to the next that was not. */
+/* A first hint was followed: moves the property on to the next hint that was not. */
 void bat_settings_follow(bat_settings *settings, bat_first hint);
 void bat_settings_free(bat_settings *settings);
 /* In the language in force. */

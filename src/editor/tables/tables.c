@@ -53,7 +53,7 @@ static const bat_tool_row tools[BAT_TOOL_COUNT] = {
 
 static const char *const keys_of_texts[BAT_STRING_COUNT] = {
 #define TEXT(id, key, english, korean) key,
-#ifdef BAT_HELP_APART /* the browser's module: its page takes what explains from words.<language>.json */
+#ifdef BAT_HELP_APART /* the browser's module: its page takes explanations from words.<language>.json */
 #define HELP(id, key, english, korean) "",
 #endif
 #include "editor/tables/strings.def"
@@ -69,7 +69,7 @@ static const char *const english_texts[BAT_STRING_COUNT] = {
 
 const bat_command_row *bat_command_at(bat_command_id id) { return &commands[id]; }
 
-/* The last heading at or before a row; the first row has one. */
+/* The last heading at or before a row; the first row has a heading. */
 static bat_string above(const heading *headings, size_t count, int row) {
     while (count > 1 && headings[count - 1].first > row) count--;
     return headings[count - 1].word;

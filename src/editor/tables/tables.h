@@ -1,4 +1,4 @@
-/* What is made of commands.def and strings.def: names, ranges, words, shortcuts. */
+/* What is generated from commands.def and strings.def: names, ranges, texts, shortcuts. */
 #ifndef BATTEN_EDITOR_TABLES_TABLES_H
 #define BATTEN_EDITOR_TABLES_TABLES_H
 
@@ -14,7 +14,7 @@ typedef enum bat_string {
 typedef enum bat_command_id {
 #define COMMAND(id, name, keys, when, function) BAT_COMMAND_##id,
 #define HELD(id, name, keys, function) BAT_COMMAND_##id,
-/* A section is numbered as the first command in it, which then has the same number. */
+/* A section has the same number as its first command. */
 #define SECTION(id) BAT_SECTION_##id, BAT_SECTION_##id##_AGAIN = BAT_SECTION_##id - 1,
 #include "editor/tables/commands.def"
     BAT_COMMAND_COUNT
@@ -51,7 +51,7 @@ typedef enum bat_property_type {
     BAT_PROPERTY_COLOUR,
     BAT_PROPERTY_CHOICE
 } bat_property_type;
-/* Whose property it is. */
+/* What the property belongs to. */
 typedef enum bat_property_group {
     BAT_GROUP_ANY,
     BAT_GROUP_STYLE,
@@ -59,16 +59,16 @@ typedef enum bat_property_group {
     BAT_GROUP_LEVELS
 } bat_property_group;
 
-/* What others may expect of a tool; bits. */
+/* What others may expect of a tool: bits. */
 enum {
-    BAT_DRAWS = 1,         /* new curves, freehand; of old ones only what is selected changes */
-    BAT_CHOOSES = 2,       /* objects, and shows handles for what is chosen */
-    BAT_ERASES = 4,        /* is the pen's other end */
-    BAT_NAVIGATES = 8,     /* contacts move the view */
-    BAT_EDITS_POINTS = 16, /* of a curve, chosen by number */
+    BAT_DRAWS = 1,         /* draws new curves freehand; of existing curves it changes only selected ones */
+    BAT_CHOOSES = 2,       /* selects objects, and shows handles for them */
+    BAT_ERASES = 4,        /* is the pen's eraser end */
+    BAT_NAVIGATES = 8,     /* its contacts move the view */
+    BAT_EDITS_POINTS = 16, /* edits the points of a curve, also by numbers */
     BAT_EDITS_SPLINES = 32,
     BAT_EDITS_LEVELS = 64,
-    BAT_SMOOTHS = 128 /* what it passes over */
+    BAT_SMOOTHS = 128 /* smooths what it passes over */
 };
 
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST } bat_when;
@@ -97,17 +97,17 @@ typedef struct bat_tool_row {
 } bat_tool_row;
 
 const bat_command_row *bat_command_at(bat_command_id id);
-bat_string bat_command_section(bat_command_id id); /* the word that it stands under */
+bat_string bat_command_section(bat_command_id id); /* the heading it stands under */
 bat_string bat_property_subject(bat_property_id id);
 const bat_property_row *bat_property_at(bat_property_id id);
 const bat_tool_row *bat_tool_at(bat_tool_id id);
-/* The first tool with the trait, which one has. */
+/* The first tool with the trait; there is always one. */
 bat_tool_id bat_tool_that(unsigned trait);
-/* What people call a kind of object. */
+/* The user's word for a kind of object. */
 bat_string bat_kind_word(const bat_kind_type *type);
-/* The text of a key (size bytes); BAT_STRING_COUNT: none. */
+/* The string with that key (size bytes); BAT_STRING_COUNT: none. */
 bat_string bat_string_named(const char *key, size_t size);
-/* The id of a name; the count when there is none. */
+/* The id with that name; the count of ids when there is none. */
 bat_command_id bat_command_named(const char *name);
 bat_property_id bat_property_named(const char *name);
 bat_number_id bat_number_named(const char *name);

@@ -1,4 +1,4 @@
-/* The words of another language than English. */
+/* The texts of a language other than English. */
 #include "editor/tables/words.h"
 #include "text/json.h"
 #include <stdlib.h>
@@ -17,7 +17,7 @@ bat_status bat_words_read(bat_settings *settings, const char *text, size_t size)
         bat_status status = bat_json_parse(text, size, &json, NULL);
         if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_SYNTAX;
         if (bat_json_type_of(&json, 1) != BAT_JSON_OBJECT) status = BAT_SYNTAX;
-        /* A text is never longer than the JSON that says it. */
+        /* The texts are never longer than the JSON that contains them. */
         if (status == BAT_OK && !(words = calloc(1, BAT_STRING_COUNT * sizeof *words + size)))
             status = BAT_MEMORY;
         if (status != BAT_OK) {
