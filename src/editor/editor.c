@@ -1,4 +1,4 @@
-/* The editor as a whole: made, opened, saved, ended; and the public calls, handed on to the rooms. */
+/* The editor as a whole: creating, opening, saving, freeing it; and the public calls, passed on to the rooms. */
 #include "editor/editor.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
@@ -118,7 +118,7 @@ bat_status bat_editor_compact(bat_editor *editor) {
     return bat_toolbox_busy(&editor->context) ? BAT_STATE : bat_session_compact(&editor->session);
 }
 
-/* ---- handed on ---- */
+/* ---- calls passed on ---- */
 
 static bat_status settled(bat_editor *editor, bat_status status) {
     bat_toolbox_settle(&editor->context);

@@ -1,4 +1,4 @@
-/* The engine as a whole: the storage of its parts. Only the sources beside this header see it. */
+/* The engine as a whole: the storage of its parts. Only the source files in this folder see it. */
 #ifndef BATTEN_EDITOR_EDITOR_H
 #define BATTEN_EDITOR_EDITOR_H
 
@@ -18,7 +18,7 @@
 #include "editor/view/stage.h"
 
 struct bat_editor {
-    bat_context context; /* points to all that follows */
+    bat_context context; /* points to all the members that follow */
     bat_settings settings;
     bat_session session;
     bat_notices notices;

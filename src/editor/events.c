@@ -1,4 +1,4 @@
-/* Events come in here: bad numbers are kept out, and every contact gets its duty. */
+/* Entry point of events: invalid numbers are rejected, and every contact is given its duty. */
 #include "editor/tables/keys.h"
 #include "editor/commands/dispatch.h"
 #include "editor/editor.h"
@@ -12,21 +12,21 @@
 #include <string.h>
 
 static const double PINCH_SOON = 250; /* ms within which a second finger turns a stroke into a pinch */
-static const double PINCH_NEAR = 24;  /* px that the first may have moved meanwhile */
-static const double AT_REST = 6; /* px that a finger may move before the view follows, from where it lay */
+static const double PINCH_NEAR = 24;  /* px that the first finger may have moved meanwhile */
+static const double AT_REST = 6; /* px that a finger may move from where it lay before the view follows */
 
 static double bounded(double value, double low, double high, double otherwise) {
     return isfinite(value) ? fmin(fmax(value, low), high) : otherwise;
 }
 
-/* Numbers made fit to use. False: there is no place to speak of, drop it. */
+/* Makes the numbers valid. False: the event has no usable position, drop it. */
 static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *contact) {
     bool placed = isfinite(event->x) && isfinite(event->y);
     if (!placed) {
         bool ends = event->phase == BAT_POINTER_UP || event->phase == BAT_POINTER_CANCEL;
         if (event->phase == BAT_POINTER_LEAVE)
             event->x = event->y = 0;
-        else if (ends && contact) { /* an end must not be lost, or the contact would stay for ever */
+        else if (ends && contact) { /* a pointer-up must not be lost, or the contact would stay for ever */
             event->x = contact->at[0];
             event->y = contact->at[1];
         } else
@@ -56,7 +56,7 @@ static void cancel_tool(bat_context *c) {
     if (tool->is->cancel) tool->is->cancel(c, tool->state);
 }
 
-/* What waits for a yes goes when the pen is turned round; what is chosen stays. */
+/* When the pen is turned round, drops what awaits confirmation; what is chosen stays. */
 static void cancel_uncommitted(bat_context *c) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (tool->is->undo)
@@ -65,14 +65,14 @@ static void cancel_uncommitted(bat_context *c) {
         cancel_tool(c);
 }
 
-/* What the button on a pen's barrel does, held as the pen comes down. */
+/* The function of the barrel button, held as the pen comes down. */
 enum { BARREL_SMOOTHS, BARREL_PANS, BARREL_IS_NOTHING };
 static bool barrel_is(const bat_context *c, const bat_pointer *event, int way) {
     return event->device == BAT_DEVICE_PEN && event->buttons & BAT_BUTTON_SECONDARY &&
            c->settings->values[BAT_PROPERTY_BARREL_BUTTON] == way;
 }
 
-/* Until it lifts, the pen is another tool. */
+/* Until it is lifted, the pen is another tool. */
 static void turn(bat_context *c, unsigned trait) {
     bat_range_end(c);
     const bat_slot *tool = bat_toolbox_tool(c);
@@ -81,7 +81,7 @@ static void turn(bat_context *c, unsigned trait) {
     c->input->brush = trait;
 }
 
-/* What a contact that comes down is to do; may end what the tool does. */
+/* Decides the duty of a contact that comes down; may end what the tool is doing. */
 static bat_duty assign(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
     int at_work = -1, moving = -1;
@@ -97,7 +97,7 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
         bool near = bat_hypot(first->at[0] - first->start[0], first->at[1] - first->start[1]) <= PINCH_NEAR;
         if (!soon || !near) return BAT_DUTY_IGNORED;
         cancel_tool(c);
-        bat_notice(c, BAT_STRING_COUNT); /* a pinch is no news */
+        bat_notice(c, BAT_STRING_COUNT); /* a pinch needs no notice */
         first->duty = BAT_DUTY_NAVIGATE;
         bat_contacts_pinch(c);
         return BAT_DUTY_NAVIGATE;
@@ -122,7 +122,7 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
     return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
 }
 
-/* Where the pointer is, for all that asks for it between events. */
+/* Records where the pointer is, for parts that ask between events. */
 static void point(bat_context *c, const bat_pointer *event) {
     c->input->pen_near = true;
     c->input->points = event->device;
@@ -139,7 +139,7 @@ static void down(bat_context *c, const bat_pointer *event) {
     bool first = !bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
     bat_duty duty = assign(c, event);
     if (duty == BAT_DUTY_NAVIGATE && first) bat_fingers_rest(c);
-    if (duty == BAT_DUTY_TOOL) bat_range_end(c); /* a hand takes over from the keys */
+    if (duty == BAT_DUTY_TOOL) bat_range_end(c); /* the pointer takes over from the keys */
     if (duty == BAT_DUTY_TOOL || !finger) point(c, event);
     contacts->list[contacts->count++] = (bat_contact){.id = event->contact,
                                                       .device = event->device,
@@ -176,7 +176,7 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
     contact->at[1] = event->y;
 }
 
-/* Where the pen may be going: for the overlay only. */
+/* Predicted positions of the pen: for the overlay only. */
 static void predict(bat_context *c, const bat_pointer *event, int index) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (c->input->contacts.list[index].duty != BAT_DUTY_TOOL || !tool->is->move) return;
@@ -188,7 +188,7 @@ static void predict(bat_context *c, const bat_pointer *event, int index) {
     tool->is->move(c, tool->state, &bound);
 }
 
-/* It is lifted: the tool is the chosen one again. */
+/* When the pen is lifted: back to the chosen tool. */
 static void turn_back(bat_context *c) {
     if (!c->input->brush) return;
     const bat_slot *tool = bat_toolbox_tool(c);
@@ -218,7 +218,7 @@ static void see_pen(bat_context *c, const bat_pointer *event) {
         bat_fingers_meet_pen(c, event->time);
     c->input->pen_seen = true;
     c->input->pen_time = event->time;
-    c->input->taps.spoiled = true; /* no company for a tap */
+    c->input->taps.spoiled = true; /* rules out a tap */
 }
 
 static void one(bat_context *c, bat_pointer event) {
@@ -279,7 +279,7 @@ void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double 
     bat_context *c = &editor->context;
     if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
     c->time = bounded(time, 0, 1e13, c->time);
-    /* A stroke's samples are pixels of one view. */
+    /* A stroke's samples are in the pixels of one view. */
     if (bat_toolbox_busy(c)) return;
     double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
                     bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
@@ -304,16 +304,16 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         bat_command_id id = (bat_command_id)i;
         bool hold = bat_command_at(id)->hold;
-        /* A held key is let go whatever else is pressed by then. */
+        /* A held key is released whatever other keys are down by then. */
         if (!pressed && !(hold && bat_keys_match(c->settings->keys[i], key, 0))) continue;
         if (pressed && !bat_keys_match(c->settings->keys[i], key, modifiers)) continue;
         if (bat_command_at(id)->when == BAT_WHEN_HOST && modifiers & (BAT_CTRL | BAT_META)) return false;
         bat_status status = bat_command_run(c, id, pressed);
         bat_toolbox_settle(c);
         if (status == BAT_OK) return true;
-        known = true; /* it finds nothing to do: the next one with this key may */
+        known = true; /* it found nothing to do: the next command with this key may */
     }
-    /* Enter, Escape and Tab without a use are the host's; what goes with Ctrl must not reach the browser. */
+    /* Enter, Escape and Tab go to the host when unused; shortcuts with Ctrl must not reach the browser. */
     return known && modifiers & (BAT_CTRL | BAT_META);
 }
 
@@ -329,7 +329,7 @@ void bat_editor_resize(bat_editor *editor, double width, double height, double p
     if (c->stage->view.fit_wanted && !busy) {
         if (bat_seen_fit(c)) c->stage->view.fit_wanted = false;
     } else if (had_size && view->width > 0 && view->height > 0 && !busy) {
-        /* The middle stays in the middle. */
+        /* The middle of the window keeps its document point. */
         double screen[2];
         bat_view_to_screen(view, middle, screen);
         bat_view_pan(view, screen, (double[]){view->width / 2, view->height / 2});

@@ -6,8 +6,8 @@
 #include "editor/tools/toolbox.h"
 #include <string.h>
 
-static const double MOMENT = 500; /* ms between a hand that comes down and the pen that it holds */
-static const double ROLL = 40;    /* px that it rolls meanwhile */
+static const double MOMENT = 500; /* ms between a hand's touch and the pen that it holds */
+static const double ROLL = 40;    /* px that the hand may roll meanwhile */
 
 static bool untouched(const bat_context *c) { return bat_stage_same(c->stage, &c->input->fingers.moved); }
 
@@ -24,7 +24,7 @@ void bat_finger_stop(bat_context *c, int index) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (contact->duty == BAT_DUTY_TOOL && bat_toolbox_busy(c) && tool->is->cancel) {
         tool->is->cancel(c, tool->state);
-        bat_notice(c, BAT_STRING_COUNT); /* a hand at rest is no news */
+        bat_notice(c, BAT_STRING_COUNT); /* a resting hand needs no notice */
     }
     if (contact->duty == BAT_DUTY_NAVIGATE && untouched(c)) {
         *c->stage = c->input->fingers.rest;
@@ -39,7 +39,7 @@ void bat_fingers_yield(bat_context *c) {
 }
 
 void bat_fingers_step(bat_context *c, const bat_contact *contact) {
-    if (contact->far > ROLL) return; /* that was drawn */
+    if (contact->far > ROLL) return; /* that was drawn on purpose */
     c->input->fingers.after = c->session->history.state;
     c->input->fingers.time = c->time;
 }

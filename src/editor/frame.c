@@ -9,7 +9,7 @@
 #include "editor/tools/modes/guides.h"
 #include <string.h>
 
-enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than that, the first ones say it */
+enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than this, only the first ones are outlined */
 
 static bat_cursor cursor(bat_context *c) {
     if (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL))
@@ -39,13 +39,13 @@ static void drawing(const bat_readout *made, bat_frame *frame) {
     frame->error = made->report->max_error;
 }
 
-/* The outlines of the selection, under whatever the tool shows. */
+/* Shows the outlines of the selection, under the tool's own display. */
 static void show_selection(bat_context *c, bat_overlay *overlay) {
     const bat_scene *scene = c->scene;
     const bat_selection *selection = &c->choice->selection;
     if (!selection->count) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED, 1.5F);
-    int shown = 0, end = 0; /* of the selected group that the walk is in */
+    int shown = 0, end = 0; /* of the selected group being walked through */
     for (int i = 0; i < scene->count && shown < BAT_OUTLINES_MAX; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (i >= end && bat_selection_has(selection, bat_object_id(entry->object)))
@@ -56,7 +56,7 @@ static void show_selection(bat_context *c, bat_overlay *overlay) {
     }
 }
 
-/* What lies over the drawing: lines to draw by, the selection, what the tool shows. */
+/* Builds the overlay: guide lines, the selection, the tool's display. */
 static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout *made,
                          bat_overlay *overlay) {
     bat_overlay_begin(overlay, c->scene->origin);
@@ -81,7 +81,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_seen_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
     if (tool->is->update) tool->is->update(c, tool->state);
-    bat_seen_sync(c); /* a drag shows in the frame that it was made for */
+    bat_seen_sync(c); /* a drag shows in the same frame */
     bat_readout made = bat_toolbox_readout(c);
     show_overlay(c, tool, &made, overlay);
 

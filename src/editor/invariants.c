@@ -1,4 +1,4 @@
-/* What must hold after every event, whatever came in. */
+/* The invariants that must hold after every event, whatever the input. */
 #include "editor/invariants.h"
 
 #include "document/document.h"
@@ -21,7 +21,7 @@ static const char *check_view(const bat_stage *stage) {
 
 static const char *check_scene(const bat_context *c) {
     const bat_scene *scene = c->scene;
-    if (scene->revision != c->session->revision || scene->stale) return NULL; /* due for the next sync */
+    if (scene->revision != c->session->revision || scene->stale) return NULL; /* waits for the next sync */
     if (scene->count != bat_document_count(c->session->document))
         return "the scene has another number of objects";
     for (int i = 0; i < scene->count; i++) {
@@ -51,7 +51,7 @@ static const char *check_deltas(const bat_delta *deltas, int count) {
     return wrong;
 }
 
-/* The objects of the steps made since, and of the change under way. */
+/* Checks the objects of the steps made since, and of the change under way. */
 static const char *check_steps(const bat_session *session, uint64_t states) {
     const bat_history *history = &session->history;
     const char *wrong = check_deltas(session->transaction.deltas, session->transaction.count);

@@ -1,6 +1,6 @@
 /*
- * Replay: a journal run line by line through the same calls that made it. Besides the engine's own lines it
- * takes raw events, so that a scripted session is a journal too.
+ * Replay: runs a journal line by line through the same calls that made it. Besides the engine's own lines it accepts
+ * raw events, so a scripted session is a journal too.
  */
 #include "editor/session/journal_line.h"
 #include "editor/session/record.h"
@@ -18,7 +18,7 @@ static bat_status say(bat_problem *problem, bat_status status, const char *messa
     return bat_problem_set(problem, status, "", message);
 }
 
-/* The text of one value, which begins at `from`: to its closing brace, those inside strings left aside. */
+/* The size of one JSON value, which starts at `from`: up to its closing brace, ignoring braces inside strings. */
 static size_t value_size(const char *text, size_t size, size_t from) {
     int depth = 0;
     bool quoted = false;
@@ -100,7 +100,7 @@ static uint32_t bits(const bat_json *json, const char *name) {
     return value >= 0 && value <= 4294967295.0 ? (uint32_t)value : 0;
 }
 
-/* Up to four numbers of a list; NaN where there are none. */
+/* Up to four numbers of a list; NaN for missing ones. */
 static void triple(const bat_json *json, const char *name, double out[4]) {
     uint32_t node = bat_json_first(json, bat_json_member(json, 1, name));
     for (int i = 0; i < 4; i++) {
@@ -139,7 +139,7 @@ static bat_status pointer(bat_editor *editor, const bat_json *json, bat_problem 
     return BAT_OK;
 }
 
-/* An empty list: none is chosen. */
+/* An empty list: no axis is chosen. */
 static bat_status axis(bat_editor *editor, const bat_json *json, bat_problem *problem) {
     uint32_t node = bat_json_member(json, 1, "axis");
     double n[4] = {0};
@@ -184,7 +184,7 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
     }
     if ((text = bat_json_text(json, bat_json_member(json, 1, "command")))) {
         status = bat_editor_command(editor, text);
-        /* A command that finds nothing to do is part of a session like any other event. */
+        /* A command that finds nothing to do is as much part of a session as any other event. */
         return status == BAT_UNSUPPORTED ? say(problem, status, "no such command") : BAT_OK;
     }
     if (bat_json_member(json, 1, "picture")) {
@@ -207,11 +207,11 @@ static bat_status raw(bat_editor *editor, const bat_json *json, bat_problem *pro
         bat_editor_frame(editor);
         return BAT_OK;
     }
-    if (bat_json_member(json, 1, "digest")) return BAT_OK; /* a check alone */
+    if (bat_json_member(json, 1, "digest")) return BAT_OK; /* only a check */
     return say(problem, BAT_UNSUPPORTED, "no such line is known");
 }
 
-/* What a replay has to do, and how far it is. */
+/* What a replay has to do, and its progress. */
 typedef struct playing {
     bat_editor *editor;
     bool check;
@@ -219,7 +219,7 @@ typedef struct playing {
     bat_checked checked;
 } playing;
 
-/* All is looked at after lines 1, 2, 4, 8 ...; in between what each changes. */
+/* Checks everything after lines 1, 2, 4, 8 ...; in between only what each line changes. */
 static bat_status compare(playing *p, const bat_json *json, bat_problem *problem) {
     bat_editor *editor = p->editor;
     const char *wrong = bat_editor_check_since(editor, &p->checked, (p->lines & (p->lines - 1)) == 0);
@@ -254,7 +254,7 @@ static bool blank(const char *text, size_t size) {
     return true;
 }
 
-/* *number: of the line that it stopped at. */
+/* *number: the line at which it stopped. */
 static bat_status run(playing *p, const char *text, size_t size, int *number, bat_problem *problem) {
     for (size_t at = 0; at < size;) {
         const char *end = memchr(text + at, '\n', size - at);
@@ -276,7 +276,7 @@ bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, 
                              bat_problem *problem) {
     if (!editor || (!text && size)) return BAT_ARGUMENT;
     bool read_only = editor->session.read_only;
-    editor->session.read_only = false; /* for the user, not for the host */
+    editor->session.read_only = false; /* it restricts the user, not the host */
     playing p = {.editor = editor, .check = check};
     bat_problem fault = {"", ""};
     int number = 0;

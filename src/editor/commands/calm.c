@@ -50,7 +50,7 @@ static const bat_curve *find(bat_context *c, bat_id *object, int *curve, double 
     return target;
 }
 
-/* A closed curve faired as a whole takes a second pass, half a period on, for the part that the first one held still. */
+/* A closed curve faired as a whole takes a second pass, half a period on, for the part that the first one held. */
 static bat_status calm(const bat_context *c, const bat_curve *curve, const double range[2], bat_curve **out) {
     double pixel = bat_stage_pixel(c->stage), limit = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
     double domain[2];
