@@ -74,7 +74,7 @@ static double scale_of(const tooth *teeth, int count, double pixel) {
     for (int i = 0; i < count; i++) whole += teeth[i].share;
     for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
     double least = high / 8;
-    for (int round = 0; round < 40; round++) { /* up to where one in ten is higher; needs no sorting */
+    for (int round = 0; round < 40; round++) { /* bisects for the height that one tooth in ten exceeds */
         double middle = (low + high) / 2;
         double above = 0;
         for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle ? teeth[i].share : 0;

@@ -33,7 +33,7 @@ static void across(bat_overlay *overlay, const bat_stage *stage, int k, double a
     bat_path_line(&overlay->path, to[0], to[1]);
 }
 
-/* The least value of 1, 2 or 5 times a power of ten that is not below. */
+/* The least of 1, 2 or 5 times a power of ten that is not below the value. */
 static double round_up(double value) {
     double power = 1;
     while (power < value) power *= 10;
@@ -64,7 +64,7 @@ static void show_ticks(const bat_context *c, bat_overlay *overlay, int axis) {
         double at[2];
         bat_unit_number(value, text);
         bat_stage_seen(stage, axis ? (double[]){0, along} : (double[]){along, 0}, at);
-        double half = 3.2 * (double)strlen(text) + 4; /* half the length of the text */
+        double half = 3.2 * (double)strlen(text) + 4; /* about half the text's width */
         bat_overlay_label(overlay, BAT_ROLE_RULER, at, axis ? 7 : half, axis ? half : 7, text);
         if (axis && overlay->label_count) overlay->labels[overlay->label_count - 1].turn = 90;
     }

@@ -11,7 +11,7 @@ static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] 
 
 static bat_status hit_page(const bat_ground *ground, const bat_ray *ray, bat_hit *out) {
     (void)ground;
-    /* Rays of a page's view begin on the page; a distant point is kept exactly as far as it is. */
+    /* Rays of a page's view begin on the page, so the point is taken over unchanged, however far away. */
     for (int k = 0; k < 2; k++) out->at[k] = out->own[k] = ray->from[k];
     out->at[2] = 0;
     return BAT_OK;

@@ -1,6 +1,6 @@
 /* The stage: the view, and the ground that the pen draws on. Tools ask it where the pen is and what is there; only
- * this room knows how a pixel becomes a point.  "Drawing coordinates" are the x y of a point as the window shows it;
- * a point in space has a third coordinate, along which the view of a page looks. */
+ * this room knows how a pixel becomes a point. "Drawing coordinates" are the x y of a point as the window shows it; a
+ * point in space has a third coordinate, along which the view of a page looks. */
 #ifndef BATTEN_EDITOR_VIEW_STAGE_H
 #define BATTEN_EDITOR_VIEW_STAGE_H
 

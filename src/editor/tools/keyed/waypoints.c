@@ -323,7 +323,7 @@ static const char *check(const bat_context *c, const void *state) {
     return NULL;
 }
 
-/* The stroke's outcome is what the chosen tool makes of it. */
+/* The chosen tool makes the stroke, so its readout is shown. */
 static void readout(const bat_context *c, const void *state, bat_readout *out) {
     (void)state;
     const bat_slot *tool = bat_toolbox_chosen(c);

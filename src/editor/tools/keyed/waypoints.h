@@ -20,7 +20,7 @@ typedef struct bat_waypoints {
     double leads[4]; /* redrawing: directions of the curve where the stroke begins and ends */
     int count, chosen;
     bat_stage stage; /* the view of the preview */
-    bool *beneath;   /* on: of the range being redrawn; cleared afterwards; NULL: none */
+    bool *beneath;   /* the range's `on`, cleared after the redraw; NULL: no range */
 } bat_waypoints;
 
 /* Begins with a first point, where the pen is or in the middle of the view. BAT_STATE: this tool does not draw. */

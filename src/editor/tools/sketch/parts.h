@@ -36,7 +36,7 @@ static inline bool bat_sketching_smooths_nothing(const bat_sketching *s) {
 }
 
 /* ---- preview.c: the fit so far ---- */
-/* Whether the fit replaces part of one curve; otherwise the stroke itself is shown as a curve. */
+/* Whether the fit is of one curve that changes; otherwise the stroke itself is shown as a curve. */
 bool bat_sketching_one_changes(const bat_edit *edit);
 /* Feeds new samples to the session; starts it when needed. */
 bat_status bat_sketching_feed(bat_context *c, bat_sketching *s);
@@ -53,7 +53,7 @@ void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status
 
 /* ---- pending.c: a fit that awaits confirmation ---- */
 void bat_sketching_keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report);
-bool bat_sketching_accept(bat_context *c, void *state); /* false: nothing awaits it */
+bool bat_sketching_accept(bat_context *c, void *state); /* false: nothing awaits confirmation */
 
 /* ---- traced.c: a stroke without a pen ---- */
 bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *stroke);
