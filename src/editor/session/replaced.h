@@ -11,10 +11,9 @@ typedef struct bat_replaced {
     int bits, count;
 } bat_replaced;
 
-int bat_replaced_find(const bat_replaced *replaced, int index); /* the number, or -1. O(1) */
-bat_status bat_replaced_reserve(bat_replaced *replaced);        /* makes room for one more */
-void bat_replaced_add(bat_replaced *replaced, int index,
-                      int number); /* needs a reserve; not in the table yet */
+int bat_replaced_find(const bat_replaced *replaced, int index);       /* the number, or -1. O(1) */
+bat_status bat_replaced_reserve(bat_replaced *replaced);              /* makes room for one more */
+void bat_replaced_add(bat_replaced *replaced, int index, int number); /* after a reserve; a new index */
 void bat_replaced_clear(bat_replaced *replaced);
 
 #endif

@@ -74,7 +74,8 @@ static double scale_of(const tooth *teeth, int count, double pixel) {
     for (int i = 0; i < count; i++) whole += teeth[i].share;
     for (int i = 0; i < count; i++) high = fmax(high, fabs(teeth[i].curvature));
     double least = high / 8;
-    for (int round = 0; round < 40; round++) { /* bisects for the height that one tooth in ten exceeds */
+    for (int round = 0; round < 40;
+         round++) { /* bisects for the curvature that a tenth of the curve exceeds */
         double middle = (low + high) / 2;
         double above = 0;
         for (int i = 0; i < count; i++) above += fabs(teeth[i].curvature) > middle ? teeth[i].share : 0;
