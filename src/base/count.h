@@ -1,4 +1,5 @@
-/* Counts of points are size_t in the interface and int inside, where they are small: one too many stays too many. */
+/* Counts of points are size_t in the interface and int inside. A count above BAT_POINTS_MAX stays above it
+ * when converted. */
 #ifndef BATTEN_SRC_COUNT_H
 #define BATTEN_SRC_COUNT_H
 

@@ -3,10 +3,10 @@
 #ifndef BATTEN_BASE_LANES_H
 #define BATTEN_BASE_LANES_H
 
-#include <stddef.h> /* defines __GLIBC__ where there is one, by way of features.h */
+#include <stddef.h> /* defines __GLIBC__ (through features.h) where glibc is used */
 #include <stdlib.h>
 
-/* Several instruction sets in one binary, chosen when it is loaded. */
+/* Compiles a function for several instruction sets; the loader chooses one. */
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&                 \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
 #define BAT_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
@@ -14,7 +14,7 @@
 #define BAT_CLONES
 #endif
 
-/* For bodies that become fast when degree and dimension are known. */
+/* For function bodies that become fast when degree and dimension are compile-time constants. */
 #if defined(__GNUC__)
 #define BAT_INLINE static inline __attribute__((always_inline))
 #else

@@ -1,5 +1,5 @@
-/* Elementary functions from + - * / and sqrt: range reduction, then a Taylor series cut where its next term
- * is below half a unit in the last place (Muller, Elementary Functions, 3rd ed., ch. 3 and 11). */
+/* Elementary functions from + - * / and sqrt: range reduction, then a Taylor series cut off where the next
+ * term is below half a unit in the last place (Muller, Elementary Functions, 3rd ed., ch. 3 and 11). */
 #include "base/real.h"
 
 #include <math.h>

@@ -18,8 +18,8 @@ static inline vec vec_cross(vec a, vec b) {
     return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 static inline double vec_norm(vec a) { return bat_hypot(bat_hypot(a.x, a.y), a.z); }
-/* Divided by the greatest coordinate first, so that neither huge nor tiny vectors leave the range; zero
- * stays. */
+/* Divides by the greatest coordinate first, so that neither huge nor tiny vectors overflow or underflow; zero
+ * stays zero. */
 static inline vec vec_unit(vec a) {
     double most = fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z));
     if (!(most > 0)) return (vec){0, 0, 0};
@@ -30,7 +30,7 @@ static inline vec vec_unit(vec a) {
 static inline double vec_angle(vec a, vec b) { return bat_atan2(vec_norm(vec_cross(a, b)), vec_dot(a, b)); }
 /* The part of a at right angles to the unit t. */
 static inline vec vec_reject(vec a, vec t) { return vec_sub(a, vec_scale(t, vec_dot(a, t))); }
-/* Some unit vector at right angles to t, the same every time: along the axis that t follows least. */
+/* A unit vector at right angles to t, always the same for the same t: made from the axis that t follows least. */
 static inline vec vec_any_normal(vec t) {
     double x = fabs(t.x), y = fabs(t.y), z = fabs(t.z);
     vec axis = x <= y && x <= z ? (vec){1, 0, 0} : y <= z ? (vec){0, 1, 0} : (vec){0, 0, 1};

@@ -6,8 +6,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A natural number, least word first. The greatest compared is 816 digits at 10^0 against a double's 2^-1075 moved
- * to the other side, or 2^54 against the 10^1141 of as many digits behind the point: under 3850 bits. */
+/* A natural number, least significant word first. The largest ones compared are 816 digits at 10^0 against a
+ * double's 2^-1075 moved to the other side, or 2^54 against 10^1141 for as many digits after the point: under
+ * 3850 bits. */
 enum { WORDS = 128 };
 typedef struct natural {
     uint32_t words[WORDS];
@@ -70,7 +71,7 @@ static bool above(const natural *decimal, long exponent, double x) {
     return order > 0 || (order == 0 && (mantissa & 1));
 }
 
-/* The next double up (step 1) or down (step -1) of one that is not negative; of 0 only up. */
+/* The next double above (step 1) or below (step -1) x >= 0; for 0 only the one above. */
 static double neighbour(double x, int step) {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -87,7 +88,7 @@ double bat_digits_value(const char *digits, int n, long exponent) {
         if (decimal.used == 0) decimal.words[0] = 0, decimal.used = 1;
         scale(&decimal, 10, (uint32_t)(digits[i] - '0'));
     }
-    /* A guess, off by a few units in the last place; then the exact comparison decides. */
+    /* A first guess, off by a few units in the last place; the exact comparison then decides. */
     uint64_t start = 0;
     int kept = n < 19 ? n : 19;
     for (int i = 0; i < kept; i++) start = start * 10 + (uint64_t)(digits[i] - '0');
@@ -103,7 +104,7 @@ double bat_digits_value(const char *digits, int n, long exponent) {
     return x;
 }
 
-/* The digits of a double as they are, all of them: cells of nine, most significant first. */
+/* The exact decimal expansion of a double, in cells of nine digits, most significant first. */
 enum { BILLION = 1000000000, CELLS = 168, POINT = 40 };
 typedef struct expansion {
     uint32_t cells[CELLS]; /* value = sum of cells[i] * 10^(9 * (POINT - i)) */
@@ -141,13 +142,13 @@ static void expand(double value, expansion *x) {
 
 static const uint32_t tens[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
 
-/* Digit number i, from the first that is not zero; zero past the end. */
+/* Digit i, counted from the first nonzero one; zero past the end. */
 static int digit_at(const expansion *x, int lead, int i) {
     int place = i + 9 - lead, cell = x->first + place / 9;
     return cell > x->last ? 0 : (int)(x->cells[cell] / tens[8 - place % 9] % 10);
 }
 
-/* Rounds to `count` digits; 0 leaves room for one digit that a carry may make. Returns how many there are. */
+/* Rounds to `count` digits; with 0, a carry may still produce one digit. Returns how many there are. */
 static int round_to(const expansion *x, int lead, int count, char *digits, int *power) {
     for (int i = 0; i < count; i++) digits[i] = (char)('0' + digit_at(x, lead, i));
     int next = digit_at(x, lead, count);

@@ -1,10 +1,10 @@
-/* Between a double and its decimal digits, exactly rounded both ways; no locale, no printf, no strtod. */
+/* Converts between doubles and decimal digits, correctly rounded both ways; no locale, no printf, no strtod. */
 #ifndef BATTEN_TEXT_DIGITS_H
 #define BATTEN_TEXT_DIGITS_H
 
-/* The `count` leading digits ('0' to '9', not terminated) of value > 0, finite: d.ddd * 10^power, rounded half to even. A count
- * of more than 17 gives 17. places: as `count`, but so many digits behind the point; returns how many digits that
- * makes (at most 17, and 0 when the value rounds to zero). */
+/* The `count` leading digits ('0' to '9', not zero-terminated) of a finite value > 0, as d.ddd * 10^power,
+ * rounded half to even. A count above 17 gives 17 digits. The second call rounds to `places` digits after the
+ * point instead, and returns how many digits that makes (at most 17, and 0 when the value rounds to zero). */
 void bat_digits_leading(double value, int count, char *digits, int *power);
 int bat_digits_places(double value, int places, char *digits, int *power);
 

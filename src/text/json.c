@@ -45,7 +45,7 @@ static bat_status add_node(reader *r, bat_json_type type, uint32_t *out) {
     bat_json *json = r->json;
     if (json->count == json->room) {
         uint32_t room = json->room < 64 ? 64 : json->room + json->room / 2;
-        /* Sizes have 32 bits in WASM. */
+        /* size_t has 32 bits in WASM. */
         size_t size = (size_t)room * sizeof *json->nodes;
         bat_json_node *nodes = size / sizeof *nodes == room ? realloc(json->nodes, size) : NULL;
         if (!nodes) return bat_problem_set(r->problem, BAT_MEMORY, "", bat_status_message(BAT_MEMORY));
@@ -73,7 +73,7 @@ static bool read_hex(reader *r, uint32_t *code) {
     return true;
 }
 
-/* After the backslash. */
+/* Called just after the backslash. */
 static bat_status read_escape(reader *r, uint32_t *code) {
     static const char from[] = "\"\\/bfnrt", to[] = "\"\\/\b\f\n\r\t";
     const char *known = r->at < r->end && *r->at ? strchr(from, *r->at) : NULL;
@@ -99,7 +99,7 @@ static bat_status read_escape(reader *r, uint32_t *code) {
     return BAT_OK;
 }
 
-/* At the opening quote. Decoded text is never longer than its source, so json->strings has room. */
+/* Called at the opening quote. Decoded text is never longer than its source, so json->strings has room. */
 static bat_status read_text(reader *r, uint32_t *out) {
     bat_status status = add_node(r, BAT_JSON_TEXT, out);
     if (status != BAT_OK) return status;
@@ -133,7 +133,8 @@ static bat_status read_text(reader *r, uint32_t *out) {
 
 static bool is_digit(const reader *r, const char *at) { return at < r->end && *at >= '0' && *at <= '9'; }
 
-/* JSON is stricter than bat_number_scan: no plus, no leading zeros, digits on both sides of the point. */
+/* JSON is stricter than bat_number_scan: no plus sign, no leading zeros, and digits on both sides of the
+ * point. */
 static bat_status skip_number(reader *r) {
     const char *at = r->at;
     if (at < r->end && *at == '-') at++;
@@ -176,7 +177,7 @@ static bat_status read_number_node(reader *r, uint32_t *out) {
 
 static bat_status read_value(reader *r, int depth, uint32_t *out);
 
-/* At the end of a list that goes from first to last, 0 while it is empty. */
+/* Appends to the list from *first to *last; both are 0 while it is empty. */
 static void put_last(reader *r, uint32_t node, uint32_t *first, uint32_t *last) {
     if (*last)
         r->json->nodes[*last].next = node;
@@ -185,7 +186,7 @@ static void put_last(reader *r, uint32_t node, uint32_t *first, uint32_t *last) 
     *last = node;
 }
 
-/* At the bracket: items, or names and values. */
+/* Called at the opening bracket; reads items, or (members) names and values. */
 static bat_status read_list(reader *r, int depth, bool members, uint32_t *out) {
     if (depth >= BAT_JSON_DEPTH) return fail(r, BAT_COUNT, "at most 64 levels of nesting");
     bat_status status = add_node(r, members ? BAT_JSON_OBJECT : BAT_JSON_LIST, out);

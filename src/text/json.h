@@ -1,5 +1,5 @@
-/* JSON (RFC 8259), read into a compact tree. Texts are UTF-8 without U+0000; numbers are correctly rounded
- * and finite; of members with one name the last counts. Written by the bat_text calls. */
+/* JSON (RFC 8259), read into a compact tree. Texts are UTF-8 without U+0000; numbers are correctly rounded and
+ * finite; of several members with the same name the last counts. JSON is written with the bat_text calls. */
 #ifndef BATTEN_TEXT_JSON_H
 #define BATTEN_TEXT_JSON_H
 
@@ -22,7 +22,7 @@ typedef struct bat_json_node {
     union {
         double number;
         struct {
-            uint32_t at, size; /* text: where it stands in `strings`; zero-terminated */
+            uint32_t at, size; /* text: offset and length in `strings`; zero-terminated */
         } text;
         struct {
             uint32_t first, count; /* list: items; object: members, each a text (its name) and then a value */
@@ -36,7 +36,7 @@ typedef struct bat_json_node {
 typedef struct bat_json {
     const char *text; /* borrowed */
     size_t size;
-    bat_json_node *nodes; /* node 1 is the whole; 0 stands for "not there" */
+    bat_json_node *nodes; /* node 1 is the root; 0 means "not there" */
     uint32_t count, room;
     char *strings;
 } bat_json;
@@ -47,21 +47,21 @@ bat_status bat_json_parse(const char *text, size_t size, bat_json *out, bat_prob
 void bat_json_free(bat_json *json);
 
 bat_json_type bat_json_type_of(const bat_json *json, uint32_t node);
-/* The member's value, 0 when the node is no object or has no such member. */
+/* The member's value; 0 when the node is not an object or has no such member. */
 uint32_t bat_json_member(const bat_json *json, uint32_t object, const char *name);
-/* First item of a list, 0 when it is no list or empty; then follow nodes[].next. */
+/* First item of a list, 0 when the list is empty or the node is not a list; then follow nodes[].next. */
 uint32_t bat_json_first(const bat_json *json, uint32_t list);
-uint32_t bat_json_count(const bat_json *json, uint32_t list);   /* items; 0 when it is no list */
-const char *bat_json_text(const bat_json *json, uint32_t node); /* NULL when it is no text */
+uint32_t bat_json_count(const bat_json *json, uint32_t list);   /* items; 0 when it is not a list */
+const char *bat_json_text(const bat_json *json, uint32_t node); /* NULL when it is not a text */
 
-/* Fills problem (may be NULL): place "line L, column C", message "what: expected ..., found ...". The found
- * part is told from the node's type. Returns status. */
+/* Fills problem (may be NULL): place "line L, column C", message "what: expected ..., found ...". The "found"
+ * part comes from the node's type. Returns status. */
 bat_status bat_json_complain(const bat_json *json, uint32_t node, bat_status status, const char *what,
                              const char *expected, bat_problem *problem);
-/* The same with a free message. */
+/* The same with any message. */
 bat_status bat_json_say(const bat_json *json, uint32_t node, bat_status status, const char *message,
                         bat_problem *problem);
-/* problem with given texts; NULL is fine. Returns status. */
+/* Fills problem (may be NULL) with the given texts. Returns status. */
 bat_status bat_problem_set(bat_problem *problem, bat_status status, const char *place, const char *message);
 
 #endif

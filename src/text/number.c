@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Digits beyond these decide a rounding only by not all being zero (767 is the most that a double needs). */
+/* Digits beyond these affect the rounding only by whether all are zero (a double needs 767 at most). */
 enum { DIGITS = 800, EXPONENT_LIMIT = 100000 };
 
 /* A decimal: digits (no leading zero) * 10^exponent. */
@@ -40,7 +40,7 @@ static double decimal_value(decimal *d) {
     static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     if (d->kept == 0) return 0;
-    /* One rounding of two exact numbers (Clinger 1990). */
+    /* Both numbers are exact, so there is only one rounding (Clinger 1990). */
     if (d->kept <= 19 && d->mantissa <= (uint64_t)1 << 53 && labs(d->exponent) <= 22)
         return d->exponent < 0 ? (double)d->mantissa / tens[-d->exponent]
                                : (double)d->mantissa * tens[d->exponent];
@@ -75,7 +75,7 @@ const char *bat_number_scan(const char *text, const char *end, double *value) {
     return at;
 }
 
-/* digits[0..n) as d.ddd * 10^power. */
+/* Prints digits[0..n), which mean d.ddd * 10^power. */
 static int lay_out(bool negative, const char *digits, int n, int power, char *out) {
     char *at = out;
     if (negative) *at++ = '-';
@@ -106,8 +106,8 @@ int bat_number_print(double value, char out[BAT_NUMBER_ROOM]) {
     bool negative = signbit(value) != 0;
     double size = fabs(value);
     if (size == 0) return lay_out(negative, "0", 1, 0, out);
-    /* 15 digits always survive the way to a double and back, so trailing zeros aside nothing shorter than a
-     * 15-digit text that reads back exists; not so among subnormal numbers. */
+    /* 15 digits always survive conversion to a double and back, so no text is shorter (trailing zeros aside)
+     * than a 15-digit one that reads back. This does not hold for subnormal numbers. */
     for (int precision = size < DBL_MIN ? 1 : 15;; precision++) {
         char digits[17];
         int n = precision, power;

@@ -54,7 +54,7 @@ void bat_text_json_string(bat_text *text, const char *string) {
             char pair[2] = {'\\', (char)code};
             bat_text_add(text, pair, 2);
         } else if (code < 0x20 || code >= 0xfffd) {
-            /* Above U+FFFF nothing needs an escape. */
+            /* No character above U+FFFF needs an escape. */
             char escape[16];
             if (code <= 0xffff) {
                 snprintf(escape, sizeof escape, "\\u%04x", (unsigned)code);

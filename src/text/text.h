@@ -1,4 +1,4 @@
-/* A growing text. Failure sticks: check once, at the end. */
+/* A text buffer that grows. A failure is remembered: check once, at the end. */
 #ifndef BATTEN_TEXT_TEXT_H
 #define BATTEN_TEXT_TEXT_H
 
@@ -14,10 +14,11 @@ void bat_text_add(bat_text *text, const char *bytes, size_t size);
 void bat_text_string(bat_text *text, const char *string);
 void bat_text_number(bat_text *text, double number);
 void bat_text_integer(bat_text *text, uint64_t number);
-/* In quotes, escaped for JSON; also U+FFFE and U+FFFF, which XML cannot hold. string: UTF-8. */
+/* Adds the string in quotes, escaped for JSON; also escapes U+FFFE and U+FFFF, which XML cannot hold. string:
+ * UTF-8. */
 void bat_text_json_string(bat_text *text, const char *string);
-/* Escaped for XML text, or an attribute (whose line ends parsers would take for blanks). Characters that
- * XML 1.0 cannot hold become U+FFFD. */
+/* Adds text escaped for XML content, or for an attribute (where parsers would turn line ends into spaces).
+ * Characters that XML 1.0 cannot hold become U+FFFD. */
 void bat_text_xml(bat_text *text, const char *bytes, size_t size, bool attribute);
 /* Hands the text over, zero-terminated, or frees it and returns BAT_MEMORY. */
 bat_status bat_text_finish(bat_text *text, char **data, size_t *size);

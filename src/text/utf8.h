@@ -4,9 +4,10 @@
 
 #include <batten/base.h>
 
-/* Bytes of the character at text (1..4), 0 when it is not well-formed; *code is its number. size > 0. */
+/* Returns how many bytes the character at text has (1..4), or 0 when it is not well-formed; *code is its code
+ * point. size > 0. */
 int bat_utf8_decode(const char *text, size_t size, uint32_t *code);
-/* Writes 1..4 bytes for a code point up to U+10FFFF that is no surrogate. */
+/* Writes a code point up to U+10FFFF that is not a surrogate; returns how many bytes (1..4). */
 int bat_utf8_encode(uint32_t code, char out[4]);
 bool bat_utf8_valid(const char *text, size_t size);
 
