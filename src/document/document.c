@@ -1,4 +1,4 @@
-/* The document: an ordered list of counted objects, and the page. */
+/* The document: an ordered list of reference-counted objects, and the page. */
 #include "document/document.h"
 
 #include "document/kind.h"
@@ -104,7 +104,7 @@ bat_status bat_document_fill(bat_document *document, int count, bat_object *cons
         else
             bat_list_insert(list, i, objects[i]);
     }
-    while (status != BAT_OK && list->count) bat_list_take(list, list->count - 1); /* still the caller's */
+    while (status != BAT_OK && list->count) bat_list_take(list, list->count - 1); /* stay the caller's */
     for (int i = 0; i < list->count; i++) bat_document_raise_next(document, bat_object_id(objects[i]) + 1);
     return status;
 }
@@ -144,7 +144,7 @@ int bat_document_end(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
     int end = index + 1;
     if (!object || !bat_object_is_group(object)) return end;
-    /* Inside, every parent is the group itself or one opened since. */
+    /* Within the group, every parent is the group itself or one opened after it. */
     nesting.open[nesting.depth++] = (bat_nesting_level){.id = bat_object_id(object)};
     while (end < document->list.count && bat_object_parent(bat_list_at(&document->list, end)) != 0 &&
            bat_nesting_next(&nesting, bat_list_at(&document->list, end), NULL))
@@ -163,7 +163,7 @@ const char *bat_document_check_nesting(const bat_document *document) {
     return NULL;
 }
 
-/* The group that the object is in; NULL: in none. */
+/* The group that the object is in; NULL: it is in none. */
 static const bat_object *outside(const bat_document *document, const bat_object *object) {
     bat_id parent = bat_object_parent(object);
     return parent ? bat_document_at(document, bat_document_find(document, parent)) : NULL;

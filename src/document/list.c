@@ -10,7 +10,7 @@ static bat_id id_at(const bat_list *list, int slot) { return bat_object_id(list-
 
 /* ---- the table of ids ---- */
 
-/* Fibonacci hashing (Knuth 6.4): ids that follow each other come apart. */
+/* Fibonacci hashing (Knuth 6.4): consecutive ids are spread apart. */
 static int home_of(const bat_list *list, bat_id id) {
     return (int)((id * 0x9e3779b97f4a7c15u) >> (64 - list->bits));
 }
@@ -23,14 +23,14 @@ static void note(bat_list *list, int slot) {
     list->table[place] = slot + 1;
 }
 
-/* Where the table has the slot. */
+/* The place of the slot in the table. */
 static int place_of(const bat_list *list, int slot) {
     int place = home_of(list, id_at(list, slot));
     while (list->table[place] != slot + 1) place = after(list, place);
     return place;
 }
 
-/* Those behind move up, so that no search ends early. */
+/* Removes the slot from the table; the entries after it move up, so that no search ends early. */
 static void forget(bat_list *list, int slot) {
     int empty = place_of(list, slot), mask = (1 << list->bits) - 1;
     for (int place = after(list, empty); list->table[place]; place = after(list, place)) {
@@ -57,8 +57,8 @@ static uint64_t digest_near(const bat_list *list, int index) {
     return index >= 0 && index < list->count ? list->entries[bat_list_slot(list, index)].digest : 0;
 }
 
-/* Of two neighbours, in their order; 0 stands beyond both ends. Murmur-like finalizer: a sum of such is as good as
- * random. */
+/* Digest of two neighbours in their order; 0 stands for what lies beyond either end. The finalizer is like
+ * Murmur's: a sum of such values is as good as random. */
 static uint64_t mix(uint64_t a, uint64_t b) {
     uint64_t x = a * 0x9e3779b97f4a7c15u + b;
     x = (x ^ x >> 32) * 0xd6e8feb86659fd93u;

@@ -1,5 +1,6 @@
-/* Inside the document: its objects in order, found by place and by id. A gap buffer, so that changes next to each
- * other cost their distance, not the length; a table of ids; and the digest kept up with every change. */
+/* Internal to the document: its objects in order, found by index and by id. A gap buffer, so that the cost of
+ * a change depends on its distance from the last one, not on the length; a hash table of ids; and the digest,
+ * updated at every change. */
 #ifndef BATTEN_SRC_LIST_H
 #define BATTEN_SRC_LIST_H
 
@@ -10,9 +11,9 @@ typedef struct bat_entry {
     uint64_t digest;
 } bat_entry;
 
-/* All zero is an empty list. */
+/* All zeros: an empty list. */
 typedef struct bat_list {
-    bat_entry *entries; /* in slots 0..gap-1, and, as many as are left, in the last of the room */
+    bat_entry *entries; /* in slots 0..gap-1; the rest in the last slots of the room */
     int count, room, gap;
     int *table; /* open addressing by id: slot + 1, or 0 */
     int bits;   /* the table has 2^bits places, at least twice the room */
@@ -27,22 +28,23 @@ static inline bat_object *bat_list_at(const bat_list *list, int index) {
 }
 
 int bat_list_find(const bat_list *list, bat_id id); /* its index, or -1; O(1) */
-/* Room for so many objects in all: up to there the calls below need no memory. */
+/* Makes room for this many objects in all: up to that count the calls below need no memory. */
 bat_status bat_list_reserve(bat_list *list, int room);
-/* Takes over a use of the object, whose id the list has not. Needs room. O(places from the last change). */
+/* Takes over a reference to the object, whose id must not be in the list. Needs room. O(places from the last
+ * change). */
 void bat_list_insert(bat_list *list, int index, bat_object *object);
-/* Exchanges one for another with the same id; hands the former over. O(1). */
+/* Replaces an object by another with the same id; hands over the old one. O(1). */
 bat_object *bat_list_exchange(bat_list *list, int index, bat_object *object);
-/* Hands what it takes out over. O(places from the last change). */
+/* Removes an object and hands it over. O(places from the last change). */
 bat_object *bat_list_take(bat_list *list, int index);
-/* A copy that shares the objects; *out is an empty list. O(n). */
+/* A copy that shares the objects; *out must be an empty list. O(n). */
 bat_status bat_list_copy(const bat_list *list, bat_list *out);
 void bat_list_free(bat_list *list); /* releases the objects */
 
-/* Of the objects and their order: the sum of a mix of each two neighbours' digests, which, ids being unique, no other
- * order has. O(1). */
+/* Digest of the objects and their order: the sum, over all pairs of neighbours, of their mixed digests. As ids
+ * are unique, no other order has these pairs. O(1). */
 static inline uint64_t bat_list_digest(const bat_list *list) { return list->pairs; }
-/* Whether places, table and digest agree. O(n). */
+/* Whether slots, table and digest are consistent. O(n). */
 bool bat_list_holds(const bat_list *list);
 
 #endif

@@ -1,4 +1,5 @@
-/* An object: a head, curves, and the own part of its kind. Copies share what they do not change. */
+/* An object: a head, curves, and the own part of its kind. Copies share everything that is not changed in
+ * them. */
 #include "document/object.h"
 
 #include "base/users.h"
@@ -16,19 +17,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A curve with its box, counted: an object that differs in one curve of many costs one curve. */
+/* A reference-counted curve with its box: an object that differs in one curve of many costs only that curve. */
 typedef struct part {
     bat_users users;
-    const bat_curve *curve; /* owned, or the finest of the shape, which is */
+    const bat_curve *curve; /* owned; or the finest curve of `shape`, which is then owned */
     bat_shape *shape;
     double box[4];
-    uint64_t digest; /* of shape or curve: made once, since each step asks for that of the whole document */
+    uint64_t digest; /* of shape or curve: computed once, as each step digests the whole document */
 } part;
 
-/* What objects of every kind have, besides the name; copies take it over as a whole. */
+/* What objects of every kind have besides the name; copies keep all of it. */
 typedef struct head {
     bat_id id;
-    bat_id parent; /* of the group it is in, 0: in none */
+    bat_id parent; /* id of the group that it is in; 0: none */
     bool hidden, locked;
     bat_style style;
 } head;
@@ -39,7 +40,7 @@ struct bat_object {
     head head;
     double box[4];
     int count;
-    void *own; /* behind the object in the same block, with the parts and the name */
+    void *own; /* follows the object in the same block, as do the parts and the name */
     part **parts;
     const char *name;
 };
@@ -69,7 +70,7 @@ static void part_release(part *made) {
     free(made);
 }
 
-/* One block: header, own part (of zeros), parts (unset), name. */
+/* One block: header, own part (zeros), parts (not set), name. */
 static bat_object *allocate(const bat_kind_type *type, int count, const char *name) {
     size_t length = strlen(name) + 1;
     bat_object *object = malloc(sizeof *object + type->size + (size_t)count * sizeof(part *) + length);
@@ -105,7 +106,7 @@ static bat_status make(const bat_kind_type *type, const head *with, const char *
     for (int i = 0; i < count; i++) {
         object->parts[i] = part_create();
         if (!object->parts[i]) {
-            while (i > 0) free(object->parts[--i]); /* the curves are still the caller's */
+            while (i > 0) free(object->parts[--i]); /* the curves still belong to the caller */
             free(object);
             return BAT_MEMORY;
         }
@@ -146,7 +147,7 @@ bat_status bat_object_remake(const bat_object *object, const bat_kind_type *type
     return status == BAT_OK ? make(type, &object->head, object->name, own, count, curves, out) : status;
 }
 
-/* A copy that shares every part; of its own type, or of another that has no own part. */
+/* A copy that shares every part; of the same type, or of another type without an own part. */
 static bat_object *share_as(const bat_object *object, const bat_kind_type *type, const char *name) {
     bat_object *copy = allocate(type, object->count, name);
     if (!copy) return NULL;
@@ -188,7 +189,7 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     if (!copy) return BAT_MEMORY;
     if (bat_object_is(object, BAT_CURVES))
         copy->head.style = *style;
-    else if (bat_object_is(object, BAT_DRAWN)) /* what paints nothing has none, and files keep none of it */
+    else if (bat_object_is(object, BAT_DRAWN)) /* what paints nothing has no style, and files store none */
         copy->head.style.opacity = style->opacity;
     *out = copy;
     return BAT_OK;
@@ -231,7 +232,7 @@ bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **
 }
 
 bat_object *bat_object_retain(const bat_object *object) {
-    bat_object *user = (bat_object *)object; /* the count is no part of the value */
+    bat_object *user = (bat_object *)object; /* the reference count is not part of the value */
     if (user) bat_users_add(&user->users);
     return user;
 }

@@ -1,4 +1,5 @@
-/* Inside the document: objects are counted, immutable, and share their curves with their copies. */
+/* Internal to the document: objects are reference-counted and immutable, and share their curves with their
+ * copies. */
 #ifndef BATTEN_SRC_OBJECT_H
 #define BATTEN_SRC_OBJECT_H
 

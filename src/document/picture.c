@@ -33,7 +33,7 @@ bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out)
 }
 
 bat_picture *bat_picture_retain(const bat_picture *picture) {
-    bat_picture *user = (bat_picture *)picture; /* the count is no part of the value */
+    bat_picture *user = (bat_picture *)picture; /* the reference count is not part of the value */
     if (user) bat_users_add(&user->users);
     return user;
 }

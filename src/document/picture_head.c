@@ -20,7 +20,7 @@ static bool png(const unsigned char *b, size_t size, uint32_t side[2]) {
     return true;
 }
 
-/* The orientation that an Exif segment tells, 1 when it tells none. */
+/* The orientation given by an Exif segment; 1 when it gives none. */
 static uint32_t orientation(const unsigned char *b, size_t size) {
     if (size < 14 || memcmp(b, "Exif\0", 6) != 0) return 1;
     const unsigned char *tiff = b + 6;
@@ -41,11 +41,11 @@ static bool jpeg(const unsigned char *b, size_t size, uint32_t side[2]) {
     for (size_t at = 2; at + 4 <= size;) {
         if (b[at] != 0xff) return false;
         unsigned char marker = b[at + 1];
-        if (marker == 0xff) { /* fill */
+        if (marker == 0xff) { /* fill byte */
             at++;
             continue;
         }
-        if (marker == 0xd9 || marker == 0xda) return false; /* the pixels begin, and no frame did */
+        if (marker == 0xd9 || marker == 0xda) return false; /* pixel data before any frame header */
         if (marker == 1 || (marker >= 0xd0 && marker <= 0xd7)) {
             at += 2;
             continue;

@@ -1,4 +1,4 @@
-/* Containers: a group, and a layer, which is a group of the topmost level. */
+/* Containers: groups, and layers, which lie only in layers. */
 #include "kinds/kinds.h"
 
 const bat_kind_type bat_kind_of_group = {.number = BAT_KIND_GROUP, .name = "group", .traits = BAT_HOLDS};

@@ -1,4 +1,4 @@
-/* A guide: an endless line, upright or level, that paints nothing. */
+/* A guide: an infinite vertical or horizontal line that paints nothing. */
 #include "document/digest.h"
 #include "format/json/fields.h"
 #include "kinds/kinds.h"
@@ -35,7 +35,7 @@ static uint64_t digest_guide(uint64_t digest, const void *own) {
     return bat_digest_double(bat_digest_number(digest, (uint64_t)g->axis), g->at);
 }
 
-/* Upright or level whatever turns. */
+/* A guide stays vertical or horizontal even when the matrix rotates. */
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
     double at;
     int axis = bat_object_guide(object, &at);

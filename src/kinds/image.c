@@ -1,4 +1,4 @@
-/* An image: a picture, placed by a matrix from its pixels to the document. */
+/* An image: a picture placed by a matrix that maps its pixels to the document. */
 #include "base/matrix.h"
 #include "document/digest.h"
 #include "document/picture.h"
@@ -29,7 +29,7 @@ static void corners_of(const image *g, double corners[8]) {
 /* -0 becomes 0, so that equal images have equal bits. */
 static bat_status set(const bat_picture *picture, const double matrix[6], image *out) {
     double corners[8];
-    out->picture = (bat_picture *)picture; /* not yet one of its users */
+    out->picture = (bat_picture *)picture; /* no reference added yet */
     for (int i = 0; i < 6; i++) out->matrix[i] = matrix[i] + 0.0;
     if (!(bat_matrix_area(matrix) > 0)) return BAT_NUMBER;
     corners_of(out, corners);

@@ -1,5 +1,5 @@
-/* A path: one or more curves of one dimension that share a style. A shape: the same, some of whose curves are the finest
- * of levels. */
+/* A path: one or more curves of one dimension that share a style. A shape: the same, but some of its curves
+ * are the finest ones of shapes with levels. */
 #include "base/matrix.h"
 #include "document/levelled.h"
 #include "format/json/curve.h"
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What was taken over, and has not become part of an object. */
+/* On failure, frees curves that were taken over and have not become part of an object. */
 static bat_status dropped(bat_status status, int count, bat_curve *const *curves) {
     for (int i = 0; status != BAT_OK && curves && i < count; i++) bat_curve_free(curves[i]);
     return status;
@@ -32,7 +32,7 @@ bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve
     return dropped(status, count, curves);
 }
 
-/* What its curves are made of says what an object is. */
+/* What its curves are made from decides which kind an object is. */
 bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve, bat_object **out) {
     bool levels = false;
     for (int i = 0; object && i < bat_object_curve_count(object); i++)
@@ -121,11 +121,12 @@ static bat_status image_path(const bat_object *object, const double *m, bat_obje
     return bat_object_with_each(object, moved, matrix, out);
 }
 
-/* Levels go along with their curves; those that a matrix flattens stay plain curves. *path is replaced. */
+/* Levels are transformed along with their curves; where the matrix flattens them, the plain curves remain.
+ * *path is replaced. */
 static bat_status image_shapes(const bat_object *object, const double *m, bat_object **path) {
     double matrix[12], area = bat_matrix_area(m), square = 0;
     for (int i = 0; i < 4; i++) square += m[i] * m[i];
-    bool similar = fabs(square - 2 * area) <= 1e-12 * square; /* details need not be measured anew */
+    bool similar = fabs(square - 2 * area) <= 1e-12 * square; /* the details need not be measured again */
     bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
     if (bat_curve_dimension(bat_object_curve(object, 0)) != 2) similar = false;
     for (int i = 0; i < bat_object_curve_count(object); i++) {
@@ -162,10 +163,10 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
 
 /* ---- files ---- */
 
-/* One of an object's curves, with levels or without. */
+/* One of an object's curves, with or without levels. */
 typedef struct making {
     bat_curve *curve;
-    bat_shape *shape; /* owned beside its finest curve; NULL: none */
+    bat_shape *shape; /* owned, as is its finest curve; NULL: none */
 } making;
 
 static bat_status read_making(const bat_fields *f, uint32_t node, making *out) {
@@ -188,7 +189,8 @@ static bat_status read_makings(const bat_fields *f, uint32_t list, making *makin
     return BAT_OK;
 }
 
-/* The path of the curves, then each shape in its place; what is used up is taken out of `makings`. */
+/* Makes a path of the curves, then puts each shape in its place; whatever has been consumed,
+ * even on failure, is removed from `makings`. */
 static bat_status make_path(bat_id id, const char *name, const bat_style *style, int count, making *makings,
                             bat_object **out) {
     bat_curve **curves = malloc((size_t)count * sizeof *curves);
@@ -263,7 +265,7 @@ static void write(const bat_object *object, bat_text *text) {
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         bat_text_string(text, i > 0 ? ",\n   " : "\n   ");
         const bat_shape *shape = bat_object_shape(object, i);
-        if (shape) /* its curve follows from it */
+        if (shape) /* its curve is computed from it */
             bat_shape_to_json(shape, text);
         else
             bat_curve_to_json(bat_object_curve(object, i), 4, text);

@@ -1,4 +1,4 @@
-/* A plane in space to draw on: it goes through its origin, and two axes at right angles span it. */
+/* A plane in space to draw on: it passes through its origin and is spanned by two axes at right angles. */
 #include "document/digest.h"
 #include "format/json/fields.h"
 #include "kinds/kinds.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 
 enum { NUMBERS = 9 };
-static const double RIGHT = 1e-12; /* axes so near to unit length and a right angle are left as they are */
+static const double RIGHT = 1e-12; /* axes this close to unit length and a right angle are left unchanged */
 
 typedef struct plane {
     double frame[NUMBERS]; /* origin, x axis, y axis */
@@ -15,7 +15,8 @@ typedef struct plane {
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* The x axis keeps its direction, the y axis its side. -0 becomes 0, so that equal planes have equal bits. */
+/* Orthonormalises the axes: the x axis keeps its direction, the y axis its side. -0 becomes 0, so that equal
+ * planes have equal bits. */
 static bat_status set(const double *origin, const double *axes, plane *out) {
     double *x = out->frame + 3, *y = out->frame + 6;
     for (int i = 0; i < 3; i++) out->frame[i] = origin[i] + 0.0;
@@ -24,7 +25,7 @@ static bat_status set(const double *origin, const double *axes, plane *out) {
         if (!(fabs(out->frame[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (fabs(dot(x, x) - 1) <= RIGHT && fabs(dot(y, y) - 1) <= RIGHT && fabs(dot(x, y)) <= RIGHT)
         return BAT_OK;
-    for (int pass = 0; pass < 3; pass++) { /* Gram and Schmidt, twice is enough; the first only scales */
+    for (int pass = 0; pass < 3; pass++) { /* Gram-Schmidt; the first pass only scales, two are enough */
         double *axis = pass == 0 ? x : y, most = fmax(fmax(fabs(axis[0]), fabs(axis[1])), fabs(axis[2]));
         double along = pass ? dot(x, axis) : 0, before, length;
         if (!(most > 0)) return BAT_SINGULAR;
@@ -64,7 +65,7 @@ static const char *check(const bat_object *object) {
     return right ? NULL : "the axes of a plane are not at right angles";
 }
 
-/* What moves the page moves the plane, and turns its axes; z stays. */
+/* The matrix is applied to the origin and the axes; z is unchanged. */
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
     const double *f = bat_object_plane(object);
     double moved[NUMBERS];

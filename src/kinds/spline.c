@@ -1,4 +1,4 @@
-/* A spline of the tangents hand: its points and directions stay editable and give its one curve. */
+/* A spline of the tangents hand: its points and directions stay editable and define its one curve. */
 #include "base/matrix.h"
 #include "hands/tangents/spline.h"
 #include "curve/curve.h"
@@ -13,10 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A counted value with arrays of its own, shared by copies of the object; it is the object's own part. */
+/* The object's own part: a reference-counted value with its own arrays, shared by copies of the object. */
 typedef struct kept_spline {
     bat_users users;
-    bat_spline spline; /* its arrays lie behind it in the same block; none is NULL */
+    bat_spline spline; /* its arrays follow it in the same block; none of them is NULL */
     bat_tangents_options options;
 } kept_spline;
 
@@ -51,11 +51,11 @@ static kept_spline *copy(const bat_spline *spline, const bat_tangents_options *o
     return kept;
 }
 
-/* Copies the spline and makes its curve. Directions of no length become plain zeros, so that equal splines have equal
+/* Copies the spline and makes its curve. Directions of zero length become +0, so that equal splines have equal
  * bits. */
 static bat_status keep(const bat_spline *spline, const bat_tangents_options *options, kept_spline **out,
                        bat_curve **curve) {
-    /* First the check of everything, so that the copy can trust counts and pointers. */
+    /* Checks everything first, so that counts and pointers can be trusted when copying. */
     bat_tangents_options own;
     bat_status status = bat_tangents_options_read(options, &own);
     if (status == BAT_OK) status = bat_tangents(spline, &own, NULL, NULL, NULL, NULL);
@@ -141,7 +141,7 @@ static const char *check(const bat_object *object) {
 
 /* ---- affine images ---- */
 
-/* Same knots and points, but for rounding. */
+/* Same knots and points, up to rounding. */
 static bool alike(const bat_curve *a, const bat_curve *b) {
     if (bat_point_count(a) != bat_point_count(b) || bat_curve_knot_count(a) != bat_curve_knot_count(b) ||
         bat_curve_is_closed(a) != bat_curve_is_closed(b))
@@ -182,7 +182,7 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     if (spline.tangents) spline.tangents = numbers + 2 * n;
     bat_status status = bat_object_with_spline(object, &spline, out);
     free(numbers);
-    if (status != BAT_OK) { /* flattened to less than two points */
+    if (status != BAT_OK) { /* flattened to fewer than two points */
         *out = NULL;
         return status == BAT_MEMORY ? status : BAT_OK;
     }
@@ -215,7 +215,7 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
                         f->problem);
 }
 
-/* Its curve is made of it, so it is not written twice. */
+/* The curve is not written, as it is computed from the spline. */
 static void write(const bat_object *object, bat_text *text) {
     bat_text_string(text, ",\n  \"style\":");
     bat_style_to_json(bat_object_style(object), text);
