@@ -14,7 +14,7 @@ struct bat_text;
 
 typedef enum bat_trait {
     BAT_HOLDS = 1, /* it holds other objects */
-    BAT_LAYER = 2, /* holds objects, and lies only in layers; selecting passes through it */
+    BAT_LAYER = 2, /* holds objects, and lies at the top level or in layers; selecting passes through it */
     BAT_DRAWN = 4, /* visible in pictures, and can be selected */
     BAT_CURVES =
         8, /* has at least one curve, and a full style; of a drawn kind without this, only the opacity has a meaning */

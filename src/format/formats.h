@@ -6,17 +6,19 @@
 
 enum { BAT_FORMATS_WORDS = 128 };
 
-/* By the ending of a file's name, in any case of letters ("a.svg"); NULL: none is called so. */
+/* By the extension of a file name ("a.svg"), in upper or lower case; NULL: no format has it. */
 const bat_format *bat_format_called(const char *file);
-/* By its own name, "svg"; NULL: there is none. */
+/* By its own name ("svg"); NULL: there is none. */
 const bat_format *bat_format_named(const char *name);
-/* By what stands in the text; NULL: none of them. */
+/* By the content of the text; NULL: none of them. */
 const bat_format *bat_format_sniffed(const char *text, size_t size);
-/* Reads it as what its name says (format); a name of parts, such as .json, may be that of a whole document, too. NULL: as
- * what the text is. *format becomes what it was read as. */
+/* Reads the text as *format, which comes from the file's name; under the name of a format for parts, such as
+ * .json, there may also be a whole document. *format NULL: the format is recognised from the text. *format
+ * becomes the format that was read. */
 bat_status bat_formats_read(const bat_reading *how, const char *text, size_t size, const bat_format **format,
                             bat_document **out, bat_svg_report *report, bat_problem *problem);
-/* For people, with `before` before each: ".batten, .svg or .json". keeps: only those that keep whole documents. */
+/* A list to be shown to users, with `before` in front of each name: ".batten, .svg or .json". keeps: only the
+ * formats that keep whole documents. */
 void bat_formats_words(const char *before, bool keeps, char words[BAT_FORMATS_WORDS]);
 
 #endif

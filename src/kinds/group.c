@@ -1,4 +1,4 @@
-/* Containers: groups, and layers, which lie only in layers. */
+/* Containers: groups, and layers, which lie at the top level or in other layers. */
 #include "kinds/kinds.h"
 
 const bat_kind_type bat_kind_of_group = {.number = BAT_KIND_GROUP, .name = "group", .traits = BAT_HOLDS};

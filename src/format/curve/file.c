@@ -1,11 +1,11 @@
-/* One CURVE of JSON as a file. */
+/* A file that holds one CURVE as JSON. */
 #include "document/format.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
 
 #include <stdio.h>
 
-/* Also of broken JSON: its reader tells why. */
+/* Broken JSON counts too: the reader says what is wrong. */
 static int sniff(const char *text, size_t size) {
     size_t at = bat_format_start(text, size);
     bat_json json;

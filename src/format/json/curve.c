@@ -85,11 +85,11 @@ static uint32_t item(const bat_json *json, uint32_t list, size_t index) {
     return at;
 }
 
-/* The kernel does not take these knots: which one, and why. */
+/* The kernel refused these knots: says which one is wrong, and why. */
 static bat_status complain_of_knots(const bat_json *json, uint32_t list, int degree, bool closed,
                                     size_t count, const double *knots, bat_problem *problem) {
     char message[160], low[BAT_NUMBER_ROOM], found[BAT_NUMBER_ROOM];
-    size_t run = 1; /* equal knots up to this one */
+    size_t run = 1; /* number of equal knots up to this one */
     for (size_t i = 1; i < count; i++) {
         run = knots[i] == knots[i - 1] ? run + 1 : 1;
         bool end = !closed && (knots[i] == knots[0] || knots[i] == knots[count - 1]);
@@ -186,7 +186,7 @@ bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **
     }
     free(knots);
     free(points);
-    /* A member that is not there has no place of its own. */
+    /* A missing member has no position of its own. */
     if (status != BAT_OK && status != BAT_MEMORY && (!knot_list || !point_list) && problem)
         bat_json_say(json, node, status,
                      knot_list ? "points: expected a list of points, found none"

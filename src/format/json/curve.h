@@ -1,4 +1,4 @@
-/* CURVE inside other JSON. */
+/* CURVE as part of other JSON. */
 #ifndef BATTEN_FORMAT_JSON_CURVE_H
 #define BATTEN_FORMAT_JSON_CURVE_H
 
@@ -7,13 +7,13 @@
 #include <batten/curve.h>
 
 bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **out, bat_problem *problem);
-/* indent: spaces before the members, for people; 0: all on one line. */
+/* indent: spaces before the members, for readability; 0: everything on one line. */
 void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text);
 
-/* A list of numbers; *out is malloc'ed. */
+/* Reads a list of numbers; *out is malloc'ed. */
 bat_status bat_numbers_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
                                  size_t *count, bat_problem *problem);
-/* Lists of points, all of one dimension (2 or 3); *out is malloc'ed. */
+/* Reads a list of points, all of one dimension (2 or 3); *out is malloc'ed. */
 bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char *what, double **out,
                                 size_t *count, int *dimension, bat_problem *problem);
 
@@ -21,7 +21,7 @@ bat_status bat_points_from_json(const bat_json *json, uint32_t list, const char 
 void bat_numbers_to_json(const double *numbers, size_t count, bat_text *text);
 void bat_points_to_json(const double *points, size_t count, int dimension, bat_text *text);
 
-/* What makes the basis of a curve, or of one direction of a surface, as it was read and where it stands. */
+/* The basis of a curve, or of one direction of a surface, as it was read, with the nodes it was read from. */
 typedef struct bat_axis_text {
     double degree;
     bool closed;
@@ -30,14 +30,14 @@ typedef struct bat_axis_text {
     uint32_t degree_node, knot_node, point_node;
 } bat_axis_text;
 
-/* Is the degree known, do the counts fit, does the kernel take the knots? */
+/* Checks that the degree is valid, the counts match, and the kernel accepts the knots. */
 bat_status bat_axis_check(const bat_json *json, const bat_axis_text *axis, bat_problem *problem);
-/* What is wrong with points whose knots are right. */
+/* Says what is wrong with points whose knots are valid. */
 bat_status bat_points_complain(const bat_json *json, uint32_t list, bat_status status, bat_problem *problem);
-/* true or false into *out; false: it is neither. */
+/* Reads true or false into *out; returns false when the node is neither. */
 bool bat_flag_from_json(const bat_json *json, uint32_t node, bool *out);
 
-/* Exactly `size` numbers (2 or 3) into out. */
+/* Reads exactly `size` numbers (2 or 3) into out. */
 bat_status bat_vector_from_json(const bat_json *json, uint32_t list, const char *what, int size, double *out,
                                 bat_problem *problem);
 

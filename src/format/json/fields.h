@@ -1,5 +1,5 @@
-/* Members of a JSON object, read with their ranges; a member that is left out leaves *value as it is. What is wrong is
- * said in `problem`. */
+/* Members of a JSON object, read and checked against their ranges; a missing member leaves *value unchanged.
+ * Errors are reported in `problem`. */
 #ifndef BATTEN_FORMAT_JSON_FIELDS_H
 #define BATTEN_FORMAT_JSON_FIELDS_H
 
@@ -8,20 +8,20 @@
 
 typedef struct bat_fields {
     const bat_json *json;
-    const bat_pictures *pictures; /* what images may name */
+    const bat_pictures *pictures; /* those that images may refer to */
     bat_problem *problem;
 } bat_fields;
 
 /* "what: expected ..., found ..." at the node. Returns BAT_SYNTAX. */
 bat_status bat_fields_complain(const bat_fields *f, uint32_t node, const char *what, const char *expected);
-/* The words of the status (unless it is BAT_OK) at the node. Returns status. */
+/* The status's own message (unless it is BAT_OK) at the node. Returns status. */
 bat_status bat_fields_say(const bat_fields *f, uint32_t node, bat_status status);
 bat_status bat_fields_number(const bat_fields *f, uint32_t object, const char *name, double low, double high,
                              const char *expected, double *value);
 /* A whole number from 1 to high. */
 bat_status bat_fields_id(const bat_fields *f, uint32_t object, const char *name, bat_id high, bat_id *id);
 bat_status bat_fields_flag(const bat_fields *f, uint32_t object, const char *name, bool *value);
-/* So many numbers; expected: words for what they are. A member that is left out is complained of. */
+/* Exactly `count` numbers; expected: a description of them. Here a missing member is an error. */
 bat_status bat_fields_numbers(const bat_fields *f, uint32_t object, const char *name, size_t count,
                               const char *expected, double *values);
 

@@ -66,7 +66,7 @@ static bat_status read_options(const bat_json *json, uint32_t object, bat_shape_
     return status;
 }
 
-/* Details: lists of 2 or 3 numbers; the third is zero where it is left out. */
+/* Details: lists of 2 or 3 numbers; a missing third number is zero. */
 static bat_status read_details(const bat_json *json, uint32_t list, double **out, size_t *count,
                                bat_problem *problem) {
     double *raw;
@@ -162,7 +162,7 @@ bat_status bat_shape_from_json(const bat_json *json, uint32_t node, bat_shape **
     if (!is(json, node, BAT_JSON_OBJECT))
         return bat_json_complain(json, node, BAT_SYNTAX, "shape", "an object", problem);
     uint32_t inner = bat_json_member(json, node, "shape"),
-             top = inner ? inner : node; /* as `levels` prints */
+             top = inner ? inner : node; /* as printed by `levels` */
     uint32_t base_node = bat_json_member(json, top, "base"), levels = bat_json_member(json, top, "levels");
     bat_curve *base = NULL;
     bat_shape *shape = NULL;
@@ -249,7 +249,7 @@ static void put_level(bat_text *text, const bat_shape *shape, int level) {
 }
 
 void bat_shape_to_json(const bat_shape *shape, bat_text *text) {
-    if (shape->turned) { /* a file knows details in the frames of the curves alone */
+    if (shape->turned) { /* files store details only in the frames of the curves themselves */
         bat_shape *folded;
         text->failed = text->failed || bat_shape_copy(shape, &folded) != BAT_OK;
         if (text->failed) return;
@@ -343,9 +343,9 @@ static bat_status read_matrix(const bat_json *json, uint32_t object, int dimensi
     return BAT_OK;
 }
 
-/* A sketch that is too short for its level: the first of all edits. */
+/* A sketch that is too short for its level: the first such edit. */
 typedef struct short_sketch {
-    uint32_t edit; /* 0: none was */
+    uint32_t edit; /* 0: there was none */
     int level;
     bat_sketch_report report;
 } short_sketch;

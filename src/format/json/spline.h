@@ -1,4 +1,4 @@
-/* SPLINE inside other JSON. */
+/* SPLINE as part of other JSON. */
 #ifndef BATTEN_FORMAT_JSON_SPLINE_H
 #define BATTEN_FORMAT_JSON_SPLINE_H
 
@@ -7,11 +7,11 @@
 
 #include <batten/tangents.h>
 
-/* *spline's arrays lie in one block: bat_free(*block). Its tangents are never NULL. options: what "mode" and
- * "default" say; left alone where they are not there; NULL: not looked at. */
+/* *spline's arrays lie in one block, freed with bat_free(*block). Its tangents are never NULL. options: set
+ * from "mode" and "default", unchanged where these are missing; NULL: these members are ignored. */
 bat_status bat_spline_from_json(const bat_json *json, uint32_t node, bat_spline *spline, void **block,
                                 bat_tangents_options *options, bat_problem *problem);
-/* What is as by default is left out, so that a plain spline is its points. */
+/* Members with default values are left out, so a plain spline is written as its points only. */
 void bat_spline_to_json(const bat_spline *spline, const bat_tangents_options *options, bat_text *text);
 
 #endif

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* points, then pressure, then time: one block. */
+/* Packs points, then pressure, then time into one block. */
 static bat_status pack(size_t count, int dimension, const double *points, const double *pressure,
                        const double *time, bat_stroke *stroke, void **block) {
     size_t size = count * (size_t)dimension;
@@ -27,7 +27,7 @@ static bat_status pack(size_t count, int dimension, const double *points, const 
     return BAT_OK;
 }
 
-/* An optional list, one number a point. */
+/* Reads an optional list with one number per point. */
 static bat_status read_channel(const bat_json *json, uint32_t object, const char *name, size_t count,
                                double **out, bat_problem *problem) {
     uint32_t list = bat_json_member(json, object, name);
@@ -86,7 +86,7 @@ static bat_status read_json(const char *text, size_t size, bat_stroke *stroke, v
 enum { X, Y, PRESSURE, TIME, FIELDS };
 
 typedef struct table {
-    int columns[FIELDS]; /* what stands in column i */
+    int columns[FIELDS]; /* the field in column i */
     int width;
     bool has[FIELDS];
 } table;
@@ -107,7 +107,8 @@ static bat_status complain(bat_problem *problem, bat_status status, size_t line,
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-/* The next field up to a comma, blanks cut off; *at moves behind the comma. False after the last. */
+/* The next field up to a comma, without blanks around it; *at moves past the comma. False after the last
+ * field. */
 static bool next_field(const char **at, const char *end, const char **field, size_t *length) {
     if (!*at) return false;
     const char *start = *at, *comma = memchr(start, ',', (size_t)(end - start)), *stop = comma ? comma : end;
@@ -181,7 +182,7 @@ static bat_status read_csv(const char *text, size_t size, bat_stroke *stroke, vo
         line++;
         double values[FIELDS] = {0};
         if (is_blank(at, stop)) {
-            /* Blank lines stand for nothing, wherever they are. */
+            /* Blank lines are ignored everywhere. */
         } else if (t.width == 0)
             status = read_header(at, stop, line, &t, problem);
         else {

@@ -1,11 +1,11 @@
-/* STYLE inside other JSON. */
+/* STYLE as part of other JSON. */
 #ifndef BATTEN_FORMAT_JSON_STYLE_H
 #define BATTEN_FORMAT_JSON_STYLE_H
 
 #include "format/json/fields.h"
 #include "text/text.h"
 
-/* Members that are left out, and a style that is, keep what *style holds. */
+/* Missing members keep what *style holds, and so does a missing style. */
 bat_status bat_style_from_json(const bat_fields *f, uint32_t object, bat_style *style);
 void bat_style_to_json(const bat_style *style, bat_text *text);
 

@@ -1,5 +1,5 @@
-/* SURFACE as JSON: {"degree":[p,q], "closed":[false,false], "knots":[[..],[..]], "points":[[[x,y,z],..],..]}, the points
- * row by row: rows follow each other along u, the points of a row along v. */
+/* SURFACE as JSON: {"degree":[p,q], "closed":[false,false], "knots":[[..],[..]], "points":[[[x,y,z],..],..]},
+ * with the points row by row: rows follow each other along u, the points of a row along v. */
 #include "format/json/surface.h"
 #include "format/json/curve.h"
 #include <batten/format.h>
@@ -8,13 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What has been read of a surface; the arrays are malloc'ed. */
+/* The parts of a surface read so far; the arrays are malloc'ed. */
 typedef struct reading {
     bat_axis_text axis[2];
     double *knots[2], *points;
 } reading;
 
-/* The two items of a member that has one for each direction. */
+/* The two items of a member that holds one for each direction. */
 static bat_status both(const bat_json *json, uint32_t node, const char *name, const char *expected,
                        uint32_t items[2], bat_problem *problem) {
     const uint32_t list = bat_json_member(json, node, name);
@@ -46,7 +46,7 @@ static bat_status read_axes(const bat_json *json, uint32_t node, reading *read, 
     return status;
 }
 
-/* One row into `to`; points of 2 numbers lie in the plane z = 0. */
+/* Reads one row into `to`; points with 2 numbers get z = 0. */
 static bat_status read_row(const bat_json *json, uint32_t row, size_t count, double *to,
                            bat_problem *problem) {
     double *points;

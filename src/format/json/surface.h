@@ -1,4 +1,4 @@
-/* SURFACE inside other JSON. */
+/* SURFACE as part of other JSON. */
 #ifndef BATTEN_FORMAT_JSON_SURFACE_H
 #define BATTEN_FORMAT_JSON_SURFACE_H
 

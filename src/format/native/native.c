@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* `made` takes the object's place, or what went wrong is told (fault NULL: in the words of the status). */
+/* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
                            bat_object *made, bat_object **object) {
     if (status != BAT_OK)
@@ -24,7 +24,7 @@ static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status
     return BAT_OK;
 }
 
-/* Group, visibility and lock; takes `object` over. */
+/* Reads group, visibility and lock; takes `object` over. */
 static bat_status place_object(const bat_fields *f, uint32_t node, bat_object *object, bat_object **out) {
     bat_id parent = 0;
     bool hidden = false, locked = false;
@@ -145,7 +145,7 @@ static bat_status read_page(const bat_fields *f, uint32_t list, bat_document *do
                              "x, y, width and height, none of them negative width or height", f->problem);
 }
 
-/* The document's own pictures, besides those known. */
+/* Adds the document's own pictures to those already known. */
 static bat_status read_pictures(const bat_fields *f, uint32_t list, bat_pictures *pictures) {
     bat_status status = BAT_OK;
     if (list && bat_json_type_of(f->json, list) != BAT_JSON_LIST)
@@ -226,7 +226,7 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "}");
 }
 
-/* Each once; nothing when there are none. */
+/* Writes each picture once; writes nothing when there are none. */
 static void write_pictures(const bat_document *document, bat_text *text) {
     bat_pictures written = {0};
     for (int i = 0; i < bat_document_count(document); i++) {

@@ -1,6 +1,6 @@
-/* Wavefront OBJ: B-spline curves ("cstype bspline" and "curv" of its free-form part), with their names. Closed curves are
- * written as OBJ has them, with as many points and knots again as the degree; such a file's curves are closed again when
- * read. Whatever else stands in a file is counted and left out. */
+/* Wavefront OBJ: B-spline curves ("cstype bspline" and "curv" of its free-form part), with their names. OBJ
+ * has no periodic curves, so a closed curve is written with as many points and knots repeated as its degree,
+ * and is recognised as closed again when read. Everything else in a file is counted and left out. */
 #include "document/format.h"
 #include "curve/curve.h"
 #include "kinds/kinds.h"
@@ -32,7 +32,7 @@ typedef struct parser {
     const char *at, *end; /* of the statement */
     long line;
     numbers vertices;       /* x y z w each */
-    numbers indices, knots; /* of the curve that is being read; vertices from 0 */
+    numbers indices, knots; /* of the curve being read; vertices are numbered from 0 */
     double domain[2];
     int degree;
     bool bspline, rational, reading;
@@ -62,7 +62,7 @@ static bat_status add(parser *p, numbers *to, double value) {
     return BAT_OK;
 }
 
-/* Blanks, and a line that goes on after a backslash. */
+/* Skips blanks, and line ends after a backslash. */
 static void skip(parser *p) {
     while (p->at < p->end &&
            (*p->at == ' ' || *p->at == '\t' || *p->at == '\r' || *p->at == '\n' || *p->at == '\\')) {
@@ -79,7 +79,7 @@ static bool number(parser *p, double *value) {
     return true;
 }
 
-/* The statement's next word, which it moves past. */
+/* Reads the next word of the statement. */
 static size_t word(parser *p, const char **out) {
     skip(p);
     *out = p->at;
@@ -126,7 +126,7 @@ static bat_status read_curve(parser *p) {
     if (!number(p, &p->domain[0]) || !number(p, &p->domain[1]))
         return wrong(p, BAT_SYNTAX, "curv: expected where the curve begins and ends, two numbers");
     while (status == BAT_OK && number(p, &value)) {
-        double index = value < 0 ? count + value : value - 1; /* from 1, or from the end */
+        double index = value < 0 ? count + value : value - 1; /* counts from 1, or negative: from the end */
         if (index != floor(index) || !(index >= 0 && index < count))
             return wrong(p, BAT_SYNTAX, "curv: expected the number of a vertex, found none such");
         status = add(p, &p->indices, index);
@@ -144,7 +144,7 @@ static bat_status read_knots(parser *p) {
     return status;
 }
 
-/* Whether the points and knots go round: so many distinct points, 0: they do not. */
+/* Whether points and knots are periodic: returns the number of distinct points, or 0 when they are not. */
 static int period_of(const double *points, int size, int count, int degree, const double *knots) {
     int n = count - degree;
     if (n < 2 || !(knots[degree + n] > knots[degree])) return 0;
@@ -157,7 +157,7 @@ static int period_of(const double *points, int size, int count, int degree, cons
     return n;
 }
 
-/* Cut to where it begins and ends, if that is not its whole domain. Takes the curve over. */
+/* Cuts the curve to its stated range of parameters, if that is not the whole domain. Takes the curve over. */
 static bat_status cut(parser *p, bat_curve *curve, bat_curve **out) {
     double domain[2];
     bat_curve_domain(curve, domain);
@@ -238,7 +238,7 @@ static bat_status read_name(parser *p) {
 
 static const struct {
     const char *name;
-    bat_status (*read)(parser *p); /* NULL: says nothing of a curve */
+    bat_status (*read)(parser *p); /* NULL: it does not describe a curve */
 } STATEMENTS[] = {{"v", read_vertex},   {"cstype", read_type}, {"deg", read_degree}, {"curv", read_curve},
                   {"parm", read_knots}, {"end", read_end},     {"o", read_name},     {"g", read_name},
                   {"vn", NULL},         {"vt", NULL},          {"vp", NULL},         {"s", NULL},
@@ -254,7 +254,7 @@ static bat_status read_statement(parser *p) {
     return BAT_OK;
 }
 
-/* A line, or several that backslashes join. */
+/* The end of a statement: one line, or several joined by backslashes. */
 static const char *statement_end(const char *at, const char *end) {
     for (; at < end; at++) {
         const char *before = at;
@@ -316,7 +316,7 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
     return status;
 }
 
-/* The first word of a line that is no remark is one of ours. */
+/* Looks at the first line that is not a comment: its first word must be one that we know. */
 static int sniff(const char *text, size_t size) {
     parser p = {.at = text + bat_format_start(text, size), .end = text + size};
     while (p.at < p.end) {
@@ -332,13 +332,14 @@ static int sniff(const char *text, size_t size) {
 
 /* ---- writing ---- */
 
-/* Before the number, a blank; a line ends after `row` of them. */
+/* Writes a blank and the number; the line is broken after every `row` numbers. */
 static void put(bat_text *text, int i, int row, double number) {
     bat_text_string(text, i && i % row == 0 ? " \\\n " : " ");
     bat_text_number(text, number);
 }
 
-/* On one line: what would end it is a blank, and a backslash at its end, which would join it to the next, a slash. */
+/* The name must stay on one line: line ends become blanks, and a final backslash, which would join the next
+ * line, a slash. */
 static void put_name(bat_text *text, const char *name) {
     if (!*name) return;
     bat_text_string(text, "o ");
@@ -349,7 +350,7 @@ static void put_name(bat_text *text, const char *name) {
     bat_text_string(text, "\n");
 }
 
-/* vertices: how many there were before. */
+/* vertices: how many were written before. */
 static int put_curve(bat_text *text, const bat_curve *curve, int vertices) {
     enum { ROW = 10 };
     int p = bat_curve_degree(curve), n = bat_point_count(curve), size = bat_curve_dimension(curve);

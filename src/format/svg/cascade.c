@@ -1,10 +1,10 @@
-/* The style of an element: its attributes, the style sheets, its own style, in the order of CSS. */
+/* The style of an element, from its attributes, the style sheets and its style attribute, in the order of CSS. */
 #include "format/svg/walk.h"
 
 #include <math.h>
 #include <string.h>
 
-/* sqrt((w^2 + h^2) / 2), what percentages of neither axis refer to. */
+/* sqrt((w^2 + h^2) / 2), to which percentages refer that belong to neither axis. */
 static double diagonal(const bat_svg_scope *s) {
     return sqrt((s->width * s->width + s->height * s->height) / 2);
 }
@@ -25,7 +25,7 @@ static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     w->tried++;
 }
 
-/* The cascade: attributes, sheets, style="", then what is !important in the two. */
+/* The cascade: attributes, sheets, style="", then the !important declarations of the latter two. */
 void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bat_svg_style *style) {
     *style = bat_svg_style_child(&outer->style);
     const bat_svg_element *e = &w->tree->elements[element];

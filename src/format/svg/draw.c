@@ -1,4 +1,4 @@
-/* The walk through the elements of a drawing: each kind is drawn in its own way. */
+/* The walk through the elements of a drawing: calls the drawing function of each kind. */
 #include "base/matrix.h"
 #include "document/document.h"
 #include "format/svg/svg.h"
@@ -30,7 +30,8 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     bat_svg_scope s = *outer;
     bat_svg_cascade(w, element, outer, &s.style);
     bool shown = s.style.shown;
-    /* What is not displayed is kept, hidden, so that saving does not lose it; but copies are not made of it. */
+    /* What is not displayed is kept as hidden, so that saving does not lose it; but `use` makes no copies of
+     * it. */
     if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
         bool copied = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER;
         bat_loss loss = (bat_loss)w->tree->elements[element].loss;
@@ -57,7 +58,7 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     w->depth--;
 }
 
-/* User units are those of the outermost viewBox, and it is the page; without one, width and height are. */
+/* The outermost viewBox defines the user units and the page; without one, width and height define the page. */
 void bat_svg_draw_root(bat_svg_walk *w) {
     w->draw = draw;
     bat_svg_scope none = {.style = bat_svg_style_initial(), .opacity = 1, .width = 100, .height = 100};

@@ -1,4 +1,4 @@
-/* Groups, layers, and the child that a switch chooses. */
+/* Groups, layers, and switches. */
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/nesting.h"
@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* A group of the file becomes one of the document when it is a layer, has a name, hides or locks something, or
- * holds more than one thing together; the rest only carried a transform or a style. */
+/* A group in the file becomes a group in the document when it is a layer, has a name, is hidden or locked, or
+ * has more than one member; the others only carry a transform or a style. */
 void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
     bat_object *group = NULL;
@@ -48,7 +48,7 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     w->members = members;
 }
 
-/* The first child that can be drawn: no foreign content, no extensions asked for. */
+/* Draws the first child that is not foreign content and requires no extensions. */
 void bat_svg_draw_switch(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
         bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;

@@ -1,4 +1,4 @@
-/* An image whose picture is in the file becomes an image object. */
+/* An image whose picture is embedded in the file becomes an image object. */
 #include "base/matrix.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The picture of a data URI; NULL when it is none, or must be left out. */
+/* The picture in a data URI; NULL when there is none, or it must be left out. */
 static bat_picture *find_picture(bat_svg_walk *w, uint32_t element) {
     const char *href = bat_svg_find_href(w, element);
     const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;

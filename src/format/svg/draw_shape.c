@@ -1,4 +1,4 @@
-/* A shape becomes a path object: one curve for each of its subpaths. */
+/* A shape becomes a path object with one curve per subpath. */
 #include "document/document.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
@@ -14,7 +14,7 @@ static void count_paths(bat_svg_report *report, int curves) {
     report->curves += curves;
 }
 
-/* What a point may be off is nothing to a large path and much to a small one. */
+/* The tolerance for one path: an error that is negligible on a large path is large on a small one. */
 static double tolerance_for(const bat_svg_options *options, int segments, const double *points) {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     if (!(options->share > 0)) return options->tolerance;
@@ -25,7 +25,7 @@ static double tolerance_for(const bat_svg_options *options, int segments, const 
     return fmin(options->tolerance, options->share * fmax(high[0] - low[0], high[1] - low[1]));
 }
 
-/* One curve for each subpath that has any length. */
+/* Makes one curve for each subpath of nonzero length. */
 static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
     const bat_outline *o = &w->outline;
     int count = 0;
@@ -79,7 +79,7 @@ static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_
             w->report->hidden++;
         else
             count_paths(w->report, count);
-    } else if (count > 0 && status != BAT_OK) { /* a stroke width out of all bounds */
+    } else if (count > 0 && status != BAT_OK) { /* a stroke width out of bounds */
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     }
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;

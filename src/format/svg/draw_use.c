@@ -1,10 +1,10 @@
-/* What another place or a viewport of its own draws: use, symbols, nested svg elements. */
+/* Elements drawn from another place or in a viewport of their own: use, symbol, nested svg. */
 #include "base/matrix.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
 
-/* A nested svg, or a symbol drawn by use: a viewport with its own units. sizer: whose width and height count.
- */
+/* Draws a nested svg, or a symbol referred to by use: a viewport with its own units. sizer: the element whose
+ * width and height count. */
 static void draw_viewport(bat_svg_walk *w, uint32_t element, uint32_t sizer, double x, double y,
                           const bat_svg_scope *s) {
     bat_svg_scope inner = *s;
@@ -27,7 +27,7 @@ static void draw_viewport(bat_svg_walk *w, uint32_t element, uint32_t sizer, dou
     bat_svg_draw_children(w, element, &inner);
 }
 
-/* An svg within the svg. */
+/* An svg element within the outermost one. */
 void bat_svg_draw_nested(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     draw_viewport(w, element, element, bat_svg_length_of(w, element, "x", s->width, 0),
                   bat_svg_length_of(w, element, "y", s->height, 0), s);

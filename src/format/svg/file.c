@@ -2,7 +2,7 @@
 #include "document/format.h"
 #include "text/json.h"
 
-/* '<', or UTF-16 with its mark. */
+/* Text that begins with '<', or with a UTF-16 byte order mark. */
 static int sniff(const char *text, size_t size) {
     size_t at = bat_format_start(text, size);
     return at < size && (text[at] == '<' || text[at] == '\xFE' || text[at] == '\xFF') ? 90 : 0;

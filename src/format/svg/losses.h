@@ -1,4 +1,4 @@
-/* What a file holds that a document can not: counted kinds, as journals keep them. */
+/* What a file holds that a document cannot: counts by kind, as stored in journals. */
 #ifndef BATTEN_FORMAT_SVG_LOSSES_H
 #define BATTEN_FORMAT_SVG_LOSSES_H
 
@@ -7,7 +7,8 @@
 
 #include <batten/format.h>
 
-/* {"gradients":3,"texts":1}, and back: what is none of ours, or no count, is skipped. */
+/* Writes {"gradients":3,"texts":1}; the second call reads it back and skips unknown names and values that are
+ * not counts. */
 void bat_losses_to_json(const bat_losses *losses, bat_text *text);
 void bat_losses_from_json(const bat_json *json, uint32_t node, bat_losses *losses);
 

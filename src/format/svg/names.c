@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-/* In the order of their bytes. Names of text, gradients and filters that are not here begin as `idle` says. */
+/* Sorted by their bytes. Names for text, gradients and filters that are not in the table begin with one of
+ * `idle`. */
 static const struct {
     char name[28];
     uint8_t what; /* bat_svg_name */
@@ -123,7 +124,7 @@ static const struct {
     {"zoomAndPan", BAT_SVG_ATTRIBUTE},
 };
 
-/* Beginnings of properties that change no shape, and of other programs' own. */
+/* Prefixes of properties that change no shape, and of properties private to other programs. */
 static const char *const idle[] = {"font",  "text-",  "glyph-", "letter-",   "word-", "line-",
                                    "stop-", "flood-", "solid-", "baseline-", "-"};
 

@@ -1,12 +1,12 @@
-/* The names of attributes and style properties, and what becomes of each. */
+/* The names of attributes and style properties, and how each is treated. */
 #ifndef BATTEN_FORMAT_SVG_NAMES_H
 #define BATTEN_FORMAT_SVG_NAMES_H
 
 #include <batten/format.h>
 
-/* What a name stands for. */
+/* The meaning of a name. */
 typedef enum bat_svg_name {
-    /* properties that are drawn */
+    /* properties that are supported */
     BAT_SVG_COLOUR,
     BAT_SVG_FILL,
     BAT_SVG_STROKE,
@@ -22,7 +22,7 @@ typedef enum bat_svg_name {
     BAT_SVG_DISPLAY,
     BAT_SVG_STOP_COLOUR,
     BAT_SVG_STOP_OPACITY,
-    /* properties that are not: odd ones, each a bit of a style */
+    /* properties that are not ("odd" ones): each is a bit in a style */
     BAT_SVG_ODD,
     BAT_SVG_DASHES = BAT_SVG_ODD,
     BAT_SVG_ORDER,
@@ -40,25 +40,25 @@ typedef enum bat_svg_name {
     BAT_SVG_EFFECT,
     BAT_SVG_BLEND,
     BAT_SVG_ISOLATION,
-    BAT_SVG_ODD_UNKNOWN, /* whatever is not understood */
+    BAT_SVG_ODD_UNKNOWN, /* any value that is not understood */
     BAT_SVG_ODD_END,
     BAT_SVG_MARKER = BAT_SVG_ODD_END, /* all three */
     /* the rest */
     BAT_SVG_IDLE,      /* a property of text, gradients or filters: it changes no shape */
-    BAT_SVG_ATTRIBUTE, /* no property: read, or without effect */
-    BAT_SVG_SPOKEN,    /* for who does not see it */
+    BAT_SVG_ATTRIBUTE, /* not a property: either read, or without effect */
+    BAT_SVG_SPOKEN,    /* for screen readers */
     BAT_SVG_NAMELESS   /* not known */
 } bat_svg_name;
 
 bat_svg_name bat_svg_name_of(const char *name);
 
-/* Bits of a style's odd properties. */
+/* Bits of the odd properties of a style. */
 #define BAT_SVG_BIT(name) (1u << ((name)-BAT_SVG_ODD))
 #define BAT_SVG_INHERITED (BAT_SVG_BIT(BAT_SVG_INHERITED_END) - 1)
 
-/* What is lost with the odd property of bit i; BAT_LOSS_COUNT: there is none. */
+/* What is lost with the odd property of this bit number; BAT_LOSS_COUNT: there is no such property. */
 bat_loss bat_svg_odd_loss(int bit);
-/* What is lost with an attribute that is no property, what bat_svg_name_of says it is; BAT_LOSS_COUNT: nothing. */
+/* What is lost with an attribute that is not a property; what: its bat_svg_name_of. BAT_LOSS_COUNT: nothing. */
 bat_loss bat_svg_attribute_loss(bat_svg_name what, const char *name);
 
 #endif

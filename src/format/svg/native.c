@@ -1,4 +1,4 @@
-/* The native document that an SVG file carries. */
+/* The native document embedded in an SVG file. */
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/native/native.h"
@@ -20,7 +20,7 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
                                                reader->native.size, pictures, &native, NULL);
     if (status != BAT_OK) return;
-    /* The page may have been changed alone. */
+    /* The page alone may have been changed. */
     double page[4], written[4];
     bat_document_page(*document, page);
     bat_svg_page(native, written);
@@ -35,7 +35,7 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
         const bat_style *style = bat_object_style(object);
         report->paths += bat_object_is_drawn(object);
         report->curves += bat_object_curve_count(object);
-        /* What paints nothing is not read from the drawing, but it is here. */
+        /* Objects that paint nothing are not read from the drawing, but the native document has them. */
         if (bat_object_is_drawn(object) && !style->stroked && !style->filled && *invisible > 0) --*invisible;
     }
     bat_document_free(*document);

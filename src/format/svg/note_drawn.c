@@ -1,10 +1,10 @@
-/* What is lost of an element that is drawn. */
+/* Losses from elements that are drawn. */
 #include "format/svg/walk.h"
 
 #include <math.h>
 #include <string.h>
 
-/* What of an element is lost, apart from its style. */
+/* Notes what is lost from an element, apart from its style. */
 void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
     const bat_svg_element *e = &w->tree->elements[element];
     const uint32_t *pair = w->tree->attributes + e->attributes;
@@ -12,7 +12,7 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
     if (!bat_svg_note_once(&w->notes, element)) return;
     bat_svg_note(&w->notes, element, (bat_loss)e->loss);
     if (e->kind == BAT_SVG_ROOT && element != 1) bat_svg_note(&w->notes, element, BAT_LOSS_NESTED);
-    if (e->kind == BAT_SVG_TEXT || e->kind == BAT_SVG_OTHER) return; /* as a whole */
+    if (e->kind == BAT_SVG_TEXT || e->kind == BAT_SVG_OTHER) return; /* they are lost as a whole */
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
         bat_svg_name what = bat_svg_name_of(strings + pair[0]);
         if (what > BAT_SVG_IDLE)
@@ -24,18 +24,18 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
         bat_svg_note_inside(&w->notes, element);
 }
 
-/* What of a style is lost where it stands, and is not handed down. */
+/* Notes what is lost from a style at this element, of the properties that are not inherited. */
 void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style) {
     bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | BAT_SVG_BIT(BAT_SVG_EFFECT)));
 }
 
-/* A circle stays a circle. */
+/* Whether the matrix maps circles to circles, within 1 percent. */
 static bool is_even(const double m[6]) {
     double x = m[0] * m[0] + m[1] * m[1], y = m[2] * m[2] + m[3] * m[3], xy = m[0] * m[2] + m[1] * m[3];
     return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
 }
 
-/* What of a shape's style is lost, of that which shows. */
+/* Notes what is lost from a shape's style, as far as it would be visible. */
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const bat_style *style) {
     const char *name = bat_svg_tree_name(w->tree, element);
     uint32_t markers = BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Kinds from BAT_LOSS_RULE on are of the whole file, and leave room for these bits. */
+/* Kinds from BAT_LOSS_RULE on concern the whole file and need no bit per element, which leaves room for these
+ * two. */
 #define REFERRED (1u << 31)
 #define DRAWN (1u << 30)
 _Static_assert(BAT_LOSS_RULE <= 30, "a bit a kind");
@@ -16,7 +17,7 @@ static void refer(bat_svg_notes *notes, uint32_t element) {
     if (element) notes->seen[element] |= REFERRED;
 }
 
-/* Marks what the url()s of a text lead to. */
+/* Marks the elements to which the url()s in a text refer. */
 static void refer_all(bat_svg_notes *notes, const char *text) {
     while ((text = strstr(text, "url("))) {
         text += 4;
@@ -24,7 +25,7 @@ static void refer_all(bat_svg_notes *notes, const char *text) {
     }
 }
 
-/* Path data hold no reference, and are most of a file. */
+/* Path data (d) contain no references and make up most of a file: names of one letter are skipped. */
 static void refer_attributes(bat_svg_notes *notes) {
     const bat_svg_tree *tree = notes->tree;
     for (uint32_t i = 0; i < tree->attribute_count; i += 2) {
@@ -69,7 +70,8 @@ bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element) {
     return first;
 }
 
-/* It, or something in it. What is in an element follows it at once, and has no parent before it. */
+/* Whether the element, or one within it, is referred to. Descendants follow their element directly, and none
+ * has a parent before it. */
 static bool is_referred(const bat_svg_notes *notes, uint32_t element) {
     const bat_svg_tree *tree = notes->tree;
     for (uint32_t i = element; i < tree->count && (i == element || tree->elements[i].parent >= element); i++)
@@ -77,7 +79,7 @@ static bool is_referred(const bat_svg_notes *notes, uint32_t element) {
     return false;
 }
 
-/* Something else than Batten's own document. */
+/* Whether the metadata holds anything but Batten's own document. */
 static bool is_foreign(const bat_svg_tree *tree, uint32_t metadata) {
     for (uint32_t at = tree->elements[metadata].first; at; at = tree->elements[at].next)
         if (tree->elements[at].kind != BAT_SVG_NATIVE) return true;

@@ -1,4 +1,4 @@
-/* What the reader of a drawing finds that a document cannot hold: each kind once an element. */
+/* Records what a drawing holds that a document cannot: each kind once per element. */
 #ifndef BATTEN_FORMAT_SVG_NOTES_H
 #define BATTEN_FORMAT_SVG_NOTES_H
 
@@ -8,24 +8,24 @@
 typedef struct bat_svg_notes {
     const bat_svg_tree *tree;
     bat_losses *lost;
-    uint32_t *seen; /* an element's kinds, as bits; owned */
+    uint32_t *seen; /* for each element, its kinds as bits; owned */
 } bat_svg_notes;
 
-/* Looks through the file for what is referred to, and counts the sheet's rules. tree has its index. */
+/* Searches the file for references, and counts the sheet's rules. tree must have its index. */
 bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, const bat_svg_sheet *sheet,
                                bat_losses *lost);
 void bat_svg_notes_free(bat_svg_notes *notes);
 
 void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind); /* BAT_LOSS_COUNT: nothing */
-/* True the first time for each element: `use` may draw it often. */
+/* True the first time for each element: `use` may draw it several times. */
 bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element);
-/* The odd properties of a style: those in the mask. */
+/* Notes the odd properties of a style that are in the mask. */
 void bat_svg_note_odd(bat_svg_notes *notes, uint32_t element, uint32_t odd, uint32_t mask);
-/* An element that is not drawn where it stands: definitions, when nothing refers to them, and all else. */
+/* Notes an element that is not drawn in place: a definition to which nothing refers, or anything else. */
 void bat_svg_note_undrawn(bat_svg_notes *notes, uint32_t element);
-/* The children of one that is drawn as a whole: titles, animations. Once. */
+/* Notes the children of an element that is drawn as a whole: titles, animations. */
 void bat_svg_note_inside(bat_svg_notes *notes, uint32_t element);
-/* The root's width and height, which become those of the page. */
+/* Notes the loss when the root's width, height or preserveAspectRatio differs from what the page gives. */
 void bat_svg_note_page(bat_svg_notes *notes, const double page[4]);
 
 #endif

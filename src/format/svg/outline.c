@@ -29,7 +29,7 @@ static void add_point(bat_outline *o, double x, double y) {
     o->count++;
 }
 
-/* The subpath at the pen; begins one when there is none. */
+/* The subpath being drawn; begins one when there is none. */
 static bat_subpath *current(bat_outline *o) {
     if (!make_room(o, 4)) return NULL;
     if (o->drawing) return &o->subpaths[o->subpath_count - 1];
@@ -85,16 +85,16 @@ void bat_outline_arc(bat_outline *o, double rx, double ry, double rotation, bool
     rx = fabs(rx), ry = fabs(ry);
     if (x == x0 && y == y0) return;
     double angle = fmod(rotation, 360) * (BAT_PI / 180), c = bat_cos(angle), s = bat_sin(angle);
-    /* The unit circle: half the chord, u, and from its middle to the centre, v. */
+    /* On the unit circle: u is half the chord, v goes from its middle to the centre. */
     double hx = (x - x0) / 2, hy = (y - y0) / 2;
     double ux = (c * hx + s * hy) / rx, uy = (c * hy - s * hx) / ry, length = bat_hypot(ux, uy);
     if (!(length > 1e-150 &&
-          length < 1e150)) { /* no radius, or one that is nothing or all beside the chord */
+          length < 1e150)) { /* a radius that is zero, or far too small or too large for the chord */
         bat_outline_line(o, x, y);
         return;
     }
     if (length > 1) {
-        rx *= length, ry *= length; /* too small to reach: scaled up, B.2.5 */
+        rx *= length, ry *= length; /* radii too small to reach: scaled up, B.2.5 */
         ux /= length, uy /= length, length = 1;
     }
     double reach = sqrt(fmax(0, (1 - length) * (1 + length))) / length;

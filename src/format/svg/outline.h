@@ -1,10 +1,11 @@
-/* Subpaths of cubic Béziers, as the SVG reader collects them. Failure to allocate sticks: check `failed`. */
+/* Subpaths of cubic Béziers, as the SVG reader collects them. A failure to allocate is remembered: check
+ * `failed`. */
 #ifndef BATTEN_FORMAT_SVG_OUTLINE_H
 #define BATTEN_FORMAT_SVG_OUTLINE_H
 
 #include <batten/base.h>
 
-/* Segments of all subpaths together, at most. */
+/* Most segments that all subpaths may have together. */
 enum { BAT_OUTLINE_MAX = 1 << 22 };
 
 typedef struct bat_subpath {
@@ -18,8 +19,8 @@ typedef struct bat_outline {
     size_t count, room;
     bat_subpath *subpaths;
     int subpath_count, subpath_room;
-    double at[2], start[2]; /* the pen, and where its subpath began */
-    bool drawing;           /* the last subpath goes on at the pen */
+    double at[2], start[2]; /* the pen's position, and the start of its subpath */
+    bool drawing;           /* the last subpath continues from the pen */
     bool failed, full;      /* out of memory; more than BAT_OUTLINE_MAX segments */
 } bat_outline;
 
@@ -34,7 +35,7 @@ void bat_outline_arc(bat_outline *outline, double rx, double ry, double rotation
 void bat_outline_close(bat_outline *outline);
 /* x' = a x + c y + e, y' = b x + d y + f with m = {a, b, c, d, e, f}. */
 void bat_outline_transform(bat_outline *outline, const double m[6]);
-/* Empties it, keeps the memory. */
+/* Empties the outline but keeps its memory. */
 void bat_outline_clear(bat_outline *outline);
 void bat_outline_free(bat_outline *outline);
 

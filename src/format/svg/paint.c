@@ -1,14 +1,14 @@
-/* How a shape is painted: colours, and what stands for a gradient or a pattern. */
+/* How a shape is painted: colours, and what replaces a gradient or a pattern. */
 #include "format/svg/walk.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What has no known colour: its outline can be seen and shaped. */
+/* For shapes without a known colour, so that the outline is visible and can be edited. */
 #define GREY 0x808080ffu
 
-/* Adds a gradient's stops, each as far as it covers; sum: red, green, blue, cover, how many. */
+/* Adds a gradient's stops, weighted by their opacity; sum: red, green, blue, opacity, count. */
 static void add_stops(bat_svg_walk *w, uint32_t gradient, double sum[5]) {
     bat_svg_scope s = {.width = 100, .height = 100};
     bat_svg_cascade_in_place(w, gradient, &s);
@@ -28,7 +28,8 @@ static void add_stops(bat_svg_walk *w, uint32_t gradient, double sum[5]) {
     }
 }
 
-/* The mean of a gradient's stops, which may be another one's; *colour is left alone when there are none. */
+/* The mean of a gradient's stops, which it may take from another gradient; *colour is unchanged when there are
+ * none. */
 static void find_mean(bat_svg_walk *w, uint32_t gradient, uint32_t *colour) {
     enum { HOPS_MAX = 32 };
     double sum[5] = {0};
@@ -44,8 +45,8 @@ static void find_mean(bat_svg_walk *w, uint32_t gradient, uint32_t *colour) {
     *colour = mean << 8 | (uint32_t)floor(sum[3] / sum[4] + 0.5);
 }
 
-/* What paints in place of a gradient, pattern or the like; *colour: its fallback, which stays where no mean is
- * known. True: there is one. */
+/* The colour that replaces a gradient, pattern or similar. *colour: its fallback, unchanged when no mean is
+ * known. Returns whether there is one. */
 static bool resolve_server(bat_svg_walk *w, uint32_t element, const char *text, uint32_t *colour) {
     uint32_t server = bat_svg_tree_refer(w->tree, text);
     bool gradient = server && w->tree->elements[server].kind == BAT_SVG_GRADIENT;
@@ -67,7 +68,7 @@ static bool resolve_server(bat_svg_walk *w, uint32_t element, const char *text, 
     return true;
 }
 
-/* False: nothing is painted. */
+/* Returns false when nothing is painted. */
 static bool resolve_paint(bat_svg_walk *w, uint32_t element, const bat_svg_paint *paint,
                           const bat_svg_style *style, double share, uint32_t *colour) {
     uint32_t c = paint->bare ? GREY : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;

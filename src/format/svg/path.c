@@ -98,7 +98,7 @@ bool bat_svg_path(const char *data, size_t size, bat_outline *outline) {
             double v[7];
             if (!read_arguments(&p, command, count, v)) return false;
             segment(&p, command, relative, v);
-            if (command == 'M') command = 'L'; /* further pairs are lines */
+            if (command == 'M') command = 'L'; /* further pairs of numbers are lines */
             const char *mark = p.at;
             bat_svg_skip(&p.at, p.end);
             more = p.at < p.end && (strchr("+-.0123456789", *p.at) && *p.at);

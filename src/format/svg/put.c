@@ -1,4 +1,4 @@
-/* What has been read goes into the document: its name and state, and the group that it is in. */
+/* Puts what has been read into the document, with its name, its state and the group that it is in. */
 #include "document/document.h"
 #include "document/kind.h"
 #include "format/svg/walk.h"
@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* Layers' labels are for people; ids often are not. */
+/* Labels are meant for people; ids often are not. */
 const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element) {
     static const char *const names[] = {"data-name", "inkscape:label", "id"};
     for (int i = 0; i < 3; i++) {

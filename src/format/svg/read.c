@@ -1,4 +1,4 @@
-/* SVG in: elements are collected, then drawn into a document once all are known. */
+/* Reading SVG: elements are collected, then drawn into a document once all are known. */
 #include "base/options.h"
 #include "document/digest.h"
 #include "document/document.h"
@@ -11,7 +11,7 @@
 
 static const bat_svg_options DEFAULTS = {sizeof DEFAULTS, .corner = 0.05};
 static const bat_svg_options MERGING = {sizeof MERGING, .tolerance = 1e-3, .corner = 0.05, .share = 1e-4};
-enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+enum { LEAST = sizeof DEFAULTS }; /* size in version 0.2: the first member added later begins there */
 
 void bat_svg_options_init(bat_svg_options *options, size_t size) {
     bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);

@@ -1,4 +1,4 @@
-/* What a reader has collected of an SVG file. */
+/* What a reader has collected from an SVG file. */
 #ifndef BATTEN_FORMAT_SVG_READER_H
 #define BATTEN_FORMAT_SVG_READER_H
 
@@ -13,10 +13,10 @@ struct bat_svg_reader {
     bat_text styles, native;
     uint32_t native_element;
     bat_status status;  /* the first failure */
-    uint32_t failed_at; /* elements begun when it came */
+    uint32_t failed_at; /* number of elements begun at that point */
 };
 
-/* Takes the native document's place when the drawing still shows what was written with it. */
+/* Replaces the document by the native one when the drawing still shows what was written with it. */
 void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,
                         bat_document **document, bat_svg_report *report);
 

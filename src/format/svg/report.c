@@ -58,7 +58,7 @@ void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room) 
     for (int i = 0; i < BAT_LOSS_COUNT; i++) {
         char words[64];
         int count = report->lost.count[i];
-        if (count == 0 || i == BAT_LOSS_NATIVE) continue; /* that has a sentence of its own */
+        if (count == 0 || i == BAT_LOSS_NATIVE) continue; /* it has its own sentence */
         bat_loss_words((bat_loss)i, count, words, sizeof words);
         if (used < room) snprintf(line + used, room - used, "%s%s", before, words);
         used = strlen(line);

@@ -1,4 +1,4 @@
-/* Basic shapes as outlines (SVG 2, 10): where each begins and which way it runs is as the standard says. */
+/* Basic shapes as outlines (SVG 2, 10): start points and directions are those of the standard. */
 #include "text/number.h"
 #include "format/svg/svg.h"
 
@@ -15,7 +15,7 @@ static double length(const bat_svg_shape *s, const char *name, double whole, dou
     return value;
 }
 
-/* "auto" and "" are the same as nothing. */
+/* -1 when the attribute is missing, empty or "auto". */
 static double radius(const bat_svg_shape *s, const char *name, double whole, bool *good) {
     const char *text = s->attribute(s->element, name);
     if (!text || strcmp(text, "auto") == 0) return -1;
@@ -88,7 +88,7 @@ static bool line(const bat_svg_shape *s, bat_outline *o) {
     return good;
 }
 
-/* Up to the first error; an odd number too many is one. */
+/* Reads points up to the first error; an odd number of coordinates is one. */
 static bool polyline(const bat_svg_shape *s, bool closed, bat_outline *o) {
     const char *at = s->attribute(s->element, "points");
     if (!at) return true;

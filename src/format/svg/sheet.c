@@ -11,7 +11,7 @@ static bool is_name(char c) {
            c == '_' || (unsigned char)c >= 0x80;
 }
 
-/* Drops comments and the marks of HTML comments, in place; returns the new size. */
+/* Removes comments and the marks of HTML comments (<!--, -->), in place; returns the new size. */
 static size_t drop_comments(char *text, size_t size) {
     size_t n = 0;
     for (size_t i = 0; i < size;) {
@@ -29,7 +29,7 @@ static size_t drop_comments(char *text, size_t size) {
     return n;
 }
 
-/* "type", ".class", "#id", or several of them grown together; 0: not one of these. */
+/* The specificity of "type", ".class", "#id" or a compound of these; 0: any other selector. */
 static uint32_t weigh(const char *selector, size_t size) {
     uint32_t ids = 0, classes = 0, types = 0;
     size_t i = 0;
@@ -77,7 +77,7 @@ static int compare_keys(const void *a, const void *b) {
     return (x->rule > y->rule) - (x->rule < y->rule);
 }
 
-/* The id of a selector, else its first class, else its type. */
+/* The key of a rule: the id in its selector, else the first class, else the type. */
 static bat_svg_key key_of(const bat_svg_sheet *sheet, size_t rule) {
     const char *s = sheet->text + sheet->rules[rule].selector, *end = s + sheet->rules[rule].selector_size;
     const char *at = memchr(s, '#', (size_t)(end - s));
@@ -98,7 +98,7 @@ static bat_status put_in_order(bat_svg_sheet *sheet) {
     return BAT_OK;
 }
 
-/* Behind the block that opens at `at`. */
+/* The position after the block that opens at `at`. */
 static size_t skip_block(const char *text, size_t size, size_t at) {
     int depth = 0;
     for (; at < size; at++) {
@@ -182,7 +182,7 @@ static bool has_class(const char *classes, const char *part, size_t size) {
     return false;
 }
 
-/* The first rule from `from` on whose key is this mark (0: none) and name. */
+/* The first rule from `from` on whose key has this mark (0: none) and name. */
 static size_t next_of(const bat_svg_sheet *sheet, char mark, const char *name, size_t size, size_t from) {
     size_t low = 0, high = sheet->count;
     while (low < high) {

@@ -71,7 +71,7 @@ static bool set_share(double *share, const char *value) {
     return true;
 }
 
-/* What is below `low` means nothing to anybody. */
+/* Values below `low` are not valid and are ignored. */
 static bool set_length(double *length, const char *value, double whole, double low) {
     double number;
     if (!bat_svg_length(value, whole, &number)) return false;
@@ -107,7 +107,7 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     }
 }
 
-/* One of the words that say so little that nothing is lost. */
+/* Clears the property's bit for values without effect, with which nothing is lost, and sets it for others. */
 static void set_odd(bat_svg_style *style, bat_svg_name property, const char *value) {
     static const char *const plain[] = {"none", "normal", "auto",    "0",
                                         "sRGB", "fill",   "initial", "geometricPrecision"};
@@ -167,7 +167,7 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
     }
 }
 
-/* Copies [from, to) without blanks around it; false when there is no room. */
+/* Copies [from, to) without the blanks around it; false when it does not fit. */
 static bool copy_trimmed(const char *from, const char *to, char *out, size_t room) {
     while (from < to && is_space(*from)) from++;
     while (to > from && is_space(to[-1])) to--;
@@ -201,9 +201,9 @@ void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *paren
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
         const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
-        char name[32], value[160]; /* what is longer is none of ours */
+        char name[32], value[160]; /* anything longer is not supported */
         bool named = colon && copy_trimmed(at, colon, name, sizeof name);
-        bool known = !colon || (named && name[0] == '-'); /* neither is of any effect here */
+        bool known = !colon || (named && name[0] == '-'); /* neither has any effect here */
         bool marked = false;
         if (named && copy_trimmed(colon + 1, stop, value, sizeof value)) {
             const char *source = colon + 1;

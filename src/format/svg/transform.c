@@ -9,7 +9,7 @@
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-/* Multiples of a quarter turn are exact. */
+/* Cosine and sine of an angle; exact for multiples of a quarter turn. */
 static void turn(double degrees, double *c, double *s) {
     double rest = fmod(degrees, 360);
     if (rest < 0) rest += 360;
@@ -22,7 +22,7 @@ static void turn(double degrees, double *c, double *s) {
     }
 }
 
-/* One function with its n arguments; false when the name or their number is wrong. */
+/* The matrix of one transform function with its n arguments; false when the name or their number is wrong. */
 static bool primitive(const char *name, size_t length, int n, const double *v, double m[6]) {
     static const char *const names[] = {"matrix", "translate", "scale", "rotate", "skewX", "skewY"};
     int kind = 0;

@@ -75,12 +75,12 @@ static bool prefix_is(const char *name, size_t length, const char *prefix) {
     return prefix[0] && strlen(prefix) == length && memcmp(name, prefix, length) == 0;
 }
 
-/* *local: the name behind its prefix. */
+/* *local: the name after its prefix. */
 static const sort *sort_of(const bat_svg_tree *tree, const char *name, const char **local) {
     static const sort native = {"", BAT_SVG_NATIVE, BAT_LOSS_COUNT},
                       foreign = {"", BAT_SVG_UNKNOWN, BAT_LOSS_FOREIGN},
                       unknown = {"", BAT_SVG_UNKNOWN, BAT_LOSS_UNKNOWN},
-                      part = {"", BAT_SVG_NEVER, BAT_LOSS_COUNT}; /* of a filter: it belongs to SVG */
+                      part = {"", BAT_SVG_NEVER, BAT_LOSS_COUNT}; /* part of a filter, so it belongs to SVG */
     const char *colon = strchr(name, ':');
     *local = colon ? colon + 1 : name;
     if (colon) {
@@ -96,7 +96,7 @@ static const sort *sort_of(const bat_svg_tree *tree, const char *name, const cha
     return strncmp(*local, "fe", 2) == 0 && (*local)[2] >= 'A' && (*local)[2] <= 'Z' ? &part : &unknown;
 }
 
-/* Where the string stands; check strings.failed at the end. */
+/* Stores a string and returns its offset; check strings.failed at the end. */
 static uint32_t keep(bat_svg_tree *tree, const char *string) {
     uint32_t at = (uint32_t)tree->strings.size;
     bat_text_add(&tree->strings, string, strlen(string) + 1);
@@ -177,7 +177,7 @@ const char *bat_svg_tree_attribute(const bat_svg_tree *tree, uint32_t element, c
     return NULL;
 }
 
-/* qsort hands no context over, so the entries carry their text. */
+/* qsort passes no context, so the entries carry their text. */
 typedef struct entry {
     const char *id;
     uint32_t element;

@@ -12,7 +12,7 @@ enum { BAT_SVG_DEPTH = 256, BAT_SVG_ELEMENTS_MAX = 1 << 22 };
 #define BAT_SVG_NATIVE_NAMESPACE "urn:batten:1"
 
 typedef enum bat_svg_kind {
-    BAT_SVG_UNKNOWN, /* of another namespace, or none that is drawn or known */
+    BAT_SVG_UNKNOWN, /* of another namespace, or not known */
     BAT_SVG_ROOT,    /* svg, at the top or nested */
     BAT_SVG_GROUP,   /* g, a */
     BAT_SVG_SWITCH,
@@ -21,8 +21,8 @@ typedef enum bat_svg_kind {
     BAT_SVG_SHAPE, /* path rect circle ellipse line polyline polygon */
     BAT_SVG_TEXT,
     BAT_SVG_IMAGE,
-    BAT_SVG_OTHER, /* drawn or moving, and not supported */
-    BAT_SVG_NEVER, /* clipPath, title, ...: not drawn where they stand */
+    BAT_SVG_OTHER, /* drawn or animated, but not supported */
+    BAT_SVG_NEVER, /* clipPath, title, ...: not drawn in place */
     BAT_SVG_DEFS,
     BAT_SVG_GRADIENT, /* linear or radial */
     BAT_SVG_STOP,
@@ -31,7 +31,7 @@ typedef enum bat_svg_kind {
     BAT_SVG_NATIVE /* Batten's own document, in the metadata */
 } bat_svg_kind;
 
-/* Indices; 0 is none. */
+/* Indices; 0: none. */
 typedef struct bat_svg_element {
     uint32_t name; /* without prefix, in strings */
     uint32_t attributes, attribute_count;
@@ -43,12 +43,12 @@ typedef struct bat_svg_element {
 typedef struct bat_svg_tree {
     bat_svg_element *elements; /* element 1 is the root */
     uint32_t count, room;
-    uint32_t *attributes; /* name, value: in strings */
+    uint32_t *attributes; /* pairs of name and value, as offsets in strings */
     uint32_t attribute_count, attribute_room;
     bat_text strings;
     uint32_t open[BAT_SVG_DEPTH], last[BAT_SVG_DEPTH]; /* elements not yet ended, and their last children */
     int depth;
-    uint32_t *ids; /* elements that have an id, sorted by it; after bat_svg_tree_index */
+    uint32_t *ids; /* elements that have an id, sorted by it; set by bat_svg_tree_index */
     uint32_t id_count;
     char drawing_prefix[16], native_prefix[16];
 } bat_svg_tree;
@@ -63,7 +63,8 @@ const char *bat_svg_tree_name(const bat_svg_tree *tree, uint32_t element);
 const char *bat_svg_tree_attribute(const bat_svg_tree *tree, uint32_t element,
                                    const char *name);                 /* or NULL */
 uint32_t bat_svg_tree_find(const bat_svg_tree *tree, const char *id); /* the first with this id, or 0 */
-/* What "#id" behind url( refers to; it may be in quotes, and the text go on behind it. 0: nothing here. */
+/* The element to which "#id" after url( refers; the id may be in quotes, and the text may continue after it.
+ * 0: no element of this file. */
 uint32_t bat_svg_tree_refer(const bat_svg_tree *tree, const char *text);
 
 #endif

@@ -1,4 +1,4 @@
-/* What every part of the walk through a drawing uses. */
+/* Functions used by every part of the walk through a drawing. */
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
 
@@ -9,7 +9,7 @@ double bat_svg_length_of(const bat_svg_walk *w, uint32_t element, const char *na
     return text && bat_svg_length(text, whole, &value) ? value : otherwise;
 }
 
-/* SVG 2 first, then as older files say it. */
+/* SVG 2 first, then the attribute of older files. */
 const char *bat_svg_find_href(const bat_svg_walk *w, uint32_t element) {
     const char *href = bat_svg_attribute_of(w, element, "href");
     return href ? href : bat_svg_attribute_of(w, element, "xlink:href");

@@ -1,6 +1,7 @@
 /*
- * The walk through the elements of a drawing, and what its files have from each other. Each way of drawing takes the
- * element, and the scope that its place hands down with its own style in it; w->status stops everything.
+ * The walk through the elements of a drawing, and what its source files share. Each drawing function
+ * (bat_svg_way) takes the element and the scope inherited at its place, with the element's own style already in
+ * it; a failure in w->status stops everything.
  */
 #ifndef BATTEN_FORMAT_SVG_WALK_H
 #define BATTEN_FORMAT_SVG_WALK_H
@@ -13,14 +14,14 @@
 
 #include <batten/format.h>
 
-/* Elements drawn (each time that `use` repeats them), and style rules tried, at most. */
+/* Most elements drawn (counted each time that `use` repeats them), and most style rules tried. */
 enum { BAT_SVG_DRAWN_MAX = 1 << 20, BAT_SVG_TRIED_MAX = 1 << 28 };
 
-/* What is handed down while drawing. */
+/* What children inherit while drawing. */
 typedef struct bat_svg_scope {
     double matrix[6];
     bat_svg_style style;
-    double opacity;       /* product of the containers' */
+    double opacity;       /* product of the opacities of the containers */
     double width, height; /* of the viewport */
 } bat_svg_scope;
 
@@ -34,19 +35,19 @@ struct bat_svg_walk {
     bat_document *document;
     bat_svg_report *report;
     bat_svg_notes notes;
-    uint32_t *means; /* of the gradients that paint, by element, the last bit turned; 0: not known yet */
+    uint32_t *means; /* mean colours of gradients, by element, the last bit flipped; 0: not known yet */
     bat_outline outline;
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
     int depth;
     long drawn, tried, put;
-    bat_id group;      /* the group being read, 0: none */
-    int members;       /* read into it so far */
-    int groups;        /* how deep that is */
+    bat_id group;      /* the group being read; 0: none */
+    int members;       /* members read into it so far */
+    int groups;        /* nesting depth of that group */
     int unseen;        /* how many of the elements being drawn are not displayed */
-    bat_svg_way *draw; /* an element of any kind, where it stands */
-    bat_status status; /* stops everything */
+    bat_svg_way *draw; /* draws an element of any kind in place */
+    bat_status status; /* a failure stops everything */
 };
 
 static inline const char *bat_svg_attribute_of(const bat_svg_walk *w, uint32_t element, const char *name) {
@@ -56,32 +57,33 @@ static inline const char *bat_svg_attribute_of(const bat_svg_walk *w, uint32_t e
 /* ---- walk.c ---- */
 double bat_svg_length_of(const bat_svg_walk *w, uint32_t element, const char *name, double whole,
                          double otherwise);
-/* What it points to; NULL: nothing. */
+/* What the element refers to; NULL: nothing. */
 const char *bat_svg_find_href(const bat_svg_walk *w, uint32_t element);
 bat_svg_way bat_svg_draw_children;
 
 /* ---- cascade.c, paint.c: style ---- */
-/* outer: what the element stands in. */
+/* outer: the scope around the element. */
 void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bat_svg_style *style);
-/* The style of an element where it stands, by all that it is in. */
+/* The style of an element at its place in the file, from all its ancestors. */
 void bat_svg_cascade_in_place(bat_svg_walk *w, uint32_t element, bat_svg_scope *s);
 bat_style bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 
 /* ---- note_drawn.c: what is lost ---- */
-/* Of an element apart from its style; of its style, apart from what is handed down; of a shape's style as it shows. */
+/* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's
+ * style, as far as it is visible. */
 void bat_svg_note_element(bat_svg_walk *w, uint32_t element);
 void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style);
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const bat_style *style);
 
 /* ---- put.c: into the document ---- */
 const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element);
-/* Into the group being read, hidden and locked as the element says. Takes the object over. */
+/* Puts the object into the group being read, hidden and locked as the element says. Takes the object over. */
 void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_object *object);
 
 /* ---- draw*.c: each kind ---- */
 bat_svg_way bat_svg_draw_group, bat_svg_draw_switch, bat_svg_draw_nested, bat_svg_draw_use,
     bat_svg_draw_shape, bat_svg_draw_image;
-/* All of it, and the page. */
+/* Draws everything, and sets the page. */
 void bat_svg_draw_root(bat_svg_walk *w);
 
 #endif

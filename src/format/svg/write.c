@@ -1,4 +1,5 @@
-/* SVG out: every curve as exact cubic Béziers, and the native document as text in the metadata. */
+/* Writing SVG: every curve as cubic Béziers, exact up to degree 3, and the native document as text in the
+ * metadata. */
 #include "document/digest.h"
 #include "document/nesting.h"
 #include "text/base64.h"
@@ -17,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the curve's size: how far the cubics of a curve above degree 3 may be off. */
+/* Relative to the curve's size: the error allowed in the cubics for a curve above degree 3. */
 static const double CUBICS = 1e-7;
 
 static void write_pair(bat_text *text, const double *p) {
@@ -40,7 +41,7 @@ static bat_status write_curve(bat_text *text, const bat_curve *curve) {
         for (int k = line ? 3 : 1; k < 4; k++) {
             const double *q = p + k * dimension;
             if (i == count - 1 && k == 3 && bat_curve_is_closed(curve))
-                q = points; /* closed to the last bit */
+                q = points; /* the curve closes bit for bit */
             write_pair(text, q);
             if (k < 3) bat_text_string(text, " ");
         }
@@ -56,7 +57,7 @@ static void write_number(bat_text *text, const char *attribute, double number) {
     bat_text_string(text, "\"");
 }
 
-/* Three decimals of alpha give all 256 values back. */
+/* Three decimals of alpha are enough to restore all 256 values. */
 static void write_paint(bat_text *text, const char *property, uint32_t colour) {
     char value[80];
     snprintf(value, sizeof value, " %s=\"#%06lx\"", property, (unsigned long)(colour >> 8));
@@ -92,7 +93,7 @@ static void write_style(bat_text *text, const bat_style *style) {
     if (style->opacity != 1) write_number(text, " opacity=\"", style->opacity);
 }
 
-/* A name that can be an XML id as it is (ASCII only, to be safe everywhere). */
+/* Whether a name can be used as an XML id unchanged (ASCII only, to be safe everywhere). */
 static bool is_id(const char *name) {
     for (size_t i = 0; name[i]; i++) {
         char c = name[i];
@@ -113,7 +114,7 @@ static int compare_names(const void *a, const void *b) {
     return order ? order : x->index - y->index;
 }
 
-/* unique[i]: object i is the first of its name, and the name can be an id. */
+/* unique[i]: object i is the first with its name, and the name can be an id. */
 static bat_status find_ids(const bat_document *document, bool *unique) {
     int count = bat_document_count(document);
     named *names = malloc(((size_t)count + 1) * sizeof *names);
@@ -151,7 +152,7 @@ static void open_group(bat_text *text, const bat_object *object, bool as_id) {
     bat_text_string(text, ">\n");
 }
 
-/* The path element, and what a reader will see of it added to the digest. */
+/* Writes the path element, and adds what a reader will see of it to the digest. */
 static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
                                bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
@@ -233,7 +234,7 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
 static void write_native(const bat_document *document, uint64_t digest, bat_text *text) {
     char noted[17];
     bat_text json = {0};
-    bat_document_to_json(document, false, &json); /* the drawing holds the pictures */
+    bat_document_to_json(document, false, &json); /* without pictures: the drawing holds them */
     bat_digest_print(digest, noted);
     bat_text_string(text,
                     "<metadata><batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"");
