@@ -1,9 +1,9 @@
 /*
  * Batten: the surface. A tensor-product B-spline in space, S(u, v) = sum of N_i(u) M_j(v) P_ij.
  *
- * Each direction has a degree of 1 to 7, is open or closed, and has knots and a count of control points as a curve's
- * (curve.h); all the bounds that hold there hold here. Point P_ij is the j-th of row i: rows follow each other along
- * u, and the points of a row along v. Surfaces whose control points are all equal are refused.
+ * Each direction has a degree of 1 to 7, is open or closed, and has knots and a count of control points like a
+ * curve (curve.h); all bounds stated there apply here. Point P_ij is the j-th of row i: rows follow each other
+ * along u, and the points of a row along v. Surfaces whose control points are all equal are refused.
  *
  * A surface is a value: it never changes after it is made. Operations return new surfaces, which the caller frees
  * (bat_surface_free). Each surface is one allocation. Source: Piegl and Tiller (P&T), The NURBS Book, chapter 3.
@@ -22,10 +22,10 @@ typedef struct bat_surface bat_surface;
 /* A direction of the parameters. "The line at u" is the curve S(u, .), which runs along v. */
 typedef enum bat_direction { BAT_U = 0, BAT_V = 1 } bat_direction;
 
-/* Makes a surface after checking everything. The arrays of two hold the values of u and v. points: count[0] rows of
- * count[1] points of 3 numbers; knots: as many for each direction as a curve of its degree and count has, else
- * BAT_KNOTS. All are copied. BAT_COUNT: too few in a direction, or more than BAT_POINTS_MAX points in all;
- * BAT_SINGULAR: all points are equal. Cost O(points). */
+/* Makes a surface after checking everything. Arrays of two hold the values for u and v. points: count[0] rows
+ * of count[1] points of 3 numbers; knots: in each direction as many as a curve of that degree and count has,
+ * else BAT_KNOTS. Everything is copied. BAT_COUNT: too few in a direction, or more than BAT_POINTS_MAX points
+ * in all; BAT_SINGULAR: all points are equal. Cost O(points). */
 BAT_API bat_status bat_surface_create(const int degree[2], const bool closed[2], const size_t count[2],
                                       const double *points, const int knot_count[2], const double *u_knots,
                                       const double *v_knots, bat_surface **out);
@@ -41,11 +41,11 @@ BAT_API const double *bat_surface_knots(const bat_surface *surface, bat_directio
 /* The points of row i, 3 numbers each; owned by the surface. */
 BAT_API const double *bat_surface_row(const bat_surface *surface, int i);
 BAT_API void bat_surface_domain(const bat_surface *surface, bat_direction direction, double domain[2]);
-/* The box of the control points, in which all of the surface lies. O(points). */
+/* The box of the control points, which contains the whole surface. O(points). */
 BAT_API void bat_surface_box(const bat_surface *surface, double low[3], double high[3]);
 /* Length of that box's diagonal: the "size" that relative bounds refer to. O(1). */
 BAT_API double bat_surface_size(const bat_surface *surface);
-/* Bitwise equality of shape and representation. O(points). */
+/* Bitwise equality of degrees, knots and points. O(points). */
 BAT_API bool bat_surface_is_equal(const bat_surface *a, const bat_surface *b);
 /* Affine image: matrix is 3 rows of 4, translation last. BAT_NUMBER: a point would lie beyond BAT_COORDINATE_MAX;
  * BAT_SINGULAR: all points would be equal. O(points). */
@@ -58,9 +58,10 @@ BAT_API bat_status bat_surface_transform(const bat_surface *surface, const doubl
  */
 BAT_API void bat_surface_eval(const bat_surface *surface, double u, double v, int order, double *out);
 /*
- * The same on a grid: out has u_count * v_count blocks, u slowest. v: sorted ascending, as for bat_curve_eval_many; u
- * in any order. The basis is computed once per u, and per v a polynomial once per span; equal to bat_surface_eval up to
- * rounding. BAT_ARGUMENT: order is not 0, 1 or 2; BAT_PARAMETER: v is not sorted; BAT_NUMBER: a parameter is NaN.
+ * The same on a grid: out has u_count * v_count blocks, u slowest. v: sorted ascending, as for
+ * bat_curve_eval_many; u in any order. The basis is computed once per u; along v, one polynomial is computed per
+ * span. Equal to bat_surface_eval up to rounding. BAT_ARGUMENT: order is not 0, 1 or 2; BAT_PARAMETER: v is not
+ * sorted; BAT_NUMBER: a parameter is NaN.
  */
 BAT_API bat_status bat_surface_eval_grid(const bat_surface *surface, size_t u_count, const double *u,
                                          size_t v_count, const double *v, int order, double *out);
@@ -81,41 +82,41 @@ BAT_API bat_status bat_surface_curvature(const bat_surface *surface, double u, d
 BAT_API bat_status bat_surface_isocurve(const bat_surface *surface, bat_direction direction, double at,
                                         bat_curve **out);
 
-/* A point of a surface, and how far it is from what was asked about. */
+/* A point of a surface, and its distance from the point or ray origin of the query. */
 typedef struct bat_surface_point {
     double u, v, distance;
     double point[3];
 } bat_surface_point;
 
-/* The closest point; of equally close ones, one of them. Where very many are nearly as close (a point on the axis of a
- * tube) the search ends after 100,000 pieces of the surface, with the closest point found by then. BAT_NUMBER: the
- * point is not finite. O(points), and more for spans that come near. */
+/* The closest point; when several are equally close, one of them. Where very many are nearly as close (for a
+ * point on the axis of a tube) the search ends after 100,000 pieces of the surface, with the closest point
+ * found so far. BAT_NUMBER: the point is not finite. O(points), and more for spans that come near. */
 BAT_API bat_status bat_surface_nearest(const bat_surface *surface, const double point[3],
                                        bat_surface_point *out);
 /*
- * Where the ray origin + t direction, t >= 0, meets the surface, from near to far; distances are from the origin. At
- * most `room` are written, *count says how many there are; out may be NULL when room is 0. A point on an edge between
- * spans, at a seam or at a pole counts once, and so does a place where the ray touches; where it runs along in the
- * surface, some of the points are given. BAT_ARGUMENT: direction is zero; BAT_NUMBER: it or the origin is not finite.
- * O(points), and more for spans whose image the ray comes near.
+ * Where the ray origin + t direction, t >= 0, meets the surface, from near to far; distances are from the origin.
+ * At most `room` points are written; *count says how many there are; out may be NULL when room is 0. A point on
+ * an edge between spans, at a seam or at a pole counts once, and so does a place where the ray touches the
+ * surface; where the ray runs within the surface, only some of the points are given. BAT_ARGUMENT: direction is
+ * zero; BAT_NUMBER: it or the origin is not finite. O(points), and more for spans whose image the ray comes near.
  */
 BAT_API bat_status bat_surface_hits(const bat_surface *surface, const double origin[3],
                                     const double direction[3], size_t room, bat_surface_point *out,
                                     size_t *count);
 
-/* Knots inserted in one direction, and refinement to a superset of its knots, as bat_curve_insert_knots and
- * bat_curve_refine do it, with their statuses: the shape does not change, and untouched points keep every bit. */
+/* Knot insertion in one direction, and refinement to a superset of its knots, as in bat_curve_insert_knots and
+ * bat_curve_refine, with the same statuses: the shape does not change, and untouched points keep every bit. */
 BAT_API bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction,
                                             int knot_count, const double *knots, bat_surface **out);
 BAT_API bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
                                       const double *knots, bat_surface **out);
 
-/* How a redrawn line carries the surface along. options may be NULL: the defaults. */
+/* How the surface follows a redrawn line. options may be NULL: the defaults. */
 typedef struct bat_surface_redraw_options {
     size_t size;       /* of this struct, as base.h says */
     double reach;      /* radius of the bump, in parameter units; 0: 2.5 times the mean span */
-    size_t hold_count; /* rows that stay as they are: */
-    const int *hold;   /* their numbers, along the direction that is crossed */
+    size_t hold_count; /* number of rows that must not change */
+    const int *hold;   /* indices of these rows, in the direction that crosses the line */
 } bat_surface_redraw_options;
 
 BAT_API void bat_surface_redraw_options_init(bat_surface_redraw_options *options, size_t size);
@@ -128,23 +129,24 @@ static inline bat_surface_redraw_options bat_surface_redraw_defaults(void) {
 typedef struct bat_surface_redraw_report {
     double value; /* where the line is, in the domain */
     double reach; /* the radius that was used */
-    double moved
-        [2]; /* what can have moved: the supports of the rows that did; closed: unwrapped round the line */
-    double gain;       /* the greatest way of a row, by that of the line: above 1.25 a user should be told */
-    double line_error; /* greatest distance of the new line's control points from those asked for */
+    double
+        moved[2]; /* what may have moved: the supports of the moved rows; closed: unwrapped around the line */
+    double gain;  /* greatest movement of a row relative to the line's: above 1.25 users should be told */
+    double line_error; /* greatest distance between control points of the new line and those asked for */
     int knots_before[2], knots_after[2]; /* of u and v */
 } bat_surface_redraw_report;
 
 /*
- * The surface with its line at u (BAT_U) or v (BAT_V) redrawn; the rows beside the line come along, with weights that
- * fall off as (x^2 - 1)^2 (docs/math/surfaces.md). line: as the line is to be, in space, of the degree of the direction
- * it runs along, on the surface's knots or a superset, to which the surface is then refined. Rows beyond the reach, and
- * those held, keep every bit. weights (may be NULL): bat_surface_count numbers of the direction that is crossed, how far
- * each row moves by the way of the line, 0 for those that stay. report may be NULL. BAT_DIMENSION, BAT_DEGREE: the
- * line's are others; BAT_ARGUMENT: the line is closed and the direction open or the other way round, reach is negative
- * or not finite, or there is no such row; BAT_KNOTS: not a superset; BAT_NUMBER: `at` is NaN, or points lie too far out;
- * BAT_DOT: the line is a point (a collapsed edge); BAT_FAR: the line cannot move: no row beside it may, or the gain
- * would be above 4 (weights and report are filled in). O(points).
+ * Redraws the line of the surface at u (BAT_U) or v (BAT_V); the rows beside the line follow, with weights that
+ * fall off as (x^2 - 1)^2 (docs/math/surfaces.md). line: the new line, in space, with the degree of the direction
+ * along which it runs, on the surface's knots or a superset, to which the surface is then refined. Rows beyond
+ * the reach and held rows keep every bit. weights (may be NULL): bat_surface_count numbers for the direction that
+ * crosses the line; how far each row moves relative to the line, 0 for those that stay. report may be NULL.
+ * BAT_DIMENSION, BAT_DEGREE: those of the line do not fit; BAT_ARGUMENT: the line is closed and the direction
+ * open or vice versa, reach is negative or not finite, or a held row does not exist; BAT_KNOTS: not a superset;
+ * BAT_NUMBER: `at` is NaN, or points lie too far out; BAT_DOT: the line is a point (a collapsed edge); BAT_FAR:
+ * the line cannot move, as no row beside it may or the gain would be above 4 (weights and report are filled in).
+ * O(points).
  */
 BAT_API bat_status bat_surface_redraw(const bat_surface *surface, bat_direction direction, double at,
                                       const bat_curve *line, const bat_surface_redraw_options *options,

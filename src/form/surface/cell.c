@@ -6,12 +6,12 @@
 
 enum { MOST = BAT_DEGREE_MAX + 1 };
 
-/* `count` points of one span of an axis as a Bézier segment, in place; they lie `stride` points apart. */
+/* Converts the points of one span of an axis to a Bézier segment, in place; they lie `stride` points apart. */
 static void to_bezier(const bat_curve *axis, int span, double *points, int stride) {
     const int p = axis->degree;
     double in[MOST * 3], out[MOST * 3];
     for (int i = 0; i <= p; i++) memcpy(in + 3 * i, points + 3 * i * stride, 3 * sizeof(double));
-    bat_curve one = *axis; /* the span alone */
+    bat_curve one = *axis; /* only this span */
     one.knots = axis->knots + (span - p), one.points = in;
     bat_lsq_bezier(&one, p, out);
     for (int i = 0; i <= p; i++) memcpy(points + 3 * i * stride, out + 3 * i, 3 * sizeof(double));
@@ -44,7 +44,7 @@ void bat_span_box(const bat_surface *surface, const int span[2], double low[3], 
     }
 }
 
-/* De Casteljau at the middle of p + 1 points that lie `stride` numbers apart. */
+/* De Casteljau's algorithm at the middle, for p + 1 points that lie `stride` numbers apart. */
 static void halve_line(int p, int stride, double *lower, double *upper) {
     memcpy(upper + p * stride, lower + p * stride, 3 * sizeof(double));
     for (int r = 1; r <= p; r++) {

@@ -1,4 +1,4 @@
-/* Inside the room of surfaces: pieces of a span in Bézier form, halved until a question is settled. */
+/* Internal to surfaces: cells, which are pieces of a span in Bézier form, halved until a query is decided. */
 #ifndef BATTEN_FORM_CELL_H
 #define BATTEN_FORM_CELL_H
 
@@ -10,8 +10,8 @@ enum {
 };
 
 typedef struct bat_cell {
-    double net[3 * BAT_CELL_POINTS]; /* rows of points: rows along u, points along v */
-    double low[2], high[2];          /* of the span's [0, 1] */
+    double net[3 * BAT_CELL_POINTS]; /* rows of control points: rows along u, points along v */
+    double low[2], high[2];          /* range of the cell within the span's [0, 1] */
     int halvings;
 } bat_cell;
 
@@ -19,12 +19,13 @@ typedef struct bat_cell {
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
 /* The box of the control points of a span. */
 void bat_span_box(const bat_surface *surface, const int span[2], double low[3], double high[3]);
-/* The middle of a direction becomes an edge: `cell` keeps the lower half, the other one goes to `upper`. */
+/* Halves the cell in a direction: `cell` keeps the lower half, `upper` becomes the other one. */
 void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell *upper);
-/* The same surface with its stored points moved: each becomes axes . (point - origin); axes: 3 rows, or NULL. */
+/* The same surface in other coordinates: each stored point becomes axes . (point - origin). axes: 3 rows, or
+ * NULL: the identity. */
 bat_status bat_surface_seen(const bat_surface *surface, const double *origin, const double *axes,
                             bat_surface **out);
-/* The parameter of a direction at x of a span's [0, 1]. */
+/* The parameter in a direction at x in a span's [0, 1]. */
 double bat_span_parameter(const bat_surface *surface, int direction, int span, double x);
 
 #endif

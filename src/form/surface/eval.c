@@ -1,5 +1,6 @@
-/* Position and derivatives at (u, v), the lines of the surface, and what follows from derivatives. Along u first: the
- * rows of the span become one row, the control points of the line at u; then along v, as a curve is evaluated. */
+/* Position and derivatives at (u, v), iso-curves, normals and curvatures. Evaluates along u first: the rows of
+ * the span become one row, the control points of the iso-curve at u; this is then evaluated along v like a
+ * curve. */
 #include "form/surface/surface.h"
 #include "base/vec.h"
 
@@ -25,7 +26,7 @@ void bat_surface_eval_spans(const bat_surface *surface, const int span[2], doubl
     for (int k = 0; k <= order; k++) {
         bat_eval_local(b->knots + span[1], q, 3, 0, order - k, v_rows, lines + k * size, at_v);
         for (int l = 0; l <= order - k; l++) {
-            const int n = k + l; /* derivatives of one order stand together, those along u first */
+            const int n = k + l; /* derivatives of one order are adjacent, those by u first */
             memcpy(out + 3 * (n * (n + 1) / 2 + l), at_v + 3 * l, 3 * sizeof(double));
         }
     }
@@ -72,7 +73,8 @@ bat_status bat_surface_isocurve(const bat_surface *surface, bat_direction direct
     return status;
 }
 
-/* What the derivatives say about the surface's bend: unit tangents, their lengths, the unit normal. */
+/* What normals and curvatures need: derivatives, unit normal, lengths of the tangents and the angle between
+ * them. */
 typedef struct bend {
     double jet[18];
     vec normal;
@@ -80,8 +82,8 @@ typedef struct bend {
     double sine, cosine; /* of the angle between them */
 } bend;
 
-static const double parallel = 1e-13; /* sine of the angle of two directions that rounding may have parted */
-static const double still = 1e-14; /* way along a span, by the surface's size, that rounding may have made */
+static const double parallel = 1e-13; /* sine of an angle that may come from rounding alone */
+static const double still = 1e-14;    /* length, relative to the size, that may come from rounding alone */
 
 static bat_status bend_at(const bat_surface *surface, double u, double v, int order, bend *out) {
     const bat_curve *axis = surface->axis;

@@ -1,5 +1,5 @@
-/* Evaluation on a grid. For each u the rows become the control points of the line at u and of its derivatives by u,
- * curves along v, and these are evaluated in bulk. */
+/* Evaluation on a grid. For each u the rows become the control points of the iso-curve at u and of its
+ * derivatives by u; these are curves along v, and are evaluated in bulk. */
 #include "form/surface/surface.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 enum { MOST = BAT_DEGREE_MAX + 1 };
 
-/* Line k of a u (its k-th derivative) along v, into the blocks of one row of the grid. */
+/* Evaluates the k-th derivative by u of the iso-curve along v, into the blocks of one row of the grid. */
 static bat_status along(const bat_curve *line, int k, size_t count, const double *v, int order, double *work,
                         double *out) {
     const size_t block = (size_t)(3 * (order + 1) * (order + 2) / 2), size = (size_t)(3 * (order - k + 1));

@@ -1,9 +1,10 @@
 /*
- * Where a ray meets a surface (docs/math/surfaces.md). Seen along the ray, the surface is a map from (u, v) to the
- * plane across it, and hits are its zeros. Each span becomes a Bézier cell. A cell is dropped when zero lies outside its
- * box, or outside its box along and across its image's longer side (thin near a fold), or when it lies behind the
- * origin. When the map is one to one on it, Newton from the middle finds the one zero. Otherwise it is halved; what is
- * left at the end is a place where the ray touches.
+ * Where a ray meets a surface (docs/math/surfaces.md). Seen along the ray, the surface is a map from (u, v) to
+ * the plane at right angles to the ray, and the hits are its zeros. Each span becomes a Bézier cell. A cell is
+ * dropped when zero lies outside the box of its image, or outside the image's box along and across its longer
+ * side (which is thin near a fold), or when it lies behind the origin. When the map is one-to-one on the cell,
+ * Newton's method from the middle finds the only zero. Otherwise the cell is halved; cells that remain at the end
+ * are places where the ray touches the surface.
  */
 #include "form/surface/cell.h"
 #include "base/vec.h"
@@ -12,35 +13,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    CELLS_MAX = 8192,
-    STEPS = 12
-}; /* cells of a span: more means that the ray runs along in the surface */
-static const double smallest =
-    1.0 / (1 << 26); /* of a span: a cell of that size is a place where the ray touches */
+enum { CELLS_MAX = 8192, STEPS = 12 };          /* cells per span; more: the ray runs within the surface */
+static const double smallest = 1.0 / (1 << 26); /* of a span: the ray touches at a cell this small */
 static const double same =
-    1e-6; /* of a span: hits that are one, as rounding parts those of a ray that touches */
+    1e-6; /* of a span: hits this close are one, as rounding separates those of a touching ray */
 
 typedef struct search {
-    const bat_surface *surface, *seen; /* seen: x and y across the ray, z along it */
-    double rounding, behind;           /* what counts as zero across; depths below this lie behind */
+    const bat_surface *surface, *seen; /* seen: in coordinates with x and y across the ray, z along it */
+    double rounding, behind;           /* what counts as zero across; smaller depths are behind */
     int degree[2], span[2];
     bat_surface_point *hits;
     size_t count, room;
     bool failed;
 } search;
 
-/* ---- What is found ---- */
+/* ---- The hits ---- */
 
 static double apart(const bat_curve *axis, double a, double b) {
     const double d = fabs(a - b);
     return axis->closed ? fmin(d, fabs(d - (axis->knots[axis->spread] - axis->knots[axis->degree]))) : d;
 }
 
-/* Whether x of a span's [0, 1] is one of its ends. */
+/* Whether x in a span's [0, 1] is one of the ends. */
 static bool at_end(double x) { return x <= same || x >= 1 - same; }
 
-/* The same place of the surface; or, on edges of spans, the same place in space (a seam, a pole). */
+/* Whether a hit is known already: at the same parameters or, on edges of spans, at the same point in space (a
+ * seam, a pole). */
 static bool is_known(const search *s, const bat_surface_point *p, bool edge) {
     const bat_curve *axis = s->seen->axis;
     const double *u = axis[0].knots + s->span[0], *v = axis[1].knots + s->span[1];
@@ -96,7 +94,8 @@ static range along(const search *s, const double *net, double x, double y, doubl
 
 static bool has_zero(range r, double rounding) { return r.low <= rounding && r.high >= -rounding; }
 
-/* How far a cell reaches along u (0) or v (1) in the image: the sum of the ways of its four sides' ends. */
+/* How far a cell reaches along u (0) or v (1) in the image: the sum of the vectors from end to end of its two
+ * sides in that direction. */
 static void extent(const search *s, const double *net, int direction, double way[2]) {
     const int p = s->degree[0], q = s->degree[1], row = 3 * (q + 1);
     const double *a = net, *b = direction == 0 ? net + 3 * q : net + p * row;
@@ -130,7 +129,7 @@ static bool may_hit(const search *s, const double *net) {
            has_zero(along(s, net, x, y, 0), 2 * s->rounding);
 }
 
-/* Every step along u turns the same way from every step along v: the map is one to one. */
+/* Whether every step of the net along u turns the same way to every step along v: the map is then one-to-one. */
 static bool is_one_to_one(const search *s, const double *net) {
     const int p = s->degree[0], q = s->degree[1], row = 3 * (q + 1);
     int sign = 0;
@@ -149,8 +148,9 @@ static bool is_one_to_one(const search *s, const double *net) {
     return true;
 }
 
-/* One step towards zero, in the span's [0, 1]: Newton's, or with damping (a share of the matrix's size) the one of
- * Levenberg and Marquardt, which does not mind a fold. false: it leads nowhere. *left: how far from zero x is. */
+/* One step towards zero, in the span's [0, 1]: Newton's, or, with damping (relative to the size of the
+ * matrix), that of Levenberg and Marquardt, which also works at a fold. Returns false when there is no step.
+ * *left: the distance from zero at x. */
 static bool step(const search *s, const double x[2], double damping, double move[2], double *left) {
     double jet[9], width[2], at[2];
     for (int d = 0; d < 2; d++) {
@@ -171,7 +171,7 @@ static bool step(const search *s, const double x[2], double damping, double move
     return isfinite(move[0]) && isfinite(move[1]);
 }
 
-/* Newton from the middle; true: a zero in the cell, at x, but for rounding at its edges. */
+/* Newton's method from the middle; true: there is a zero at x, in the cell up to rounding at its edges. */
 static bool newton(const search *s, const bat_cell *cell, double x[2]) {
     double move[2], left, size[2];
     for (int d = 0; d < 2; d++) size[d] = cell->high[d] - cell->low[d], x[d] = cell->low[d] + 0.5 * size[d];
@@ -192,7 +192,7 @@ static bool newton(const search *s, const bat_cell *cell, double x[2]) {
     return settled || left <= s->rounding;
 }
 
-/* The place where the ray touches: damped steps from the middle, as long as they come nearer. */
+/* Finds the place where the ray touches, by damped steps from the middle as long as they come nearer. */
 static void touch(search *s, const bat_cell *cell) {
     double x[2], move[2], next[2], left, now;
     for (int d = 0; d < 2; d++) x[d] = 0.5 * (cell->low[d] + cell->high[d]);
@@ -202,7 +202,7 @@ static void touch(search *s, const bat_cell *cell) {
         nearer = step(s, next, 1e-10, move, &now) && now < left;
         if (now < left) memcpy(x, next, sizeof x), left = now;
     }
-    /* Onto the span's edge, if the ray goes through it there. */
+    /* Moves onto the span's edge if the ray passes through the edge there. */
     for (int d = 0; d < 2; d++) next[d] = x[d] < same ? 0 : x[d] > 1 - same ? 1 : x[d];
     step(s, next, 1e-10, move, &now);
     add(s, now <= fmax(left, s->rounding) ? next : x);
@@ -213,7 +213,8 @@ static bool is_small(const bat_cell *cell) {
     return most <= smallest || cell->halvings == BAT_CELL_HALVINGS;
 }
 
-/* The direction that is longer in the image; but where the ray runs along the other one, that must come to an end too. */
+/* The direction in which to halve the cell: the longer one in the image, except that where the ray runs along
+ * the other one, that has to be halved too. */
 static int across(const search *s, const bat_cell *cell) {
     const double a = longest(s, cell->net, 0), b = longest(s, cell->net, 1);
     const int direction = a == b ? cell->halvings % 2 : a < b;

@@ -1,7 +1,7 @@
 /*
- * The closest point of a surface (docs/math/surfaces.md). The squared distance f is a polynomial in Bernstein form on
- * each Bézier cell; its least coefficient bounds it from below. A cell that can not be nearer than the best point found
- * is dropped, others are halved. Each better point found starts a descent by Newton's steps within its span.
+ * The closest point of a surface (docs/math/surfaces.md). The squared distance f is a polynomial in Bernstein
+ * form on each Bézier cell; its least coefficient is a lower bound. A cell that cannot be nearer than the best
+ * point so far is dropped; others are halved. Each better point starts a descent by Newton steps within its span.
  */
 #include "form/surface/cell.h"
 #include "base/vec.h"
@@ -13,19 +13,19 @@
 
 enum { CELLS_MAX = 100000, HALVINGS = 52, STEPS = 60, MOST = BAT_DEGREE_MAX + 1 };
 
-/* f, its half derivatives, and what remains of them when x can not leave the span. */
+/* f and half its derivatives at x, and in which directions x cannot move because it would leave the span. */
 typedef struct place {
     double x[2], f, g[2], h[3], a[2]; /* h: uu, uv, vv; a: |S_u|^2, |S_v|^2 */
     bool held[2];
-    double slope; /* distance per way on the surface, in the free directions */
+    double slope; /* slope of the distance along the surface, in the free directions */
 } place;
 
 typedef struct search {
-    const bat_surface *seen;              /* about the point */
-    int degree[2], span[2], best_span[2]; /* best_span: where the best is */
+    const bat_surface *seen;              /* with the given point as the origin */
+    int degree[2], span[2], best_span[2]; /* best_span: the span of `best` */
     place best;
     double weight[2][MOST],
-        share[2][2 * MOST]; /* binomials of the degree; one over those of twice the degree */
+        share[2][2 * MOST]; /* binomials of the degree; reciprocals of those of twice it */
     int cells;
 } search;
 
@@ -49,7 +49,7 @@ static void look(const search *s, const int span[2], const double x[2], place *o
     }
 }
 
-/* Newton's step where f is bowl-shaped, else down the slope. */
+/* Newton's step where f is convex, else a step down the slope. */
 static void step_from(const place *p, double move[2]) {
     const double det = p->h[0] * p->h[2] - p->h[1] * p->h[1];
     const double second[2] = {p->h[0], p->h[2]};
@@ -63,7 +63,7 @@ static void step_from(const place *p, double move[2]) {
         if (!p->held[d]) move[d] = -p->g[d] / (second[d] > 1e-3 * p->a[d] ? second[d] : p->a[d]);
 }
 
-/* f has come down; or f can not tell any more, and the slope has. */
+/* Whether f has decreased, or f is equal up to rounding and the slope has decreased. */
 static bool is_better(const place *now, const place *before) {
     if (now->f < before->f * (1 - 1e-14)) return true;
     return now->f <= before->f * (1 + 1e-14) && now->slope < before->slope;
@@ -101,7 +101,7 @@ static double binomial(int n, int k) {
     return c;
 }
 
-/* The least Bernstein coefficient of f, less what rounding may have done. */
+/* The least Bernstein coefficient of f, minus a bound on the rounding error. */
 static double bound_of(const search *s, const double *net) {
     const int p = s->degree[0], q = s->degree[1];
     double f[4 * MOST * MOST] = {0}, greatest = 0, least = INFINITY, scaled[3 * BAT_CELL_POINTS];
@@ -124,7 +124,7 @@ static double bound_of(const search *s, const double *net) {
     return least + 16 * DBL_EPSILON * greatest;
 }
 
-/* A better point among the corners starts a descent. */
+/* Starts a descent from each corner that is better than the best point so far. */
 static void try_corners(search *s, const bat_cell *cell) {
     const int p = s->degree[0], q = s->degree[1];
     for (int k = 0; k < 4; k++) {
@@ -162,7 +162,7 @@ static void search_span(search *s, bat_cell *stack) {
     }
 }
 
-/* ---- All spans, those whose box is nearer first ---- */
+/* ---- All spans, those with the nearest boxes first ---- */
 
 typedef struct patch {
     double bound;

@@ -1,4 +1,5 @@
-/* A line of a surface is redrawn, and the rows beside it come along (docs/math/surfaces.md; Fowler and Bartels 1993). */
+/* Redraws an iso-curve of a surface; the rows beside it follow (docs/math/surfaces.md; Fowler and Bartels
+ * 1993). */
 #include "form/surface/surface.h"
 #include "base/options.h"
 
@@ -8,16 +9,16 @@
 
 enum { MOST = BAT_DEGREE_MAX + 1 };
 static const double gain_max = 4, spans_reached = 2.5;
-static const double point_size = 1e-12; /* by the surface's size: a line as short as that is a point */
+static const double point_size = 1e-12; /* of the surface's size: an iso-curve this short is a point */
 
 static const bat_surface_redraw_options DEFAULTS = {.size = sizeof DEFAULTS};
-enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+enum { LEAST = sizeof DEFAULTS }; /* size in version 0.2: the first member added later begins there */
 
 void bat_surface_redraw_options_init(bat_surface_redraw_options *options, size_t size) {
     bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
 }
 
-/* Below, the line is one at u: it runs along v, and rows are numbered along u. */
+/* Below, the line is an iso-curve at u: it runs along v, and rows are numbered along u. */
 
 static double mean_span(const bat_curve *axis) {
     double domain[2];
@@ -27,14 +28,14 @@ static double mean_span(const bat_curve *axis) {
     return (domain[1] - domain[0]) / spans;
 }
 
-/* Where x lies as seen from u: in a closed direction its nearest image. */
+/* x, or in a closed direction its periodic image nearest to u. */
 static double seen_from(const bat_curve *axis, double u, double x) {
     double domain[2];
     bat_curve_domain(axis, domain);
     return axis->closed ? u + remainder(x - u, domain[1] - domain[0]) : x;
 }
 
-/* The bump, 0 for rows that are held. greville: as many numbers as rows. */
+/* The bump at each row, 0 for rows that are held. greville: one abscissa per row. */
 static void bump(const bat_curve *axis, double u, const bat_surface_redraw_options *options, double reach,
                  const double *greville, double *weights) {
     for (int i = 0; i < axis->count; i++) {
@@ -44,7 +45,7 @@ static void bump(const bat_curve *axis, double u, const bat_surface_redraw_optio
     for (size_t k = 0; k < options->hold_count; k++) weights[options->hold[k]] = 0;
 }
 
-/* Scales the bump so that the line moves by 1; false: it can not move. */
+/* Scales the bump so that the line moves by 1; false: the line cannot move. */
 static bool scale(const bat_curve *axis, double u, double *weights, double *gain) {
     double basis[MOST], sum = 0;
     int first;
@@ -77,7 +78,7 @@ static void support(const bat_curve *axis, double u, const double *weights, cons
     moved[0] = fmax(moved[0], domain[0]), moved[1] = fmin(moved[1], domain[1]);
 }
 
-/* The line of a surface, and its greatest distance from the one asked for, point by point. */
+/* The greatest distance between control points of the surface's line at u and those of the line asked for. */
 static bat_status compare(const bat_surface *surface, double u, const bat_curve *line, double *error) {
     bat_curve *now;
     bat_status status = bat_surface_isocurve(surface, BAT_U, u, &now);
@@ -89,7 +90,7 @@ static bat_status compare(const bat_surface *surface, double u, const bat_curve 
     return BAT_OK;
 }
 
-/* The rows moved. */
+/* The surface with its rows moved by the weights. */
 static bat_status carry(const bat_surface *surface, double u, const bat_curve *line, const double *weights,
                         bat_surface **out) {
     bat_curve *now;
@@ -126,7 +127,7 @@ static bat_status check(const bat_surface *surface, double u, const bat_curve *l
     return status;
 }
 
-/* work: twice as many numbers as there are rows: the weights, the Greville abscissae. */
+/* work: two numbers per row: the weights, then the Greville abscissae. */
 static bat_status redraw(const bat_surface *surface, double at, const bat_curve *line,
                          const bat_surface_redraw_options *options, double *work, bat_surface **out,
                          bat_surface_redraw_report *report) {

@@ -1,5 +1,5 @@
-/* Knots inserted into a surface: into each of its rows, which are curves. For rows along the other direction u and v
- * are exchanged and exchanged back, which copies bits. */
+/* Inserts knots into a surface, by inserting them into each of its rows, which are curves. For the other
+ * direction, u and v are exchanged before and after, which keeps every bit. */
 #include "form/surface/surface.h"
 
 #include <batten/refine.h>
@@ -30,7 +30,7 @@ bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out) 
 
 typedef bat_status operation(const bat_curve *row, int knot_count, const double *knots, bat_curve **out);
 
-/* A surface with the rows along u of `surface` and the axis along v that the first changed row brings. */
+/* A new surface with the axis along u of `surface`, and along v the axis of the first changed row. */
 static bat_status begin(const bat_surface *surface, const bat_curve *row, bat_surface **out) {
     const bat_curve *a = &surface->axis[0];
     const int degree[2] = {a->degree, row->degree}, count[2] = {a->count, row->count};

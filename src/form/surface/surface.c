@@ -1,4 +1,4 @@
-/* The surface as a value: made, checked, read, copied, compared, transformed. */
+/* The surface as a value: creation, checks, access, copy, comparison, transformation. */
 #include "form/surface/surface.h"
 #include "base/real.h"
 

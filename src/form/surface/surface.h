@@ -1,4 +1,4 @@
-/* Inside the room of surfaces: what a surface is made of. Both directions are stored unrolled, as curves are. */
+/* Internal to surfaces: the representation. Both directions are stored unrolled, as in curves. */
 #ifndef BATTEN_FORM_SURFACE_H
 #define BATTEN_FORM_SURFACE_H
 
@@ -6,28 +6,28 @@
 #include <batten/surface.h>
 
 struct bat_surface {
-    bat_curve axis[2]; /* degree, knots and counts of u and v; they have no points */
+    bat_curve axis[2]; /* degree, knots and counts of u and v, without points */
     double size;       /* bat_surface_size */
     double *points;    /* axis[0].spread rows of axis[1].spread points */
 };
 
-/* One block with the counts set, the arrays' contents unset. */
+/* Allocates one block; the counts are set, the contents of the arrays are not. */
 bat_status bat_surface_allocate(const int degree[2], const bool closed[2], const int count[2],
                                 bat_surface **out);
-/* Checks a filled surface, of which only the user's knots and points are read, fills in what is unrolled, and hands it
- * over; frees it when it is not valid. */
+/* Checks a filled surface, reading only the user's knots and points, fills in the unrolled rest, and hands the
+ * surface over; frees it when it is not valid. */
 bat_status bat_surface_finish(bat_surface *surface, bat_surface **out);
 /* The user's row i, writable while a surface is being made. */
 double *bat_surface_own_row(bat_surface *surface, int i);
-/* Stored row i (0 <= i < axis[0].spread) as a curve in space along v; it borrows the surface's arrays. */
+/* Stored row i (0 <= i < axis[0].spread) as a curve in space along v, which borrows the surface's arrays. */
 bat_curve bat_surface_stored_row(const bat_surface *surface, int i);
 /* All rows as one curve along u, whose points are whole stored rows: 3 * axis[1].spread numbers. */
 bat_curve bat_surface_whole(const bat_surface *surface);
-/* u and v exchanged; copies bits. */
+/* Exchanges u and v; keeps every bit. */
 bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out);
 
-/* Position and derivatives in given spans, as bat_surface_eval gives them; u and v may lie outside (the polynomial is
- * continued). */
+/* Position and derivatives in given spans, as bat_surface_eval gives them; u and v may lie outside the span
+ * (the polynomial is extended). */
 void bat_surface_eval_spans(const bat_surface *surface, const int span[2], double u, double v, int order,
                             double *out);
 
