@@ -1,4 +1,4 @@
-/* The words of the command line, read as a subcommand's table of options says. */
+/* Parses the words of the command line by a subcommand's table of options. */
 #include "program.h"
 
 #include "text/number.h"
@@ -25,7 +25,7 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
             only_operands = true;
             continue;
         }
-        if (only_operands || word[0] != '-' || word[1] == '\0') { /* "-" is a file */
+        if (only_operands || word[0] != '-' || word[1] == '\0') { /* "-" is an operand: a standard stream */
             if (word[0] == '\0') return fail_usage(command, "a file's name is empty");
             if (operands == command->operands + command->more)
                 return fail_usage(command, "one word too many: %s", word);
@@ -57,7 +57,7 @@ const char *arguments_value(const cli_arguments *arguments, const char *name) {
     return index < 0 ? NULL : arguments->values[index];
 }
 
-/* The whole of text up to end is one finite number. */
+/* Whether the text up to `end` is exactly one finite number. */
 static bool number_between(const char *text, const char *end, double *out) {
     double value;
     if (bat_number_scan(text, end, &value) != end || !isfinite(value)) return false;
@@ -91,7 +91,7 @@ int arguments_integer(const cli_arguments *arguments, const char *name, long low
     return EXIT_DONE;
 }
 
-/* Numbers, each with the separator behind it: a comma, and a semicolon behind every size-th (size 0: never). */
+/* Reads numbers separated by commas, with a semicolon after every size-th (size 0: never). */
 static int read_numbers(const cli_arguments *arguments, const char *name, size_t size, double **out,
                         size_t *count) {
     const char *text = arguments_value(arguments, name);

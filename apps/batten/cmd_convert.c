@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* The format that OUT is written in: by --to, else by its name. */
+/* The format of OUT: from --to, else from its name. */
 static int output_format(const cli_arguments *arguments, const bat_format **out) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
     char words[BAT_FORMATS_WORDS];
@@ -25,7 +25,7 @@ static int run(const cli_arguments *arguments) {
     double tolerance = -1;
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
     if (tolerance >= 0)
-        options.tolerance = tolerance, options.share = 0; /* as asked, however small a path is */
+        options.tolerance = tolerance, options.share = 0; /* as asked, however small the path */
     if (failed) return failed;
     drawing_file drawing;
     failed = drawing_read(in, &options, &drawing);

@@ -16,10 +16,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Below the ports that systems give out, and none that browsers block. */
+/* Below the ports that systems assign, and without any that browsers block. */
 enum { OWN_PORTS = 20000, OWN_PORTS_COUNT = 10000 };
 
-/* In a process of its own that nobody has to wait for. What it prints is not ours to show. */
+/* Runs the browser in a separate process that need not be waited for. Its output is discarded. */
 static void open_browser(const char *address, const sigset_t *signals) {
     pid_t child = fork();
     if (child == 0) {
@@ -41,8 +41,8 @@ static bool has_display(void) {
     return (x && *x) || (wayland && *wayland);
 }
 
-/* The file can be read as what it is called, or can be made. Says what the user should know before drawing.
- */
+/* Checks that the file can be read in its format, or can be created. Says what the user should know before
+ * drawing. */
 static int look_at(const char *path, const bat_format *format) {
     char *text;
     size_t size;
@@ -74,7 +74,7 @@ static int look_at(const char *path, const bat_format *format) {
     return EXIT_DONE;
 }
 
-/* What a killed server left beside the file. */
+/* Removes what a killed server has left beside the file. */
 static void tidy_up(const char *path) {
     io_place place;
     if (!io_place_open(&place, path)) return;
@@ -82,8 +82,9 @@ static void tidy_up(const char *path) {
     io_place_close(&place);
 }
 
-/* A file's own port, the same at every start: by the address the browser finds again what it keeps of a drawing.
- * Made of its name and its folder, however that is written. */
+/* A port for the file that is the same at every start: the browser stores what belongs to a drawing by its
+ * address. Computed from the file's name and its folder's inode, so it does not depend on how the path is
+ * written. */
 static int own_port(const char *path) {
     char folder[4096];
     const char *slash = strrchr(path, '/');
@@ -98,7 +99,7 @@ static int own_port(const char *path) {
     return OWN_PORTS + (int)(hash % OWN_PORTS_COUNT);
 }
 
-/* port below 0: none was asked for. */
+/* port < 0: none was asked for. */
 static int serve(const cli_arguments *arguments, const bat_format *format, int port) {
     const char *path = arguments->operands[0];
     sigset_t signals;
@@ -106,7 +107,7 @@ static int serve(const cli_arguments *arguments, const bat_format *format, int p
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
     sigaddset(&signals, SIGHUP);
-    sigprocmask(SIG_BLOCK, &signals, NULL); /* before threads: only this one takes them */
+    sigprocmask(SIG_BLOCK, &signals, NULL); /* before other threads start: only this one receives them */
     http_server *server;
     const char *wrong = serve_start(path, format, port < 0 ? own_port(path) : port, port > 0, &server);
     if (wrong && port < 0) wrong = serve_start(path, format, 0, false, &server);
@@ -115,7 +116,7 @@ static int serve(const cli_arguments *arguments, const bat_format *format, int p
     snprintf(address, sizeof address, "http://127.0.0.1:%d/", serve_port(server));
     bool opens = !arguments_value(arguments, "--no-open") && has_display();
     int failed = EXIT_DONE;
-    if ((printf("%s\n", address) < 0 || fflush(stdout) != 0) && !opens) { /* nobody would ever know it */
+    if ((printf("%s\n", address) < 0 || fflush(stdout) != 0) && !opens) { /* nobody would learn the address */
         failed = fail_output("standard output");
     } else {
         clearerr(stdout);

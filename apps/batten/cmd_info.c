@@ -113,7 +113,7 @@ static void put_line(bat_text *text, const char *left, const char *right) {
     bat_text_string(text, "\n");
 }
 
-/* Names come from files. */
+/* Names come from files, so they are cleaned. */
 static void put_name(bat_text *text, const char *name) {
     char piece[CLEAN_ROOM];
     for (size_t read = clean_next(name, piece); read; read = clean_next(name, piece)) {
@@ -138,7 +138,7 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     }
 }
 
-/* What writing over the file would lose, one kind a line. */
+/* What overwriting the file would lose, one kind per line. */
 static void put_losses(bat_text *text, const drawing_file *drawing) {
     char line[96];
     int total = bat_losses_total(&drawing->report.lost);

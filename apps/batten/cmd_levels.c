@@ -1,4 +1,4 @@
-/* batten levels: shapes of sweep and detail, edited and taken apart. */
+/* batten levels: shapes made of sweep and detail levels, edited and decomposed. */
 #include "program.h"
 #include "results.h"
 

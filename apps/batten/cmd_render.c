@@ -1,4 +1,4 @@
-/* batten render: a picture. */
+/* batten render: a picture of a drawing. */
 #include "drawing.h"
 #include "io.h"
 #include "paint_cairo.h"
@@ -62,7 +62,7 @@ static void put_attribute(bat_text *text, const char *name, double value) {
     bat_text_string(text, "\"");
 }
 
-/* The library's SVG with the root's size and view put in, and the background behind all. */
+/* The library's SVG, with the size and view set on the root element, and the background behind everything. */
 static int svg_picture(const bat_document *document, const paint_area *area, uint32_t background,
                        const char *in, unsigned char **data, size_t *size) {
     char *inner;
@@ -86,7 +86,7 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
         char colour[8] = "#";
         for (int i = 0; i < 6; i++) colour[1 + i] = hex[(background >> (28 - 4 * i)) & 15];
         bat_text_string(&text, "<rect");
-        put_attribute(&text, "x", view[0] - view[2]); /* beyond the view, whose proportions may differ */
+        put_attribute(&text, "x", view[0] - view[2]); /* larger than the view, as proportions may differ */
         put_attribute(&text, "y", view[1] - view[3]);
         put_attribute(&text, "width", 3 * view[2]);
         put_attribute(&text, "height", 3 * view[3]);

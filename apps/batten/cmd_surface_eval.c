@@ -15,7 +15,7 @@ static int samples(const cli_arguments *arguments, long size[2]) {
                       size[0], size[1]);
 }
 
-/* The parameters, u slowest: those of --at, or a grid. */
+/* The parameters: those of --at, or a grid with u slowest. */
 static int places(const cli_arguments *arguments, const bat_surface *surface, double **uv, size_t *count) {
     int failed = arguments_places(arguments, "--at", 2, uv, count);
     if (failed) return failed;
@@ -56,7 +56,7 @@ static void put_curvatures(bat_text *text, const bat_surface *surface, const dou
     double *gauss = values, *mean = values + count;
     for (size_t i = 0; i < count; i++)
         if (bat_surface_curvature(surface, uv[2 * i], uv[2 * i + 1], &gauss[i], &mean[i]) != BAT_OK)
-            gauss[i] = mean[i] = NAN; /* null */
+            gauss[i] = mean[i] = NAN; /* printed as null */
     bat_text_string(text, ",\n\"gauss\":");
     put_numbers(text, gauss, count);
     bat_text_string(text, ",\n\"mean\":");

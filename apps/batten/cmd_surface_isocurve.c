@@ -1,4 +1,4 @@
-/* batten surface isocurve: a parameter line, exact. */
+/* batten surface isocurve: an iso-curve, exact. */
 #include "program.h"
 #include "results.h"
 #include "surfaces.h"

@@ -1,4 +1,4 @@
-/* batten surface redraw: a parameter line becomes another curve, and the surface comes along. */
+/* batten surface redraw: an iso-curve is replaced by another curve, and the surface follows. */
 #include "program.h"
 #include "results.h"
 #include "surfaces.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What was read besides the surface. */
+/* What was asked for, besides the surface. */
 typedef struct wish {
     bat_direction direction;
     double at;
@@ -43,7 +43,7 @@ static int read_wish(const cli_arguments *arguments, wish *out) {
     return failed ? failed : read_hold(arguments, out);
 }
 
-/* Why the line does not become what it should. */
+/* Says why the line cannot be redrawn. */
 static int fail_redraw(const cli_arguments *arguments, bat_status status, const bat_surface *surface,
                        const wish *w, const bat_surface_redraw_report *report) {
     const char *line = arguments->operands[1], *place = w->direction == BAT_U ? "--u" : "--v";
@@ -60,7 +60,7 @@ static int fail_redraw(const cli_arguments *arguments, bat_status status, const 
                          "expected the surface's knots along the line, or a superset, found others");
     case BAT_DOT:
         return fail_data(arguments->operands[0], place, "expected a line, found a point (a collapsed edge)");
-    case BAT_ARGUMENT: /* all else that it can mean has been checked */
+    case BAT_ARGUMENT: /* its other causes have been ruled out already */
         for (size_t i = 0; i < w->options.hold_count; i++)
             if (w->options.hold[i] >= rows)
                 return fail_data(arguments->operands[0], "--hold", "expected rows 0 to %d, found %d",

@@ -31,7 +31,7 @@ static int print(const bat_curve *curve, const bat_joint *joints, int count, con
     char *data;
     size_t size;
     if (bat_text_finish(&body, &data, &size) != BAT_OK) return fail_memory();
-    bat_text_add(&text, data, size - 1); /* all but the closing brace */
+    bat_text_add(&text, data, size - 1); /* without the closing brace */
     bat_free(data);
     bat_text_string(&text, ",\n\"k\":[");
     for (int i = 0; i < count; i++) {

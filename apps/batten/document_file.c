@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Size and FNV-1a of the content: two versions differ by accident with a chance of 2^-64 to be taken for one.
- * Time and inode are left out, so that touching the file, or writing back the same bytes, is no change; they
- * are compared by io_replace over the short time of a save. */
+/* Size and FNV-1a hash of the content: the chance that two versions of one size get the same tag by accident
+ * is 2^-64. Time and inode are left out, so that touching the file or writing back the same bytes is no
+ * change; io_replace compares those over the short time of a save. */
 static void make_tag(const char *data, size_t size, bool exists, char tag[TAG_ROOM]) {
     if (!exists) {
         strcpy(tag, "\"none\"");
@@ -71,7 +71,7 @@ static file_result check(const bat_format *format, const char *data, size_t size
     return FILE_DONE;
 }
 
-/* With the place locked: other servers save before or after, and see what was saved. */
+/* Called with the place locked: other servers save before or after, and see what was saved. */
 static file_result replace(const io_place *place, const char *data, size_t size, const char *tag) {
     char *old, old_tag[TAG_ROOM];
     size_t old_size;
@@ -99,7 +99,7 @@ file_result document_file_save(const char *path, const bat_format *format, const
 
 enum { COPIES_MAX = 99 };
 
-/* The ending stays where it is. */
+/* The copy's name keeps the extension. */
 static bool name_copy(const char *name, int number, char out[NAME_ROOM]) {
     const char *dot = strrchr(name, '.');
     int stem = dot && dot > name ? (int)(dot - name) : (int)strlen(name), size;
@@ -112,7 +112,7 @@ static bool name_copy(const char *name, int number, char out[NAME_ROOM]) {
     return false;
 }
 
-/* A name that is taken in the last moment is not written over, either. */
+/* A file that takes the name at the last moment is not overwritten either. */
 static file_result put_beside(io_place *place, const char *data, size_t size, char name[NAME_ROOM]) {
     static const io_stamp nothing = {.exists = false};
     char first[NAME_ROOM];
@@ -135,7 +135,7 @@ file_result document_file_save_beside(const char *path, const bat_format *format
     if (result != FILE_DONE) return result;
     io_place place;
     if (!io_place_open(&place, path)) return FILE_FAILED;
-    struct stat original; /* what only its owner may read stays so */
+    struct stat original; /* a file that only its owner may read stays private */
     if (stat(place.path, &original) == 0) place.like = &original;
     io_place_lock(&place);
     result = put_beside(&place, data, size, name);

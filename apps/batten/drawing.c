@@ -51,7 +51,7 @@ void drawing_remark(const char *name, const drawing_file *drawing) {
     if (line[0]) remark("%s: %s", strcmp(name, "-") == 0 ? "standard input" : name, line);
 }
 
-/* "-": what standard input was taken from. */
+/* in "-": the file that is open as standard input. */
 static bool is_same_file(const char *in, const char *out) {
     struct stat a, b;
     int found = strcmp(in, "-") == 0 ? fstat(STDIN_FILENO, &a) : stat(in, &a);

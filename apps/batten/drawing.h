@@ -1,4 +1,4 @@
-/* A drawing in any of the formats: read by its name or its first character, written by its name. */
+/* A drawing in any of the formats: read by its name or its content, written by its name. */
 #ifndef BATTEN_APPS_DRAWING_H
 #define BATTEN_APPS_DRAWING_H
 
@@ -12,29 +12,31 @@
 typedef struct drawing_file {
     const bat_format *format;
     bat_document *document;
-    bat_svg_report report; /* zero but for SVG */
+    bat_svg_report report; /* zeros except for formats with losses */
 } drawing_file;
 
-/* format NULL: told from the text. A native document is read under the name of a
- * format of parts, too (.json). options NULL: bat_svg_defaults. */
+/* format NULL: recognised from the text. Under the name of a format for parts (.json), a native document is
+ * read, too. options NULL: bat_svg_defaults. */
 bat_status drawing_parse(const char *text, size_t size, const bat_format *format,
                          const bat_svg_options *options, drawing_file *out, bat_problem *problem);
-/* The file called name ("-": standard input). Returns 0, or an exit status after telling. */
+/* Reads the file called name ("-": standard input). Returns 0, or an exit status after reporting the failure. */
 int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out);
 void drawing_free(drawing_file *drawing);
 
 int drawing_curve_count(const bat_document *document);
-/* What an import left out, as a remark, when anything was. */
+/* Prints a remark about what an import left out, if anything. */
 void drawing_remark(const char *name, const drawing_file *drawing);
 
-/* Whether OUT may be written, which may be IN: only with --lossy when something of it would be lost (a picture holds no
- * drawing). Returns 0, or an exit status after telling. */
+/* Whether OUT may be written, which may be the same file as IN: if something in it would be lost, only with
+ * --lossy (picture: the output is a picture, which does not keep the drawing). Returns 0, or an exit status
+ * after reporting the failure. */
 int drawing_may_replace(const cli_arguments *arguments, const drawing_file *drawing, const char *in,
                         const char *out, bool picture);
 #define OPTION_LOSSY                                                                                         \
     { "--lossy", NULL, "write over the input even when something of it is lost" }
 
-/* The document as text (bat_free). name: for the failure's line. Returns 0, or an exit status after telling. */
+/* The document as text, to be freed with bat_free. name: used when reporting a failure. Returns 0, or an exit
+ * status after reporting the failure. */
 int drawing_print(const bat_document *document, const bat_format *format, const char *name, char **text,
                   size_t *size);
 

@@ -12,9 +12,9 @@
 enum {
     LINE_ROOM = 8192,
     CLEANED_ROOM = 8 * LINE_ROOM
-}; /* a line is longer than any path, and no longer than two */
+}; /* a line has room for any path, but not for more than two */
 
-/* In one piece, so that lines of several processes do not mix. */
+/* Written in one piece, so that lines of several processes do not mix. */
 static void put_line(const char *line) {
     char cleaned[CLEANED_ROOM];
     size_t size = clean_text(line, cleaned, sizeof cleaned - 1);
@@ -66,7 +66,7 @@ int fail_output(const char *name) {
     progress_end();
     signal(SIGPIPE, SIG_DFL);
     raise(SIGPIPE);
-    return 128 + SIGPIPE; /* as a shell tells it, where the signal is blocked */
+    return 128 + SIGPIPE; /* the status a shell would report; reached where the signal is blocked */
 }
 
 void remark(const char *format, ...) {

@@ -2,7 +2,7 @@
 
 #include <sys/socket.h>
 
-/* Goes before b. */
+/* Whether a must leave before b. */
 static bool less_wanted(const guest *a, const guest *b) {
     if (!a->socket || !b->socket) return !a->socket && b->socket;
     return a->known != b->known ? !a->known : a->heard < b->heard;
@@ -13,7 +13,7 @@ guest *guests_come(guest_list *list, int socket) {
     for (int i = 1; i < GUESTS_MAX; i++) {
         if (less_wanted(&list->places[i], place)) place = &list->places[i];
     }
-    if (place->socket) shutdown(place->socket, SHUT_RDWR); /* its end is noticed where all ends are */
+    if (place->socket) shutdown(place->socket, SHUT_RDWR); /* the closing is noticed where all closings are */
     *place = (guest){.socket = socket, .heard = ++list->events};
     return place;
 }

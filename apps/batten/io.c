@@ -30,7 +30,7 @@ bool io_stamp_equal(const io_stamp *a, const io_stamp *b) {
            a->changed.tv_sec == b->changed.tv_sec && a->changed.tv_nsec == b->changed.tv_nsec;
 }
 
-/* All that file gives; hint: bytes expected. */
+/* Reads everything from file; hint: bytes expected. */
 static bool read_all(int file, size_t hint, char **data, size_t *size) {
     size_t room = hint + 4096, used = 0;
     char *bytes = malloc(room);
@@ -82,11 +82,11 @@ io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp) 
     *data = NULL;
     *size = 0;
     *stamp = (io_stamp){.exists = false};
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* a pipe would wait for a writer */
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* never waits for a pipe's writer */
     if (file < 0) {
         if (errno == ENOENT) return IO_DONE;
         return errno == ENXIO || errno == ENODEV ? IO_NOT_REGULAR
-                                                 : IO_FAILED; /* a socket, a device that is gone */
+                                                 : IO_FAILED; /* a socket, or a device that is gone */
     }
     struct stat status;
     io_result result = fstat(file, &status) != 0  ? IO_FAILED
@@ -112,8 +112,7 @@ int io_read(const char *name, char **data, size_t *size) {
 bool io_read_only(const char *path) {
     struct stat status;
     if (stat(path, &status) != 0) return false;
-    /* The superuser may write everything; a file that nobody may write is meant to stay as it is all the
-     * same. */
+    /* The superuser may write anything; a file without any write permission is still meant to stay unchanged. */
     return (status.st_mode & 0222) == 0 || access(path, W_OK) != 0;
 }
 
@@ -128,7 +127,7 @@ size_t io_put(int file, const void *data, size_t size) {
     return done;
 }
 
-/* Half a result in a file is worse than none: it goes, as long as nobody has written behind it. */
+/* Half a result in a file is worse than none: removes it, unless somebody has written after it. */
 static void take_back(int file, size_t written) {
     int reason = errno;
     struct stat status;
@@ -141,7 +140,7 @@ static void take_back(int file, size_t written) {
 }
 
 static int write_standard(const void *data, size_t size) {
-    progress_end(); /* both may be the same terminal */
+    progress_end(); /* standard output and error may be the same terminal */
     size_t written = io_put(STDOUT_FILENO, data, size);
     if (written == size) return EXIT_DONE;
     take_back(STDOUT_FILENO, written);

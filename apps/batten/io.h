@@ -1,4 +1,4 @@
-/* Files in whole, files out whole or not at all. */
+/* Reads files as a whole; writes them as a whole or not at all. */
 #ifndef BATTEN_APPS_IO_H
 #define BATTEN_APPS_IO_H
 
@@ -10,16 +10,17 @@ enum { IO_FILE_MAX = 1 << 28 }; /* bytes */
 
 typedef enum io_result {
     IO_DONE,
-    IO_CHANGED,     /* not the file that was expected */
-    IO_READ_ONLY,   /* nobody may write it, or not we */
+    IO_CHANGED,     /* it is not the file that was expected */
+    IO_READ_ONLY,   /* nobody may write it, or we may not */
     IO_NOT_REGULAR, /* a pipe, a folder, a device */
     IO_FAILED       /* errno says why */
 } io_result;
 
-/* "is read-only": what is said of a file behind its name. Reads errno, when the result is IO_FAILED. */
+/* The part of a message that follows the file's name, such as "is read-only". Reads errno when the result is
+ * IO_FAILED. */
 const char *io_message(io_result result);
 
-/* What a file was when it was looked at, so that it can be seen whether it has changed since. */
+/* The state of a file when it was examined, to tell whether it has changed since. */
 typedef struct io_stamp {
     bool exists;
     dev_t device;
@@ -31,18 +32,19 @@ typedef struct io_stamp {
 io_stamp io_stamp_of(const struct stat *status);
 bool io_stamp_equal(const io_stamp *a, const io_stamp *b);
 
-/* All of a regular file: malloc'ed, a zero behind it. Anything else is not waited for. A file that is not there:
- * IO_DONE, *data NULL, size 0, stamp->exists false. */
+/* Reads a whole regular file: malloc'ed, zero-terminated. Never waits on anything that is not a regular file.
+ * A missing file: IO_DONE, *data NULL, size 0, stamp->exists false. */
 io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp);
-/* No write permission for anybody, or not for us. False when the file is not there. */
+/* Whether nobody has write permission, or we have not. False when the file does not exist. */
 bool io_read_only(const char *path);
-/* How many bytes were written: fewer than size, and errno says why. */
+/* Returns how many bytes were written; when fewer than size, errno says why. */
 size_t io_put(int file, const void *data, size_t size);
 
-/* All of a file, whatever it is, or of standard input ("-"): malloc'ed, a zero behind it. Returns 0, or an exit
- * status after telling what is wrong. */
+/* Reads a whole file of any type, or standard input ("-"): malloc'ed, zero-terminated. Returns 0, or an exit
+ * status after reporting the failure. */
 int io_read(const char *name, char **data, size_t *size);
-/* Writes to a file (replace.h) or to standard output ("-"). Returns 0, or an exit status after telling. */
+/* Writes to a file (replace.h) or to standard output ("-"). Returns 0, or an exit status after reporting the
+ * failure. */
 int io_write(const char *name, const void *data, size_t size);
 
 #endif

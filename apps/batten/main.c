@@ -1,4 +1,4 @@
-/* The batten program: finds the subcommand and gives it its arguments. */
+/* The batten program: finds the subcommand and passes its arguments to it. */
 #include "program.h"
 #include "progress.h"
 
@@ -30,7 +30,7 @@ static const cli_command *const commands[] = {
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-/* The command whose name the first words are; *used: how many words that takes. */
+/* The command named by the first words; *used: how many words the name has. */
 static const cli_command *command_find(int count, char **words, int *used) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         const char *name = commands[i]->name, *second = strchr(name, ' ');
@@ -43,7 +43,7 @@ static const cli_command *command_find(int count, char **words, int *used) {
     return NULL;
 }
 
-/* Whether names of two words begin with this one. */
+/* Whether this is the first word of two-word command names. */
 static bool is_group(const char *word) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         const char *second = strchr(commands[i]->name, ' ');
@@ -91,7 +91,7 @@ static void print_help(void) {
            "\nExit status: 0 done, 1 the data are bad (one line on standard error), 2 wrong usage.\n");
 }
 
-/* --help may stand anywhere among the words, but behind "--" it is a file. */
+/* --help may appear anywhere among the words, but after "--" it is a file name. */
 static bool wants_help(int count, char **words) {
     for (int i = 0; i < count && strcmp(words[i], "--") != 0; i++) {
         if (strcmp(words[i], "--help") == 0 || strcmp(words[i], "-h") == 0) return true;
@@ -99,13 +99,14 @@ static bool wants_help(int count, char **words) {
     return false;
 }
 
-/* What was printed has reached its destination, or the exit status says that it has not. */
+/* Flushes the output; if it has not reached its destination, the exit status says so. */
 static int finish(int status) {
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == EXIT_DONE) return fail_output("standard output");
     return status;
 }
 
-/* No file that is opened becomes a standard stream by accident. What was closed cannot be used, either. */
+/* Occupies standard streams that are closed, so that no opened file becomes one by accident; using such a
+ * stream still fails. */
 static void hold_standard_streams(void) {
     for (int i = 0; i <= STDERR_FILENO; i++) {
         if (fcntl(i, F_GETFD) < 0) open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -114,9 +115,9 @@ static void hold_standard_streams(void) {
 
 int main(int count, char **words) {
     hold_standard_streams();
-    setvbuf(stdout, NULL, _IOFBF, 1 << 16); /* what is printed is printed at the end, in one piece */
-    signal(SIGPIPE, SIG_IGN);               /* a reader that has gone, or a file at its limit, */
-    signal(SIGXFSZ, SIG_IGN);               /* is an error of writing, not a sudden end */
+    setvbuf(stdout, NULL, _IOFBF, 1 << 16); /* output is written at the end, in one piece */
+    signal(SIGPIPE, SIG_IGN);               /* a reader that has gone, or a file at its size limit, */
+    signal(SIGXFSZ, SIG_IGN);               /* is a write error and does not kill the program */
     if (count < 2) return fail_usage(NULL, "a command is missing");
     int used = 0;
     if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 || strcmp(words[1], "help") == 0) {
@@ -138,7 +139,7 @@ int main(int count, char **words) {
         return finish(EXIT_DONE);
     }
     if (!command) return fail_unknown(count - 1, words + 1);
-    const int from = 1 + used; /* the command's own words */
+    const int from = 1 + used; /* where the command's own words begin */
     if (wants_help(count - from, words + from)) {
         print_command_help(command);
         return finish(EXIT_DONE);
@@ -146,7 +147,7 @@ int main(int count, char **words) {
     cli_arguments arguments;
     int status = arguments_parse(command, count - from, words + from, &arguments);
     if (status) return status;
-    if (command != &command_edit) progress_begin(command->name); /* the server is not at work, it waits */
+    if (command != &command_edit) progress_begin(command->name); /* the server waits, it is not at work */
     status = command->run(&arguments);
     progress_end();
     return finish(status);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Grows with every object's box and half its stroke; miters may stand out by their limit. */
+/* Extends the box by the object's box and half its stroke width; miters may stick out as far as their limit. */
 static void grow(const bat_object *object, double box[4]) {
     double own[4];
     bat_object_bounds(object, own);
@@ -35,7 +35,7 @@ void paint_area_of(const bat_document *document, int width, int height, paint_ar
         for (int i = 0; i < bat_document_count(document); i++) grow(bat_document_at(document, i), box);
         if (!(box[0] <= box[2])) memcpy(box, (double[4]){0, 0, 1, 1}, sizeof box);
         double size = fmax(box[2] - box[0], box[3] - box[1]);
-        if (size <= 0) size = 1; /* one point, drawn with a pen without width */
+        if (size <= 0) size = 1; /* a single point drawn with a stroke of zero width */
         page[2] = fmax(box[2] - box[0], size * 1e-3);
         page[3] = fmax(box[3] - box[1], size * 1e-3);
         page[0] = (box[0] + box[2] - page[2]) / 2;
@@ -54,7 +54,7 @@ static void set_colour(cairo_t *cairo, uint32_t colour) {
                           ((colour >> 8) & 255) / 255.0, (colour & 255) / 255.0);
 }
 
-/* Cubic segments, exact up to degree 3; above, within tolerance. */
+/* Adds the curve to the path as cubic segments: exact up to degree 3, above that within tolerance. */
 static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance) {
     double *cubics;
     int count;
@@ -82,9 +82,10 @@ static void set_pen(cairo_t *cairo, const bat_style *style) {
     cairo_set_miter_limit(cairo, style->miter_limit);
 }
 
-/* What is painted next covers no more than the path and its stroke; without it a group is as large as the picture. */
+/* Clips the next painting to the box of the path and its stroke; otherwise a group would be as large as the
+ * picture. */
 static void clip_to_path(cairo_t *cairo, const bat_style *style, bool stroked) {
-    double box[4], own[4], room = 2, across = 0; /* two pixels more: edges stay as they are */
+    double box[4], own[4], room = 2, across = 0; /* two pixels more, so that edges do not change */
     cairo_device_to_user_distance(cairo, &room, &across);
     cairo_fill_extents(cairo, &box[0], &box[1], &box[2], &box[3]);
     if (stroked) {
@@ -111,7 +112,7 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
         if (status != BAT_OK) return status;
     }
     bool group = style->opacity <
-                 1; /* of the object as a whole: fill and stroke do not show through each other */
+                 1; /* opacity of the object as a whole: fill and stroke do not show through each other */
     if (group) {
         cairo_save(cairo);
         clip_to_path(cairo, style, stroked);
@@ -189,7 +190,7 @@ const char *paint_document(const bat_document *document, const paint_area *area,
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PAINT_PNG) {
         painted = cairo_surface_write_to_png_stream(surface, collect, &bytes);
     }
-    cairo_surface_finish(surface); /* a PDF is written now */
+    cairo_surface_finish(surface); /* this writes a PDF */
     if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
     if (status == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {

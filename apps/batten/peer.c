@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* Linux lists every socket with its owner. Addresses stand there as the number in memory, ports as they are. */
+/* Linux lists every socket with its owner. In this list, addresses are printed as the number in memory, ports
+ * in host byte order. */
 bool peer_is_ours(const struct sockaddr_in *peer, int port) {
     FILE *file = fopen("/proc/net/tcp", "re");
     if (!file) return true;

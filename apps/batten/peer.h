@@ -6,9 +6,9 @@
 #include <stdbool.h>
 
 /*
- * False when the process that connects to our port belongs to another user (the superuser aside, who can do
- * everything anyway): a loopback address is open to everybody on the machine, and the page holds the token.
- * True, too, when the system does not tell.
+ * False when the process that connects to our port belongs to another user (except the superuser, who can do
+ * anything anyway): a loopback address is open to everybody on the machine, and the page contains the token. Also
+ * true when the system does not say.
  */
 bool peer_is_ours(const struct sockaddr_in *peer, int port);
 

@@ -1,4 +1,4 @@
-/* What the files of the program share: subcommands, their arguments, and how a failure is told. */
+/* Shared by the files of the program: subcommands, their arguments, and the reporting of failures. */
 #ifndef BATTEN_APPS_PROGRAM_H
 #define BATTEN_APPS_PROGRAM_H
 
@@ -9,7 +9,7 @@ enum { OPTIONS_MAX = 8, OPERANDS_MAX = 3 };
 
 typedef struct cli_option {
     const char *name;  /* "--at" */
-    const char *value; /* what follows it, as the help calls it; NULL: nothing, it is a flag */
+    const char *value; /* name of its value in the help; NULL: it is a flag, without a value */
     const char *help;
 } cli_option;
 
@@ -18,7 +18,7 @@ typedef struct cli_arguments cli_arguments;
 /* One subcommand. --help, the manual page's synopsis and the shell's completion are made from it. */
 typedef struct cli_command {
     const char *name;    /* a word, or two: "surface eval" */
-    const char *usage;   /* what follows the name, as the contract writes it */
+    const char *usage;   /* what follows the name, as in the manual */
     const char *summary; /* one line */
     const char *details; /* lines, may be NULL */
     const char *example; /* lines */
@@ -31,7 +31,7 @@ typedef struct cli_command {
 struct cli_arguments {
     const cli_command *command;
     const char *operands[OPERANDS_MAX]; /* NULL: left out */
-    const char *values[OPTIONS_MAX];    /* beside command->options; NULL: not given; flags: "" */
+    const char *values[OPTIONS_MAX];    /* parallel to command->options; NULL: not given; flags: "" */
 };
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
@@ -41,11 +41,11 @@ extern const cli_command command_edit, command_eval, command_nearest, command_fr
 
 /* ---- arguments ---- */
 
-/* EXIT_DONE, or EXIT_USAGE after telling what is wrong. */
+/* EXIT_DONE, or EXIT_USAGE after reporting what is wrong. */
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);
 /* The option's value, or NULL when it was not given. */
 const char *arguments_value(const cli_arguments *arguments, const char *name);
-/* The option as one finite number with low <= number <= high; *out is left alone when it was not given. */
+/* The option as one finite number with low <= number <= high; *out is unchanged when it was not given. */
 int arguments_number(const cli_arguments *arguments, const char *name, double low, double high, double *out);
 int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out);
 /* A list of numbers, "1,2.5,-3": *out is malloc'ed; NULL when the option was not given. */
@@ -53,25 +53,25 @@ int arguments_numbers(const cli_arguments *arguments, const char *name, double *
 /* A list of places of `size` numbers, "0,1;0.5,1"; *count: how many places. */
 int arguments_places(const cli_arguments *arguments, const char *name, size_t size, double **out,
                      size_t *count);
-/* Exactly `size` numbers into out, which is left alone when the option was not given. */
+/* Exactly `size` numbers into out, which is unchanged when the option was not given. */
 int arguments_vector(const cli_arguments *arguments, const char *name, size_t size, double *out);
-/* "640x480": two whole numbers of 1 to most. */
+/* "640x480": two integers from 1 to most. */
 int arguments_product(const cli_arguments *arguments, const char *name, long most, long out[2]);
 
 /* ---- failures: one line of valid UTF-8 on standard error ---- */
 
-/* "batten NAME: message", and where help is; returns EXIT_USAGE. */
+/* "batten NAME: message", and how to get help; returns EXIT_USAGE. */
 int fail_usage(const cli_command *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "FILE: PLACE: message" (place may be NULL or empty); returns EXIT_DATA. */
 int fail_data(const char *file, const char *place, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* The same for what a reader found. */
+/* The same for a problem that a reader reported. */
 int fail_problem(const char *file, bat_status status, const bat_problem *problem);
 int fail_memory(void);
-/* A result that cannot be written; errno says why. A reader who has gone, as in "| head -1", wants no more: then the
- * program ends as others do, by SIGPIPE and without a word. */
+/* A result cannot be written; errno says why. A reader that has gone, as in "| head -1", wants no more: the
+ * program then ends like others, by SIGPIPE and without a message. */
 int fail_output(const char *name);
-/* A remark that is no failure: one line. */
+/* A remark that is not a failure: one line. */
 void remark(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif

@@ -7,7 +7,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* Written by the signal handler; the program's one place for such state. */
+/* Written by the signal handler; the only such state in the program. */
 static const char *volatile working;
 static volatile sig_atomic_t seconds;
 
@@ -16,7 +16,7 @@ static void put(const char *text) {
     (void)ignored;
 }
 
-/* Only what a signal handler may call. */
+/* A signal handler: calls only what is allowed in one. */
 static void on_second(int number) {
     (void)number;
     int reason = errno;

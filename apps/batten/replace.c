@@ -15,7 +15,7 @@
 #define ASIDE_PREFIX ".batten-"
 enum {
     LINKS_MAX = 40,
-    ASIDE_DIGITS = 16, /* hexadecimal, random: no file that a user names is taken for one of ours */
+    ASIDE_DIGITS = 16, /* hexadecimal, random: no user's file is mistaken for one of ours */
     ASIDE_ROOM = sizeof ASIDE_PREFIX + ASIDE_DIGITS,
     ASIDE_TRIES = 16,
     LOCK_TRIES = 2000,
@@ -31,7 +31,7 @@ static io_stamp stamp_at(int folder, const char *name) {
                                                                     : (io_stamp){.exists = false};
 }
 
-/* Follows symbolic links by hand, since the last may lead to a file that is not there yet. */
+/* Follows symbolic links step by step, since the last may lead to a file that does not exist yet. */
 static bool follow_links(const char *path, char out[PATH_ROOM]) {
     if (strlen(path) >= PATH_ROOM) {
         errno = ENAMETOOLONG;
@@ -61,14 +61,14 @@ bool io_place_open(io_place *place, const char *path) {
     if (!follow_links(path, place->path)) return false;
     const char *slash = strrchr(place->path, '/');
     place->name = slash ? slash + 1 : place->path;
-    if (!place->name[0]) place->name = "."; /* a folder's, with the slash */
+    if (!place->name[0]) place->name = "."; /* path ended with a slash: a folder */
     if (slash) {
         size_t size = (size_t)(slash - place->path) + 1;
         memcpy(folder, place->path, size);
         folder[size] = '\0';
     }
     place->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (place->folder < 0 && errno == EACCES) { /* one that may be written but not listed */
+    if (place->folder < 0 && errno == EACCES) { /* a folder that may be written but not listed */
         place->folder = open(folder, O_PATH | O_DIRECTORY | O_CLOEXEC);
     }
     return place->folder >= 0;
@@ -106,7 +106,8 @@ void io_place_lock(const io_place *place) {
 
 /* ---- the file beside the place ---- */
 
-/* It is locked as long as it is written, so that it can be told from one that was left. */
+/* The new content, written beside the place. Locked while it is written, so that it can be told from a file
+ * left by a killed process. */
 typedef struct aside_file {
     int file;
     char name[ASIDE_ROOM];
@@ -131,14 +132,14 @@ static bool aside_open(int folder, aside_file *aside) {
         if (aside->file < 0 && errno != EEXIST) return false;
         if (aside->file < 0) continue;
         struct stat status;
-        flock(aside->file, LOCK_EX | LOCK_NB); /* without locks nothing is removed as left, either */
+        flock(aside->file, LOCK_EX | LOCK_NB); /* without locks, no leftovers are removed either */
         if (fstat(aside->file, &status) == 0 && status.st_nlink > 0) return true;
-        close(aside->file); /* it was taken for one before it was locked */
+        close(aside->file); /* it was removed as a leftover before it was locked */
     }
     return false;
 }
 
-/* The new content, on the disk, with the mode and owner of an old one. */
+/* Writes the new content to disk, with the mode and owner of the old file. */
 static bool aside_write(const aside_file *aside, const void *data, size_t size, const struct stat *old) {
     mode_t mode;
     if (old) {
@@ -159,12 +160,12 @@ static bool exchange(const io_place *place, const char *aside) {
     return renameat2(place->folder, aside, place->folder, place->name, RENAME_EXCHANGE) == 0;
 }
 
-/* Another program's file came out, and ours is in its place. Back it goes, until what comes out is what was put in
- * last: the other program may write again meanwhile, and its last word counts. */
+/* The exchange took out another program's file and put ours in its place. Exchanges back until what comes out
+ * is what was put in last: the other program may write again meanwhile, and its last version counts. */
 static io_result give_back(const io_place *place, const char *aside, io_stamp inside) {
     for (int i = 0; i < EXCHANGE_TRIES; i++) {
         io_stamp given = stamp_at(place->folder, aside);
-        if (!exchange(place, aside)) { /* it removed the place: what it had put there is kept all the same */
+        if (!exchange(place, aside)) { /* it removed the file: what it had put there is still kept */
             if (linkat(place->folder, aside, place->folder, place->name, 0) != 0 && errno != EEXIST)
                 renameat(place->folder, aside, place->folder, place->name); /* no links here */
             return IO_CHANGED;
@@ -177,7 +178,7 @@ static io_result give_back(const io_place *place, const char *aside, io_stamp in
     return IO_CHANGED;
 }
 
-/* Into the place of exactly the expected file. What is then called aside may go. */
+/* Replaces exactly the expected file. Afterwards the file called aside->name may be removed. */
 static io_result put_over(const io_place *place, const aside_file *aside, const io_stamp *expected) {
     struct stat status;
     if (fstat(aside->file, &status) != 0) return IO_FAILED;
@@ -193,12 +194,12 @@ static io_result put_over(const io_place *place, const aside_file *aside, const 
     return io_stamp_equal(&out, expected) ? IO_DONE : give_back(place, aside->name, io_stamp_of(&status));
 }
 
-/* Where nothing was. */
+/* Puts the new file where there was none. */
 static io_result put_new(const io_place *place, const aside_file *aside) {
     if (linkat(place->folder, aside->name, place->folder, place->name, 0) == 0) return IO_DONE;
     if (errno == EEXIST) return IO_CHANGED;
     if (errno != EPERM && errno != ENOTSUP) return IO_FAILED;
-    io_stamp now = stamp_at(place->folder, place->name); /* a file system without links */
+    io_stamp now = stamp_at(place->folder, place->name); /* a file system without hard links */
     if (now.exists) return IO_CHANGED;
     return renameat(place->folder, aside->name, place->folder, place->name) == 0 ? IO_DONE : IO_FAILED;
 }
@@ -233,10 +234,10 @@ io_result io_replace(const io_place *place, const void *data, size_t size, const
                            ? put_in_place(place, &aside, expected)
                            : IO_FAILED;
     int reason = errno;
-    unlinkat(place->folder, aside.name, 0); /* what was written, or what came out, or nothing any more */
-    close(aside.file);                      /* only now, with its lock */
+    unlinkat(place->folder, aside.name, 0); /* the new file, or the old one, or nothing by now */
+    close(aside.file);                      /* only now, as this releases the lock */
     if (result == IO_DONE)
-        fsync(place->folder); /* some file systems cannot; the file is whole all the same */
+        fsync(place->folder); /* some file systems cannot do this; the file is complete all the same */
     errno = reason;
     return result;
 }

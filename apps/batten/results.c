@@ -120,7 +120,7 @@ static void put_report(bat_text *text, const bat_sketch_report *report) {
     bat_text_string(text, "}");
 }
 
-/* A report becomes the last member of an object. Releases both. */
+/* Writes an object with the report as its last member. Releases both. */
 static int write_reported(char *data, size_t size, bat_text *report) {
     bat_text text = {0};
     while (size && data[size - 1] != '}') size--;

@@ -22,12 +22,12 @@ enum {
     TOKEN_BYTES = 16,
     TOKEN_ROOM = 2 * TOKEN_BYTES + 1,
     HOST_ROOM = 32,
-    CONNECTIONS_MAX = 2 * GUESTS_MAX, /* those who were shown out are not gone yet */
-    STRANGER_SECONDS = 10,            /* how long one may be silent who has not shown the token */
+    CONNECTIONS_MAX = 2 * GUESTS_MAX, /* guests that were disconnected may not be gone yet */
+    STRANGER_SECONDS = 10,            /* how long a guest that has not shown the token may be silent */
     IDLE_SECONDS = 60
 };
 
-/* What every answer carries. */
+/* Headers of every response. */
 static const char *const headers[][2] = {
     {"Content-Security-Policy",
      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: "
@@ -49,21 +49,21 @@ struct http_server {
     const bat_format *format;
     int port;
     char token[TOKEN_ROOM];
-    char hosts[2][HOST_ROOM]; /* what Host may say */
+    char hosts[2][HOST_ROOM]; /* values allowed for Host */
     char *name;               /* of the file, percent-encoded */
-    char *page;               /* "/" with the token put in */
+    char *page;               /* the page "/" with the token inserted */
     size_t page_size;
 };
 
-/* One request; its body, when it is a PUT that may have one. */
+/* One request, with its body when it is a PUT or POST that may have one. */
 typedef struct http_request {
-    size_t address_size; /* of the request line's address as it came */
-    bool begun;          /* the headers were looked at */
+    size_t address_size; /* of the address in the request line, as received */
+    bool begun;          /* the headers have been examined */
     char *body;
     size_t size, room;
 } http_request;
 
-/* ---- answers ---- */
+/* ---- responses ---- */
 
 static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status,
                               struct MHD_Response *response, const char *type) {
@@ -77,7 +77,7 @@ static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status
     return result;
 }
 
-/* One line of plain text. extra: a header's name and value, or NULL. */
+/* Answers with one line of plain text. name, value: an extra header, or NULL. */
 static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text,
                            const char *name, const char *value) {
     char line[512];
@@ -99,7 +99,7 @@ static enum MHD_Result count_header(void *user, enum MHD_ValueKind kind, const c
                                     const char *value) {
     (void)kind;
     header_count *wanted = user;
-    const char *a = name, *b = wanted->name; /* names of headers know no case */
+    const char *a = name, *b = wanted->name; /* header names are case-insensitive */
     while (*a && *b && (*a | 32) == (*b | 32)) a++, b++;
     if (*a == *b) {
         wanted->value = value ? value : "";
@@ -108,7 +108,7 @@ static enum MHD_Result count_header(void *user, enum MHD_ValueKind kind, const c
     return MHD_YES;
 }
 
-/* The header's value; NULL when it is not there. */
+/* The header's value; NULL when it is missing. */
 static const char *header(struct MHD_Connection *connection, const char *name, int *count) {
     header_count wanted = {.name = name};
     MHD_get_connection_values(connection, MHD_HEADER_KIND, count_header, &wanted);
@@ -116,10 +116,10 @@ static const char *header(struct MHD_Connection *connection, const char *name, i
     return wanted.value;
 }
 
-/* Takes the same time wherever the first difference is. */
+/* Takes the same time wherever the first difference is, against timing attacks. */
 static bool same_token(const char *a, const char *b) {
     size_t size = strlen(b);
-    if (strlen(a) != size) return false; /* the length is no secret */
+    if (strlen(a) != size) return false; /* the length is not secret */
     unsigned difference = 0;
     for (size_t i = 0; i < size; i++) difference |= (unsigned)((unsigned char)a[i] ^ (unsigned char)b[i]);
     return difference == 0;
@@ -130,7 +130,8 @@ typedef struct http_refusal {
     const char *text;
 } http_refusal;
 
-/* Both stand in the request as it came, with the colon and the blanks between them. */
+/* Adds the size of a header line: name and value point into the request as received, with the colon and blanks
+ * between them. */
 static enum MHD_Result add_header_size(void *user, enum MHD_ValueKind kind, const char *name,
                                        const char *value) {
     (void)kind;
@@ -139,8 +140,8 @@ static enum MHD_Result add_header_size(void *user, enum MHD_ValueKind kind, cons
     return MHD_YES;
 }
 
-/* Every byte of the head is in what was made of it: no NUL hides the rest of a line, no line is folded. From 1.0 on
- * libmicrohttpd sees to it itself. */
+/* Whether the parsed headers account for every byte of the head: no NUL hides the rest of a line, and no line
+ * is folded. From version 1.0 on libmicrohttpd checks this itself. */
 static bool is_plain_head(struct MHD_Connection *connection, const http_request *request, const char *method,
                           const char *version) {
     if (MHD_VERSION >= 0x01000000) return true;
@@ -151,7 +152,7 @@ static bool is_plain_head(struct MHD_Connection *connection, const http_request 
     return info && info->header_size == size;
 }
 
-/* Whoever asks is our own page, or the user's own address bar. */
+/* Refuses requests that come neither from our own page nor from the user's address bar. */
 static http_refusal refuse_stranger(const http_server *server, struct MHD_Connection *connection) {
     static const char *const single[] = {"Host",         "Origin",   "Sec-Fetch-Site", "X-Batten-Token",
                                          "Content-Type", "If-Match", "Content-Length", "Transfer-Encoding"};
@@ -183,14 +184,14 @@ static http_refusal refuse_token(const http_server *server, struct MHD_Connectio
                           "The token is missing or wrong: open the address that batten edit printed."};
 }
 
-/* "image/svg+xml; charset=utf-8" is image/svg+xml. */
+/* Whether a Content-Type is this type; "image/svg+xml; charset=utf-8" is image/svg+xml. */
 static bool is_type(const char *value, const char *type) {
     size_t size = strlen(type);
     return strncmp(value, type, size) == 0 &&
            (value[size] == '\0' || value[size] == ';' || value[size] == ' ');
 }
 
-/* What can be said of a PUT or POST before its body is read. *size: bytes that will come. */
+/* Refuses a PUT or POST by its headers, before its body is read. *size: length of the body. */
 static http_refusal refuse_body(const http_server *server, struct MHD_Connection *connection, bool put,
                                 size_t *size) {
     const char *type = header(connection, "Content-Type", NULL);
@@ -239,7 +240,7 @@ static char *percent_encoded(const char *text) {
     return out;
 }
 
-/* What the file itself refuses. */
+/* Answers why the file could not be saved. */
 static enum MHD_Result say_failure(struct MHD_Connection *connection, file_result result) {
     switch (result) {
     case FILE_CHANGED:
@@ -274,7 +275,7 @@ static enum MHD_Result get_document(const http_server *server, struct MHD_Connec
     return answer(connection, MHD_HTTP_OK, response, server->format->media_type);
 }
 
-/* What became of a body: 204 with the new tag, 201 with the name of the new file, or why not. */
+/* Answers a save: 204 with the new tag, 201 with the name of the new file, or why it failed. */
 static enum MHD_Result say_saved(struct MHD_Connection *connection, file_result result,
                                  const bat_problem *problem, unsigned status, const char *name,
                                  const char *value) {
@@ -300,7 +301,7 @@ static enum MHD_Result put_document(const http_server *server, struct MHD_Connec
     return say_saved(connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
 }
 
-/* A new file beside it. */
+/* Writes a new file beside the served one. */
 static enum MHD_Result post_document(const http_server *server, struct MHD_Connection *connection,
                                      const http_request *request) {
     char name[NAME_ROOM] = "", shown[CLEAN_ROOM * NAME_ROOM];
@@ -336,7 +337,7 @@ static enum MHD_Result get_file(const http_server *server, struct MHD_Connection
     return answer(connection, MHD_HTTP_OK, response, file->type);
 }
 
-/* Whoever has shown the token may stay longer. */
+/* Notes a request; guests that have shown the token may stay longer. */
 static void note_guest(http_server *server, struct MHD_Connection *connection, bool known) {
     const union MHD_ConnectionInfo *info = MHD_get_connection_info(connection,
                                                                    MHD_CONNECTION_INFO_SOCKET_CONTEXT);
@@ -346,7 +347,7 @@ static void note_guest(http_server *server, struct MHD_Connection *connection, b
     }
 }
 
-/* The headers are here, the body is not: decides whether it may come. */
+/* Called when the headers have arrived, but not the body: decides whether to accept it. */
 static enum MHD_Result begin(http_server *server, struct MHD_Connection *connection, const char *path,
                              const char *method, http_request *request) {
     request->begun = true;
@@ -397,7 +398,7 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
     return (strcmp(method, "PUT") == 0 ? put_document : post_document)(server, connection, request);
 }
 
-/* The first thing that is known of a request: its address, before anything is taken out of it. */
+/* Called first for each request, with its address before it is parsed. */
 static void *on_address(void *user, const char *address, struct MHD_Connection *connection) {
     (void)user;
     (void)connection;
@@ -426,7 +427,7 @@ static enum MHD_Result on_connection(void *user, const struct sockaddr *address,
     return peer_is_ours(&peer, server->port) ? MHD_YES : MHD_NO;
 }
 
-/* Paths are compared as they come: ours hold nothing that is written with percent signs. */
+/* Leaves percent escapes as they are: none of our paths needs any. */
 static size_t keep_escapes(void *user, struct MHD_Connection *connection, char *text) {
     (void)user;
     (void)connection;
@@ -458,7 +459,8 @@ static bool make_token(char token[TOKEN_ROOM]) {
     return true;
 }
 
-/* The page with the token in place of its mark, and what becomes of its address; as it is without the marks. */
+/* Makes the page with the token, and whether its address is lasting, in place of their marks; a page without
+ * the marks is used unchanged. */
 static bool make_page(http_server *server, bool lasting) {
     const web_file *file = find_file("/");
     if (!file) return true;
@@ -482,13 +484,13 @@ static bool make_page(http_server *server, bool lasting) {
     return true;
 }
 
-/* A socket of our own, so that the port is known before the first request comes in. -1: errno says why. */
+/* Opens our own socket, so that the port is known before the first request arrives. -1: errno says why. */
 static int listen_on(http_server *server, int port) {
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     int listener = socket(AF_INET, SOCK_STREAM, 0);
     if (listener < 0) return -1;
-    int on = 1; /* a port may be taken again right after its last owner has ended */
+    int on = 1; /* the port can be reused right after its last owner has ended */
     socklen_t size = sizeof address;
     if (setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
         fcntl(listener, F_SETFD, FD_CLOEXEC) != 0 ||

@@ -1,27 +1,28 @@
 /*
- * The editor's server: loopback only, one file, one token a start. It gives the embedded shell, the file, and
- * takes the file back. Everything that does not come from its own page is refused:
+ * The editor's server: loopback only, one file, one token per start. It serves the embedded shell and the file,
+ * and saves the file. Everything that does not come from its own page is refused:
  *
- *   400 a header given twice that must be there once (Host, Origin, ...); NUL or a folded line in the head
- *   403 a foreign or null Origin, a fetch from another site, a token that is missing or wrong
+ *   400 a header given twice that must appear once (Host, Origin, ...); NUL or a folded line in the head
+ *   403 a foreign or null Origin, a fetch from another site, a missing or wrong token
  *   404 a path that is not in the table (there is no file system behind it)
  *   405 another method
- *   409 the file or its folder is read-only, a pipe, a folder or a device stands in its place, all names for a copy
+ *   409 the file or its folder is read-only; a pipe, a folder or a device is in its place; all names for a copy
  *       are taken
- *   411 a body without its length; 413 one above SERVE_BODY_MAX
+ *   411 a body without its length; 413 one larger than SERVE_BODY_MAX
  *   412 the file on disk is not the one that If-Match names
- *   415 another media type than the file's
+ *   415 a media type other than the file's
  *   421 a Host that is not ours (DNS rebinding)
- *   422 a body that is no drawing in the file's format: nothing is written
+ *   422 a body that is not a drawing in the file's format: nothing is written
  *   428 no If-Match
- *   507 no room on the disk, or the file would be above its limit
+ *   507 no space on the disk, or the file would exceed its size limit
  *
  * Connections of other users of the machine are closed at once, where the system tells whose they are.
  *
- * GET /document gives the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with
- * If-Match saves. POST /document makes a new file beside it and gives its X-Batten-Name (201). All need the header X-Batten-Token, which stands in the page in place of %TOKEN%. The page at
- * "/index.html" is the one without a token, which a browser may keep: "/sw.js" keeps it and the files beside it where
- * %ADDRESS% says "lasting", that is, where the port was asked for, and asks "/" for the token of each start.
+ * GET /document returns the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with If-Match
+ * saves. POST /document makes a new file beside it and returns its X-Batten-Name (201). All of these need the
+ * header X-Batten-Token, whose value is in the page in place of %TOKEN%. The page at "/index.html" is the one
+ * without a token, which a browser may keep: "/sw.js" keeps it and the files beside it where %ADDRESS% says
+ * "lasting", that is, where the port was asked for, and asks "/" for the token of each start.
  */
 #ifndef BATTEN_APPS_SERVE_H
 #define BATTEN_APPS_SERVE_H
@@ -32,15 +33,14 @@
 
 typedef struct http_server http_server;
 
-/* Starts a thread that serves path. port 0: any free one. lasting: the browser may keep the shell of this
- * address. NULL on success, else what went wrong (static
- * storage or strerror's). path is borrowed. */
+/* Starts a thread that serves the file at path, which is borrowed. port 0: any free one. lasting: the browser
+ * may keep the shell of this address. NULL on success, else what went wrong (static storage or strerror's). */
 const char *serve_start(const char *path, const bat_format *format, int port, bool lasting,
                         http_server **out);
 int serve_port(const http_server *server);
-/* Ends after the request under way. */
+/* Stops after the current request. */
 void serve_stop(http_server *server);
-/* The shell (false: the module, batten.wasm) is part of this build. */
+/* Whether the shell is part of this build; the second call: the module, batten.wasm. */
 bool serve_has_shell(void);
 bool serve_has_module(void);
 

@@ -1,12 +1,12 @@
 #include "sketch_options.h"
 
-/* What the sketch hand takes, in pixels. */
+/* Options of the sketch hand, given in pixels. */
 static const double TOLERANCE_LEAST = 1e-3, TOLERANCE_MOST = 1e6;
 
 int sketch_options(const cli_arguments *arguments, bat_sketch_options *out) {
     const double least = 1e-30, most = 1e30;
     *out = bat_sketch_defaults();
-    out->tolerance = 0; /* one pixel, whatever a pixel is */
+    out->tolerance = 0; /* 0 means one pixel, whatever its size */
     long pins = out->pins;
     int failed = arguments_number(arguments, "--tolerance", least, most, &out->tolerance);
     if (!failed) failed = arguments_number(arguments, "--pixel", least, most, &out->pixel);

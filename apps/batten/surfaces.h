@@ -1,4 +1,5 @@
-/* What the commands for surfaces share: the line that --u or --v names, and parameters in the domain. */
+/* Shared by the commands for surfaces: the iso-curve given by --u or --v, and checks that parameters lie in
+ * the domain. */
 #ifndef BATTEN_APPS_SURFACES_H
 #define BATTEN_APPS_SURFACES_H
 
@@ -13,12 +14,12 @@
 #define OPTION_V                                                                                             \
     { "--v", "V", "the line at v = V" }
 
-/* The line that --u or --v names; wrong usage is told before any file is read. */
+/* The iso-curve given by --u or --v; reports wrong usage, before any file is read. */
 int line_of(const cli_arguments *arguments, bat_direction *direction, double *at);
-/* Whether it lies in the domain of the surface that was read from the first operand. */
+/* Checks that it lies in the domain of the surface, which was read from the first operand. */
 int check_line(const cli_arguments *arguments, const bat_surface *surface, bat_direction direction,
                double at);
-/* The same for a parameter of any option. */
+/* The same for a parameter given by any option. */
 int check_parameter(const cli_arguments *arguments, const char *option, const bat_surface *surface,
                     bat_direction direction, double at);
 

@@ -6,8 +6,7 @@
 #include <stddef.h>
 
 typedef struct web_file {
-    const char *
-        path; /* as in the address: "/", "/sw.js", "/0123456789abcdef/main.js", the digest that of all files */
+    const char *path; /* as in the address: "/", "/sw.js", "/0123456789abcdef/main.js" (digest of all) */
     const char *type; /* media type */
     const unsigned char *data;
     size_t size;

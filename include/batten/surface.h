@@ -127,11 +127,10 @@ static inline bat_surface_redraw_options bat_surface_redraw_defaults(void) {
 }
 
 typedef struct bat_surface_redraw_report {
-    double value; /* where the line is, in the domain */
-    double reach; /* the radius that was used */
-    double
-        moved[2]; /* what may have moved: the supports of the moved rows; closed: unwrapped around the line */
-    double gain;  /* greatest movement of a row relative to the line's: above 1.25 users should be told */
+    double value;    /* where the line is, in the domain */
+    double reach;    /* the radius that was used */
+    double moved[2]; /* the supports of the rows that moved; closed: unwrapped around the line */
+    double gain;     /* greatest movement of a row relative to the line's: above 1.25 users should be told */
     double line_error; /* greatest distance between control points of the new line and those asked for */
     int knots_before[2], knots_after[2]; /* of u and v */
 } bat_surface_redraw_report;
