@@ -1,4 +1,4 @@
-/* The table of kernels: each rows_*.c fills a part of it. */
+/* The table of kernels: each rows_*.c supplies some of its rows. */
 #ifndef BATTEN_BENCH_H
 #define BATTEN_BENCH_H
 
@@ -7,11 +7,11 @@ typedef struct bench_row {
     const char *unit;
     double scale; /* 1e9: ns, 1e6: us */
     double per;   /* items in one call */
-    int variant;  /* handed to begin */
+    int variant;  /* passed to begin */
     void *(*begin)(int variant);
     void (*run)(void *context);
     void (*end)(void *context);
-    void (*note)(void *context, char *out, int room); /* facts after the last run; may be 0 */
+    void (*note)(void *context, char *out, int room); /* facts to report after the last run; may be NULL */
 } bench_row;
 
 extern const bench_row bench_rows_eval[], bench_rows_shape[], bench_rows_levels[],

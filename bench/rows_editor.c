@@ -1,4 +1,4 @@
-/* The engine as the user feels it: an event, a frame, a stroke, an undo, in documents of many curves. */
+/* The editor's response times: an event, a frame, a stroke, an undo, in documents with many curves. */
 #include "../tests/support/pen.h"
 #include "bench.h"
 #include "strokes.h"
@@ -9,7 +9,7 @@ typedef struct session {
     int samples, turn;
 } session;
 
-/* A page of 1000 x 800 with `curves` short cubics in rows of 40, shown one to one. */
+/* A page of 1000 x 800 with `curves` short cubics in rows of 40, shown at scale 1. */
 static session *open_session(int curves, int samples) {
     session *s = calloc(1, sizeof *s);
     bat_document *document = NULL;
@@ -42,7 +42,7 @@ static void run_hover(void *context) {
     bat_editor_frame(s->editor);
 }
 
-/* Across the page with a tremor; frames: every `every` samples, 0: none. The pen stays down. */
+/* Draws across the page with a tremor, with a frame after every `every` samples (0: none). The pen stays down. */
 static void draw(session *s, int every) {
     uint64_t state = 3;
     for (int i = 0; i < s->samples; i++) {
@@ -53,7 +53,7 @@ static void draw(session *s, int every) {
     }
 }
 
-enum { EVENTS_A_FRAME = 4 }; /* a pen of 240 Hz, a screen of 60 Hz */
+enum { EVENTS_A_FRAME = 4 }; /* a pen at 240 Hz, a screen at 60 Hz */
 
 static void run_frames(void *context) {
     session *s = context;

@@ -34,7 +34,7 @@ static void *begin_frames(int variant) { /* negative: in the plane */
     return f;
 }
 
-/* All of it: the chain is made anew. */
+/* Everything, with a new chain of frames each time. */
 static void run_bulk(void *context) {
     framing *f = context;
     bat_frame_arrays out = {f->point, f->t, f->s, NULL};
@@ -71,7 +71,7 @@ static void end_shape(void *context) {
     free(s);
 }
 
-/* A wave of so many points (negative: in the plane), taken apart into three levels. */
+/* A wave of `variant` points (negative: in the plane), decomposed into three levels. */
 static void *begin_shape(int variant) {
     shaping *s = calloc(1, sizeof *s);
     if (!s) return NULL;
@@ -90,7 +90,7 @@ static void run_decompose(void *context) {
     bat_shape_free(shape);
 }
 
-/* The base is dragged, and the finest curve with it: one pointer event. */
+/* One pointer event: the base is dragged, and the finest curve with it. */
 static void run_drag(void *context) {
     shaping *s = context;
     s->step += 0.01;
@@ -98,7 +98,7 @@ static void run_drag(void *context) {
     if (bat_shape_live_drag(s->live, s->u, delta) != BAT_OK) abort();
 }
 
-/* The whole gesture: copy, one event, and details back in the frames that the curves alone give. */
+/* A whole gesture: a copy, one event, and the details converted back to the frames of the curves themselves. */
 static void run_gesture(void *context) {
     shaping *s = context;
     const double delta[3] = {0, 5, 3};
@@ -110,7 +110,7 @@ static void run_gesture(void *context) {
     bat_shape_free(out);
 }
 
-/* A fader moves: everything above follows. */
+/* The gain of a level changes, and all finer levels follow. */
 static void run_gain(void *context) {
     shaping *s = context;
     s->step += 0.01;

@@ -1,11 +1,11 @@
-/* Workload: recorded-like strokes made from formulas and a seeded generator, the same in every program. */
+/* Workload: strokes like recorded ones, made from formulas and a seeded generator, the same in every program. */
 #ifndef BATTEN_BENCH_STROKES_H
 #define BATTEN_BENCH_STROKES_H
 
 #include <math.h>
 #include <stdint.h>
 
-static inline double stroke_noise(uint64_t *state) { /* triangular-ish, -1..1: sum of three uniforms */
+static inline double stroke_noise(uint64_t *state) { /* bell-shaped, -1..1: sum of three uniforms */
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         *state = *state * 6364136223846793005u + 1442695040888963407u;

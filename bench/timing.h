@@ -1,4 +1,4 @@
-/* Minimum and median of many runs, printed as one JSON object a row. Plain enough for C and C++. */
+/* Minimum and median of many runs, printed as one JSON object per row. Valid as both C and C++. */
 #ifndef BATTEN_BENCH_TIMING_H
 #define BATTEN_BENCH_TIMING_H
 
@@ -18,7 +18,7 @@ static inline int bench_order(const void *a, const void *b) {
 }
 
 typedef struct bench_time {
-    double best, median; /* seconds a call */
+    double best, median; /* seconds per call */
 } bench_time;
 
 /* At least five runs and 0.4 s, at most 400 runs; short calls are repeated within a run until it takes 0.2
@@ -53,7 +53,7 @@ static inline void bench_print(const char *program, const char *name, const char
     fflush(stdout);
 }
 
-/* The common inputs: a wavy clamped cubic of n points, parameter 0..1, and its knots. */
+/* The common input: points and knots of a wavy clamped cubic with n points and parameters 0..1. */
 static inline void bench_curve(int n, int dimension, double *knots, double *points) {
     unsigned long long state = 99;
     for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? 1 : (double)(i - 3) / (n - 3);

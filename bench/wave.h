@@ -1,4 +1,4 @@
-/* The curve that most rows take. */
+/* The curve used by most rows. */
 #ifndef BATTEN_BENCH_WAVE_H
 #define BATTEN_BENCH_WAVE_H
 
@@ -7,7 +7,7 @@
 #include <batten/curve.h>
 #include <stdlib.h>
 
-/* n control points; NULL: no memory. */
+/* A curve with n control points; NULL: out of memory. */
 static inline bat_curve *bench_wave(int n, int dimension) {
     double *knots = malloc(sizeof(double) * (size_t)(n + 4)),
            *points = malloc(sizeof(double) * (size_t)(n * dimension));

@@ -1,5 +1,5 @@
-/* Bytes become a curve and a run of public calls on it. Whatever the numbers are, there is a status, never a
- * crash, and what comes out is a valid curve. */
+/* Bytes become a curve and a series of public calls on it. Whatever the numbers, each call returns a status
+ * and never crashes, and every result is a valid curve. */
 #include "bytes.h"
 #include <batten/bezier.h>
 
@@ -44,7 +44,7 @@ static bat_curve *read_curve(bytes *in) {
     return curve;
 }
 
-/* What an operation hands over passes the validator again, and evaluates to finite numbers. */
+/* The result of an operation passes validation again and evaluates to finite numbers. */
 static void check(const bat_curve *curve) {
     bat_curve *again = NULL;
     if (bat_curve_create(bat_curve_dimension(curve), bat_curve_degree(curve), bat_curve_is_closed(curve),
@@ -79,7 +79,7 @@ static void evaluate(bytes *in, const bat_curve *curve) {
     free(greville);
 }
 
-/* All segments: as many as the curve says, each finite. */
+/* Checks all segments: there are as many as the curve says, and all are finite. */
 static bat_status segments(const bat_curve *curve) {
     int count = bat_curve_segment_count(curve), size = bat_curve_dimension(curve);
     int numbers = count * (bat_curve_degree(curve) + 1) * size;
@@ -96,7 +96,7 @@ static bat_status segments(const bat_curve *curve) {
     return BAT_ARGUMENT;
 }
 
-/* Some points of the curve moved, or a control point. */
+/* Drags some points of the curve, or a control point. */
 static bat_status drag(bytes *in, const bat_curve *curve, bat_curve **out) {
     double u[4], delta[12];
     int count = small(in, 4);

@@ -1,11 +1,11 @@
-/* Bytes become a session with all that the editor can do. The invariants hold after each event; the journal replays to
- * the same drawing; undoing everything gives the first drawing back, redoing the last. */
+/* Bytes become a session with everything that the editor can do. The invariants hold after each event; the
+ * journal replays to the same drawing; undoing everything gives the first drawing back, redoing the last. */
 #include "demand.h"
 #include "support/wild.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-enum { MOST = 48 }; /* bytes; long sessions are the tests', here many count */
+enum { MOST = 48 }; /* bytes; long sessions are left to the tests, here many short ones matter */
 
 static void replays(const bat_editor *editor) {
     bat_editor *again = NULL;
@@ -36,7 +36,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     uint64_t top = digest(editor);
     int steps = 0;
     while (bat_editor_command(editor, "undo") == BAT_OK) steps++;
-    /* A journal made short keeps 250 steps. */
+    /* A shortened journal keeps 250 undo steps. */
     demand(steps >= 250 || digest(editor) == first, "undoing everything does not give the first drawing");
     while (bat_editor_command(editor, "redo") == BAT_OK) {
     }

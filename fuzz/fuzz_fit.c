@@ -1,4 +1,4 @@
-/* Any samples, any options: a status, within its promise when it says so, and in time. */
+/* Any samples, any options: a status; within the tolerance when it reports so; and in limited time. */
 #include <batten/fit.h>
 #include <batten/nearest.h>
 
@@ -23,7 +23,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.solves_max = data[7] % 64, options.hold_ends = data[7] & 64;
     data += 8, size -= 8;
     size_t numbers = 0;
-    if (wide) /* raw doubles: every odd number there is */
+    if (wide) /* raw doubles, including every special value */
         for (; size >= 8 && numbers < MOST * 3; size -= 8, data += 8) memcpy(x + numbers++, data, 8);
     else
         for (; size >= 1 && numbers < MOST * 3; size--, data++) x[numbers++] = (double)*data - 128;

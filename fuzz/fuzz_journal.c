@@ -1,4 +1,4 @@
-/* Any text as a journal: a status, never a crash; what was run leaves a sound editor whose own journal
+/* Any text as a journal: a status, never a crash; what was replayed leaves a valid editor, whose own journal
  * replays to the same document. */
 #include "demand.h"
 #include <batten/batten.h>

@@ -1,4 +1,5 @@
-/* Any bytes as a document, a curve and a stroke. What reads, writes, and reads again as the same, bit for bit. */
+/* Any bytes as a document, a curve and a stroke. What can be read is written, and reads back the same, bit for
+ * bit. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -7,7 +8,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* An object that is taken must survive, too. */
+/* An object that the library accepts must survive writing and reading, too. */
 static void add_guide(bat_document *document, bat_id id) {
     bat_object *guide;
     if (bat_object_create_guide(id, 0, 1, &guide) != BAT_OK) return;
@@ -15,7 +16,7 @@ static void add_guide(bat_document *document, bat_id id) {
     bat_object_release(guide);
 }
 
-/* A plane of whatever numbers there are: right angles, or none at all. */
+/* A plane made of any numbers, whether its axes are at right angles or not. */
 static void add_plane(bat_document *document, const double *numbers) {
     bat_object *plane;
     if (bat_object_create_plane(bat_document_new_id(document), "plane", numbers, numbers + 3, &plane) !=

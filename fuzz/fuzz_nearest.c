@@ -1,4 +1,4 @@
-/* Any curve, any point: no point of the curve is nearer than the closest one; minima are sorted. */
+/* Any curve, any point: no point of the curve is nearer than the reported closest one; minima are sorted. */
 #include <batten/measure.h>
 #include <batten/nearest.h>
 
@@ -8,7 +8,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* A finder gives what one query does; no step of a projection leads away; a curve lies on itself. */
+/* A finder gives the same as a single query; no step of a projection moves away; a curve lies on itself. */
 static void find(const bat_curve *curve, const double *point, const bat_near *near) {
     bat_finder *finder;
     bat_near same;
@@ -61,7 +61,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (size_t i = 1; i < found && i < 8; i++)
         if (all[i].distance < all[i - 1].distance) abort();
     bat_curve_domain(curve, domain);
-    bat_curve_bounds(curve, low, high); /* rounding is relative to where the curve lies, too */
+    bat_curve_bounds(curve, low, high); /* rounding also grows with the distance from the origin */
     const double scale = bat_curve_size(curve) + near.distance + fabs(high[0]) + fabs(high[1]) +
                          (m == 3 ? fabs(high[2]) : 0);
     for (int i = 0; i <= 64; i++) {

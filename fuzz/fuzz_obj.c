@@ -1,4 +1,4 @@
-/* Any bytes as OBJ: curves or a status, never both; what was read is written and read back the same. */
+/* Any bytes as OBJ: curves or an error status, never both; what was read is written and reads back the same. */
 #include "format/formats.h"
 
 #include <batten/bezier.h>

@@ -1,5 +1,5 @@
-/* Bytes become a document, and objects of every kind in it that are changed in every way. The document stays sound, a
- * copy of it is untouched, and what an object is made of can be read from it again. */
+/* Bytes become a document with objects of every kind, which are changed in every way. The document stays
+ * valid, a copy of it is unchanged, and what an object was made from can be read from it again. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -149,7 +149,7 @@ static void demand(bool holds) {
     if (!holds) abort();
 }
 
-/* All that can be asked of an object fits together. */
+/* Everything that can be queried of an object is consistent. */
 static void ask(const bat_object *object) {
     double box[4], corners[8], sides[2], at;
     size_t bytes;

@@ -1,5 +1,5 @@
-/* Any bytes as a picture, and as base 64 of one: read within their bounds; what is taken has sane sides, and comes
- * back from base 64 bit for bit. */
+/* Any bytes as a picture, and as base 64 of one: never read out of bounds; accepted pictures have valid sizes,
+ * and come back from base 64 bit for bit. */
 #include "document/picture.h"
 #include "text/base64.h"
 

@@ -1,6 +1,7 @@
-/* Any bytes as a shape and a sequence of edits of it, one shot and live. Outside what an edit says it touches no bit
- * changes; a session and one shot agree bit for bit; a cancelled or failed edit leaves no trace; a committed
- * shape reads back bit for bit, and so does its finest curve, taken apart and put together. */
+/* Any bytes as a shape and a sequence of edits of it, one-shot and live. Outside the range that an edit
+ * reports, no bit changes; a live session and a one-shot call agree bit for bit; a cancelled or failed edit
+ * leaves no trace; a committed shape reads back bit for bit, and so does its finest curve after decomposition
+ * and reconstruction. */
 #include <batten/bezier.h>
 
 #include "curve/curve.h"
@@ -99,7 +100,7 @@ static bat_shape *make(source *s) {
     return shape;
 }
 
-/* One session of drags at a level; the shape goes on as it is committed, or as it was. */
+/* One session of drags at a level; returns the shape as committed, or as it was. */
 static bat_shape *session(source *s, bat_shape *shape) {
     int level = byte(s) % (bat_shape_levels(shape) + 1), rounds = 1 + byte(s) % 2;
     double domain[2], u = 0, delta[3] = {0};
@@ -131,7 +132,7 @@ static bat_shape *session(source *s, bat_shape *shape) {
     return after;
 }
 
-/* A free stroke over the base. What comes out is finite and reads back; what went in is as it was. */
+/* A free stroke over the base. The result is finite and reads back; the input is unchanged. */
 static bat_shape *redraw(source *s, bat_shape *shape) {
     enum { MOST = 6 };
     const bat_curve *base = bat_shape_curve(shape, 0);
@@ -147,7 +148,7 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     bat_stroke stroke = {dimension, (size_t)count, points, NULL, NULL};
     bat_sketch_options options;
     bat_sketch_options_init(&options, sizeof options);
-    options.pixel = fmax(bat_curve_size(base) / 8, 0.5); /* fine fits are those of fuzz_sketch */
+    options.pixel = fmax(bat_curve_size(base) / 8, 0.5); /* fuzz_sketch covers fine fits */
     bat_shape *before, *out = NULL;
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
     bat_status status = bat_shape_redraw(shape, &stroke, way % 2, &options, &out, NULL);
@@ -167,7 +168,8 @@ static bat_shape *redraw(source *s, bat_shape *shape) {
     return out;
 }
 
-/* A sketch at a level: any targets at any parameters, or a stroke. What the parameters do not meet keeps its bits. */
+/* A sketch at a level: any targets at any parameters, or a stroke. Parts outside the range of the parameters
+ * keep every bit. */
 static void sketch(source *s, bat_shape *shape) {
     enum { MOST = 16 };
     int level = byte(s) % (bat_shape_levels(shape) + 1), count = 1 + byte(s) % MOST, way = byte(s);
@@ -207,7 +209,7 @@ static void sketch(source *s, bat_shape *shape) {
     bat_shape_free(before);
 }
 
-/* Frames of every level: finite, of unit length, the same bits one at a time and many at once. */
+/* Frames of any level: finite, of unit length, the same bits one at a time and in bulk. */
 static void frames(source *s, const bat_shape *shape) {
     enum { MOST = 3 };
     const bat_curve *curve = bat_shape_curve(shape, byte(s) % (bat_shape_levels(shape) + 1));
@@ -242,7 +244,7 @@ static void frames(source *s, const bat_shape *shape) {
     bat_frame_chain_free(chain);
 }
 
-/* Edits that name a level or a point by any number; on failure the shape is as it was. */
+/* Edits with arbitrary level and point numbers; on failure the shape is unchanged. */
 static void edit(source *s, bat_shape *shape) {
     double deltas[9], matrix[12], u = 0;
     int level = byte(s) % (bat_shape_levels(shape) + 2), index = byte(s) % 20 - 1,
@@ -264,7 +266,7 @@ static void edit(source *s, bat_shape *shape) {
         status = bat_shape_reframe(shape, index & 1 ? matrix : NULL, (bat_frame_rule)(byte(s) % 3));
         break;
     case 5: status = bat_shape_sketch_stroke(shape, level, &stroke, NULL); break;
-    case 6: /* of a curve that has no levels yet */
+    case 6: /* on a curve that has no levels yet */
         if (bat_shape_copy_levels(shape, bat_shape_curve(shape, 0), &made) == BAT_OK &&
             bat_shape_levels(made) != bat_shape_levels(shape))
             abort();
@@ -288,7 +290,7 @@ static void edit(source *s, bat_shape *shape) {
     if (bat_shape_commit(shape) != BAT_OK) abort();
 }
 
-/* What can be asked of a shape. */
+/* Everything that can be queried of a shape. */
 static void ask(const bat_shape *shape) {
     bat_curve *flat;
     if (bat_shape_flatten(shape, &flat) != BAT_OK) abort();
@@ -330,7 +332,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;
         }
-        case 2: /* costs more than all else: nothing after it, and little in it */
+        case 2: /* by far the slowest: nothing follows it, and it is kept small */
             if (bat_shape_levels(shape) < 2) shape = redraw(&s, shape);
             s.size = 0;
             break;
@@ -342,7 +344,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         check_finite(shape);
     }
     ask(shape);
-    if (size % 8 == 1) check_file(shape); /* digits take longer than all else */
+    if (size % 8 == 1) check_file(shape); /* converting digits is the slowest part */
     bat_shape_free(shape);
     return 0;
 }

@@ -1,6 +1,6 @@
-/* Bytes become a curve, a stroke and options, and go through one call of the sketch hand. There is a status,
- * never a crash; what comes out is a valid curve; on tame input what is kept does not move, and the session's
- * commit is the one-shot call. */
+/* Bytes become a curve, a stroke and options, and go through one call of the sketch hand. It returns a status
+ * and never crashes; the result is a valid curve; on tame input the kept pieces do not move, and the commit of
+ * a session equals the one-shot call. */
 #include "bytes.h"
 #include <batten/sketch.h>
 
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Mostly tame numbers of a drawing's size; wild: now and then any eight bytes. */
+/* Mostly tame numbers in the range of a drawing; wild: occasionally any eight bytes. */
 static double number(bytes *in, bool wild) {
     const int kind = small(in, 255);
     if (!wild || kind < 250) return kind - 125 + small(in, 15) / 16.0;
@@ -48,7 +48,8 @@ static void check(bat_status status, bat_curve *curve) {
     bat_curve_free(again);
 }
 
-/* Kept pieces, parameter by parameter. Knots may lie a thousand times nearer than others are: 1e-9. */
+/* Checks kept pieces at equal parameters. The tolerance is 1e-9, since knots may lie a thousand times closer
+ * than others. */
 static void check_kept(const bat_curve *old, const bat_curve *now, const bat_sketch_report *report) {
     if (report->replaced || report->extended[0]) return;
     double domain[2];
@@ -64,7 +65,7 @@ static void check_kept(const bat_curve *old, const bat_curve *now, const bat_ske
     }
 }
 
-/* One call on a stroke, and what was made of it checked. */
+/* One call on a stroke, with its checked result. */
 typedef struct scene {
     bat_curve *a, *b;
     bat_stroke stroke;
@@ -72,7 +73,7 @@ typedef struct scene {
     bool wild;
 } scene;
 
-/* In parts, with a preview of each: the commit is the one-shot call. */
+/* Draws the stroke in parts, with a preview after each: the commit equals the one-shot call. */
 static void draw_live(const scene *s, bat_status status, const bat_curve *expected, bool cancel) {
     enum { PART = 9 };
     const size_t size = (size_t)s->stroke.dimension;
@@ -155,7 +156,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     s.b = read_curve(&in, dimension, s.wild);
     double points[ROOM * 3] = {0}, x[3] = {0};
     const size_t count = (size_t)small(&in, ROOM);
-    const bool along = small(&in, 1) && s.a; /* near the curve, so that more than BAT_FAR happens */
+    const bool along = small(&in, 1) && s.a; /* near the curve, so that not all calls end in BAT_FAR */
     for (size_t i = 0; i < count; i++) {
         if (along) {
             double domain[2];

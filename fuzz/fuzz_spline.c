@@ -1,5 +1,5 @@
-/* Any bytes as a SPLINE, a SHAPE and EDITS of it. What is read gives finite numbers or a status; splines pass through
- * their points, and a point put on the curve leaves the curve where it was. */
+/* Any bytes as a SPLINE, a SHAPE and EDITS of it. What can be read gives finite numbers or an error status;
+ * splines pass through their points, and a point inserted on the curve does not move the curve. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -23,7 +23,7 @@ static void check_insert(const bat_spline *spline, const bat_tangents_options *o
     bat_free(block);
 }
 
-/* k of a direction is in its range, and a shape stands on the spline as on its curve. */
+/* The k of a direction is in its range, and a shape from the spline exists exactly when the status is BAT_OK. */
 static void check_base(const bat_spline *spline) {
     bat_tangents_options options;
     bat_tangents_options_init(&options, sizeof options);
@@ -69,7 +69,7 @@ static void check_spline(const bat_spline *spline) {
     }
 }
 
-/* The first line break parts the SHAPE from the EDITS. */
+/* The first line break separates the SHAPE from the EDITS. */
 static void check_shape(const char *text, size_t size) {
     const char *cut = memchr(text, '\n', size);
     size_t first = cut ? (size_t)(cut - text) : size;

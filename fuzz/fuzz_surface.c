@@ -1,5 +1,5 @@
-/* Any bytes as a SURFACE. What is read gives finite points within the box, lines that are the surface, and the same
- * surface when it is written and read again. */
+/* Any bytes as a SURFACE. A surface that can be read gives finite points within its box, iso-curves that lie
+ * on it, and the same surface when written and read again. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -28,7 +28,8 @@ static void check_place(const bat_surface *s, double u, double v, const double l
     }
 }
 
-/* A ray at a point of the surface meets it no later than there. */
+/* The closest point is no farther than any point of the surface, and no hit of a ray is nearer than the
+ * closest point. */
 static void check_search(const bat_surface *s, double u, double v) {
     const double size = bat_surface_size(s);
     double at[3], from[3], way[3], far = size;
@@ -58,7 +59,7 @@ static void check_finer(const bat_surface *s, bat_direction d, double at) {
     bat_surface_free(same);
 }
 
-/* The line becomes what it is asked to be, or the surface stays. */
+/* Either the line becomes what was asked for, or the surface stays unchanged. */
 static void check_redraw(const bat_surface *s, bat_direction d, double at, double other) {
     bat_curve *line = NULL;
     bat_surface *made = NULL;
@@ -107,7 +108,7 @@ static void check(const bat_surface *s) {
     bat_surface_free(other);
 }
 
-/* What the reader makes with bat_surface_create is checked there; here bytes go straight in. */
+/* The reader checks what it passes to bat_surface_create; here raw bytes are passed. */
 static void check_create(const uint8_t *data, size_t size) {
     double numbers[3 * 9 + 6 + 6];
     if (size < sizeof numbers) return;

@@ -1,5 +1,6 @@
-/* A byte stream as elements: 0x01 name 0x02 attribute 0x03 value ... 0x04 opens one, 0x05 closes it, the rest is text.
- * What reads is a valid document, writes, and reads again as the same; of what was written nothing is lost. */
+/* A byte stream as elements: 0x01 name 0x02 attribute 0x03 value ... 0x04 opens one, 0x05 closes it, the rest
+ * is text. What can be read is a valid document, is written, and reads back the same; nothing that was written
+ * is lost. */
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -24,7 +25,7 @@ static void feed(bat_svg_reader *reader, char *text, size_t size) {
                 if ((mark == ATTRIBUTE && n % 2 == 0 && n < 2 * PAIRS) || (mark == VALUE && n % 2 == 1))
                     list[n++] = text + i + 1;
             }
-            text[i] = '\0'; /* there is one byte behind the end */
+            text[i] = '\0'; /* there is room for one byte after the end */
             list[n - n % 2] = NULL;
             bat_svg_reader_start(reader, name, list);
             i++;
@@ -52,7 +53,7 @@ static bat_document *read_native(const bat_document *document) {
     return back;
 }
 
-/* Every kind that is counted has words; the buffer is kept to. */
+/* Every counted kind has a description, and the buffer's size is respected. */
 static void say_losses(const bat_losses *lost) {
     for (int kind = 0; kind < BAT_LOSS_COUNT; kind++) {
         char words[60];
@@ -90,7 +91,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     text[size] = '\0';
     feed(reader, text, size);
     free(text);
-    if (size > 0 && data[0] == END) { /* given up early */
+    if (size > 0 && data[0] == END) { /* abandoned early */
         bat_svg_reader_free(reader);
         return 0;
     }

@@ -1,5 +1,6 @@
-/* Path data, transforms, lengths and colours of any bytes. What parses is finite, and what breaks off keeps what it
- * had: parsing the good part again gives the same. */
+/* Any bytes as path data, transforms, lengths and colours. Outlines contain no NaN, closed subpaths end where
+ * they begin, and parsing path data a second time gives the same result, even after an error. Numbers are
+ * finite. */
 #include "format/svg/svg.h"
 #include "format/svg/style.h"
 
