@@ -22,7 +22,7 @@ const bat_picture *bat_pictures_find(const bat_pictures *pictures, uint64_t dige
 /* Adds a picture; one that is already there changes nothing. BAT_COUNT: they would exceed BAT_PICTURES_SIZE in
  * all. BAT_ARGUMENT: a different picture has the same digest. On failure nothing changes. */
 bat_status bat_pictures_add(bat_pictures *pictures, const bat_picture *picture);
-void bat_pictures_drop(bat_pictures *pictures); /* removes the one added last */
+void bat_pictures_drop(bat_pictures *pictures); /* removes the picture added last */
 
 /* Decodes a picture; white space is skipped, as in data URIs of several lines. BAT_SYNTAX: the text is not
  * base 64, or not padded; otherwise the statuses of bat_picture_create. */

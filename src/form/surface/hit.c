@@ -213,8 +213,8 @@ static bool is_small(const bat_cell *cell) {
     return most <= smallest || cell->halvings == BAT_CELL_HALVINGS;
 }
 
-/* The direction in which to halve the cell: the longer one in the image, except that where the ray runs along
- * the other one, that has to be halved too. */
+/* The direction in which to halve the cell: the longer one in the image, or, once the cell is tiny in that
+ * one, the other, along which the ray runs. */
 static int across(const search *s, const bat_cell *cell) {
     const double a = longest(s, cell->net, 0), b = longest(s, cell->net, 1);
     const int direction = a == b ? cell->halvings % 2 : a < b;

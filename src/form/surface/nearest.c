@@ -17,7 +17,7 @@ enum { CELLS_MAX = 100000, HALVINGS = 52, STEPS = 60, MOST = BAT_DEGREE_MAX + 1 
 typedef struct place {
     double x[2], f, g[2], h[3], a[2]; /* h: uu, uv, vv; a: |S_u|^2, |S_v|^2 */
     bool held[2];
-    double slope; /* slope of the distance along the surface, in the free directions */
+    double slope; /* half the slope of f per unit length on the surface, in the free directions */
 } place;
 
 typedef struct search {

@@ -1,6 +1,6 @@
-/* Wavefront OBJ: B-spline curves ("cstype bspline" and "curv" of its free-form part), with their names. OBJ
- * has no periodic curves, so a closed curve is written with as many points and knots repeated as its degree,
- * and is recognised as closed again when read. Everything else in a file is counted and left out. */
+/* Wavefront OBJ: B-spline curves ("cstype bspline" and "curv" of its free-form part), with their names. A
+ * closed curve is written as OBJ files represent it, with as many points and knots repeated as its degree, and
+ * is recognised as closed again when read. Everything else in a file is counted and left out. */
 #include "document/format.h"
 #include "curve/curve.h"
 #include "kinds/kinds.h"

@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* A group in the file becomes a group in the document when it is a layer, has a name, is hidden or locked, or
- * has more than one member; the others only carry a transform or a style. */
+/* A group in the file becomes a group in the document when it is a layer, has several members, or has one
+ * member and a name or is hidden or locked. The others only carry a transform or a style. */
 void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
     bat_object *group = NULL;
@@ -48,7 +48,8 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     w->members = members;
 }
 
-/* Draws the first child that is not foreign content and requires no extensions. */
+/* Draws the first child that is supported, requires no extensions, and is not for a language other than
+ * English. */
 void bat_svg_draw_switch(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
         bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;
