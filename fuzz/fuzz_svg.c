@@ -40,7 +40,7 @@ static void feed(bat_svg_reader *reader, char *text, size_t size) {
     }
 }
 
-/* Through the native format and back. */
+/* Writes the document in the native format and reads it back. */
 static bat_document *read_native(const bat_document *document) {
     char *text;
     size_t size;

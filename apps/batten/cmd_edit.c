@@ -1,4 +1,4 @@
-/* batten edit: the editor in the browser, on one file. */
+/* batten edit: runs the editor in the browser, on one file. */
 #include "drawing.h"
 #include "io.h"
 #include "program.h"

@@ -1,4 +1,4 @@
-/* --tolerance, --pixel and --pins, as fit and sketch share them. */
+/* --tolerance, --pixel and --pins, shared by fit and sketch. */
 #ifndef BATTEN_APPS_SKETCH_OPTIONS_H
 #define BATTEN_APPS_SKETCH_OPTIONS_H
 

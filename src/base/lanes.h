@@ -1,5 +1,5 @@
-/* Inside the kernel: hints for loops that compilers should turn into vector code. Contraction is off
- * everywhere, so every instruction set gives the same bits. */
+/* Internal to the kernel: hints for loops that compilers should vectorise. Contraction is off everywhere, so
+ * every instruction set gives the same bits. */
 #ifndef BATTEN_BASE_LANES_H
 #define BATTEN_BASE_LANES_H
 

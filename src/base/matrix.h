@@ -6,7 +6,7 @@ void bat_matrix_identity(double m[6]);
 /* out(p) = first(second(p)). out must be neither of the two. */
 void bat_matrix_compose(const double first[6], const double second[6], double out[restrict 6]);
 void bat_matrix_translation(double dx, double dy, double out[6]);
-/* About a fixed point. */
+/* Scaling and rotation about a fixed point. */
 void bat_matrix_scaling(double sx, double sy, const double about[2], double out[6]);
 void bat_matrix_rotation(double radians, const double about[2], double out[6]);
 /* The matrix as bat_curve_transform takes it, for a curve of that dimension (2 or 3; a third coordinate is

@@ -1,9 +1,9 @@
 /*
- * Inside the library: elementary functions that give the same bits everywhere. IEEE 754 fixes + - * / and sqrt;
- * it does not fix hypot, exp, sin and similar functions, and glibc and the WASM libc differ in their last bits. A
- * journal must replay to the same document natively and in the browser, so the library calls these instead. From
- * libm only the exact ones are used: sqrt, fabs, floor, ceil, trunc, round, rint, fmod, remainder, fmin, fmax,
- * copysign, frexp, ldexp, nextafter.
+ * Internal to the library: elementary functions that give the same bits everywhere. IEEE 754 fixes + - * / and
+ * sqrt; it does not fix hypot, exp, sin and similar functions, and glibc and the WASM libc differ in their last
+ * bits. A journal must replay to the same document natively and in the browser, so the library calls these
+ * instead. From libm only the exact ones are used: sqrt, fabs, floor, ceil, trunc, round, rint, fmod, remainder,
+ * fmin, fmax, copysign, frexp, ldexp, nextafter.
  *
  * Special values (NaN, infinities, signed zeros, domain errors) are as in C17 annex F. Errors are measured in
  * units in the last place against long double by tests/base/test_real.c.

@@ -1,4 +1,4 @@
-/* Inside the library: vectors in space; planar ones have z = 0. */
+/* Internal to the library: vectors in space; planar ones have z = 0. */
 #ifndef BATTEN_BASE_VEC_H
 #define BATTEN_BASE_VEC_H
 

@@ -77,7 +77,7 @@ static void release(kept_spline *kept) {
 static void share(const void *own) { bat_users_add(&kept_of(own)->users); }
 static void end(void *own) { release(kept_of(own)); }
 
-/* A new object, or `object` with another spline. */
+/* Makes a new object, or a copy of `object` with another spline. */
 static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
                        const bat_spline *spline, const bat_tangents_options *options, bat_object **out) {
     own_part own = {NULL};

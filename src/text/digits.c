@@ -57,7 +57,7 @@ static uint64_t take_apart(double value, int *exponent) {
     return biased ? fraction | (uint64_t)1 << 52 : fraction;
 }
 
-/* Does digits * 10^exponent round to something greater than x? */
+/* Whether digits * 10^exponent rounds to a double greater than x. */
 static bool above(const natural *decimal, long exponent, double x) {
     int e;
     uint64_t mantissa = take_apart(x, &e);

@@ -1,4 +1,4 @@
-/* Colours as CSS Color 4 writes them: names, hexadecimal, rgb(), hsl(). */
+/* Colours in the syntax of CSS Color 4: names, hexadecimal, rgb(), hsl(). */
 #include "text/number.h"
 #include "format/svg/style.h"
 
