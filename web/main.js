@@ -1,5 +1,5 @@
-// The page: ties its rooms together. engine/ is the module; stage/ what is drawn on; keep/ files and what is kept of them;
-// sheets/ the panel and what opens from it; page/ words, notices and what serves all of them.
+// The page: connects its parts. engine/ is the module; stage/ the drawing surface; keep/ files and what is kept of
+// them; sheets/ the panel and what opens from it; page/ texts, notices and what all of them use.
 
 import { Engine } from './engine/engine.js';
 import { Module } from './engine/module.js';
@@ -80,7 +80,7 @@ export class Shell {
     });
   }
 
-  /** The list of objects, and the keyboard's ways. */
+  /** Loads the list of objects and keyboard navigation between regions. */
   async mirrorDrawing() {
     if (!this.mirroring) {
       this.mirroring = true;
@@ -91,7 +91,7 @@ export class Shell {
     }
   }
 
-  /** The page may go; what is not saved is kept, or the browser asks. */
+  /** Prepares the page to be closed; unsaved work is kept, or else the browser asks. */
   async pack() {
     await this.keeper.settled();
     this.files.leaving = !this.keeper.fault;

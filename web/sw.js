@@ -1,5 +1,5 @@
-// The service worker: keeps precisely the files of one build, so that Batten opens without a network or a server. A
-// newer build waits until the user says so. Filled in when the program is built: the folder of the build, its files.
+// The service worker: caches exactly the files of one build, so that Batten opens without a network or a server. A
+// newer build waits until the user accepts it. The build fills in its folder and its list of files.
 
 const CACHE = 'batten %BUILD%';
 const FILES = '%FILES%'.split(' ');
@@ -28,7 +28,7 @@ async function kept(file) {
   return await (await caches.open(CACHE)).match(scope + file) ?? fetch(scope + file);
 }
 
-/** The page of this build. The token of a running `batten edit` is put in afresh each time and never kept. */
+/** The page of this build. The token of a running `batten edit` is inserted anew each time and never cached. */
 async function page() {
   const own = await kept('index.html');
   const live = LOOPBACK ? await fetch(scope, { cache: 'no-store' }).catch(() => null) : null;
@@ -38,7 +38,7 @@ async function page() {
   const text = await live.clone().text();
   const token = /name="batten-token" content="([^"]*)"/.exec(text)?.[1];
   if (token === undefined) {
-    await worker.registration.unregister(); // another program has this address now
+    await worker.registration.unregister(); // another program uses this address now
     return live;
   }
   return new Response((await own.text()).replace('%TOKEN%', token), { headers: own.headers });

@@ -1,5 +1,5 @@
-// The engine: what can be asked of batten.wasm, as a plain class. Below it, instance.js: its memory, and what is done when it
-// traps.
+// The engine: the calls into batten.wasm, as a plain class. Its base class in instance.js looks after the module's
+// memory and recovers from traps.
 
 import { Refusal, word } from '../page/words.js';
 import { readFrame } from './frame.js';
@@ -10,12 +10,12 @@ import { readSvg } from './svg_reader.js';
 /** @typedef {import('./types.js').Pointer} Pointer */
 /** @typedef {import('./types.js').Tables} Tables */
 
-/** @typedef {Record<string, number>} Losses how many of each kind */
+/** @typedef {Record<string, number>} Losses count by kind */
 
 const decoder = new TextDecoder();
 
 export class Engine extends Instance {
-  /** Whether the document can only be looked at. @param {boolean} on */
+  /** Whether the document is read-only. @param {boolean} on */
   setReadOnly(on) {
     this.readOnly = on;
     this.guard(() => this.wasm.editor_read_only(this.editor, Number(on)), undefined);
@@ -26,14 +26,14 @@ export class Engine extends Instance {
   /**
    * @param {number} width view pixels
    * @param {number} height
-   * @param {number} ratio device pixels in a view pixel
+   * @param {number} ratio device pixels per view pixel
    */
   resize(width, height, ratio) {
     this.size = [width, height, ratio];
     this.guard(() => this.wasm.editor_resize(this.editor, width, height, ratio), undefined);
   }
 
-  /** @param {Pointer[]} pointers in order of time */
+  /** @param {Pointer[]} pointers in chronological order */
   pointer(pointers) {
     this.guard(() => {
       for (let first = 0; first < pointers.length; first += EVENTS) {
@@ -88,7 +88,7 @@ export class Engine extends Instance {
    * @param {boolean} down
    * @param {number} modifiers
    * @param {number} time
-   * @returns {boolean} the engine used it
+   * @returns {boolean} whether the engine used it
    */
   key(key, down, modifiers, time) {
     const call = (/** @type {number} */ name) => !this.partial &&
@@ -96,39 +96,45 @@ export class Engine extends Instance {
     return this.guard(() => this.lend(key, call), false);
   }
 
-  /** @param {string} name @returns {boolean} it could be done now */
+  /** @param {string} name @returns {boolean} whether it could be done now */
   command(name) {
     return !this.partial && this.guard(() => this.lend(name, (text) => this.wasm.editor_command(this.editor, text)) === OK, false);
   }
 
-  /** @param {string} property @param {number} value @returns {boolean} it was taken */
+  /** @param {string} property @param {number} value @returns {boolean} whether it was accepted */
   set(property, value) {
     return this.guard(() => this.lend(property, (text) => this.wasm.editor_set(this.editor, text, value)) === OK,
       false);
   }
 
-  /** @param {string} property @returns {number} NaN when there is none */
+  /** @param {string} property @returns {number} NaN when there is no such property */
   get(property) {
     return this.guard(() => this.lend(property, (text) => this.wasm.editor_get(this.editor, text)), NaN);
   }
 
-  /** Which share of a brush's reach a pen's pressure stands for. @param {number} pressure @returns {number} */
+  /** The share of a brush's reach that a pen pressure gives. @param {number} pressure @returns {number} */
   pressure(pressure) {
     return this.guard(() => this.wasm.editor_pressure(this.editor, pressure), 1);
   }
 
-  /** Enters a number of what is chosen, or a property, as text. @param {string} name @param {string} text @returns {boolean} it was taken */
+  /**
+   * Enters a number of the selection, or a property, as text.
+   * @param {string} name @param {string} text @returns {boolean} whether it was accepted
+   */
   enter(name, text) {
     return this.guard(() => this.lend(name, (number) => this.lend(text, (words) =>
       this.wasm.editor_enter(this.editor, number, words))) === OK, false);
   }
 
-  /** That number as it is, in the unit in force; '' when there is none. @param {string} name @returns {string} */
+  /**
+   * The current value of that number, in the current unit; '' when there is none.
+   * @param {string} name @returns {string}
+   */
   number(name) {
     return this.guard(() => this.string(this.lend(name, (text) => this.wasm.editor_number(this.editor, text))), '');
   }
 
-  /** Commands that the selection makes possible. @returns {string[]} */
+  /** The commands that apply to the selection. @returns {string[]} */
   actions() {
     return this.guard(() => this.string(this.wasm.editor_actions(this.editor)).split(' ').filter(Boolean), []);
   }
@@ -138,7 +144,7 @@ export class Engine extends Instance {
     return this.guard(() => this.wasm.editor_place_layer(this.editor, id, target) === OK, false);
   }
 
-  /** A text that the engine makes. @param {string} name of the export @param {...number} numbers @returns {string} */
+  /** A text made by the engine. @param {string} name of the export @param {...number} numbers @returns {string} */
   ask(name, ...numbers) {
     return this.guard(() => {
       const address = this.wasm[name](this.editor, ...numbers);
@@ -146,7 +152,7 @@ export class Engine extends Instance {
     }, '');
   }
 
-  /** @param {string} name of the export @param {...number} numbers @returns {boolean} it could be done */
+  /** @param {string} name of the export @param {...number} numbers @returns {boolean} whether it could be done */
   act(name, ...numbers) {
     return this.guard(() => this.wasm[name](this.editor, ...numbers) === OK, false);
   }
@@ -180,10 +186,10 @@ export class Engine extends Instance {
   }
 
   /**
-   * @param {number} act as Act of levels.js
+   * @param {number} act one of Act in codes.js
    * @param {number} level 0: the base
    * @param {number} value
-   * @param {boolean} done a fader was let go
+   * @param {boolean} done whether the fader has been released
    * @returns {boolean}
    */
   level(act, level, value, done) {
@@ -219,13 +225,16 @@ export class Engine extends Instance {
 
   // ---- pictures ----
 
-  /** Places a picture to trace; a notice tells when it is refused. @param {Uint8Array} bytes @param {string} name */
+  /** Places a picture to trace; if it is refused, a notice says so. @param {Uint8Array} bytes @param {string} name */
   addPicture(bytes, name) {
     this.guard(() => this.lend(bytes, (data, size) => this.lend(name, (title) =>
       this.wasm.editor_add_picture(this.editor, data, size, title))), undefined);
   }
 
-  /** The file of a picture that an item shows. @param {number} picture @returns {Uint8Array<ArrayBuffer>} */
+  /**
+   * The file of a picture, by the number that an item carries.
+   * @param {number} picture @returns {Uint8Array<ArrayBuffer>}
+   */
   picture(picture) {
     const at = this.wasm.editor_picture(this.editor, picture, this.scratch);
     const size = at ? this.view().getUint32(this.scratch, true) : 0;
@@ -234,7 +243,10 @@ export class Engine extends Instance {
 
   // ---- the clipboard ----
 
-  /** What is selected, as SVG with its knots. @param {boolean} cut @returns {string} '' when nothing is: a notice says so */
+  /**
+   * The selection as SVG with its knots.
+   * @param {boolean} cut @returns {string} '' without a selection: a notice says so
+   */
   copy(cut) {
     return this.guard(() => (this.wasm.editor_copy(this.editor, Number(cut), this.scratch) === OK ?
       decoder.decode(this.take()) : ''), '');
@@ -261,7 +273,7 @@ export class Engine extends Instance {
   }
 
   /**
-   * A file of another format, none of XML.
+   * A file of another format that is not XML.
    * @param {Uint8Array} bytes
    * @param {string} name
    */
@@ -273,7 +285,7 @@ export class Engine extends Instance {
   }
 
   /**
-   * An SVG document as the browser's own parser understood it.
+   * An SVG document as parsed by the browser.
    * @param {Element} root
    * @param {string} name
    */
@@ -284,7 +296,7 @@ export class Engine extends Instance {
     this.#opened(status);
   }
 
-  /** What the file holds and the drawing does not, so that writing over the file would lose it. @returns {Losses} */
+  /** What the file contains and the drawing does not: overwriting the file would lose it. @returns {Losses} */
   get losses() {
     return this.guard(() => {
       const counts = this.wasm.editor_losses(this.editor);
@@ -317,7 +329,7 @@ export class Engine extends Instance {
     this.begun(new Uint8Array(0)); // to be copied afresh
   }
 
-  /** Throws what the reader has to say. @param {number} status */
+  /** Throws the reader's message if the status is an error. @param {number} status */
   #done(status) {
     if (status === OK) {
       return;
@@ -332,7 +344,7 @@ export class Engine extends Instance {
 
   /**
    * The document as the bytes of a file.
-   * @param {boolean} native the native format, else SVG
+   * @param {boolean} native native format; otherwise SVG
    * @returns {Uint8Array}
    */
   save(native) {
@@ -356,21 +368,21 @@ export class Engine extends Instance {
     this.guard(() => this.wasm.editor_saved(this.editor), undefined);
   }
 
-  /** 64 bits that tell documents apart. @returns {string} */
+  /** A 64-bit digest of the document. @returns {string} */
   digest() {
     return BigInt.asUintN(64, this.wasm.editor_digest(this.editor)).toString(16).padStart(16, '0');
   }
 
-  /** Which invariant does not hold, '' when all do. @returns {string} */
+  /** The invariant that does not hold; '' when all hold. @returns {string} */
   check() {
     const address = this.wasm.editor_check(this.editor);
     return address ? this.string(address) : '';
   }
 
   /**
-   * Runs a journal from its first line, in place of the document.
+   * Replaces the document by replaying a journal from its first line.
    * @param {Uint8Array} journal
-   * @returns {boolean} all of it could be done
+   * @returns {boolean} whether every line could be replayed
    */
   replay(journal) {
     const broken = -1;
@@ -383,8 +395,8 @@ export class Engine extends Instance {
   // ---- output ----
 
   /**
-   * What is to be painted and said now. Paths are views into the module's memory: use them before the next call.
-   * @returns {Frame | null} null after a trap; the next one is whole again
+   * What to paint and say now. Paths are views into the module's memory: use them before the next call.
+   * @returns {Frame | null} null after a trap; the next frame is complete again
    */
   frame() {
     return this.guard(() => {

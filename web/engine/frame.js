@@ -1,4 +1,4 @@
-// Reading what the engine hands over: structs in the module's memory, by the layout that the module itself tells.
+// Reads what the engine hands over: structs in the module's memory, by the layout that the module itself reports.
 
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
@@ -8,7 +8,7 @@
 const decoder = new TextDecoder();
 
 /**
- * A string that ends with a NUL.
+ * Reads a NUL-terminated string.
  * @param {WebAssembly.Memory} memory
  * @param {number} address
  */
@@ -18,12 +18,12 @@ export function readString(memory, address) {
 }
 
 /**
- * The frame at an address. Paths are views into the memory, good until the next call into the module.
+ * Reads the frame at an address. Paths are views into the memory, valid until the next call into the module.
  * @param {WebAssembly.Memory} memory
  * @param {Layout} place
  * @param {number} at
- * @param {number} knownVersion of the static list
- * @param {Item[]} known that list, handed on while its version stays
+ * @param {number} knownVersion version of the static list
+ * @param {Item[]} known that list, reused while its version is unchanged
  * @returns {Frame}
  */
 export function readFrame(memory, place, at, knownVersion, known) {

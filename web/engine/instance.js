@@ -1,6 +1,6 @@
-// The module's memory and its failures, below the engine's calls. Views into the memory are made afresh after each call,
-// since any call may grow the memory and detach them. When the module traps, its instance is dropped and the journal is
-// replayed into a new one.
+// The module's memory and its failures, beneath the engine's calls. Views into the memory are made anew after each
+// call, since any call may grow the memory and detach them. When the module traps, its instance is dropped and the
+// journal is replayed into a new one.
 
 import { miss, Missing } from '../page/build.js';
 import { Refusal, word } from '../page/words.js';
@@ -9,11 +9,11 @@ import { readString } from './frame.js';
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {Record<string, (...args: any[]) => any> & { memory: WebAssembly.Memory }} Exports */
 
-const SCRATCH = 1024; // bytes for what a call hands back
+const SCRATCH = 1024; // bytes for a call's results
 export const EVENTS = 64; // pointer events sent in one call
 export const OK = 0;
-const LONG = 8 << 20; // bytes of a journal that is to be made short
-const HOPELESS = 3; // traps in a row after which the journal is given up
+const LONG = 8 << 20; // bytes: a longer journal is compacted
+const HOPELESS = 3; // after so many traps in a row the journal is given up
 const DEAD = 6;
 
 const encoder = new TextEncoder();
@@ -27,24 +27,24 @@ export class Instance {
    */
   constructor(module) {
     this.module = module;
-    /** Called after a trap. whole: every step came back. @type {(whole: boolean, error: unknown) => void} */
+    /** Called after a trap. whole: every step was restored. @type {(whole: boolean, error: unknown) => void} */
     this.onrecovery = () => {};
-    /** The journal up to the last call that returned, outside of the module's memory. @type {Uint8Array} */
+    /** The journal up to the last call that returned, outside the module's memory. @type {Uint8Array} */
     this.journal = new Uint8Array(0);
-    /** Counts the journals there have been: each begins anew. */
+    /** Counts the journals so far: each new journal begins a session. */
     this.session = 0;
-    /** How long the journal may become. */
+    /** The length at which the journal is compacted. */
     this.long = LONG;
-    /** The journal as it was when the module last trapped: what a report needs. @type {Uint8Array} */
+    /** The journal at the last trap, for a bug report. @type {Uint8Array} */
     this.broken = new Uint8Array(0);
-    /** Traps since the last frame that was made. */
+    /** Traps since the last complete frame. */
     this.traps = 0;
     /** The module's second part is missing: keys and commands, which may need it, do nothing. */
     this.partial = false;
-    /** Gave up: even an empty editor traps, or part of the module is missing. It answers no call any more. */
+    /** Given up: even an empty editor traps, or part of the module is missing. It answers no further calls. */
     this.dead = false;
     this.size = [1, 1, 1];
-    /** The words of another language, as fetched. @type {Uint8Array | null} */
+    /** The strings of another language, as fetched. @type {Uint8Array | null} */
     this.words = null;
     this.readOnly = false;
     /** @type {Exports} */
@@ -60,7 +60,7 @@ export class Instance {
     this.#start();
   }
 
-  /** A new instance with an empty editor. */
+  /** Makes a new instance with an empty editor. */
   #start() {
     const host = {
       /** @param {number} file @param {number} line @param {number} text */
@@ -86,7 +86,7 @@ export class Instance {
     this.wasm.editor_read_only(this.editor, Number(this.readOnly));
   }
 
-  /** The words of a language. @param {Uint8Array} words */
+  /** Sets the strings of a language. @param {Uint8Array} words */
   speak(words) {
     this.words = words;
     this.lend(words, (text, size) => this.wasm.editor_words(this.editor, text, size));
@@ -113,7 +113,7 @@ export class Instance {
   }
 
   /**
-   * Runs `work` with the address of the bytes, copied into the module with a NUL behind them.
+   * Runs `work` with the address of the bytes, copied into the module and followed by a NUL.
    * @template T
    * @param {Uint8Array | string} data
    * @param {(address: number, size: number) => T} work
@@ -144,7 +144,7 @@ export class Instance {
   // ---- traps ----
 
   /**
-   * Runs a call into the module. After a trap the editor is rebuilt and `fallback` is the answer.
+   * Runs a call into the module. After a trap the editor is rebuilt and `fallback` is returned.
    * @template T
    * @param {() => T} work
    * @param {T} fallback
@@ -169,7 +169,7 @@ export class Instance {
     }
   }
 
-  /** Nothing more can be done without what is missing: a call has broken off in the midst. @param {unknown} error */
+  /** Stops for good: a call broke off midway because part of the module is missing. @param {unknown} error */
   halt(error) {
     this.dead = true;
     miss(error);
@@ -182,9 +182,9 @@ export class Instance {
       this.broken = whole;
     }
     this.dead = this.traps > DEAD;
-    // A journal whose very picture traps is no help: an empty drawing then.
+    // If even painting the replayed journal traps, start with an empty drawing.
     let part = this.traps > HOPELESS ? whole.subarray(0, 0) : whole;
-    // The step that broke the module may break it again: give up the last steps, one after the other.
+    // The step that broke the module may break it again: give up the last steps, one by one.
     for (let lost = 0; lost < 8 && part.length > 0; lost++) {
       try {
         this.#start();
@@ -200,7 +200,7 @@ export class Instance {
           this.halt(again);
           return;
         }
-        // The instance is broken; the next turn makes another.
+        // This instance is broken; the next iteration makes another.
       }
       part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
     }
@@ -209,7 +209,7 @@ export class Instance {
     this.onrecovery(whole.length === 0, error);
   }
 
-  /** The bytes that a call has left in scratch. @returns {Uint8Array<ArrayBuffer>} */
+  /** Takes the bytes that a call has left in the scratch area. @returns {Uint8Array<ArrayBuffer>} */
   take() {
     const view = this.view();
     const data = view.getUint32(this.scratch + this.layout['bytes.data'], true);
@@ -219,13 +219,13 @@ export class Instance {
     return copy;
   }
 
-  /** Another journal. @param {Uint8Array} journal as far as it is known */
+  /** Begins another journal. @param {Uint8Array} journal as far as it is known */
   begun(journal) {
     this.journal = journal;
     this.session++;
   }
 
-  /** Copies what the journal has gained. */
+  /** Copies what has been added to the journal. */
   keepJournal() {
     const address = this.wasm.editor_journal(this.editor, this.scratch);
     const size = this.view().getUint32(this.scratch, true);

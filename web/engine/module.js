@@ -1,17 +1,17 @@
-// batten.wasm in its two parts. The first has what shows a drawing and looks at it; the second is fetched when the page is
-// there, and at the latest when something in it is called. What one imports from the other stands under the name of
-// their build, so that parts of two builds are never joined.
+// batten.wasm in its two parts. The first is enough to show and view a drawing; the second is fetched when the page has
+// loaded, and at the latest when one of its functions is called. The two import from each other under the name of
+// their build, so that parts of different builds are never joined.
 
 import { addressOf, get, Missing } from '../page/build.js';
 
 const FIRST = 'batten.wasm';
 const LATER = 'batten-later.wasm';
 
-/** The later part while the caller waits: an engine in the midst of a call cannot be left. */
+/** Fetches the second part synchronously: an engine in the middle of a call cannot be left. */
 function compileNow() {
   const request = new XMLHttpRequest();
   request.open('GET', addressOf(LATER), false);
-  request.overrideMimeType('text/plain; charset=x-user-defined'); // a byte a character, in its lower half
+  request.overrideMimeType('text/plain; charset=x-user-defined'); // one byte per character, in its low eight bits
   request.send();
   if (request.status !== 200) {
     throw new Error(`${request.status} ${request.statusText}`);
@@ -51,7 +51,7 @@ export class Module {
     this.second = second;
   }
 
-  /** Makes the second part join an instance of the first. @param {WebAssembly.Exports} primary */
+  /** Joins the second part to an instance of the first. @param {WebAssembly.Exports} primary */
   #join(primary) {
     try {
       if (!this.second) {
@@ -64,8 +64,8 @@ export class Module {
   }
 
   /**
-   * A new instance. The second part joins it when one of its functions, for which placeholders stand in the table, is
-   * called; without it, the call throws what says so.
+   * Makes a new instance. The second part joins it when one of its functions, for which the table has placeholders, is
+   * called; if it is missing, the call throws an error that says so.
    * @param {WebAssembly.ModuleImports} host
    */
   instantiate(host) {

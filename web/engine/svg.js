@@ -1,5 +1,5 @@
-// Files in SVG as the browser's own XML parser understands them. Elements of another namespace than SVG's are mere elements:
-// the browser does not try the styles and scripts in them, which the page's policy would then have to refuse.
+// SVG files as parsed by the browser's XML parser. Elements outside the SVG namespace are plain elements: the browser
+// does not apply or run the styles and scripts in them, which the page's policy would then have to block.
 
 import { Refusal, word } from '../page/words.js';
 
@@ -21,5 +21,5 @@ export function parseSvg(text) {
   return tree.documentElement;
 }
 
-/** A value or text of such a file, as it stands there. @param {string} text */
+/** A value or text of such a file, as written in it. @param {string} text */
 export const plain = (text) => text.replaceAll(INERT, SPACES);

@@ -1,4 +1,4 @@
-// An SVG document told to the module, element by element.
+// Passes an SVG document to the module, element by element.
 
 import { Refusal, word } from '../page/words.js';
 import { OK } from './instance.js';
@@ -7,7 +7,7 @@ import { plain } from './svg.js';
 /** @typedef {import('./instance.js').Instance} Instance */
 
 /**
- * Tells the reader of an element and all in it, in document order, without recursion: files may nest deeply.
+ * Passes an element and everything in it to the reader, in document order, without recursion: files may nest deeply.
  * @param {Instance} module
  * @param {number} reader
  * @param {Element} root
@@ -57,7 +57,7 @@ function walk(module, reader, root) {
 }
 
 /**
- * Tells a reader of an SVG document, and then what to do with it.
+ * Passes an SVG document to a reader, then says what to do with it.
  * @param {Instance} module
  * @param {Element} root
  * @param {(reader: number) => number} finish frees the reader

@@ -1,4 +1,4 @@
-// The shapes of what crosses between the engine and the shell; include/batten/frame.h says what they mean.
+// Types of the data passed between the engine and the shell; include/batten/frame.h documents their meaning.
 
 /**
  * @typedef {object} Pointer one sample of a pen, a mouse or a finger
@@ -21,7 +21,7 @@
 
 /**
  * @typedef {object} Item something to paint; coordinates relative to the frame's origin
- * @property {number} id 0: not to be cached
+ * @property {number} id 0: do not cache
  * @property {number} version
  * @property {number} role
  * @property {number} flags
@@ -37,17 +37,17 @@
  * @property {number} x1
  * @property {number} y1
  * @property {Float32Array} path a view into the module's memory
- * @property {number} picture of an image: the same number, the same picture
+ * @property {number} picture number of an image's picture: equal numbers mean the same picture
  */
 
 /**
- * @typedef {object} Label a short text of live values, over the overlay
+ * @typedef {object} Label a short text with live values, drawn above the overlay
  * @property {number} role
  * @property {number} x relative to the frame's origin
  * @property {number} y
- * @property {number} dx view pixels from there to the middle of the text
+ * @property {number} dx view pixels from there to the centre of the text
  * @property {number} dy
- * @property {number} turn degrees, about the middle of the text
+ * @property {number} turn degrees, about the centre of the text
  * @property {string} text
  */
 
@@ -70,10 +70,10 @@
  * @property {number} selection grows with every change of the selection
  * @property {number} selected
  * @property {number} layer the active one; 0: none
- * @property {number} readings another number when the last stroke's readings change; 0: none
- * @property {number} levels another number when the level strip shows something else; 0: no strip
- * @property {number} lost things of the file that writing over it would lose
- * @property {number} first bits: hints to be shown
+ * @property {number} readings changes with the last stroke's readings; 0: none
+ * @property {number} levels changes when the level strip shows something else; 0: no strip
+ * @property {number} lost number of things that overwriting the file would lose
+ * @property {number} first bits: first-use hints to show
  * @property {number} requests
  * @property {boolean} unsaved
  * @property {boolean} canUndo
@@ -81,9 +81,9 @@
  * @property {number} tool
  * @property {number} knotsBefore
  * @property {number} knotsAfter
- * @property {number} pending 1: a fit waits for a yes or a no; 2: what is made goes on until a yes; 0: neither
+ * @property {number} pending 1: a fit awaits a yes or a no; 2: an object is being made until a yes; 0: neither
  * @property {boolean} busy a stroke or a drag is under way
- * @property {number} error of the fit shown, document units; 0: there is none
+ * @property {number} error of the fit shown, document units; 0: no fit
  * @property {number} tolerance document units
  * @property {string} hint
  * @property {string} notice
@@ -97,13 +97,13 @@
  * @property {string} label
  * @property {string} help
  * @property {string[]} keys
- * @property {string} section key of its word
+ * @property {string} section key of its heading
  *
  * @typedef {object} PropertyRow
  * @property {string} name
  * @property {'number' | 'switch' | 'colour' | 'choice'} type
  * @property {string} group
- * @property {string} subject the key of the word that it stands under
+ * @property {string} subject key of the heading it belongs to
  * @property {string[]} [choices]
  * @property {string} label
  * @property {string} help
@@ -124,7 +124,7 @@
  * @property {CommandRow[]} commands
  * @property {PropertyRow[]} properties
  * @property {ToolRow[]} tools
- * @property {string[]} numbers names of what can be entered
+ * @property {string[]} numbers names of the numbers that can be entered
  * @property {Record<string, string>} strings
  */
 

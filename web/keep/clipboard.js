@@ -1,5 +1,5 @@
-// The clipboard, by the browser's own events, which need no permission: what is selected goes out as SVG that keeps its
-// knots, and SVG or a picture of any program comes in. Fetched once the page is there.
+// The clipboard, through the browser's own events, which need no permission: the selection is copied as SVG that keeps
+// its knots, and SVG or pictures from any program are pasted. Fetched once the page has loaded.
 
 import { Ask } from '../engine/codes.js';
 import { parseSvg } from '../engine/svg.js';
@@ -15,13 +15,13 @@ const OPENING = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www
   'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ' +
   'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">';
 
-/** Text that another program meant as text. @param {Event} event */
+/** Whether the event belongs to ordinary text, in a field or selected. @param {Event} event */
 function isText(event) {
   const target = event.target instanceof Element ? event.target : null;
   return target?.closest('input, select, textarea, dialog') || String(getSelection()) !== '';
 }
 
-/** The root of an SVG file, of elements without one, or of bare path data. @param {string} text */
+/** The root of an SVG file, or one made for elements without a root or for bare path data. @param {string} text */
 function rootOf(text) {
   const whole = text.trim();
   if (/^m[\s\d.+-]/i.test(whole) && /^[\s\dmlhvcsqtaze,.+-]*$/i.test(whole)) {
@@ -50,7 +50,7 @@ export class Clipboard {
     addEventListener('paste', (event) => this.#paste(event));
   }
 
-  /** A command of the menu, or of another key. @param {number} requests */
+  /** Runs a clipboard command from a menu or from another key. @param {number} requests */
   async ask(requests) {
     if (requests & (Ask.CUT | Ask.COPY)) {
       document.execCommand(requests & Ask.CUT ? 'cut' : 'copy');
@@ -77,7 +77,7 @@ export class Clipboard {
     event.preventDefault();
     event.clipboardData?.setData(TEXT, text);
     event.clipboardData?.setData(SVG, text);
-    // The event's own SVG stays within the browser; this one other programs find, where the browser lets it through.
+    // SVG set on the event stays within the browser; other programs find this one, where the browser allows it.
     if (/** @type {any} */ (globalThis.ClipboardItem)?.supports?.(SVG)) {
       const parts = [TEXT, SVG].map((type) => [type, new Blob([text], { type })]);
       navigator.clipboard.write([new ClipboardItem(Object.fromEntries(parts))]).catch(() => {});
@@ -91,7 +91,7 @@ export class Clipboard {
       return;
     }
     event.preventDefault();
-    // Programs that give a picture beside the text mean the same drawing by both.
+    // When a program offers a picture as well as text, both show the same drawing.
     const text = [TEXT, SVG].map((type) => data.getData(type)).find(looksLikeSvg);
     const picture = [...data.files].find((file) => file.type.startsWith('image/'));
     if (text || !picture) {

@@ -1,5 +1,5 @@
-// Which drawing the page has, and what the browser kept of it: opened with what a closed or crashed page left, left for
-// another, taken over from another page.
+// The page's drawing and what the browser has kept of it: opening it with what a closed or crashed page left, leaving
+// it for another, taking it over from another page.
 
 import { word } from '../page/words.js';
 
@@ -7,7 +7,7 @@ import { word } from '../page/words.js';
 /** @typedef {import('./keep.js').Fault} Fault */
 /** @typedef {import('./keep.js').Kept} Kept */
 
-/** What notices about a drawing are about: they go with it. */
+/** Notices about a drawing: they disappear with it. */
 const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
 
 export class Drawings {
@@ -31,12 +31,12 @@ export class Drawings {
     };
   }
 
-  /** This page may change the drawing, and keeps it. */
+  /** Whether this page may edit the drawing, and keeps it. */
   get ours() {
     return this.tabs.held && this.tabs.name === this.files.name && !this.engine.partial;
   }
 
-  /** What the shell says of it. @param {string} key @returns {string} */
+  /** A text of the shell about this drawing. @param {string} key @returns {string} */
   #text(key) {
     return word(`shell.${key}`, this.files.name);
   }
@@ -44,7 +44,7 @@ export class Drawings {
   /**
    * Leaves this drawing for another.
    * @param {string} name
-   * @returns {Promise<Kept | null>} what was kept of it; null, too, when another page has it
+   * @returns {Promise<Kept | null>} what was kept of it; also null when another page has it
    */
   async admit(name) {
     if (this.files.unsaved) {
@@ -55,7 +55,7 @@ export class Drawings {
   }
 
   /**
-   * What was kept of a drawing, and what it takes to replay it: a call in the midst of it cannot wait for a worker.
+   * What was kept of a drawing; completes the module first, because a call during the replay cannot wait for it.
    * @param {string} name
    */
   async #kept(name) {
@@ -63,7 +63,7 @@ export class Drawings {
     return kept && await this.whole.complete() ? kept : null;
   }
 
-  /** Says when another page has the drawing; it can be had from there. */
+  /** Says so when another page has the drawing, and offers to take it over. */
   showOwner() {
     this.engine.setReadOnly(!this.tabs.held || this.engine.partial);
     this.notices.over('owner');
@@ -81,13 +81,13 @@ export class Drawings {
     this.resume(kept);
   }
 
-  /** The server's file, with what was kept of it. */
+  /** Opens the server's file, with what was kept of it. */
   async openServed() {
     await this.files.openServed();
     this.resume(await this.admit(this.files.name));
   }
 
-  /** Without a file: the drawing kept last that no other page has, else an empty one. */
+  /** Without a file: opens the last drawing kept that no other page has, else an empty one. */
   async openLast() {
     for (const { name } of await this.keeper.list()) {
       const kept = await this.admit(name);
@@ -103,7 +103,7 @@ export class Drawings {
     await this.openNew();
   }
 
-  /** An empty drawing; what was there before stays kept. */
+  /** Opens an empty drawing; the previous one stays kept. */
   async openNew() {
     const taken = (await this.keeper.list()).map((kept) => kept.name);
     this.#leave();
@@ -116,7 +116,7 @@ export class Drawings {
     this.showOwner();
   }
 
-  /** A drawing that is kept, in place of this one, which stays kept. @param {string} name */
+  /** Opens a kept drawing in place of this one, which stays kept. @param {string} name */
   async openKept(name) {
     await this.keeper.settled();
     this.#leave();
@@ -133,28 +133,28 @@ export class Drawings {
     this.showOwner();
   }
 
-  /** What there is goes from the page, not from what is kept. */
+  /** Removes the drawing from the page, but not from what is kept. */
   #leave() {
     this.notices.over(...OF_DRAWING);
     this.keeper.session = -1;
     this.keeper.unsaved = this.files.unsaved = false;
   }
 
-  /** No file is behind it. @param {string} name */
+  /** Makes it a drawing without a file. @param {string} name */
   #become(name) {
     this.files.name = name;
     this.files.bound = false;
     this.files.opened = new Uint8Array(0);
   }
 
-  /** The drawing as a closed or crashed page left it: what it had not saved comes back. @param {Kept | null} kept */
+  /** Restores what a closed or crashed page had not saved. @param {Kept | null} kept */
   resume(kept) {
     this.notices.over(...OF_DRAWING);
     this.showOwner();
     if (!kept) {
       return;
     }
-    // Its steps lead through the file as it is, or the file has changed since, and the user is to say.
+    // Either its steps pass through the file as it is now, or the file has changed since and the user must decide.
     if (new TextDecoder().decode(kept.journal).includes(`"digest":"${this.engine.digest()}"`)) {
       this.#bringBack(kept);
     } else {
@@ -166,7 +166,7 @@ export class Drawings {
   /** @param {Kept} kept */
   #bringBack(kept) {
     if (this.engine.replay(kept.journal)) {
-      this.engine.losses = this.files.losses; // the file as it is, not as it was
+      this.engine.losses = this.files.losses; // of the file as it is now, not as it was
       this.notices.ask('kept', this.#text('brought-back'), [{
         label: this.#text('without'), run: () => void this.files.reopen() }]);
     } else {
@@ -175,26 +175,26 @@ export class Drawings {
     this.wake();
   }
 
-  /** What was kept leads nowhere. @param {Kept} kept */
+  /** What was kept cannot be restored. @param {Kept} kept */
   #lost(kept) {
     void this.files.reopen();
     this.notices.ask('other', this.#text('lost'), [{
       label: this.#text('journal'), run: () => this.files.downloadJournal(kept.journal) }]);
   }
 
-  /** The module broke, and its journal was replayed. @param {boolean} whole @param {unknown} error */
+  /** The module trapped, and its journal was replayed. @param {boolean} whole @param {unknown} error */
   #recovered(whole, error) {
     console.error(error);
     this.settings.restore();
     if (!whole) {
-      this.keeper.session = -1; // what is kept stays kept, though the drawing shown is not unsaved
+      this.keeper.session = -1; // what is kept stays, although the drawing shown has no unsaved steps
     }
     const run = () => this.files.downloadJournal(this.engine.broken);
     this.notices.ask('trap', word(whole ? 'shell.trapped' : 'shell.trapped-part'), [{ label: word('shell.journal'), run }]);
     this.wake();
   }
 
-  /** The browser keeps nothing of what was drawn last, or does so again. @param {Fault | ''} fault */
+  /** The browser has stopped keeping steps, or keeps them again. @param {Fault | ''} fault */
   #notKept(fault) {
     this.notices.over('unkept');
     if (!fault) {

@@ -1,4 +1,4 @@
-// Files: in by drop, picker or server, out to the server or as a download.
+// Files: opened by drop, picker or server; saved to the server or as a download.
 
 import { want } from '../page/build.js';
 import { Changed } from './server.js';
@@ -52,18 +52,21 @@ export class Files {
     this.notices = notices;
     this.wake = wake;
     this.name = 'drawing.svg';
-    /** What was opened, as it came. @type {Uint8Array} */
+    /** The bytes that were opened, unchanged. @type {Uint8Array} */
     this.opened = new Uint8Array(0);
-    /** Asked before a drawing is opened in place of this one: what was kept of it. @type {(name: string) => Promise<Kept | null>} */
+    /**
+     * Called before a drawing replaces this one: gives what was kept of it.
+     * @type {(name: string) => Promise<Kept | null>}
+     */
     this.find = async () => null;
-    /** Told as soon as it is open. @type {(kept: Kept | null) => void} */
+    /** Called as soon as it is open. @type {(kept: Kept | null) => void} */
     this.onopen = () => {};
-    /** What of the file as it was opened the drawing does not hold. @type {import('../engine/engine.js').Losses} */
+    /** What was in the opened file and is not in the drawing. @type {import('../engine/engine.js').Losses} */
     this.losses = {};
-    /** The document is the server's file, so that it is saved there. */
+    /** The document is the server's file, and is saved there. */
     this.bound = false;
     this.unsaved = false;
-    /** The page goes and comes back with what is not saved. */
+    /** The page is being reloaded and will restore what is not saved. */
     this.leaving = false;
     this.saving = false;
     this.picker = /** @type {HTMLInputElement} */ (document.getElementById('picker'));
@@ -101,7 +104,7 @@ export class Files {
     this.picker.click();
   }
 
-  /** The server's file, when there is a server. */
+  /** Opens the server's file, if there is a server. */
   async openServed() {
     try {
       const { name, bytes } = await this.server.load();
@@ -111,7 +114,7 @@ export class Files {
     }
   }
 
-  /** The drawing as it was opened, or an empty one. */
+  /** Opens the drawing again as it was first opened, or an empty one. */
   async reopen() {
     if (this.bound) {
       await this.openServed();
@@ -143,14 +146,14 @@ export class Files {
     }
   }
 
-  /** A picture to trace, behind the drawing. @param {File} file */
+  /** Adds a picture to trace, behind the drawing. @param {File} file */
   async addPicture(file) {
     const { bytesOf } = await want(import('../stage/pictures.js'));
     this.engine.addPicture(await bytesOf(file), file.name);
     this.wake();
   }
 
-  /** @returns {Promise<boolean>} the unsaved drawing may go */
+  /** @returns {Promise<boolean>} whether the unsaved drawing may be discarded */
   #mayReplace() {
     const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('question'));
     const text = /** @type {HTMLElement} */ (document.getElementById('question-text'));
@@ -165,7 +168,7 @@ export class Files {
   /**
    * @param {Uint8Array} bytes
    * @param {string} name
-   * @returns {boolean} it is open now; else the user was told why not
+   * @returns {boolean} whether it is open now; if not, the user was told why
    */
   open(bytes, name) {
     try {
@@ -195,8 +198,8 @@ export class Files {
   }
 
   /**
-   * To the file that the server holds, else as a download.
-   * @param {string} [over] what it takes the place of, when that is another version than the drawing was made of
+   * Saves to the server's file, else as a download.
+   * @param {string} [over] the version to overwrite, when not the one that the drawing was opened from
    */
   async save(over) {
     const native = isNative(this.name);
@@ -215,7 +218,7 @@ export class Files {
       if (!native && !over && !(await this.#mayLose())) {
         return;
       }
-      // The engine knows which state it asked to have saved: what is drawn in the meantime stays unsaved.
+      // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
       await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
       this.losses = this.engine.losses = {};
@@ -229,14 +232,14 @@ export class Files {
     }
   }
 
-  /** The file changed on disk: said at once, not at the next save. @param {string} tag of the file as it is */
+  /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */
   tellOf(tag) {
     if (this.bound && !this.saving && tag !== this.server.tag) {
       this.#tellChanged(word('shell.changed'));
     }
   }
 
-  /** Asks before something of the file is lost. @returns {Promise<boolean>} it may be written over */
+  /** Asks before overwriting loses anything. @returns {Promise<boolean>} whether the file may be overwritten */
   async #mayLose() {
     const { losses } = this.engine;
     if (!totalOf(losses)) {
@@ -251,7 +254,7 @@ export class Files {
   }
 
   /**
-   * A copy, in the browser's folder for downloads.
+   * Saves a copy in the browser's download folder.
    * @param {boolean} [native]
    * @returns {boolean}
    */
@@ -266,7 +269,7 @@ export class Files {
     }
   }
 
-  /** All steps since opening. */
+  /** Downloads the journal: all steps since opening. */
   downloadJournal(journal = this.engine.journal) {
     const stem = stemOf(this.name);
     this.#deliver(journal, `${stem}.journal`, 'application/x-ndjson');
@@ -297,9 +300,9 @@ export class Files {
   }
 
   /**
-   * The file is another one than the drawing was made of: nothing is written over until the user says so.
+   * Tells the user that the file has changed since it was opened: nothing is overwritten until they say so.
    * @param {string} text
-   * @param {boolean} [apart] nothing can be written beside it: a download is offered
+   * @param {boolean} [apart] no file can be written beside it: offer a download instead
    */
   #tellChanged(text, apart = false) {
     this.notices.ask('changed', text, [
@@ -307,11 +310,11 @@ export class Files {
       { label: word('shell.overwrite'), run: () => void this.#overwrite() },
       apart ? { label: word('shell.copy'), run: () => {
         this.download();
-        this.#tellChanged(text); // it still is
+        this.#tellChanged(text); // still changed
       } } : { label: word('shell.beside'), run: () => void this.#saveBeside() }]);
   }
 
-  /** A new file beside the one that changed, which it leaves alone; the drawing stays the changed one's. */
+  /** Saves a new file beside the changed one, which stays as it is; the drawing still belongs to the changed file. */
   async #saveBeside() {
     const native = isNative(this.name);
     try {
@@ -337,7 +340,7 @@ export class Files {
       const file = await this.server.look();
       const answer = await compare(this.engine, file);
       if (answer === 'overwrite') {
-        await this.save(file.tag); // what was looked at, and nothing newer
+        await this.save(file.tag); // overwrites the version that was compared, nothing newer
         return;
       }
       if (answer === 'beside') {

@@ -1,7 +1,7 @@
-// Keeping: the journal of a drawing goes to the browser's own file system (OPFS) with each step, so that a closed or
-// crashed page loses the stroke under the pen at most. A drawing has a folder of numbered journals; the newest whole
-// one counts. A page begins a new one beside the old, which then goes, and adds to it; a journal without its first
-// byte is not whole yet. keeping.js, a worker, does the writing.
+// Keeping: each step of a drawing's journal is written to the browser's private file system (OPFS), so that a closed or
+// crashed page loses at most the stroke under the pen. A drawing has a folder of numbered journals; the newest complete
+// one counts. A page begins a new journal beside the old one, which is then removed, and appends to it; a journal whose
+// first byte is not yet written is incomplete. keeping.js, a worker, does the writing.
 
 import { addressOf } from '../page/build.js';
 import { folderOf, journals } from './journals.js';
@@ -9,12 +9,12 @@ import { folderOf, journals } from './journals.js';
 /** @typedef {{ name: string, journal: Uint8Array, time: number }} Kept */
 /** @typedef {'no-room' | 'cleared' | 'not-kept'} Fault why nothing is kept; the page has words for each */
 
-const HEAD = 4096; // bytes of a journal in which its name stands
+const HEAD = 4096; // the name of a drawing is within the first 4,096 bytes of its journal
 
 /**
- * The newest whole journal of a folder, up to its last whole line.
+ * The newest complete journal of a folder, up to its last complete line.
  * @param {FileSystemDirectoryHandle} folder
- * @param {number} [size] only so much of it
+ * @param {number} [size] read no more bytes than this
  * @returns {Promise<Kept | null>}
  */
 async function newest(folder, size) {
@@ -37,47 +37,50 @@ async function newest(folder, size) {
 
 export class Keeper {
   constructor() {
-    /** Told when steps cannot be kept, once for each reason, and when they can again. @type {(fault: Fault | '') => void} */
+    /**
+     * Called when steps cannot be kept, once for each reason, and when they can again.
+     * @type {(fault: Fault | '') => void}
+     */
     this.onfault = () => {};
     /** @type {Worker | null} */
     this.worker = null;
-    /** What this page keeps: of which session of the engine, -1 for nothing, and how much of its journal. */
+    /** What this page keeps: the drawing's name, the engine's session (-1: nothing) and how much of its journal. */
     this.name = '';
     this.session = -1;
     this.length = 0;
     this.unsaved = false;
     /** Why the last write failed. @type {Fault | ''} */
     this.fault = '';
-    /** Writes that are not done yet, and who waits for that. */
+    /** Pending writes, and the callers waiting for them. */
     this.writes = 0;
     /** @type {(() => void)[]} */
     this.waiting = [];
   }
 
-  /** Has the worker ready: the first step is on the disk although the server has gone meanwhile. */
+  /** Starts the worker in advance, so that the first step can be kept even if the server has stopped by then. */
   async start() {
     this.#work();
     await this.settled();
-    this.fault = ''; // when it does not start, the first step tries again
+    this.fault = ''; // if the worker does not start, the first step tries again
   }
 
   /**
-   * Told at every frame.
+   * Called at every frame.
    * @param {string} name
-   * @param {number} session the engine's; another one has another journal
+   * @param {number} session the engine's; each session has its own journal
    * @param {Uint8Array} journal
    * @param {boolean} unsaved
-   * @param {boolean} local there is no file elsewhere: kept though it is saved
+   * @param {boolean} local there is no file elsewhere: kept even when saved
    */
   note(name, session, journal, unsaved, local) {
     const due = unsaved || local;
-    const given = this.unsaved && name !== this.name; // up, after the user was asked
+    const given = this.unsaved && name !== this.name; // given up, after the user was asked
     if (this.session >= 0 && (given || !due)) {
       this.drop(this.name);
     }
     const same = session === this.session && name === this.name;
     if (due && !(same && journal.length === this.length)) {
-      const more = same && !this.fault; // after a fault the next step tries with all of it
+      const more = same && !this.fault; // after a fault the next step writes all of it
       this.#write({ name, bytes: journal.slice(more ? this.length : 0), more });
       [this.name, this.session, this.length] = [name, session, journal.length];
     }
@@ -93,7 +96,7 @@ export class Keeper {
     }
   }
 
-  /** All drawings kept, the latest first; of their journals the beginning. @returns {Promise<Kept[]>} */
+  /** All drawings kept, latest first, each with the beginning of its journal. @returns {Promise<Kept[]>} */
   async list() {
     /** @type {Kept[]} */
     const list = [];
@@ -117,7 +120,7 @@ export class Keeper {
     this.#write({ name });
   }
 
-  /** All that was noted is on the disk, or cannot be. @returns {Promise<void>} */
+  /** Waits until everything noted is on disk, or has failed. @returns {Promise<void>} */
   settled() {
     return new Promise((resolve) => {
       this.waiting.push(resolve);
@@ -125,7 +128,7 @@ export class Keeper {
     });
   }
 
-  /** Leaves the journal to another page. */
+  /** Hands the journal over to another page. */
   async yield() {
     this.session = -1;
     this.unsaved = false;
@@ -139,14 +142,14 @@ export class Keeper {
     this.#work().postMessage(job, job.bytes ? [job.bytes.buffer] : []);
   }
 
-  /** The worker; another one when there is none. */
+  /** The worker; starts one when there is none. */
   #work() {
     if (!this.worker) {
       this.worker = new Worker(addressOf('keep/keeping.js'), { type: 'module' });
-      this.writes++; // it says when it runs
+      this.writes++; // it reports when it is running
       this.worker.onmessage = ({ data }) => (data === 'ready' ? this.#done(1) : this.#answered(data));
       this.worker.onerror = (event) => {
-        event.preventDefault(); // it is said by the page
+        event.preventDefault(); // the page reports it
         this.#end();
         this.#answered('not-kept');
       };
@@ -154,7 +157,7 @@ export class Keeper {
     return this.worker;
   }
 
-  /** Nothing more comes from this worker. */
+  /** Drops the worker: nothing more comes from it. */
   #end() {
     this.worker?.terminate();
     this.worker = null;
@@ -165,15 +168,15 @@ export class Keeper {
   #answered(fault) {
     const before = this.fault;
     this.fault = fault;
-    if (fault === 'cleared') { // as long as it holds a file that was cleared, Chromium loses what is written anew, too
+    if (fault === 'cleared') { // while the worker holds a cleared file open, Chromium loses new ones as well
       this.#end();
     }
     this.#done(1);
     if (fault === before || this.session < 0) {
-      return; // the user knows, or has nothing to lose
+      return; // the user was told already, or has nothing to lose
     }
     if (fault === 'cleared') {
-      this.length = -1; // there is room: at once, with all of it
+      this.length = -1; // there is room again: write all of it at once
     }
     if (fault || before !== 'cleared') {
       this.onfault(fault);

@@ -1,18 +1,18 @@
-// The worker behind keep.js: writes journals. Only workers can write in place and know when it is done.
+// The worker of keep.js, which writes the journals: only workers can write in place and know when it is done.
 
 import { folderOf, journals } from './journals.js';
 
-const DRAWINGS = 30; // kept at most; the one untouched for longest goes
+const DRAWINGS = 30; // kept at most; the least recently changed is removed
 
 /** @typedef {{ write: (data: Uint8Array, options: { at: number }) => number, flush: () => void, close: () => void }} Access */
-/** @typedef {{ name: string, bytes?: Uint8Array, more?: boolean }} Job what to do: add `bytes` or, without `more`,
- * begin with them; without bytes drop the drawing; without a name let go of the file */
+/** @typedef {{ name: string, bytes?: Uint8Array, more?: boolean }} Job what to do: append `bytes` or, without `more`,
+ * begin with them; without bytes drop the drawing; without a name release the file */
 
 /** The journal being written. @type {{ access: Access, folder: FileSystemDirectoryHandle, number: string } | null} */
 let file = null;
 let size = 0;
 
-/** It is where it was made: what is written to a file that was cleared away seems to go well. */
+/** Whether the file is still where it was made: writing to one that was cleared away appears to succeed. */
 async function stands() {
   try {
     await file?.folder.getFileHandle(file.number);
@@ -34,7 +34,7 @@ async function put(bytes, at) {
   }
 }
 
-/** Lets go of the file. One that was cleared away Chromium never closes. */
+/** Releases the file. Chromium never closes one that was cleared away. */
 async function close() {
   const there = await stands();
   if (there) {
@@ -70,7 +70,7 @@ async function begin(name, bytes) {
     await folder.removeEntry(number).catch(() => {});
     throw error;
   }
-  // What another page still holds cannot be removed, and is left.
+  // Files that another page still holds cannot be removed, and are left.
   await Promise.allSettled(others.map((other) => folder.removeEntry(other)));
   await prune(all, key);
 }
@@ -106,10 +106,10 @@ async function work({ name, bytes, more }) {
   }
 }
 
-/** What the page is told of an error. @type {Record<string, import('./keep.js').Fault>} */
+/** The fault reported to the page for an error. @type {Record<string, import('./keep.js').Fault>} */
 const FAULTS = { NotFoundError: 'cleared', QuotaExceededError: 'no-room' };
 
-/** Why there is no file to add to. @type {import('./keep.js').Fault} */
+/** Why there is no file to append to. @type {import('./keep.js').Fault} */
 let fault = 'not-kept';
 
 /** @param {Job} job */
@@ -127,7 +127,7 @@ async function answer(job) {
   }
 }
 
-/** One job after the other; the first says that it runs. */
+/** Jobs run one after the other; the first reports that the worker runs. */
 let last = Promise.resolve(postMessage('ready'));
 onmessage = ({ data }) => {
   last = last.then(() => answer(data)).then((told) => postMessage(told));

@@ -1,10 +1,10 @@
-// Offline: the page can be installed and opens without a server; a newer build is offered, never slipped in.
+// Offline: the page can be installed and opens without a server; a newer build is offered, never installed silently.
 
 import { word } from '../page/words.js';
 
 /**
  * @param {import('../page/notice.js').Notices} notices
- * @param {() => Promise<void>} pack the page may go then
+ * @param {() => Promise<void>} pack prepares the page to be closed
  */
 export async function settle(notices, pack) {
   const link = document.createElement('link');
@@ -30,13 +30,13 @@ export async function settle(notices, pack) {
 
   workers.addEventListener('controllerchange', () => {
     if (controlled) {
-      offer(null); // another tab has changed over
+      offer(null); // another tab has switched to it
     }
     controlled = true;
   });
   const registration = await workers.register('sw.js', { updateViaCache: 'none' }).catch(() => null);
   if (!registration) {
-    return; // the browser does not let it stay
+    return; // the browser does not allow it to be installed
   }
   const watch = () => {
     const next = registration.installing;
@@ -53,7 +53,7 @@ export async function settle(notices, pack) {
   }
   document.addEventListener('visibilitychange', () => {
     if (!document.hidden) {
-      registration.update().catch(() => {}); // no server: no news
+      registration.update().catch(() => {}); // no server, no update
     }
   });
 }

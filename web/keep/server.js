@@ -1,11 +1,11 @@
-// The loopback server that `batten edit` runs: the file it was started with, and saving back to it.
+// The loopback server run by `batten edit`: loads the file that it was started with, and saves back to it.
 
 import { word } from '../page/words.js';
 
 /** The file changed on disk after it was opened. */
 export class Changed extends Error {}
 
-/** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: names this version of the file */
+/** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: identifies this version of the file */
 
 const FORBIDDEN = 403;
 const CHANGED = 412;
@@ -20,9 +20,9 @@ export class Server {
     /** '' when the page was served by something else. */
     this.token = token.startsWith('%') ? '' : token;
     this.name = '';
-    /** Of the version that the drawing was made of. */
+    /** The tag of the version that the drawing was opened from. */
     this.tag = '';
-    /** Another program may answer here tomorrow: nothing of the page is to stay in the browser. */
+    /** Another program may use this address tomorrow: nothing of the page may stay in the browser. */
     this.passing = document.querySelector('meta[name=batten-address]')?.getAttribute('content') === 'passing';
   }
 
@@ -30,14 +30,14 @@ export class Server {
     return this.token !== '';
   }
 
-  /** The file, which the drawing is made of from now on. @returns {Promise<FileBytes>} */
+  /** Loads the file as the version that the drawing is based on. @returns {Promise<FileBytes>} */
   async load() {
     const file = await this.look();
     [this.name, this.tag] = [file.name, file.tag];
     return file;
   }
 
-  /** The file as it is now. @returns {Promise<FileBytes>} */
+  /** Reads the file as it is now. @returns {Promise<FileBytes>} */
   async look() {
     const response = await this.#ask('GET', {}, null);
     return { name: nameIn(response), bytes: new Uint8Array(await response.arrayBuffer()),
@@ -45,10 +45,10 @@ export class Server {
   }
 
   /**
-   * Puts the bytes where the file was.
+   * Replaces the file's content with the bytes.
    * @param {Uint8Array} bytes
    * @param {string} type media type
-   * @param {string} [over] the tag of the version that they take the place of
+   * @param {string} [over] the tag of the version that they replace
    */
   async save(bytes, type, over = this.tag) {
     const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes);
@@ -56,14 +56,14 @@ export class Server {
   }
 
   /**
-   * A new file beside it, over nothing. @param {Uint8Array} bytes @param {string} type
+   * Writes a new file beside it, overwriting nothing. @param {Uint8Array} bytes @param {string} type
    * @returns {Promise<string>} its name
    */
   async saveBeside(bytes, type) {
     return nameIn(await this.#ask('POST', { 'Content-Type': type }, bytes));
   }
 
-  /** Whether it answers, and with which version; one that was started anew is met again. @returns {Promise<string>} its tag */
+  /** Asks the server for the file's version; accepts a restarted server. @returns {Promise<string>} the tag */
   async hear() {
     return (await this.#ask('HEAD', {}, null)).headers.get('ETag') ?? '';
   }
@@ -82,7 +82,7 @@ export class Server {
       throw new Changed(word('shell.changed'));
     }
     if (!response.ok) {
-      // The server says in one line of plain text what it objects to.
+      // The server gives its reason in one line of plain text.
       const reason = (await response.text()).trim();
       throw new Error(reason || word('shell.answered', `${response.status} ${response.statusText}`));
     }
@@ -103,7 +103,7 @@ export class Server {
     }
   }
 
-  /** The server was started anew, with another token. @returns {Promise<boolean>} it serves the same file */
+  /** Fetches the token of a restarted server. @returns {Promise<boolean>} whether it serves the same file */
   async #meet() {
     const page = await fetch('/', { cache: 'no-store' }).catch(() => null);
     const token = TOKEN.exec(await page?.text() ?? '')?.[1];

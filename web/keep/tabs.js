@@ -1,10 +1,13 @@
-// Tabs: of all pages that show a drawing one may edit it, the one that holds its lock. Another can ask for it.
+// Tabs: of all pages that show a drawing, only the one that holds its lock may edit it. Another can ask for the lock.
 
-const PATIENCE = 2000; // milliseconds that the holder has to write what it has
+const PATIENCE = 2000; // milliseconds that the holder has to write its journal
 
 export class Tabs {
   constructor() {
-    /** Another page takes the drawing over: all is to be on the disk when this is done. @type {() => Promise<void>} */
+    /**
+     * Called when another page takes the drawing over: everything must be on disk when it resolves.
+     * @type {() => Promise<void>}
+     */
     this.onleave = async () => {};
     this.name = '';
     this.held = false;
@@ -17,10 +20,10 @@ export class Tabs {
   }
 
   /**
-   * Gives up the drawing held, and takes another.
+   * Releases the drawing held and claims another.
    * @param {string} name
    * @param {LockOptions} [how]
-   * @returns {Promise<boolean>} this page may edit it
+   * @returns {Promise<boolean>} whether this page may edit it
    */
   async claim(name, how = { ifAvailable: true }) {
     this.held = false;
@@ -35,7 +38,7 @@ export class Tabs {
           this.release = () => done(null);
         });
       }).catch(() => {
-        if (this.held && this.name === name) { // taken by force
+        if (this.held && this.name === name) { // the lock was stolen
           this.held = false;
           void this.onleave();
         }
@@ -43,7 +46,7 @@ export class Tabs {
     });
   }
 
-  /** Asks whoever holds this drawing to leave it; takes it in any case. */
+  /** Asks the page that holds this drawing to leave it, and takes it in any case. */
   async take() {
     await new Promise((resolve) => {
       this.left = () => resolve(null);

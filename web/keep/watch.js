@@ -1,5 +1,6 @@
-// The server and its file while the page is looked at: whether it still answers, was started anew, or has another file now.
-// Asked when the page is seen again, now and then while it is seen, and soon again after no answer; never while it is hidden.
+// Watches the server and its file: whether it still answers, was restarted, or has a different version of the file now.
+// Asks when the page becomes visible, regularly while it is visible, and soon again after no answer; never while
+// hidden.
 
 import { word } from '../page/words.js';
 
@@ -13,8 +14,8 @@ const SOON = 2000;
  */
 export function watch(server, files, notices) {
   let timer = 0;
-  let pause = 0; // after no answer
-  let told = ''; // which other version of the file was spoken of
+  let pause = 0; // before the next attempt, after no answer
+  let told = ''; // the changed version that the user was last told of
   let asking = false;
 
   async function hear() {

@@ -268,7 +268,7 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
     return (int)bat_editor_open(editor, document, name);
 }
 
-/* Any other format that needs no XML parser, by the table of formats: as its name says, else as its text does. */
+/* Any other format that needs no XML parser, from the table of formats: recognised by its name, else by its text. */
 int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
                      bat_problem *problem) {
     MODULE_CHECK(editor && name);
@@ -293,7 +293,7 @@ int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const
     return (int)bat_editor_add_picture(editor, bytes, size, name);
 }
 
-/* Its bytes, in place; NULL when there is none. */
+/* The bytes of a picture, not copied; NULL when there is none. */
 const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size) {
     MODULE_CHECK(editor && size);
     const bat_picture *found = bat_editor_picture(editor, picture);
@@ -308,7 +308,7 @@ int editor_save(const bat_editor *editor, int native, module_bytes *out) {
                         : bat_svg_write(document, true, &out->data, &out->size));
 }
 
-/* Counts by kind; NULL: nothing is lost any more. */
+/* Losses counted by kind; NULL: saving loses nothing any more. */
 const bat_losses *editor_losses(const bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_losses(editor);

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-/* One field's place in a struct, in bytes. The list ends with a NULL name. The host finds fields by name, so
- * that a field may move without the host being told. */
+/* The offset of a field in its struct, in bytes. The list ends with a NULL name. The host finds fields by name, so
+ * that a field may move without any change in the host. */
 typedef struct module_field {
     const char *name;
     uint32_t offset;
@@ -103,5 +103,5 @@ const module_field *module_layout(void) {
     return fields;
 }
 
-/* For the test of the host's recovery: fails as a broken invariant would. */
+/* For testing the host's recovery: fails as a broken invariant would. */
 void module_break(void) { module_panic(__FILE_NAME__, __LINE__, "asked to break"); }

@@ -28,7 +28,7 @@ static size_t natural_text(uint64_t value, unsigned base, char *end) {
     return (size_t)(end - at);
 }
 
-/* digits * 10^power, with `places` behind the point. */
+/* Writes digits * 10^power with `places` decimals. */
 static char *fixed(char *at, const char *digits, int n, int power, int places) {
     for (int i = power > 0 ? power : 0; i >= -places; i--) {
         if (i == -1) *at++ = '.';
@@ -117,7 +117,7 @@ int bat_print(char *out, size_t room, const char *format, va_list values) {
         case 'e':
         case 'f':
         case 'g': length = real_text(va_arg(values, double), *format, precision, number); break;
-        default: /* unknown: what was put for it is beyond us, so all behind it too */
+        default: /* unknown: its argument's type is not known, so neither are those of the rest */
             put_all(&s, start, strlen(start));
             goto end;
         }

@@ -1,5 +1,4 @@
-/* The SVG reader as exports: the page walks what the browser's XML parser found and tells it element by
- * element. */
+/* The SVG reader as exports: the page walks the document parsed by the browser and passes it element by element. */
 #include "module.h"
 
 #include <stdlib.h>
@@ -14,14 +13,14 @@ MODULE_EXPORT(svg_paste) int svg_paste(bat_svg_reader *reader, bat_editor *edito
 MODULE_EXPORT(svg_finish)
 int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem);
 
-/* NULL when memory is short. */
+/* NULL when out of memory. */
 bat_svg_reader *svg_begin(void) {
     const bat_svg_options options = bat_svg_merging();
     bat_svg_reader *reader = NULL;
     return bat_svg_reader_create(&options, &reader) == BAT_OK ? reader : NULL;
 }
 
-/* strings: the element's name, then `pairs` attributes as name, value; each ends with a NUL. */
+/* strings: the element's name, then `pairs` attributes as name, value; each string ends with a NUL. */
 int svg_start(bat_svg_reader *reader, const char *strings, size_t pairs) {
     MODULE_CHECK(reader && strings);
     const char **attributes = calloc(2 * pairs + 1, sizeof *attributes);
@@ -50,7 +49,7 @@ int svg_end(bat_svg_reader *reader) {
 
 void svg_cancel(bat_svg_reader *reader) { bat_svg_reader_free(reader); }
 
-/* Frees the reader whatever it returns, opens what was read, and notes what of the file was not. */
+/* Frees the reader whatever it returns, opens what was read, and notes what was lost of the file. */
 int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem) {
     MODULE_CHECK(reader && editor);
     bat_document *document = NULL;
@@ -66,8 +65,8 @@ int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat
     return (int)bat_editor_set_losses(editor, &report.lost);
 }
 
-/* Frees the reader whatever it returns, and puts what was read into the drawing. Without a document (nothing read)
- * it pastes nothing, which a notice tells. */
+/* Frees the reader whatever it returns, and pastes what was read. Without a document (nothing read) nothing is
+ * pasted, and a notice says so. */
 int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem) {
     MODULE_CHECK(reader && editor && problem);
     bat_document *document = NULL;
@@ -76,7 +75,7 @@ int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem) 
     if (status != BAT_OK) {
         return (int)status;
     }
-    bat_editor_paste(editor, document, report.native); /* tells by notices */
+    bat_editor_paste(editor, document, report.native); /* reports by notices */
     bat_document_free(document);
     return BAT_OK;
 }

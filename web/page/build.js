@@ -1,6 +1,6 @@
-// The files of this build. They stand in a folder named by their content: a page gets its own or none.
+// The files of this build. Their folder is named after their content, so a page gets its own files or none.
 
-/** A file of this build cannot be had. */
+/** A file of this build is not available. */
 export class Missing extends Error {}
 
 /** @param {string} name a path in this folder @returns {string} */
@@ -21,14 +21,14 @@ let missed = false;
 /** @type {() => void} */
 let tell = () => {};
 
-/** Something is missing: the user is told. @param {unknown} error */
+/** Tells the user that something is missing. @param {unknown} error */
 export function miss(error) {
   console.error(error);
   missed = true;
   tell();
 }
 
-/** @param {() => void} run tells the user */
+/** @param {() => void} run called to tell the user */
 export function whenMissing(run) {
   tell = run;
   if (missed) {
@@ -37,7 +37,7 @@ export function whenMissing(run) {
 }
 
 /**
- * What is fetched only when it is wanted. When it cannot be had the user is told, and what was to follow does not.
+ * Waits for a part that is fetched on demand. If it is not available, the user is told and the promise never settles.
  * @template T
  * @param {Promise<T>} part
  * @returns {Promise<T>}
@@ -49,7 +49,7 @@ export function want(part) {
   });
 }
 
-/** Gives the page a style sheet of this build. @param {string} name @returns {Promise<void>} it is there */
+/** Adds a style sheet of this build to the page. @param {string} name @returns {Promise<void>} when it has loaded */
 export function dress(name) {
   const sheet = document.createElement('link');
   sheet.rel = 'stylesheet';

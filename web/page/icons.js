@@ -1,4 +1,4 @@
-// Icons: symbols of a sprite that stands in the page, so that they take the colour of the words around them.
+// Icons: symbols of a sprite that is part of the page, so that they take the colour of the surrounding text.
 
 import { get } from './build.js';
 
@@ -6,7 +6,7 @@ const NAMESPACE = 'http://www.w3.org/2000/svg';
 /** @type {Map<string, Promise<void>>} */
 const sprites = new Map();
 
-/** Puts the icons of a sprite into the page, once. */
+/** Adds the icons of a sprite to the page, once. */
 export function loadIcons(sprite = 'sprite') {
   const fetched = sprites.get(sprite) ?? get(`icons/${sprite}.svg`).then(async (response) => {
     const root = new DOMParser().parseFromString(await response.text(), 'image/svg+xml').documentElement;
@@ -17,7 +17,7 @@ export function loadIcons(sprite = 'sprite') {
   return fetched;
 }
 
-/** @param {string} name @returns {SVGSVGElement | null} null when no sprite that is there has it */
+/** @param {string} name @returns {SVGSVGElement | null} null when no loaded sprite has it */
 export function icon(name) {
   if (!document.getElementById(`icon-${name}`)) {
     return null;

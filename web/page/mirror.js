@@ -1,6 +1,6 @@
-// The drawing for those who do not see it: a tree of its objects and points beside the canvas, kept in step with the
-// engine, and a line that says what has happened. The tree shows itself when it has the focus. Fetched once the page
-// is there.
+// The drawing for screen readers: a tree of its objects and points beside the canvas, kept in step with the engine, and
+// a live region that announces what has happened. The tree is visible while it has the focus. Fetched once the page
+// has loaded.
 
 import { tell } from './words.js';
 
@@ -14,19 +14,19 @@ import { tell } from './words.js';
  * @property {boolean} selected
  * @property {string} words
  *
- * @typedef {object} Item what the tree shows a line of: an object, or a point of one
+ * @typedef {object} Item a line of the tree: an object, or a point of one
  * @property {string} key
  * @property {number} id
  * @property {number} point -1: the object itself
  * @property {number} level
  * @property {boolean} selected
- * @property {boolean | null} open null: nothing to open
+ * @property {boolean | null} open null: cannot be expanded
  * @property {string} words
- * @property {number} place among those of its level, from 1; 0: the browser counts
+ * @property {number} place position among its siblings, from 1; 0: left to the browser
  * @property {number} total
  */
 
-const WINDOW = 200; // objects in the page at once
+const WINDOW = 200; // objects on the page at once
 const CALM = 80; // milliseconds without a frame before the tree is brought up to date
 
 export class Mirror {
@@ -48,7 +48,7 @@ export class Mirror {
     this.shown = '';
     this.active = '';
     this.timer = 0;
-    /** The focus is being moved by the tree itself. */
+    /** The tree itself is moving the focus. */
     this.own = false;
     this.tree = tell(document.createElement('div'), { label: 'outline' });
     this.tree.id = 'mirror';
@@ -63,9 +63,9 @@ export class Mirror {
     this.tree.addEventListener('keydown', (event) => this.#key(event));
     this.tree.addEventListener('focusin', (event) => this.#focused(event));
     this.tree.addEventListener('click', (event) => this.#focused(event));
-    new MutationObserver(() => this.#follow()) // in another language
+    new MutationObserver(() => this.#follow()) // when the language changes
       .observe(document.documentElement, { attributeFilter: ['lang'] });
-    this.engine.ask('editor_said'); // what was before is no news
+    this.engine.ask('editor_said'); // discards earlier announcements
     this.#follow();
   }
 
@@ -73,7 +73,7 @@ export class Mirror {
   show(frame) {
     const said = this.engine.ask('editor_said');
     if (said) {
-      // The same words twice are two things that happened.
+      // A repeated announcement is a second event, so its text must differ.
       this.voice.textContent = said === this.voice.textContent ? `${said}\u00a0` : said;
     }
     clearTimeout(this.timer);
@@ -88,7 +88,7 @@ export class Mirror {
   #follow(entered = false) {
     let outline = this.#outline();
     const focused = this.tree.contains(document.activeElement);
-    const led = entered || !focused; // by the drawing
+    const led = entered || !focused; // the drawing decides where the tree stands
     if (led && outline.at >= 0 && (outline.at < this.first || outline.at >= this.first + WINDOW)) {
       this.first = Math.max(0, outline.at - WINDOW / 2);
       outline = this.#outline();
@@ -175,12 +175,12 @@ export class Mirror {
 
   /** @param {string} key */
   #focus(key) {
-    this.own = true; // lines that had the focus may be gone
+    this.own = true; // the line that had the focus may be gone
     /** @type {HTMLElement | null} */ (this.tree.querySelector(`[data-key="${key}"]`))?.focus();
     this.own = false;
   }
 
-  // ---- hands ----
+  // ---- input ----
 
   /** @param {Event} event */
   #item(event) {
@@ -188,11 +188,11 @@ export class Mirror {
     return this.items.find((item) => item.key === /** @type {HTMLElement | null} */ (line)?.dataset.key);
   }
 
-  /** What has the focus is what the engine works on. @param {Event} event */
+  /** Makes the engine work on the item that has the focus. @param {Event} event */
   #focused(event) {
     const from = event instanceof FocusEvent && !this.own ? event.relatedTarget : this.tree;
     if (!this.tree.contains(/** @type {Node | null} */ (from))) {
-      this.#follow(true); // to where the drawing is
+      this.#follow(true); // go to what the drawing has selected
       return;
     }
     const item = this.#item(event);
@@ -219,7 +219,7 @@ export class Mirror {
     event.stopPropagation();
   }
 
-  /** @param {string} key @param {Item} item @returns {boolean} it was for the tree */
+  /** @param {string} key @param {Item} item @returns {boolean} whether the tree used the key */
   #take(key, item) {
     const at = this.items.indexOf(item);
     switch (key) {
@@ -241,7 +241,7 @@ export class Mirror {
           this.#go(this.items.slice(0, at).map((other) => other.level < item.level).lastIndexOf(true));
         }
         break;
-      case ' ': // one more
+      case ' ': // adds to the selection
         this.engine.act('editor_select', item.id, 1);
         this.wake();
         break;
@@ -261,7 +261,7 @@ export class Mirror {
     this.#follow();
   }
 
-  /** The focus goes to the item; past the window's border the window moves. @param {number} index */
+  /** Moves the focus to an item; beyond the window's edge the window moves along. @param {number} index */
   #go(index) {
     const last = this.first + WINDOW >= this.total;
     if (index >= this.items.length && !last) {

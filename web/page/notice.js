@@ -1,6 +1,6 @@
-// Notices: what has just happened, told to screen readers, too. One that passes goes by itself, and at the latest when the
-// next stroke begins. One that asks for something stays until it is answered, closed or over; they stand one above the
-// other, so that none hides another.
+// Notices: what has just happened, announced to screen readers too. A passing notice disappears by itself, at the
+// latest when the next stroke begins. A notice that asks for something stays until it is answered, closed or obsolete;
+// such notices are stacked, so that none hides another.
 
 import { word } from './words.js';
 
@@ -16,7 +16,7 @@ export class Notices {
     this.timer = 0;
   }
 
-  /** Something passing. @param {string} text */
+  /** Shows a passing notice. @param {string} text */
   say(text) {
     clearTimeout(this.timer);
     this.text.textContent = text;
@@ -24,17 +24,17 @@ export class Notices {
     this.timer = setTimeout(() => this.pass(), SHORT);
   }
 
-  /** What passes is over. */
+  /** Removes the passing notice. */
   pass() {
     this.box.hidden = true;
     this.text.textContent = '';
   }
 
   /**
-   * @param {string} about another one about the same takes its place
+   * @param {string} about a later notice about the same thing replaces it
    * @param {string} text
-   * @param {Answer[]} answers each ends it
-   * @param {boolean} [fixed] it cannot be closed: it says what is so
+   * @param {Answer[]} answers any of them closes it
+   * @param {boolean} [fixed] it cannot be closed: it describes a lasting state
    */
   ask(about, text, answers, fixed = false) {
     this.over(about);
@@ -63,7 +63,7 @@ export class Notices {
     this.asked.append(box);
   }
 
-  /** There is nothing to ask any more. @param {...string} abouts */
+  /** Removes the notices about things that are settled. @param {...string} abouts */
   over(...abouts) {
     for (const about of abouts) {
       const box = this.asked.querySelector(`[data-about="${about}"]`);

@@ -1,14 +1,14 @@
-// The keyboard's way through the page: from region to region, and with the arrows within a toolbar, which is one stop
-// of the Tab key. Fetched once the page is there.
+// Keyboard navigation of the page: from region to region, and with the arrow keys within a toolbar, which is a single
+// tab stop. Fetched once the page has loaded.
 
-/** In the order of the page. */
+/** In page order. */
 const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
 const STOPS = 'button, input, select, textarea, [tabindex]';
 
 /** @param {Element} element */
 const usable = (element) => element.checkVisibility() && !element.matches(':disabled');
 
-/** What the focus goes to in a region. @param {string} region @returns {HTMLElement | undefined} */
+/** The element of a region that receives the focus. @param {string} region @returns {HTMLElement | undefined} */
 function stop(region) {
   const root = /** @type {HTMLElement | null} */ (document.querySelector(region));
   if (!root || (region !== '#mirror' && !root.checkVisibility())) {
@@ -18,7 +18,7 @@ function stop(region) {
   return all.find((element) => element.tabIndex === 0 && (region === '#mirror' || usable(element)));
 }
 
-/** The focus goes to the next region. @param {number} step 1 or -1 */
+/** Moves the focus to the next region. @param {number} step 1 or -1 */
 export function walk(step) {
   const there = REGIONS.filter(stop);
   const now = there.findIndex((region) => document.querySelector(region)?.contains(document.activeElement));
@@ -27,7 +27,7 @@ export function walk(step) {
   stop(next)?.focus();
 }
 
-/** Makes a toolbar one stop, with arrows inside. @param {HTMLElement} bar */
+/** Makes a toolbar a single tab stop, with arrow keys inside. @param {HTMLElement} bar */
 function rove(bar) {
   const buttons = () => [...bar.querySelectorAll('button')].filter(usable);
   const settle = () => {
@@ -57,7 +57,7 @@ function rove(bar) {
     event.preventDefault();
     event.stopPropagation();
   });
-  // Buttons come, go, and cannot be pressed now.
+  // Buttons appear, disappear and become disabled.
   new MutationObserver(settle).observe(bar, { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden'] });
   settle();
 }

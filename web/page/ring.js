@@ -1,10 +1,10 @@
-// The ring around what has the focus: shown when a key has moved the focus there, and around the drawing only by Tab or
-// F6. A key that means something else, pressed after a click, rings nothing.
+// The focus ring: shown where a key has moved the focus, and around the drawing only after Tab or F6. Any other key
+// pressed after a click shows no ring.
 
 const { dataset } = document.documentElement;
 const MOVES = ['Tab', 'F6'];
 
-let key = ''; // pressed last; '' when a pointer was down since
+let key = ''; // the last key pressed; '' once a pointer has been down since
 
 addEventListener('keydown', (event) => { key = event.key; }, true);
 addEventListener('pointerdown', () => {

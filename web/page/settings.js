@@ -1,5 +1,5 @@
-// What the user has set, kept in the browser: properties but those of style, and shortcuts, by the names of the
-// engine's tables.
+// The user's settings, kept in the browser: properties other than style, and shortcuts, by their names in the engine's
+// tables.
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
@@ -20,13 +20,13 @@ export class Settings {
       const { values, keys } = JSON.parse(localStorage.getItem(STORE) ?? '{}');
       this.kept = { values: { ...values }, keys: { ...keys } };
     } catch {
-      // Spoilt: the defaults.
+      // Corrupt: use the defaults.
     }
     this.restore();
     addEventListener('pagehide', () => this.#write());
   }
 
-  /** Tells the engine; one that was just made knows nothing. */
+  /** Applies the settings to the engine, for instance to a new one. */
   restore() {
     for (const [name, value] of Object.entries(this.kept.values)) {
       this.engine.set(name, Number(value));
@@ -36,7 +36,7 @@ export class Settings {
     }
   }
 
-  /** Shortcuts of a command; null: the default. @param {string} command @param {string | null} keys */
+  /** Sets the shortcuts of a command; null: the default. @param {string} command @param {string | null} keys */
   bind(command, keys) {
     if (!this.engine.bind(command, keys)) {
       return false;
@@ -50,7 +50,7 @@ export class Settings {
     return true;
   }
 
-  /** Something may be set otherwise now: told at every frame. */
+  /** Called at every frame: a setting may have changed. */
   note() {
     this.timer ||= setTimeout(() => this.#write(), SOON);
   }

@@ -1,16 +1,16 @@
-// What the page does once it is there; nobody waits for it.
+// What the page does after it has loaded; nothing waits for it.
 
 import { want } from './build.js';
 
-const UNTOUCHED = 3000; // milliseconds after which the page readies itself for those who do not see it
+const UNTOUCHED = 3000; // milliseconds without input before the list for screen readers is loaded
 
 /** @param {import('../main.js').Shell} shell */
 export async function settleIn(shell) {
-  // Safari has no time of idleness.
+  // Safari has no requestIdleCallback.
   (globalThis.requestIdleCallback ?? setTimeout)(async () => (await shell.whole.complete()) && shell.panel.fetchChips());
   const { Clipboard } = await want(import('../keep/clipboard.js'));
   shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
-  // What explains, and what is seldom called, is fetched when somebody is there.
+  // Explanations and rarely used code are fetched at the first sign of a user.
   const seen = new AbortController();
   for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
     addEventListener(event, () => {
@@ -19,7 +19,7 @@ export async function settleIn(shell) {
       void shell.mirrorDrawing();
     }, { signal: seen.signal });
   }
-  // A screen reader may read without touching anything.
+  // A screen reader may read without any input.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
   if (shell.server.there) {
     const { watch } = await want(import('../keep/watch.js'));

@@ -1,4 +1,4 @@
-// Whether all of the build is here: the module's second part is fetched, and what is missing is said, with one way out.
+// Completeness of the build: fetches the module's second part, and reports what is missing with one way out.
 
 import { miss, whenMissing } from './build.js';
 import { word } from './words.js';
@@ -7,20 +7,20 @@ export class Whole {
   /**
    * @param {import('../engine/engine.js').Engine} engine
    * @param {import('./notice.js').Notices} notices
-   * @param {() => Promise<void>} pack the page may go then
+   * @param {() => Promise<void>} pack prepares the page to be closed
    */
   constructor(engine, notices, pack) {
     this.engine = engine;
     this.notices = notices;
     this.pack = pack;
-    /** Told when the second part cannot be had. */
+    /** Called when the second part is not available. */
     this.onpartial = () => {};
     whenMissing(() => this.#say());
   }
 
   /**
-   * Fetches the second part of the module. Without it the drawing can only be looked at, and nothing is kept of it.
-   * @returns {Promise<boolean>} it is here
+   * Fetches the second part of the module. Without it the drawing is read-only and is not kept.
+   * @returns {Promise<boolean>} whether it has arrived
    */
   async complete() {
     const { engine } = this;
@@ -42,7 +42,7 @@ export class Whole {
     if (answer?.ok) {
       await this.pack();
       location.reload();
-    } else { // this page is better than none
+    } else { // this page is better than none, so no reload
       this.#say();
       this.notices.say(word('shell.no-answer'));
     }

@@ -1,5 +1,5 @@
-// The words of the page. An element names its words by the keys of the engine's table, so that another language, or
-// another shortcut, is one walk over the page.
+// The texts of the page. Elements name their texts by the keys of the engine's table, so that a change of language or
+// of a shortcut takes one pass over the page.
 
 import { get, miss } from './build.js';
 
@@ -10,24 +10,27 @@ const MAC = /Mac|iP(hone|ad)/.test(navigator.platform);
 
 /** @type {Record<string, string>} */
 let strings = {};
-/** What was fetched: all of a language, of which the engine keeps what it says itself. @type {Record<string, string>} */
+/**
+ * The fetched strings: all of a language; the engine keeps only those that it uses itself.
+ * @type {Record<string, string>}
+ */
 let fetched = {};
-/** First shortcut of each command. @type {Record<string, string>} */
+/** The first shortcut of each command. @type {Record<string, string>} */
 let shortcuts = {};
 
-/** Something that cannot be done; its words are for the user. */
+/** Something that cannot be done, with a message for the user. */
 export class Refusal extends Error {}
 
-/** The text of a key. @param {string} key @param {string | number} [value] of what stands for "%" */
+/** The text of a key. @param {string} key @param {string | number} [value] replaces "%" */
 export function word(key, value) {
   const text = strings[key] ?? '';
   return value === undefined ? text : text.replace('%', () => String(value));
 }
 
-/** The text of a key that has another for one thing. @param {string} key @param {number} count */
+/** The text of a key that has a singular form, for a count. @param {string} key @param {number} count */
 export const counted = (key, count) => word(count === 1 ? `${key}-one` : key, count);
 
-/** A shortcut as this machine writes it. @param {string} key */
+/** A shortcut as this platform writes it. @param {string} key */
 export function keyName(key) {
   /** @type {Record<string, string>} */
   const known = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', Escape: 'Esc' };
@@ -57,11 +60,11 @@ function speak(element) {
 }
 
 /**
- * Gives an element its words, now and in every language to come.
+ * Gives an element its texts, now and after every change of language.
  * @template {HTMLElement} T
  * @param {T} element
- * @param {{ text?: string, label?: string, help?: string, value?: string, shortcut?: string }} keys of the text in it,
- *   of its name for who does not see it, of its title; value: of what stands for "%"; shortcut: the command whose shortcut to tell
+ * @param {{ text?: string, label?: string, help?: string, value?: string, shortcut?: string }} keys of its text, of its
+ *   accessible name and of its title; value: of the replacement for "%"; shortcut: the command whose shortcut to show
  * @returns {T}
  */
 export function tell(element, keys) {
@@ -70,7 +73,7 @@ export function tell(element, keys) {
   return element;
 }
 
-/** Says everything anew: the words or the shortcuts are others. @param {Tables} tables */
+/** Sets all texts again after the strings or the shortcuts have changed. @param {Tables} tables */
 export function retell(tables) {
   strings = { ...tables.strings, ...fetched };
   shortcuts = Object.fromEntries(tables.commands.map((row) => [row.name, row.keys[0]]));
@@ -80,7 +83,10 @@ export function retell(tables) {
     speak(/** @type {HTMLElement} */ (element)));
 }
 
-/** The language in force: chosen, or the first of the browser's that there is. @param {Engine} engine */
+/**
+ * The current language: the one chosen, or the first of the browser's languages that is available.
+ * @param {Engine} engine
+ */
 function languageOf(engine) {
   const row = engine.tables().properties.find((property) => property.name === 'language');
   const codes = (row?.choices ?? []).map((key) => key.split('.')[1]);
@@ -96,13 +102,13 @@ export class Words {
     this.language = '';
     /** @type {Tables} */
     this.tables = engine.tables();
-    /** Other words are on the page. @type {(tables: Tables) => void} */
+    /** Called when the texts of the page have changed. @type {(tables: Tables) => void} */
     this.onchange = () => {};
   }
 
   /**
-   * Sees that the page speaks the language chosen. The module knows English itself, but for what only explains; that,
-   * and other languages, are fetched.
+   * Makes the page follow the language chosen. The module contains English except for explanations; those and other
+   * languages are fetched.
    */
   async follow() {
     const choice = this.engine.get('language');
@@ -119,7 +125,7 @@ export class Words {
     }
   }
 
-  /** Fetches the words of the language in force. */
+  /** Fetches the strings of the current language. */
   async load() {
     const { language } = this;
     try {
@@ -129,12 +135,12 @@ export class Words {
         this.engine.speak(bytes);
       }
     } catch (error) {
-      miss(error); // English then
+      miss(error); // English remains
     }
     this.retell();
   }
 
-  /** Other words or shortcuts. */
+  /** Updates the texts after the strings or the shortcuts have changed. */
   retell() {
     this.tables = this.engine.tables();
     retell(this.tables);

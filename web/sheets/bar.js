@@ -1,5 +1,5 @@
-// The bar and the rail, made from the engine's tables: a tool always has its button, a command has one when the sprite holds
-// a symbol of its name.
+// The bar and the rail, built from the engine's tables: tools with an icon are buttons of the rail, and a command has a
+// button when the sprite has a symbol of its name.
 
 import { tell } from '../page/words.js';
 
@@ -30,12 +30,12 @@ function sheetButton(buttons, sheet) {
 /**
  * @param {Tables} tables
  * @param {Buttons} buttons
- * @returns {HTMLButtonElement} of the theme
+ * @returns {HTMLButtonElement} the button of the theme
  */
 export function fillBar(tables, buttons) {
   const bar = part('tools');
   for (const tool of tables.tools) {
-    if (document.getElementById(`icon-${tool.command}`)) { // else one for a moment only, chosen where it is wanted
+    if (document.getElementById(`icon-${tool.command}`)) { // the others are brief: chosen elsewhere
       part('rail').append(buttons.command(tool.command, `tool.${tool.name}`));
     }
   }

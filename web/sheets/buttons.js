@@ -1,4 +1,4 @@
-// Buttons: of commands, with their picture or their words; of sheets; and those that a pen steps a number with.
+// Buttons: of commands, with icon or text; of sheets; and steppers, with which a pen changes a number.
 
 import { icon } from '../page/icons.js';
 import { tell } from '../page/words.js';
@@ -17,7 +17,7 @@ export class Buttons {
     this.engine = engine;
     this.controls = controls;
     this.wake = wake;
-    /** Those of commands. @type {Map<string, HTMLButtonElement>} */
+    /** The buttons of commands. @type {Map<string, HTMLButtonElement>} */
     this.commands = new Map();
   }
 
@@ -37,8 +37,8 @@ export class Buttons {
 
   /**
    * @param {string} name
-   * @param {string} key of its words
-   * @param {Record<string, string>} [more] for tell
+   * @param {string} key of its text
+   * @param {Record<string, string>} [more] further keys, for tell
    */
   plain(name, key, more = { help: '' }) {
     const button = document.createElement('button');
@@ -50,7 +50,7 @@ export class Buttons {
       button.append(picture);
     }
     tell(button, { [picture ? 'label' : 'text']: key, ...more });
-    // A click with the pointer leaves the keyboard to the drawing; one with the keyboard stays where it is.
+    // After a pointer click the focus returns to the drawing; after a click by keyboard it stays on the button.
     button.addEventListener('click', (event) => {
       if (event.detail > 0) {
         button.blur();
@@ -59,7 +59,7 @@ export class Buttons {
     return button;
   }
 
-  /** A command's button. @param {string} command @param {string} key of its words */
+  /** A command's button. @param {string} command @param {string} key of its text */
   command(command, key) {
     const button = this.plain(command, key, { help: `${key}.help`, shortcut: command });
     button.addEventListener('click', () => this.#run(command));
@@ -76,7 +76,7 @@ export class Buttons {
   }
 
   /**
-   * A button for those who hold a pen.
+   * A button that steps a number, for use with a pen.
    * @param {PropertyRow} row
    * @param {HTMLInputElement} input
    * @param {number} steps
@@ -88,7 +88,7 @@ export class Buttons {
     return button;
   }
 
-  /** Commands as buttons in a row. @param {CommandRow[]} rows */
+  /** Commands as a row of buttons. @param {CommandRow[]} rows */
   row(rows) {
     const row = document.createElement('div');
     row.className = 'layer-commands';

@@ -1,4 +1,4 @@
-// The sheet of all commands, by sections: to run them, to find them, and to give them other keys. Loaded when it is
+// The sheet of all commands, by sections: for running them, finding them and changing their keys. Loaded when it is
 // first opened.
 
 import { keyName, tell, word } from '../page/words.js';
@@ -31,12 +31,12 @@ function button(label, act, ...content) {
   return one;
 }
 
-/** A helping word without its stop, for a button. @param {string} key @param {string} [value] */
+/** A help text without its full stop, for a button. @param {string} key @param {string} [value] */
 const brief = (key, value) => word(`shell.${key}.help`, value).replace(/[.。]$/, '');
 
 /**
- * What was pressed, as the tables write it; '' for what is no shortcut by itself. Shift is part of letters and named
- * keys only: where a sign lies decides whether it takes Shift.
+ * The shortcut that was pressed, as written in the tables; '' when it is none by itself. Only letters and named keys
+ * include Shift: whether a sign needs Shift depends on the keyboard layout.
  * @param {KeyboardEvent} event
  */
 function shortcutOf(event) {
@@ -46,7 +46,7 @@ function shortcutOf(event) {
     return '';
   }
   const letter = /^[a-z]$/i.test(key);
-  const typed = event.getModifierState('AltGraph'); // a sign, not Ctrl and Alt
+  const typed = event.getModifierState('AltGraph'); // AltGr types a sign; it is not Ctrl and Alt
   return [(event.ctrlKey || event.metaKey) && !typed && 'Ctrl', event.shiftKey && (letter || key.length > 1) && 'Shift',
     event.altKey && !typed && 'Alt', letter ? key.toUpperCase() : key].filter(Boolean).join('+');
 }
@@ -66,7 +66,7 @@ export class CommandSheet {
     this.commands = words.tables.commands;
     /** The command whose keys are being changed. */
     this.editing = '';
-    /** A key that was refused, or has others beside. */
+    /** The last key pressed: it was refused, or other commands use it too. */
     this.pressed = '';
     this.refused = false;
     this.search = make('input', 'search');
@@ -85,7 +85,7 @@ export class CommandSheet {
     this.fill();
   }
 
-  /** Made anew from the tables: other words, other keys. */
+  /** Rebuilds the sheet from the tables when texts or keys have changed. */
   fill() {
     const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
       document.activeElement.dataset.focus : undefined;
@@ -114,7 +114,7 @@ export class CommandSheet {
     }
   }
 
-  /** Shows what has all the words looked for in its name, help or keys. */
+  /** Shows the commands whose name, help or keys contain all words searched for. */
   #sift() {
     const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     for (const entry of this.body.querySelectorAll('li')) {
@@ -156,7 +156,7 @@ export class CommandSheet {
     return entry;
   }
 
-  /** What can be done to a command's keys, and what came of the key pressed last. @param {CommandRow} row */
+  /** The editor of a command's keys, with the outcome of the last key pressed. @param {CommandRow} row */
   #editor(row) {
     const box = make('div', 'rebinding', make('p', '', word('shell.press.help', row.label)));
     const status = make('p', 'told');
@@ -188,7 +188,7 @@ export class CommandSheet {
     return box;
   }
 
-  /** Other commands with a key. @param {CommandRow} row @param {string} key */
+  /** Other commands that use a key. @param {CommandRow} row @param {string} key */
   #others(row, key) {
     return this.commands.filter((other) => other !== row && other.name !== row.name && other.keys.includes(key));
   }
@@ -203,7 +203,7 @@ export class CommandSheet {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    event.stopPropagation(); // nothing of it is for the drawing
+    event.stopPropagation(); // keep the event from the drawing
     const row = this.commands.find((one) => one.name === this.editing);
     if (!row || event.target === this.search) {
       return;
@@ -214,7 +214,7 @@ export class CommandSheet {
       this.fill();
       return;
     }
-    // On the other buttons Enter and Space do what they always do.
+    // On the other buttons Enter and Space keep their usual meaning.
     const onKeys = event.target instanceof HTMLElement && event.target.dataset.focus === this.editing;
     const key = onKeys ? shortcutOf(event) : '';
     if (key) {

@@ -1,5 +1,5 @@
-// A file that changed on disk while it was drawn on: the drawing and the file beside each other, and what can be done.
-// Loaded when it is wanted.
+// A file that changed on disk while it was edited: shows the drawing and the file side by side, with the choices.
+// Loaded on demand.
 
 import { dress } from '../page/build.js';
 import { Engine } from '../engine/engine.js';
@@ -7,7 +7,10 @@ import { isNative } from '../keep/files.js';
 import { answer, question } from './question.js';
 import { word } from '../page/words.js';
 
-/** The file as a picture: of a native one an engine of its own makes it. @param {Engine} engine @param {import('../keep/server.js').FileBytes} file */
+/**
+ * The file as SVG; a native file is converted by a separate engine.
+ * @param {Engine} engine @param {import('../keep/server.js').FileBytes} file
+ */
 function pictureOf(engine, { name, bytes }) {
   if (!isNative(name)) {
     return bytes;

@@ -1,14 +1,14 @@
-// Controls of the engine's properties, made from its table: in the foot, in sheets, in the strip of levels.
+// Controls of the engine's properties, built from its table: in the foot, in sheets and in the level strip.
 
 import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/types.js').PropertyRow} PropertyRow */
 
-/** In which sheet the properties of a group are; the rest are settings. @type {Record<string, string>} */
+/** The sheet that has the properties of a group; the rest are in the settings. @type {Record<string, string>} */
 export const SHEET_OF = { style: 'style', picture: 'layers' };
 
-/** A length or number, short: three figures. @param {number} value */
+/** A length or number to three significant figures. @param {number} value */
 export function short(value) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(3))) : '';
 }
@@ -21,7 +21,7 @@ export class Controls {
   constructor(engine, wake) {
     this.engine = engine;
     this.wake = wake;
-    /** Each reads its value again. @type {(() => void)[]} */
+    /** Functions that read a control's value again. @type {(() => void)[]} */
     this.list = [];
   }
 
@@ -53,7 +53,7 @@ export class Controls {
     const input = document.createElement('input');
     input.id = `${kind}-${row.name}`;
     input.dataset.property = row.name;
-    const length = row.unit === 'unit'; // as text, in the unit in force
+    const length = row.unit === 'unit'; // a length is entered as text, in the current unit
     input.type = row.type === 'switch' ? 'checkbox' : row.type === 'colour' ? 'color' : length ? 'text' : 'number';
     if (row.type === 'number') {
       input.min = String(row.low);
@@ -65,7 +65,7 @@ export class Controls {
           event.preventDefault();
           this.step(row, input, event.key === 'ArrowUp' ? 1 : -1);
         } else if (event.key === 'Enter' || event.key === 'Escape') {
-          input.blur(); // the keys belong to the drawing again
+          input.blur(); // return the keyboard to the drawing
         }
       });
     }
@@ -81,7 +81,7 @@ export class Controls {
         alpha ? Number.parseInt(input.value.slice(1), 16) * 256 + alpha.valueAsNumber : input.valueAsNumber;
       this.engine.set(row.name, Math.min(row.high, Math.max(row.low, value)));
       if (row.type === 'number') {
-        input.value = short(this.engine.get(row.name)); // refused, it is what it was
+        input.value = short(this.engine.get(row.name)); // refused: restore the value
       }
       this.refresh();
       this.wake();
@@ -98,7 +98,7 @@ export class Controls {
       } else if (alpha) {
         input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
         alpha.value = String(value & 255);
-      } else if (document.activeElement !== input) { // what is being typed stays
+      } else if (document.activeElement !== input) { // do not overwrite what is being typed
         input.value = short(value);
       }
     });
@@ -110,7 +110,7 @@ export class Controls {
     return box;
   }
 
-  /** How much a colour covers, beside it. @param {PropertyRow} row */
+  /** The opacity of a colour, shown beside it. @param {PropertyRow} row */
   #alpha(row) {
     const input = tell(document.createElement('input'), { label: 'shell.alpha', value: `property.${row.name}` });
     Object.assign(input, { type: 'range', min: '0', max: '255' });
@@ -142,7 +142,7 @@ export class Controls {
   }
 
   /**
-   * Walks in the table's steps.
+   * Changes a value by the table's steps.
    * @param {PropertyRow} row
    * @param {HTMLInputElement} input
    * @param {number} steps

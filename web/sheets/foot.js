@@ -1,4 +1,5 @@
-// What is said of the drawing beside it: name, hint, readouts in the foot, first hints, the question about a fit that misses.
+// Texts about the drawing: its name, the hint, the readouts in the foot, first-use hints, and the question about a fit
+// that misses the tolerance.
 
 import { tell, word } from '../page/words.js';
 import { Role } from '../engine/codes.js';
@@ -25,7 +26,7 @@ export class Foot {
     this.tables = tables;
     this.buttons = buttons;
     this.controls = controls;
-    /** Done; yes and no. @type {HTMLButtonElement[]} */
+    /** The buttons "done", "yes" and "no". @type {HTMLButtonElement[]} */
     this.pending = [];
     const list = part('readouts');
     this.knots = this.#readout(list, 'shell.knots');
@@ -61,7 +62,10 @@ export class Foot {
     return text;
   }
 
-  /** A fit that misses the tolerance waits for a yes or a no, what is made of many presses for its end; a pen has no Enter key. */
+  /**
+   * Buttons for those without an Enter key, such as a pen: yes and no for a fit that misses the tolerance, done for an
+   * object made with several presses.
+   */
   #pending() {
     part('first').querySelector('button')?.addEventListener('click', () => {
       this.engine.set('first-hints', 3);
@@ -73,7 +77,10 @@ export class Foot {
     return buttons;
   }
 
-  /** @param {Frame} frame @param {string} reach the tolerance, in the drawing @param {string | null} values null: they still run */
+  /**
+   * @param {Frame} frame
+   * @param {string} reach the tolerance, in the drawing @param {string | null} values null: still changing
+   */
   show(frame, reach, values) {
     this.#showName(frame);
     part('hint').textContent = frame.hint;
@@ -107,7 +114,7 @@ export class Foot {
     document.title = `${frame.unsaved ? '• ' : ''}${name} – Batten`;
   }
 
-  /** Values that the canvas shows, for those who do not see it; not while they still run. @param {Frame} frame */
+  /** The live values on the canvas, for screen readers; not while they are still changing. @param {Frame} frame */
   static values(frame) {
     return frame.busy ? null : frame.labels.filter((label) => label.role !== Role.RULER).map((label) => label.text).join(', ');
   }

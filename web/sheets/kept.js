@@ -1,4 +1,4 @@
-// The drawings that the browser keeps: to open them, and to delete them. Loaded when they are asked for.
+// The sheet of the drawings kept in the browser, for opening and deleting them. Loaded on demand.
 
 import { tell, word } from '../page/words.js';
 
@@ -32,7 +32,7 @@ export class KeptSheet {
     this.sheet = tell(document.createElement('div'), { label: 'command.open-kept' });
     Object.assign(this.sheet, { id: 'kept', className: 'sheet', popover: 'auto' });
     this.sheet.setAttribute('role', 'dialog');
-    this.sheet.addEventListener('keydown', (event) => event.stopPropagation()); // nothing of it is for the drawing
+    this.sheet.addEventListener('keydown', (event) => event.stopPropagation()); // keep the event from the drawing
     this.list = document.createElement('ul');
     this.list.className = 'commands';
     this.sheet.append(tell(document.createElement('h2'), { text: 'command.open-kept' }), this.list);
@@ -77,11 +77,11 @@ export class KeptSheet {
     return entry(opener, ...(own ? [] : [this.#remover(name, index)]));
   }
 
-  /** Pressed twice, it deletes. @param {string} name @param {number} index */
+  /** A button that deletes when pressed twice. @param {string} name @param {number} index */
   #remover(name, index) {
     let sure = false;
     const say = (/** @type {string} */ key) => {
-      one.ariaLabel = one.title = word(`shell.${key}.help`, name).slice(0, -1); // without its stop
+      one.ariaLabel = one.title = word(`shell.${key}.help`, name).slice(0, -1); // without its full stop
     };
     const one = button(async () => {
       if (!sure) {
@@ -91,7 +91,7 @@ export class KeptSheet {
         return;
       }
       this.shell.keeper.drop(name);
-      this.shell.wake(); // what is shown is kept on
+      this.shell.wake(); // the open drawing is kept again
       await this.#fill();
       this.#focus(index);
     }, '✕');

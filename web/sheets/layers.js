@@ -1,5 +1,5 @@
-// The layers sheet: the engine's list, front first, with a name, an eye and a lock each; the commands stand below it, and
-// pictures to trace below them. Fetched when it is first opened.
+// The layers sheet: the engine's list, front first, each layer with its name, an eye and a lock; below it the commands,
+// and below those the pictures to trace. Fetched when it is first opened.
 
 import { icon, loadIcons } from '../page/icons.js';
 import { tell, word } from '../page/words.js';
@@ -55,14 +55,14 @@ class LayersSheet {
   #fill() {
     if (this.list.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement &&
       document.activeElement.type === 'text') {
-      return; // a name is being written
+      return; // a name is being typed
     }
     const { layers, active, loose, pictures } = this.engine.layers();
     /** @type {HTMLElement} */ (document.getElementById('pictures')).hidden = pictures === 0;
     const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
     const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
     rows.unshift(this.#row(none, active === 0));
-    // The rows are others then; what had the focus has it again.
+    // The rows are rebuilt; the focus returns to the same control.
     const held = document.activeElement?.closest('.layer-row');
     const parts = (/** @type {HTMLElement} */ row) => /** @type {HTMLElement[]} */ ([...row.querySelectorAll('input, button')]);
     const id = held instanceof HTMLElement && this.list.contains(held) ? held.dataset.id : null;
@@ -132,7 +132,7 @@ class LayersSheet {
   }
 
   /**
-   * What the row is dragged by, or moved with the arrow keys.
+   * The handle for dragging a row, or for moving it with the arrow keys.
    * @param {Layer} layer
    * @param {HTMLElement} row
    */
@@ -180,7 +180,7 @@ class LayersSheet {
   }
 
   /**
-   * @param {string} name of the icon, and of the word for it
+   * @param {string} name of the icon, and of its text
    * @param {boolean} pressed
    * @param {string} label
    * @param {() => void} act

@@ -1,5 +1,5 @@
-// The level strip: one row a level of the chosen curve, finest first, with a fader, mute and solo; below it what can be
-// done with levels. Loaded when it is first seen, with its own style sheet. The engine holds all that it shows.
+// The level strip: one row per level of the selected curve, finest first, with a fader, mute and solo; below them the
+// commands for levels. Loaded when it is first shown, with its own style sheet. The engine holds all its state.
 
 import { Act } from '../engine/codes.js';
 import { dress } from '../page/build.js';
@@ -10,18 +10,18 @@ import { tell, word } from '../page/words.js';
  * @typedef {object} Level
  * @property {number} points
  * @property {number} gain
- * @property {number} muted 0 or 1, as all that follow
+ * @property {number} muted 0 or 1, like the following
  * @property {number} solo
  * @property {number} active
  *
  * @typedef {object} Levels
- * @property {Level[]} rows the base first; none: the curve has no levels
+ * @property {Level[]} rows base first; empty: the curve has no levels
  * @property {number} points of the curve
- * @property {number} apart the rows are what taking apart would give
- * @property {number} copying a tap chooses the curve that gets the detail
+ * @property {number} apart the rows show what decomposing the curve would give
+ * @property {number} copying the next tap chooses the curve that receives the detail
  */
 
-const LOUDEST = 2; // the fader's end; the engine takes more
+const LOUDEST = 2; // upper end of the fader; the engine accepts more
 
 /**
  * @template {keyof HTMLElementTagNameMap} T
@@ -57,8 +57,8 @@ export class LevelStrip {
     }
     this.tools.append(this.#commands(['take-apart']), this.more, this.study);
     this.box.append(this.list, this.apart, this.tools);
-    void dress('styles/levels.css').then(() => stage.after(this.box)); // without it the strip would push the stage aside
-    // The fader's step is taken back, or the strip left for the drawing.
+    void dress('styles/levels.css').then(() => stage.after(this.box)); // unstyled, the strip would push the stage aside
+    // Escape takes back the fader's step, or returns to the drawing.
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {
         this.engine.command('cancel');
@@ -117,7 +117,7 @@ export class LevelStrip {
       }
     }
     while (this.list.children.length > rows.length) {
-      this.list.firstElementChild?.remove(); // the finest stands first
+      this.list.firstElementChild?.remove(); // the finest comes first
     }
     while (this.list.children.length < rows.length) {
       this.list.prepend(this.#row(this.list.children.length));

@@ -1,4 +1,4 @@
-// What writing over a file would lose: a list of it, and the question before. Loaded when there is something to tell.
+// What overwriting a file would lose: the list, and the question beforehand. Loaded when there is something to lose.
 
 import { totalOf } from '../keep/files.js';
 import { answer, question } from './question.js';
@@ -26,7 +26,7 @@ export function ask(name, losses) {
     answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel'))]);
 }
 
-/** The list alone, to look at. @param {Losses} losses */
+/** Shows the list alone. @param {Losses} losses */
 export function show(losses) {
   const old = document.getElementById('losses');
   const sheet = old ?? tell(document.createElement('div'), { label: 'command.losses' });

@@ -1,5 +1,5 @@
-// The numbers sheet: place, size and turn of what is chosen, entered as text. Which there are, the engine's table says;
-// what is read and written, the engine itself. Fetched when it is first opened.
+// The numbers sheet: position, size and rotation of the selection, entered as text. The engine's table lists the
+// numbers; the engine formats and parses them. Fetched when it is first opened.
 
 import { tell } from '../page/words.js';
 
@@ -25,7 +25,7 @@ class NumbersSheet {
       label.htmlFor = input.id;
       input.addEventListener('change', () => {
         if (input.value === this.engine.number(name)) {
-          return; // what is shown is rounded: entering it would move things by what it leaves out
+          return; // unchanged: the text is rounded, so entering it would move things
         }
         const taken = this.engine.enter(name, input.value);
         input.setAttribute('aria-invalid', String(!taken));
@@ -53,7 +53,7 @@ class NumbersSheet {
     this.show();
   }
 
-  /** What is chosen, or where it is, is another. */
+  /** Updates the fields after the selection or its position has changed. */
   show() {
     let some = false;
     for (const { name, box, input } of this.rows) {

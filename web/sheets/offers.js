@@ -1,5 +1,5 @@
-// The row of what can be done with the selection: order, align, group, cut and mend. Fetched with its icons when
-// something is selected for the first time.
+// The row of commands for the selection: order, align, group, cut and mend. Fetched with its icons when something is
+// first selected.
 
 import { dress } from '../page/build.js';
 import { loadIcons } from '../page/icons.js';

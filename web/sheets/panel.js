@@ -1,5 +1,5 @@
-// The panel: bar and foot, made from the engine's tables, and what comes when it is first wanted: the sheets, the strip of
-// levels, the chips at a stroke's end, the row of what the selection makes possible. There is no list of commands here.
+// The panel: bar and foot, built from the engine's tables, and the parts loaded on demand: the sheets, the level strip,
+// the chips at a stroke's end, the row of commands for the selection. No commands are listed here.
 
 import { want } from '../page/build.js';
 import { fillBar } from './bar.js';
@@ -12,7 +12,7 @@ import { Foot } from './foot.js';
 /** @typedef {import('../engine/types.js').Tables} Tables */
 
 /**
- * What fills a sheet: its heading and all below it. What it gives is told of every frame.
+ * Fills a sheet: its heading and everything below it. The result's show() is called with every frame.
  * @typedef {{ fill: (panel: Panel, sheet: HTMLElement) => { show(frame: Frame): void } }} Filler
  */
 
@@ -40,10 +40,10 @@ export class Panel {
     this.buttons = new Buttons(engine, this.controls, wake);
     this.shown = '';
     this.levels = 0;
-    this.readings = ''; // what the chips show, and from where
-    /** Those that were opened. @type {Map<string, Promise<{ show(frame: Frame): void }>>} */
+    this.readings = ''; // what the chips show, and where
+    /** The sheets opened so far. @type {Map<string, Promise<{ show(frame: Frame): void }>>} */
     this.sheets = new Map();
-    /** What is told of every frame. @type {{ show(frame: Frame): void }[]} */
+    /** Parts to be given every frame. @type {{ show(frame: Frame): void }[]} */
     this.shows = [];
     /** @type {Promise<import('../stage/chips.js').Chips> | undefined} */
     this.chips = undefined;
@@ -62,7 +62,7 @@ export class Panel {
     }
   }
 
-  /** A sheet, filled when it is first opened. @param {string} name */
+  /** Opens a sheet, filling it the first time. @param {string} name */
   #sheet(name) {
     const sheet = this.sheets.get(name) ?? want(SHEETS[name]()).then(({ fill }) => {
       const filled = fill(this, part(name));
@@ -75,13 +75,13 @@ export class Panel {
     return sheet;
   }
 
-  /** The strip comes with the first curve whose levels are looked at. */
+  /** Loads the strip with the first curve whose levels are viewed. */
   async #showLevels() {
     this.strip ??= want(import('./levels.js')).then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
     (await this.strip).show(this.levels > 0);
   }
 
-  /** Fetched before the first stroke ends: the program may be gone by then. */
+  /** Fetches the chips before the first stroke ends: the server may have stopped by then. */
   fetchChips() {
     this.chips ??= want(import('../stage/chips.js')).then(({ Chips }) => new Chips(this.engine, part('stage'), this.wake));
     return this.chips;
@@ -92,14 +92,14 @@ export class Panel {
     (await this.fetchChips()).show(some);
   }
 
-  /** The row of what can be done comes with the first selection. */
+  /** Loads the row of commands with the first selection. */
   async #showOffers() {
     const { Offers } = await want(import('./offers.js'));
     this.shows.push(await want(Offers.make(this)));
     this.wake();
   }
 
-  /** Lets a property be typed. @param {string} property */
+  /** Lets the user type a property's value. @param {string} property */
   async ask(property) {
     const group = this.tables.properties.find((row) => row.name === property)?.group ?? '';
     const sheet = SHEET_OF[group] ?? 'settings';
@@ -110,7 +110,7 @@ export class Panel {
     input.select();
   }
 
-  /** Other words or shortcuts. @param {Tables} tables */
+  /** Called after texts or shortcuts have changed. @param {Tables} tables */
   retold(tables) {
     this.tables = tables;
     this.shown = '';
@@ -132,7 +132,7 @@ export class Panel {
       this.offers ??= this.#showOffers();
     }
     this.shows.forEach((one) => one.show(frame));
-    // Touching the page costs more than comparing a line of text.
+    // Changing the page costs more than comparing a line of text.
     const values = Foot.values(frame);
     const reach = this.engine.number('tolerance');
     const shown = [values, reach, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,

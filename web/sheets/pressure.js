@@ -1,4 +1,5 @@
-// The picture of the pressure curve, below its number in the settings: how much of a brush's reach each pressure takes.
+// The plot of the pressure curve, below its number in the settings: the share of a brush's reach that each pressure
+// gives.
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
@@ -12,7 +13,7 @@ export class PressureCurve {
     const picture = document.createElementNS(NAMESPACE, 'svg');
     picture.setAttribute('class', 'pressure-curve');
     picture.setAttribute('viewBox', '-2 -2 84 44');
-    picture.setAttribute('aria-hidden', 'true'); // the number says it
+    picture.setAttribute('aria-hidden', 'true'); // the number says the same
     this.line = document.createElementNS(NAMESPACE, 'polyline');
     picture.append(this.line);
     control.after(picture);

@@ -1,5 +1,4 @@
-// A question that is to be answered before anything else: its text, what helps to decide, and the answers. Loaded with the
-// first one.
+// A modal question: its text, what helps to decide, and the answers. Loaded with the first question.
 
 /** @param {string} value @param {string} text */
 export function answer(value, text) {
@@ -13,8 +12,8 @@ export function answer(value, text) {
  * @param {string} id of the dialog
  * @param {string} words
  * @param {HTMLElement[]} shown
- * @param {HTMLButtonElement[]} answers the first is the one that does no harm
- * @returns {Promise<string>} the value of the answer, '' when it was sent away
+ * @param {HTMLButtonElement[]} answers the first is the harmless one
+ * @returns {Promise<string>} the value of the answer, '' when dismissed
  */
 export function question(id, words, shown, answers) {
   const dialog = document.createElement('dialog');
@@ -34,9 +33,9 @@ export function question(id, words, shown, answers) {
   dialog.append(form);
   document.body.append(dialog);
   dialog.addEventListener('keydown', (event) => {
-    event.stopPropagation(); // nothing of it is for the drawing
+    event.stopPropagation(); // keep the event from the drawing
     if (event.ctrlKey || event.metaKey) {
-      event.preventDefault(); // nor does the browser save the page
+      event.preventDefault(); // and the browser from saving the page
     }
   });
   dialog.showModal();

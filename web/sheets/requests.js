@@ -1,4 +1,4 @@
-// What the engine asks of its host, and what is fetched when it is asked for.
+// Carries out the engine's requests to its host, fetching what they need.
 
 import { Ask } from '../engine/codes.js';
 import { want } from '../page/build.js';
@@ -63,7 +63,7 @@ export class Requests {
     await this.keptSheet.show();
   }
 
-  /** The sheet of commands, made when it is first wanted. */
+  /** The sheet of commands, made on demand. */
   async #commandSheet() {
     const { CommandSheet } = await want(import('./commands.js'));
     const { engine, settings, wake, words } = this.shell;

@@ -19,7 +19,7 @@ export function fill(panel, sheet) {
   let subject = '';
   for (const row of panel.tables.properties) {
     if (SHEET_OF[row.group] || row.group === 'levels') {
-      continue; // there; or in the strip
+      continue; // shown in that sheet, or in the level strip
     }
     if (row.group === '' && row.subject !== subject) {
       subject = row.subject;

@@ -1,5 +1,5 @@
-// The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap reads the stroke that way;
-// they go when the next begins.
+// The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap chooses that reading;
+// the chips disappear when the next stroke begins.
 
 import { dress } from '../page/build.js';
 import { tell, word } from '../page/words.js';
@@ -8,8 +8,8 @@ import { tell, word } from '../page/words.js';
  * @typedef {object} Readings
  * @property {number[]} at the stroke's end, view pixels
  * @property {number} chosen
- * @property {number} amount from raw, 0, to fair, 1; -1: the stroke is settled
- * @property {string[]} words none: it can mean nothing else
+ * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
+ * @property {string[]} words empty: it has no other reading
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -31,7 +31,7 @@ export class Chips {
     this.refit.className = 'refit';
     this.refit.append(...['refit.raw', this.amount, 'refit.fair'].map((part) =>
       (typeof part === 'string' ? tell(document.createElement('span'), { text: part }) : part)));
-    void dress('styles/chips.css').then(() => { // without its style it would push the stage aside
+    void dress('styles/chips.css').then(() => { // unstyled, it would push the stage aside
       stage.after(this.box);
       this.#place();
     });
@@ -48,7 +48,7 @@ export class Chips {
     this.#place();
   }
 
-  /** Live while it is dragged; one step of the history when it is let go. */
+  /** The slider: previews while it is dragged; one undo step when it is released. */
   #slider() {
     const slider = tell(document.createElement('input'), { label: 'refit' });
     Object.assign(slider, { type: 'range', min: '0', max: '1', step: '0.05' });
@@ -74,7 +74,7 @@ export class Chips {
     return chip;
   }
 
-  /** Beside the stroke's end, inside the stage. */
+  /** Places the chips beside the stroke's end, inside the stage. */
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));

@@ -1,13 +1,13 @@
-// Input: what the browser says about pens, mice, fingers, wheels and keys, told to the engine sample by sample.
+// Input: passes the browser's events of pens, mice, fingers, wheels and keys to the engine, sample by sample.
 
 import { Device, Modifier, Phase } from '../engine/codes.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/types.js').Pointer} Pointer */
 
-const LINE = 16; // pixels that a wheel's line stands for
-const TICK = 50; // milliseconds between two looks at what is down and says nothing
-const SILENT = 3000; // milliseconds after which nobody asks any more whether it rests
+const LINE = 16; // pixels per line of a wheel
+const TICK = 50; // milliseconds between checks of contacts that are down but silent
+const SILENT = 3000; // milliseconds after which a silent contact is no longer checked
 
 /** @type {Record<string, number>} */
 const DEVICES = { mouse: Device.MOUSE, pen: Device.PEN, touch: Device.TOUCH };
@@ -27,7 +27,7 @@ function belongsToControl(event) {
   if (/^F\d+$/.test(event.key)) {
     return false;
   }
-  // The Tab key walks through the drawing only where that has the focus.
+  // The Tab key steps through the drawing only while the drawing has the focus.
   if (event.key === 'Tab' && !target.closest('#stage')) {
     return true;
   }
@@ -44,20 +44,23 @@ export class Input {
   /**
    * @param {HTMLElement} stage takes the events; its top left corner is the view's origin
    * @param {Engine} engine
-   * @param {() => void} wake something was told: a frame is due
+   * @param {() => void} wake called after input: a frame is due
    */
   constructor(stage, engine, wake) {
     this.stage = stage;
     this.engine = engine;
     this.wake = wake;
-    /** What is down: its last event, and for how long it has been silent. @type {Map<number, { event: PointerEvent, silent: number }>} */
+    /**
+     * Contacts that are down: the last event, and the time of silence since.
+     * @type {Map<number, { event: PointerEvent, silent: number }>}
+     */
     this.contacts = new Map();
-    this.modifiers = 0; // as last told
-    this.told = 0; // when
+    this.modifiers = 0; // as last passed on
+    this.told = 0; // time of the last samples
     this.ticking = 0;
     /** @type {Set<string>} */
     this.held = new Set();
-    /** Events and time spent in the engine, for measurements. */
+    /** Number of samples and time spent in the engine, for measurements. */
     this.cost = { samples: 0, milliseconds: 0 };
     this.#listen();
   }
@@ -76,7 +79,7 @@ export class Input {
     });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
-    // Safari and some touch screens start a gesture of their own unless the touch itself is refused.
+    // Safari and some touch screens start a gesture of their own unless touchstart is cancelled.
     stage.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false });
     addEventListener('keydown', (event) => this.#key(event, true));
     addEventListener('keyup', (event) => this.#key(event, false));
@@ -110,8 +113,8 @@ export class Input {
   }
 
   /**
-   * A hand that rests sends nothing: its last event is told again, with the time. A page that was busy meanwhile may have
-   * events to come, so one look counts little.
+   * A resting hand sends no events: its last event is repeated, with the current time. A page that was busy may still
+   * have events queued, so each check counts for no more than its interval.
    */
   #tick() {
     const repeated = [];
@@ -133,7 +136,7 @@ export class Input {
     this.ticking ||= setInterval(() => this.#tick(), TICK);
   }
 
-  /** @param {PointerEvent} event whether it was down */
+  /** @param {PointerEvent} event gone from the contacts */
   #drop(event) {
     const was = this.contacts.delete(event.pointerId);
     if (this.contacts.size === 0) {
@@ -155,7 +158,7 @@ export class Input {
 
   /** @param {PointerEvent} event */
   #down(event) {
-    // Drawing takes the keyboard back from a field or a button, without showing a focus ring.
+    // Drawing takes the focus back from a field or a button, without showing a focus ring.
     const focused = document.activeElement;
     if (focused instanceof HTMLElement && focused !== this.stage) {
       focused.blur();
@@ -163,7 +166,7 @@ export class Input {
     try {
       this.stage.setPointerCapture(event.pointerId);
     } catch {
-      // The contact is already gone; its end will be told as well.
+      // The contact is already gone; its end follows as an event.
     }
     this.#keep(event);
     this.#tell([this.#sample(event, Phase.DOWN)]);
@@ -212,7 +215,7 @@ export class Input {
     if (event.isComposing || (down && belongsToControl(event))) {
       return;
     }
-    // A shortcut's letter is where it is on a Latin keyboard, whatever script is being typed. AltGr types a sign.
+    // Shortcut letters go by their position on a Latin keyboard, whatever script is being typed. AltGr types a sign.
     const key = /^Key[A-Z]$/.test(event.code) && (event.key > '~' || event.key === 'Process') ? event.code[3] : event.key;
     if (down) {
       this.held.add(key);
@@ -229,7 +232,7 @@ export class Input {
     this.wake();
   }
 
-  /** Keys let go while another window had the focus are never told. */
+  /** Releases all keys: releases while another window has the focus are not reported. */
   #releaseKeys() {
     for (const key of this.held) {
       this.engine.key(key, false, 0, performance.now());

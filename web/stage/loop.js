@@ -1,4 +1,4 @@
-// One frame at a time: the engine's picture is painted, and told to all that show something of it.
+// The frame loop: paints the engine's frame and passes it to everything that shows part of it.
 
 import { word } from '../page/words.js';
 import { Cursor, Role, names } from '../engine/codes.js';
@@ -6,7 +6,7 @@ import { Cursor, Role, names } from '../engine/codes.js';
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
-/** Cursors by their numbers, as style sheets name them. */
+/** CSS cursor names by the engine's numbers. */
 const CURSORS = names(Cursor).map((name) => name.replace(/^resize_(.*)/, '$1-resize').replace('_', '-'));
 
 /** @param {string} id */
@@ -18,11 +18,11 @@ export class Loop {
     this.shell = shell;
     this.due = false;
     this.noticeVersion = 0;
-    /** Frames painted and the time they took, for tests and measurements. */
+    /** Frames painted and the time taken, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
 
-  /** Follows the stage's size, and the density of the screen that the window is on. */
+  /** Follows the stage's size and the pixel density of the window's screen. */
   watch() {
     new ResizeObserver(() => this.#resize()).observe(this.shell.stage);
     this.#watchRatio();
@@ -44,7 +44,7 @@ export class Loop {
     this.wake();
   }
 
-  /** Asks for a frame, once; not of an engine that cannot make one. */
+  /** Requests a frame, once, unless the engine cannot make one. */
   wake() {
     if (!this.due && !this.shell.engine.dead) {
       this.due = true;
@@ -74,7 +74,7 @@ export class Loop {
     requests.grant(frame.requests);
   }
 
-  /** What a frame says beside its picture. @param {Frame} frame */
+  /** Passes on what a frame says besides its picture. @param {Frame} frame */
   #tell(frame) {
     const { stage, engine, files, keeper, notices, drawings } = this.shell;
     stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
@@ -92,7 +92,7 @@ export class Loop {
     this.noticeVersion = frame.noticeVersion;
   }
 
-  /** What of the file cannot be kept, to be looked at. @param {number} lost */
+  /** Offers a list of what cannot be kept of the file. @param {number} lost */
   #tellLost(lost) {
     const button = part('unkept');
     const text = lost ? word('shell.unkept', lost) : '';

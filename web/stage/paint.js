@@ -1,6 +1,6 @@
 // Painting: a still canvas for the drawing and an overlay canvas for what is under the pen. The still canvas is
-// repainted only where the drawing changed. When the view moves over a heavy drawing, the painted layer is moved
-// at once and painted afresh when the hand rests.
+// repainted only where the drawing changed. When the view of a heavy drawing moves, the painted canvas is moved at
+// once and repainted when the hand rests.
 
 import { Cap, Flag, Join, Path, Role, names } from '../engine/codes.js';
 
@@ -10,14 +10,14 @@ import { Cap, Flag, Join, Path, Role, names } from '../engine/codes.js';
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
 /** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
 
-const FADE = 0.75; // how much of the paper covers a line that is about to change
+const FADE = 0.75; // opacity of the paper colour over a line that is about to change
 const RULER_FONT = '10px system-ui, sans-serif';
 const LABEL_FONT = '500 13px system-ui, sans-serif';
 
 const CAPS = /** @type {CanvasLineCap[]} */ (names(Cap));
 const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 
-/** Path numbers that can be painted within a frame; a heavier view is moved first and painted when idle. */
+/** Numbers in paths that can be painted within a frame; a heavier view is moved first and repainted when idle. */
 const LIGHT = 15000;
 const IDLE = 90; // milliseconds without a move
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
@@ -52,7 +52,7 @@ function shapeOf(path) {
 }
 
 /**
- * From coordinates relative to the origin to pixels, of which `ratio` are a view pixel.
+ * The matrix from coordinates relative to the origin to device pixels, `ratio` per view pixel.
  * @param {View} view @param {number} ratio
  */
 function matrixOf(view, ratio) {
@@ -61,7 +61,7 @@ function matrixOf(view, ratio) {
 }
 
 /**
- * The upright box around the box as the matrix lays it.
+ * The axis-aligned bounds of a box transformed by the matrix.
  * @param {DOMMatrix} matrix @param {number[]} box x0 y0 x1 y1
  */
 function around(matrix, [x0, y0, x1, y1]) {
@@ -92,14 +92,14 @@ export class Painter {
     this.list = [];
     /** The view that the still canvas shows; null: nothing yet. @type {View | null} */
     this.painted = null;
-    /** Pictures by their numbers; null: being decoded, or cannot be. @type {Map<number, ImageBitmap | null>} */
+    /** Pictures by number; null: still being decoded, or not decodable. @type {Map<number, ImageBitmap | null>} */
     this.pictures = new Map();
-    /** A picture is wanted that is not there yet. @type {(picture: number) => void} */
+    /** Called when a picture is needed that has not been decoded. @type {(picture: number) => void} */
     this.onpicture = () => {};
     this.overlayEmpty = true;
     this.stale = true;
     this.timer = 0;
-    /** Asks for another frame. */
+    /** Requests another frame. */
     this.onidle = () => {};
     /** Counts for tests and measurements. */
     this.counts = { full: 0, part: 0, moved: 0 };
@@ -122,7 +122,7 @@ export class Painter {
     this.overlayEmpty = true;
   }
 
-  /** The theme's colours are others now. */
+  /** Called when the theme's colours have changed. */
   retheme() {
     this.stale = true;
   }
@@ -171,7 +171,7 @@ export class Painter {
     this.#repaint(frame, null);
   }
 
-  /** How much there is to paint: numbers in the paths in sight. @param {View} view */
+  /** The amount to paint: how many numbers are in the visible paths. @param {View} view */
   #weight(view) {
     const [x0, y0, x1, y1] = around(matrixOf(view, 1).inverse(), [0, 0, this.width, this.height]);
     let weight = 0;
@@ -183,7 +183,7 @@ export class Painter {
     return weight;
   }
 
-  /** Shows the layer as painted, where the view now has it. @param {View} was @param {View} now */
+  /** Shows the painted canvas moved to the current view. @param {View} was @param {View} now */
   #moveLayer(was, now) {
     const { originX, originY } = now;
     this.still.style.transform = String(matrixOf(now, 1).multiply(matrixOf({ ...was, originX, originY }, 1).inverse()));
@@ -196,7 +196,7 @@ export class Painter {
   }
 
   /**
-   * Paints what lies in the box (relative to the origin), or everything.
+   * Repaints what lies in the box (relative to the origin), or everything.
    * @param {Frame} frame
    * @param {[number, number, number, number] | null} box
    */
@@ -206,7 +206,7 @@ export class Painter {
     const matrix = matrixOf(frame, this.ratio);
     let [x0, y0, x1, y1] = [0, 0, width, height];
     if (box) {
-      // Whole device pixels with one to spare, so that no half-covered seam stays behind.
+      // Rounded out to device pixels plus one, so that no partly covered seam remains.
       const [left, top, right, bottom] = around(matrix, box);
       x0 = Math.max(0, Math.floor(left) - 2);
       y0 = Math.max(0, Math.floor(top) - 2);
@@ -246,10 +246,10 @@ export class Painter {
   }
 
   /**
-   * A picture between its corners.
+   * Draws a picture between its corners.
    * @param {CanvasRenderingContext2D} context
    * @param {Item} item
-   * @param {Float32Array} path round the corners: command, x, y each
+   * @param {Float32Array} path around the corners: command, x, y each
    */
   #drawPicture(context, item, path) {
     const bitmap = this.pictures.get(item.picture);
@@ -290,7 +290,7 @@ export class Painter {
   }
 
   /**
-   * A line that is about to change goes pale, and a thin one stays for comparison.
+   * Fades a line that is about to change, leaving a thin line for comparison.
    * @param {CanvasRenderingContext2D} context
    * @param {Item} item
    * @param {Path2D} shape
@@ -312,7 +312,7 @@ export class Painter {
   }
 
   /**
-   * The labels, in view pixels, readable over whatever lies below.
+   * Writes the labels, in view pixels, readable over anything.
    * @param {CanvasRenderingContext2D} context
    * @param {Frame} frame
    */
@@ -348,7 +348,7 @@ export class Painter {
     const own = item.role === Role.OBJECT;
     const look = this.theme.roles[item.role] ?? this.theme.roles[1];
     context.globalAlpha = item.opacity;
-    // Paper lies on the ground, whatever the engine says of its border.
+    // The page is always filled, whatever the engine's flags for its border say.
     if (item.flags & Flag.FILLED || item.role === Role.PAGE) {
       context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
       context.fill(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');

@@ -1,9 +1,9 @@
-// Pictures to trace, as far as the browser deals with them: fetched when a drawing has the first one.
+// Pictures to trace: the browser's part. Fetched with a drawing's first picture.
 
-/** Kinds that the engine keeps as they are; what else the browser can show becomes a PNG. */
+/** Formats that the engine keeps unchanged; any other that the browser can show becomes a PNG. */
 const KEPT = ['image/png', 'image/jpeg', 'image/webp'];
 
-/** @param {File} file @returns {Promise<Uint8Array>} as it is when nothing else can be done: the engine then says no */
+/** @param {File} file @returns {Promise<Uint8Array>} unchanged if it cannot be converted: the engine then refuses it */
 export async function bytesOf(file) {
   /** @type {Blob} */
   let blob = file;
@@ -14,13 +14,13 @@ export async function bytesOf(file) {
       canvas.getContext('2d')?.drawImage(bitmap, 0, 0);
       blob = await canvas.convertToBlob();
     } catch {
-      // No picture for the browser either.
+      // The browser cannot decode it either.
     }
   }
   return new Uint8Array(await blob.arrayBuffer());
 }
 
-/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<ImageBitmap | null>} null: it cannot be shown */
+/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<ImageBitmap | null>} null when it cannot be decoded */
 export async function decode(bytes) {
   try {
     return await createImageBitmap(new Blob([bytes]));

@@ -1,9 +1,9 @@
-// Colours: what a role looks like, and how a drawing's own colours appear on a dark ground. The colours themselves
-// are tokens in styles/page.css.
+// Colours: of each role, and a drawing's own colours as they appear on a dark ground. The colours of roles are tokens
+// in styles/page.css.
 
 import { Role, names } from '../engine/codes.js';
 
-/** Roles by their numbers, as the tokens name them. */
+/** Names of roles in the tokens, by the engine's numbers. */
 const ROLES = names(Role).map((name) => name.replace('_', '-'));
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
@@ -14,8 +14,8 @@ const linear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) /
 const gamma = (value) => (value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055);
 
 /**
- * The colour with its lightness turned over and hue and chroma kept (OKLab, Ottosson 2020), so that black lines
- * show on a dark ground and a white paper goes dark. For the eye only: the document keeps its own.
+ * The colour with its lightness inverted and hue and chroma kept (OKLab, Ottosson 2020), so that black lines show on a
+ * dark ground and white paper becomes dark. For display only: the document keeps its own colours.
  * @param {number} red 0..1
  * @param {number} green
  * @param {number} blue
@@ -27,7 +27,7 @@ export function turnOver(red, green, blue) {
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
   const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
   const light = Math.max(0, 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s);
-  const lightness = 0.97 - 0.75 * light ** 1.4; // the dark end spreads, so that ink is not grey
+  const lightness = 0.97 - 0.75 * light ** 1.4; // spreads the dark end, so that ink is not grey
   const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
   const c = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
   const l3 = (lightness + 0.3963377774 * a + 0.2158037573 * c) ** 3;
@@ -45,13 +45,13 @@ export class Theme {
   constructor() {
     /** @type {{ stroke: string, fill: string }[]} */
     this.roles = [];
-    /** What a drawing lies on: without a page, and with one. */
+    /** The ground beneath a drawing: without a page, and with one. */
     this.ground = '';
     this.paper = '';
     this.dark = false;
     /** @type {Map<number, string>} */
     this.colours = new Map();
-    /** The colours are others now. */
+    /** Called when the colours have changed. */
     this.onchange = () => {};
     const stored = localStorage.getItem(STORE) ?? '';
     this.choice = CHOICES.includes(stored) ? stored : 'system';
@@ -67,7 +67,7 @@ export class Theme {
     this.#apply();
   }
 
-  /** From light to dark and back. */
+  /** Switches between light and dark. */
   toggle() {
     this.choose(this.dark ? 'light' : 'dark');
   }
@@ -81,7 +81,7 @@ export class Theme {
     }
     this.dark = this.choice === 'dark' ||
       (this.choice === 'system' && matchMedia('(prefers-color-scheme: dark)').matches);
-    // A token says light and dark at once; an element that wears it tells what it comes to.
+    // A token holds both the light and the dark colour; an element that uses it gives the computed one.
     const probe = document.createElement('i');
     probe.style.forcedColorAdjust = 'none';
     root.append(probe);
@@ -97,7 +97,7 @@ export class Theme {
     this.onchange();
   }
 
-  /** A colour of the drawing, as it is to be painted. @param {number} rgba 0xRRGGBBAA @returns {string} */
+  /** A colour of the drawing, as painted. @param {number} rgba 0xRRGGBBAA @returns {string} */
   colour(rgba) {
     let text = this.colours.get(rgba);
     if (text === undefined) {
