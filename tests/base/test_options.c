@@ -1,4 +1,4 @@
-/* Options of callers that were built with another version: older ones know fewer members, newer ones know more. */
+/* Options structs of callers built with another version: an older version has fewer members, a newer one more. */
 #include "base/options.h"
 #include <batten/batten.h>
 

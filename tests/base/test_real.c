@@ -1,5 +1,5 @@
-/* The elementary functions against long double libm, over their ranges, in units in the last place; special
- * values as in C17 annex F. */
+/* The elementary functions against long double libm over their ranges, in units in the last place; special values as in
+ * C17 annex F. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Every status has its own message; an unknown number still gives a line. */
+/* Every status has its own message; an unknown number also gets one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Band solves, open and cyclic, agree with dense Gaussian elimination; singular matrices are told. */
+/* Band solves, open and cyclic, agree with dense Gaussian elimination; singular matrices are reported. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

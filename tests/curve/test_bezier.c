@@ -1,4 +1,4 @@
-/* Bézier segments out and in: exact, knots where they belong, corners kept, circles periodic. */
+/* Bézier segments out and in: exact, knots in the right places, corners kept, circles periodic. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

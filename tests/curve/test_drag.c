@@ -1,4 +1,4 @@
-/* Direct manipulation: points move by exactly what they are dragged, with the least change, and locally. */
+/* Direct manipulation: points move by exactly the amount dragged, with the least change, and locally. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

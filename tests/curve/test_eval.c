@@ -1,5 +1,5 @@
-/* Evaluation: closed forms, properties of the basis and the blossom, derivatives against differences, bulk
- * against single, parameters outside the domain, knots of any size. */
+/* Evaluation: closed forms, properties of the basis and the blossom, derivatives against differences, bulk calls
+ * against single ones, parameters outside the domain, knots of any magnitude. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* The fit: within tolerance in true distance, economical, corners kept, closed without a seam, exact on what
- * it can represent, sober on bad input. Economy against FITPACK: fit_economy.py. */
+/* The fit: within tolerance in true distance, economical, corners kept, closed without a seam, exact on what it can
+ * represent, robust on bad input. Economy against FITPACK: fit_economy.py. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,4 @@
-/* Closest points and fits survive every failing allocation: BAT_MEMORY, nothing handed over, nothing leaked.
- */
+/* Closest points and fits survive the failure of any allocation: BAT_MEMORY, no output, nothing leaked. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,8 @@
 /*
- * Curves made their own mirror image: the control points mirror to rounding, the direction at the axis is straight across it
- * and the curvature goes on; far from the axis the kept half is the curve itself, bit for bit; near it stays within the
- * tolerance. Curves that only touch, cross too often or lie apart are refused. About axes of any direction.
+ * Curves made symmetric: the control points mirror each other to rounding, the tangent at the axis is perpendicular to
+ * it and the curvature is continuous; far from the axis the kept half is the original curve, bit for bit; near it the
+ * curve stays within the tolerance. Curves that only touch the axis, cross it too often or lie apart from it are
+ * refused. Axes of any direction.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,5 @@
-/* Closest points: no sampled point of a curve is nearer than what the finder says, over 12,000 queries on
- * curves of every kind; the answers lie on the curve; local minima are complete; degenerate curves end in
- * time. */
+/* Closest points: no sampled point of a curve is nearer than the result, over 12,000 queries on curves of every kind;
+ * the results lie on the curve; the local minima are complete; degenerate curves take bounded time. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,5 @@
-/* Every change of representation keeps the shape: elevation, pieces, opening, closing, reversal, other
- * intervals; split and join is identity; joins are as smooth as asked. Over seeded random curves of every
- * kind. */
+/* Every change of representation keeps the shape: elevation, pieces, opening, closing, reversal, other intervals;
+ * splitting and joining is the identity; joins are as smooth as requested. Over seeded random curves of every kind. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

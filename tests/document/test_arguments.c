@@ -1,4 +1,4 @@
-/* What no caller may hand over is a status at every public function, changes nothing and gives nothing. */
+/* Invalid arguments to any public function give a status, change nothing and produce nothing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* A program written for 0.1 means the same with 0.2: its names, and the pointer's arguments in either order. */
+/* A program written for 0.1 means the same with 0.2: the old names, and the pointer's arguments in either order. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* The document: objects are shared and counted, changes keep the invariants, the digest tells documents
+/* The document: objects are shared and reference-counted, changes keep the invariants, the digest tells documents
  * apart. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Groups and layers: a tree in a flat list, kept by every reader and writer. */
+/* Groups and layers: a tree in a flat list, preserved by every reader and writer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* The document's list against a plain array: order, search by id, digest; also when memory fails. */
+/* The document's list against a plain array: order, search by id, digest; also when allocations fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* What objects of every kind have (id, name, parent, hidden, locked, style) survives every copy that changes
- * something else, and both formats. */
+/* The properties common to objects of every kind (id, name, parent, hidden, locked, style) survive every copy that
+ * changes something else, and both formats. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

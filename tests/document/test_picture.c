@@ -1,5 +1,5 @@
-/* Pictures to trace: their sides read from heads of all kinds; images as objects; files that carry the bytes and
- * refuse what is none; every allocation may fail. */
+/* Pictures to trace: their sizes read from headers of all kinds; images as objects; files that carry the bytes, and
+ * refuse bytes that are no picture; every allocation may fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
-/* label: slow. Every command, and all else that hosts do with an editor, in every scene in which it finds something to do,
- * with any of its allocations failing: the editor stays sound; after a command the drawing is the one before or the one after;
- * and nothing is left behind. */
+/* label: slow. Every command and every other call that hosts make, in every scene in which it has something to do, with
+ * any of its allocations failing: the editor stays sound; after a command the drawing is the one before or the one
+ * after; and nothing leaks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Any allocation of a session may fail: the editor stays sound, and the document is as it was before or after
- * the step in question, never between. */
+/* Any allocation of a session may fail: the editor stays sound, and the document is as before or after the step in
+ * question, never between. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

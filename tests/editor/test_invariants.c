@@ -1,5 +1,5 @@
-/* What must hold after every event is looked for where it can be lost: each part of an editor is damaged by hand, the
- * checker names it, and is silent again once it is repaired. */
+/* The invariants checked after every event: each part of an editor is damaged by hand, the checker names it, and
+ * reports nothing once it is repaired. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

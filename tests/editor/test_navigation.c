@@ -1,4 +1,4 @@
-/* Panning and zooming by every way in, who may draw, and who may not. */
+/* Panning and zooming by every kind of input; which contacts may draw. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* A read-only document: whatever pens, keys and commands do, it stays as it was, and the user is told. */
+/* A read-only document: whatever pens, keys and commands do, it stays unchanged, and the user is told. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Replay: scripted sessions run, wrong journals are refused with the line that is wrong, checks catch what
- * differs. */
+/* Replay: scripted sessions run, faulty journals are refused with the number of the faulty line, checks catch
+ * differences. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

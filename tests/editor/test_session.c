@@ -1,5 +1,5 @@
-/* Long wild sessions: the invariants hold after every event, undoing everything gives the first document
- * back, redoing the last, and the journal replays to the same. */
+/* Long random sessions: the invariants hold after every event, undoing everything restores the first document, redoing
+ * everything the last, and the journal replays to the same. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

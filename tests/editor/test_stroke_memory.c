@@ -1,5 +1,5 @@
-/* label: slow. Whatever a hand can mean, with any of its allocations failing: the editor stays sound, what is undone gives
- * the drawing that was there before, and nothing is left behind. */
+/* label: slow. Every meaning of a stroke, with any of its allocations failing: the editor stays sound, undo restores
+ * the earlier drawing, and nothing leaks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

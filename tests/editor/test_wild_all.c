@@ -1,6 +1,6 @@
-/* label: slow. Long random sessions with all that the editor can do, every command and property of the table among it:
- * the invariants hold after every event, the journal replays to the same drawing and the same journal, undoing leads
- * back to the first drawing and redoing to the last. */
+/* label: slow. Long random sessions with everything that the editor can do, including every command and property of the
+ * tables: the invariants hold after every event, the journal replays to the same drawing and the same journal, undo
+ * leads back to the first drawing and redo to the last. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* label: slow. Long random sessions in which memory runs out every now and then, at any allocation of an event: the
- * invariants hold after each, undoing and redoing lead to the same drawings, and nothing is left behind. */
+/* label: slow. Long random sessions in which allocations fail now and then, at any point of an event: the invariants
+ * hold after each event, undo and redo lead to the same drawings, and nothing leaks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

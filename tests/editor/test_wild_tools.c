@@ -1,4 +1,4 @@
-/* Wild sessions with the points tool, the smooth brush and the eraser: invariants after every event, undo to the
+/* Random sessions with the points tool, the smooth brush and the eraser: invariants after every event, undo to the
  * first document, and a journal that replays to the same. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Whole SVG files by expat: drawings, and files that mean harm. */
+/* Whole SVG files read by expat: drawings, and malicious files. */
 #include <batten/svg_read.h>
 
 #include <setjmp.h>

@@ -1,4 +1,4 @@
-/* What a file is: by its name, by what stands in it, behind whatever editors put before it. */
+/* Recognising a file's format: by its name, and by its content, after whatever editors prepend to it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* label: slow. Good texts of every kind, each word of them replaced by each of many others: refused with a reason and
- * nothing made, or read into something sound. */
+/* label: slow. Valid texts of every kind, each word replaced in turn by each of many others: refused with a reason and
+ * no result, or read into something sound. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

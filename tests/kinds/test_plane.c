@@ -1,5 +1,5 @@
-/* Planes in space: their axes are at right angles however they are given, they move with the page, and come back from
- * files bit for bit; a plane is neither drawn nor chosen. */
+/* Planes in space: their axes are perpendicular however they are given, they move with the page, and are read from
+ * files bit for bit; a plane is neither drawn nor selectable. */
 #include "editor/edit/affine.h"
 
 #include <batten/bezier.h>

@@ -1,7 +1,6 @@
 /*
- * Shapes in the document: the curve is the finest level, everything survives the native format and SVG, copies
- * share, another curve in its place has no levels, affine images keep them and are the images; what is not a
- * shape does not get in.
+ * Shapes in the document: the curve is the finest level, everything survives the native format and SVG, copies share
+ * data, replacing the curve drops the levels, affine maps keep the levels and act on each; invalid shapes are refused.
  */
 #include <setjmp.h>
 #include <stdarg.h>

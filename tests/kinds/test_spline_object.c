@@ -1,6 +1,6 @@
 /*
- * Splines in the document: the curve is the spline's own, replacing it makes a path, everything survives the
- * native format bit for bit, and nothing that the tangents hand refuses gets in.
+ * Splines in the document: the curve is that of the spline, replacing it makes a path, everything survives the native
+ * format bit for bit, and whatever the tangents hand refuses is refused.
  */
 #include <setjmp.h>
 #include <stdarg.h>

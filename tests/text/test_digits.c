@@ -1,4 +1,5 @@
-/* Digits of doubles, both ways, against libc's printf and strtod; the module's own snprintf against libc's. */
+/* Conversion of doubles to digits and back, against libc's printf and strtod; the module's own snprintf against libc's.
+ * */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>

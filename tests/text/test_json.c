@@ -1,5 +1,5 @@
-/* Numbers survive as text; JSON is read strictly, told in line and column; documents, curves and strokes come
- * back bit for bit. */
+/* Numbers survive as text; JSON is read strictly, with errors given by line and column; documents, curves and strokes
+ * are read back bit for bit. */
 #include <locale.h>
 #include <setjmp.h>
 #include <stdarg.h>

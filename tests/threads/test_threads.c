@@ -1,6 +1,6 @@
-/* What base.h promises about threads: const calls at once on one object, distinct objects on distinct threads, copies
- * of one document edited on many. Each job gives a digest of all that it computed, and each thread must find the one
- * that a single thread finds. Under ThreadSanitizer (tree tsan) no job may race. */
+/* The promises of base.h about threads: concurrent const calls on one object, distinct objects on distinct threads,
+ * copies of one document edited on many. Each job gives a digest of everything that it computed, and each thread must
+ * arrive at the digest of a single thread. Under ThreadSanitizer (tree tsan) no job may race. */
 #define _POSIX_C_SOURCE 200809L /* barriers */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -20,7 +20,7 @@ import { tell, word } from '../page/words.js';
  * @property {Layer[]} layers back to front
  * @property {number} active
  * @property {number} loose objects in no layer
- * @property {number} pictures to trace
+ * @property {number} pictures how many there are to trace
  */
 
 class LayersSheet {

@@ -1,4 +1,4 @@
-/* What is isolated is all there is; outlines are thin. */
+/* Isolation: the tools act as if the isolated objects were the only ones; outline mode draws thin lines. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

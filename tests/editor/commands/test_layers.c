@@ -1,4 +1,4 @@
-/* Layers: what they hold, hide and lock, and where new ones are put. */
+/* Layers: what they contain, hide and lock, and where new ones are inserted. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* What is offered for a selection, and its style. */
+/* The commands offered for a selection, and its style. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

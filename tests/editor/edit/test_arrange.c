@@ -1,4 +1,4 @@
-/* Transforms as properties, groups, the order of the list, aligning and distributing. */
+/* Transforms as properties, groups, stacking order, aligning and distributing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

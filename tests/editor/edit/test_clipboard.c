@@ -1,5 +1,5 @@
-/* The clipboard: what is copied comes back bit for bit but for its place and ids; SVG of other programs; one step of
- * the history each; every allocation may fail. */
+/* The clipboard: copies are pasted bit for bit except for position and ids; SVG of other programs; each paste is one
+ * undo step; every allocation may fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Paths of several curves: what is done to one of them leaves the others, and the object, as they are. */
+/* Paths of several curves: changing one curve leaves the others, and the object, as they are. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

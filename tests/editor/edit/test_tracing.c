@@ -1,4 +1,4 @@
-/* Pictures to trace in the editor: placed, moved, locked, undone; the journal holds their bytes once. */
+/* Pictures to trace in the editor: placed, moved, locked, undone; the journal contains their bytes once. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

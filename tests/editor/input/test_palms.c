@@ -1,4 +1,4 @@
-/* Pens, fingers and palms: the pen always wins, whatever fingers are doing and whenever palms come and go. */
+/* Pens, fingers and palms: the pen always wins, whatever fingers are doing and whenever palms touch or lift. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* The pressure curve in closed form, and what it does to eraser and brush. */
+/* The pressure curve in closed form, and its effect on eraser and brush. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

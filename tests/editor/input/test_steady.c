@@ -1,4 +1,4 @@
-/* The stabiliser: closed forms of the filter, and what it may and may not do to a stroke. */
+/* The stabiliser: closed forms of the filter, and the bounds on how it may change a stroke. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

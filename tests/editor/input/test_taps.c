@@ -1,4 +1,4 @@
-/* Taps of two and three fingers: what is one, and all that is none. */
+/* Taps of two and three fingers: what counts as one, and what does not. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

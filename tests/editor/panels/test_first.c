@@ -1,4 +1,4 @@
-/* The hints of the first minute: each goes when it was followed, in whatever order, and does not come back. */
+/* First-use hints: each disappears when it was followed, in whatever order, and does not come back. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Numbers that are entered: places, sizes, angles. */
+/* Numbers entered as text: positions, sizes, angles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

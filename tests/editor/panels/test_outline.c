@@ -1,4 +1,4 @@
-/* The drawing in words: the outline agrees with the document, what happens is said once. */
+/* The outline for screen readers agrees with the document; each event is announced once. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Picking against brute force over dense samples; ends; what is in front of equals. */
+/* Picking against brute force over dense samples; ends; which of several equally near objects is in front. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

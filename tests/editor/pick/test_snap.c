@@ -1,4 +1,4 @@
-/* Snapping: ends, crossings and other places known in closed form; what is dragged snaps as a whole. */
+/* Snapping: ends, crossings and other points known in closed form; a dragged object snaps as a whole. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* A journal made short replays to the same document, with the same steps to undo and redo. */
+/* A compacted journal replays to the same document, with the same steps to undo and redo. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

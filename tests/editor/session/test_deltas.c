@@ -1,4 +1,4 @@
-/* What a step is asked about groups: looking at its changes alone says what a walk over all says. */
+/* What a step tells about groups: its list of changes gives the same answer as a walk over the whole document. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

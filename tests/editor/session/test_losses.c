@@ -1,4 +1,5 @@
-/* What the file holds and the document does not: kept with the session, in its journal, and told to the host. */
+/* What the file contains and the document cannot hold: kept with the session and in its journal, and reported to the
+ * host. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* The small sets that a session keeps, against plain arrays: the selection, filled one by one and many at once, and what
- * a transaction has replaced. */
+/* The small sets that a session keeps, against plain arrays: the selection, filled one by one and many at once, and the
+ * objects that a transaction has replaced. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Rulers tell where the window lies. */
+/* Rulers show the position of the window. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

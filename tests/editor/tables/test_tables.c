@@ -1,4 +1,4 @@
-/* The tables: whole, consistent, and JSON that a shell can read. */
+/* The tables: complete, consistent, and JSON that a shell can read. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* The words: complete in every language, and an editor that speaks another one. */
+/* The strings: complete in every language, and an editor set to another language. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Eraser, smooth brush and calming; comb, knots and lengths shown. */
+/* Eraser, smooth brush and calming; the display of comb, knots and lengths. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

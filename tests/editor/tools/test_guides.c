@@ -1,4 +1,4 @@
-/* Guides and the grid: drawn, made by hand out of the rulers, moved with their layer. */
+/* Guides and the grid: shown, dragged out of the rulers, moved with their layer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /*
- * Careless strokes over one line converge: against a known truth, with offsets, tilts and wobbles of a hand, in any order and
- * direction, in parts. After eight of them there are no more inflections than the truth has, and at most 60 % of the
- * points that the last stroke's winning leaves; each stroke is a step that undoes and replays; what is late, far off,
- * or drawn with the setting off is an ordinary stroke.
+ * Careless strokes over one line converge: against a known truth, with offsets, tilts and wobbles of a hand, in any
+ * order and direction, and over parts of it. After eight strokes there are no more inflections than in the truth, and
+ * the control points are at most 60 % of those left when the last stroke simply wins; each stroke is a step that undoes
+ * and replays; a stroke that is late, far off, or drawn with the setting off is an ordinary stroke.
  */
 #include <setjmp.h>
 #include <stdarg.h>

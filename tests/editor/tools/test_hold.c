@@ -1,7 +1,7 @@
 /*
- * A stroke held at its end becomes a figure: pens that tremble and mice that send nothing while they rest; dragged while
- * held; one step of the history that replays without a clock; the stroke as it was drawn is another reading of it; too
- * short a rest, a rest that is switched off, palms and second pens change nothing; cancelled, nothing is left.
+ * A stroke held at its end becomes a figure: pens that tremble and mice that send nothing while at rest; dragged while
+ * held; one undo step that replays without a clock; the stroke as drawn is another reading of it; too short a rest, the
+ * setting switched off, palms and second pens change nothing; cancelling leaves nothing behind.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Levels while memory ends at any allocation: nothing leaks, the invariants hold, undo leads back to the beginning. */
+/* Levels with any allocation failing: nothing leaks, the invariants hold, undo leads back to the beginning. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /*
- * The levels tool and the strip: a curve is taken apart exactly, and only when the user says so; dragged at a
- * level the place under the pen follows and no other level's detail changes; faders, mute, solo, frame rule,
- * copies and flattening are each one step; all of it replays and can be undone.
+ * The levels tool and the strip: a curve is decomposed exactly, and only on confirmation; when dragged at a level, the
+ * point under the pen follows and no other level's detail changes; faders, mute, solo, frame rule, copies and
+ * flattening are one step each; everything replays and can be undone.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* The line tool: straight by a drag, in steps with Shift, on from its end by clicks, one step each. */
+/* The line tool: straight lines by dragging, in angle steps with Shift, continued from their end by clicks, one step
+ * each. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /*
- * What strokes mean in the editor: each reading is carried out as one step that replays and is undone; what is selected,
- * the switch and the held key say what may change; a stroke is read again as something else without another step.
+ * What strokes mean in the editor: each reading is carried out as one step that replays and can be undone; the
+ * selection, the setting and the held key decide what may change; a stroke can be reinterpreted without another step.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* Curves pulled and control points dragged: what is pulled goes where it is to, ends stay, smooth nodes stay smooth. */
+/* Curves pulled and control points dragged: the pulled point goes where it should, ends stay, smooth nodes stay smooth.
+ * */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /*
- * The last stroke refitted, from raw to fair: shown while the amount is being chosen, and one step with the stroke; fewer
- * points the fairer, farther off the stroke; as it was in the middle; over when the next stroke begins or anything else is
- * done.
+ * Refitting the last stroke, from raw to fair: previewed while the amount is being chosen, and one step with the
+ * stroke; the fairer, the fewer points and the farther from the stroke; unchanged at the middle value; no longer
+ * possible once the next stroke begins or anything else is done.
  */
 #include <setjmp.h>
 #include <stdarg.h>

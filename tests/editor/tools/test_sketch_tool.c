@@ -1,4 +1,4 @@
-/* The sketch tool, state by state: what it says, shows and changes. */
+/* The sketch tool, state by state: its texts, previews and changes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /*
- * Symmetry: a stroke on one side of the axis is a stroke on both, as one step that undo takes back and the journal makes
- * again; the images are exact; across the axis a curve runs straight over and its curvature goes on; a redraw changes the
- * twin as well, and a curve without one is all that changes; what is locked stays. The axis is shown, and can be any straight
- * line.
+ * Symmetry: a stroke on one side of the axis also appears mirrored on the other, as one step that undoes and replays;
+ * the images are exact; a curve across the axis crosses it at a right angle with continuous curvature; a redraw also
+ * changes the twin, and a curve without a twin changes alone; locked objects stay. The axis is shown, and can be any
+ * straight line.
  */
 #include <setjmp.h>
 #include <stdarg.h>

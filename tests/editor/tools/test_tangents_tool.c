@@ -1,6 +1,6 @@
 /*
- * The tangents tool, state by state: what taps and drags make of the document, what is shown meanwhile, that every
- * step undoes, and that the journal tells the same story again.
+ * The tangents tool, state by state: the effect of taps and drags on the document, what is shown meanwhile, that every
+ * step undoes, and that the journal replays to the same.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Grounds: where the pen is on the page and on a plane in space, and the sketch tool on both. */
+/* Grounds: the pen's position on the page and on a plane in space, and the sketch tool on both. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

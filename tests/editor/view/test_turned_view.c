@@ -1,4 +1,5 @@
-/* The turned view: closed forms of its arithmetic, the detent of a pinch, and that tools work in it as upright. */
+/* The rotated view: closed forms of its arithmetic, the detent of a pinch, and tools that work in it as in the upright
+ * view. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* The view's arithmetic in closed form: what is under a point stays there, what is to be shown is shown. */
+/* The view's arithmetic in closed form: the point under the pen stays there; what should be visible is. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

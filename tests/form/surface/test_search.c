@@ -1,5 +1,5 @@
 /* Closest points and ray hits: closed forms, the equations they solve, sampling, hits counted against pure subdivision;
- * edges, seams, poles, touching rays, rays in the surface, points on an axis; bad data. */
+ * edges, seams, poles, tangent rays, rays within the surface, points on an axis; bad data. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

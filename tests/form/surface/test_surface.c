@@ -1,5 +1,5 @@
-/* Surfaces: closed forms (bilinear, paraboloid, a ring around a ring), lines and grids against single points, finite
- * differences, insertion, rigid motion, collapsed edges, huge and tiny ones, bad data. */
+/* Surfaces: closed forms (bilinear, paraboloid, torus), lines and grids against single points, finite differences,
+ * insertion, rigid motion, collapsed edges, huge and tiny surfaces, bad data. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

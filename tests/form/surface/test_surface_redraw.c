@@ -1,5 +1,5 @@
-/* A redrawn line: the surface goes through it, rows out of reach keep every bit, smoothness stays, an edit that is
- * reverted is no edit; reach, holding, gain, seams; what is refused. */
+/* A redrawn line: the surface passes through it, rows out of reach keep every bit, smoothness is preserved, reverting
+ * an edit restores the surface; reach, holding, gain, seams; what is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

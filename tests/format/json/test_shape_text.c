@@ -1,5 +1,5 @@
-/* Shapes and edits of them as JSON: what an edit does is what the call of its name does; what is wrong is refused in the
- * words that say where, and changes nothing; any allocation may fail. */
+/* Shapes and edits of them as JSON: an edit has the same effect as the call of its name; errors are refused with a
+ * message that gives their place, and change nothing; any allocation may fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

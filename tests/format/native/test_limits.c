@@ -1,5 +1,5 @@
-/* Documents at the limits: whatever the library takes, it writes, and reads back as the same; what lies beyond a limit
- * is refused by the call and by the reader alike. */
+/* Documents at the limits: everything that the library accepts is written and read back the same; anything beyond a
+ * limit is refused by both the call and the reader. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* OBJ: what is written is read back bit for bit; what others write is read; what is no curve is told. */
+/* OBJ: what is written is read back bit for bit; files of other programs are read; whatever is not a curve is reported.
+ * */
 #include "format/formats.h"
 
 #include <batten/bezier.h>

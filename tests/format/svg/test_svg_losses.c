@@ -1,5 +1,5 @@
-/* What an SVG file holds that a document cannot: each kind is found, once an element, and nothing where nothing is lost.
- * And what is painted in place of a gradient. */
+/* What an SVG file contains that a document cannot hold: each kind is found, once per element, and nothing is reported
+ * where nothing is lost. Also the paint used in place of a gradient. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Nodes of outlines are merged where the curve is the same within the bound: fewer knots, never a shape that is
- * further off, corners where they were. */
+/* Nodes of outlines are merged where the curve stays within the bound: fewer knots, never a shape that is farther off,
+ * corners where they were. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

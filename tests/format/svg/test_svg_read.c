@@ -1,5 +1,5 @@
-/* SVG in and out: what is drawn, in which style, what is left out and counted; the native document beside it; every
- * allocation may fail. */
+/* SVG in and out: what is drawn, in which style, what is left out and counted; the native document embedded in it;
+ * every allocation may fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* Rules are found by their keys: of any sheet and any element, those that a look at every rule finds, in order. */
+/* CSS rules are found by their keys: for any sheet and any element, the same rules in the same order as by testing
+ * every rule. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

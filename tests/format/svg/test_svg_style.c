@@ -1,5 +1,5 @@
-/* Styles of SVG by what CSS says of them: inheritance, the cascade, what a sheet may hold, what is no value; and the basic
- * shapes at the edges of what SVG allows. */
+/* Styles of SVG according to CSS: inheritance, the cascade, what a style sheet may contain, invalid values; and the
+ * basic shapes at the limits of SVG. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

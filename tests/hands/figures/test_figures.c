@@ -1,7 +1,7 @@
 /*
  * The figure nearest to a stroke: strokes along known lines, arcs, circles, ellipses and clothoids, with the tremor and
- * the bow of a hand, are told apart, and the figure found lies nearer to the truth than the stroke; what is like none of
- * them stays as it is; a drag is a similarity about the anchor.
+ * the bow of a hand, are told apart, and the figure found lies nearer to the truth than the stroke; a stroke unlike any
+ * of them stays as it is; a drag is a similarity about the anchor.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * Levels copied to another curve: onto a copy of its own base they give the shape again, onto a moved and turned
- * one the moved and turned shape; onto curves with other knots, another degree, another closedness the base keeps
- * its shape bit for bit and the detail is what it was at the same places.
+ * Levels copied to another curve: onto a copy of their own base they restore the shape, onto a moved and turned copy
+ * the moved and turned shape; on curves with other knots, another degree, or open instead of closed, the base keeps its
+ * shape bit for bit and the detail is unchanged at the same parameters.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,8 @@
 /*
- * A stroke over a part of a level: beyond its ends the level stays. With the largest displacement that the stroke asks
- * for as measure: beyond two spans at most 6 % of it, nowhere outside more than it, beyond the supports of what the
- * stroke meets nothing at all. Open and closed, plane and space, every degree, even and uneven knots, strokes over 5 to
- * 100 %, whatever their shape; given by parameters, and drawn.
+ * A stroke over a part of a level: beyond its ends the level stays. Measured by the largest displacement that the
+ * stroke asks for: beyond two spans at most 6 % of it, nowhere outside more than all of it, and exactly none beyond the
+ * supports that the stroke meets. Open and closed, plane and space, every degree, even and uneven knots, strokes over 5
+ * to 100 % of the curve, of any shape; given by parameters, and drawn.
  */
 #include <setjmp.h>
 #include <stdarg.h>

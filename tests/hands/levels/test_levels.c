@@ -1,6 +1,6 @@
 /*
- * The levels hand: closed forms of nodes, exact decomposition, rigid motion and mirror images, locality with
- * twist bookkeeping, edit and revert, over seeded random curves in the plane and in space, open and closed.
+ * The levels hand: closed forms of nodes, exact decomposition, rigid motion and mirror images, locality including the
+ * bookkeeping of twist, edit and revert, over seeded random curves in the plane and in space, open and closed.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /*
- * Levels against independent computation over random knots, also with multiple ones: nodes and least-norm weights by
- * Cox and de Boor's recursion in extended precision, sketching at a level by dense elimination.
+ * Levels against independent computation over random knots, including multiple ones: nodes and least-norm weights by
+ * the Cox-de Boor recursion in extended precision, sketching at a level by dense elimination.
  */
 #include <setjmp.h>
 #include <stdarg.h>

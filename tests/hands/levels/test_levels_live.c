@@ -1,6 +1,7 @@
 /*
- * Local and live edits of shapes: against the whole-curve formula computed independently, untouched control
- * points bit for bit, nothing moves when nothing is asked, and what comes out does not depend on the way there.
+ * Local and live edits of shapes: against the whole-curve formula computed independently; untouched control points are
+ * the same bit for bit; an edit that asks for nothing moves nothing; and the result is independent of the path of the
+ * drag.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /*
- * A free stroke over a shape: the base is what the sketch hand makes of it, bit for bit; beyond the stretch the finest
- * curve stays, in the plane and in space, open and closed; on it details are kept or dropped as asked.
+ * A free stroke over a shape: the base is the result of the sketch hand, bit for bit; beyond the stretch the finest
+ * curve stays, in the plane and in space, open and closed; on it details are kept or dropped as requested.
  */
 #include <setjmp.h>
 #include <stdarg.h>

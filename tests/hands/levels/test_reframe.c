@@ -1,7 +1,7 @@
 /*
- * Shapes seen otherwise: another frame rule leaves every level's curve where it is, an affine image (also a
- * shear, also a mirror image) takes each there exactly; muting hides a level and brings it back to the bit;
- * taking apart down to a given number of points is exact, nested, and leaves the coarse curves simple knots.
+ * Shapes in other frames: another frame rule leaves every level's curve where it is; an affine map (including shears
+ * and mirror images) takes each to its exact image; muting hides a level and unmuting restores it to the bit;
+ * decomposition down to a given number of points is exact and nested, and leaves the coarse curves with simple knots.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-/* Calming: ten times on many curves, no extremum, no inflection, no knot and no peak of curvature more, never further
- * than the limit, ends and corners where they are, smooth nodes smooth. label: slow */
+/* Calming: ten times on many curves, it adds no extremum, inflection, knot or curvature peak, never moves the curve
+ * farther than the limit, and keeps ends and corners in place and smooth nodes smooth. label: slow */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

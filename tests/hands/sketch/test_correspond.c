@@ -1,5 +1,5 @@
-/* Which stretch a stroke is meant for: closed curves, figure eights, hairpins, where the nearest points of the
- * ends alone are often wrong. */
+/* Which stretch a stroke is meant for: closed curves, figure eights, hairpins, where the points nearest to the stroke's
+ * ends are often wrong. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /*
  * What a stroke means: strokes of known relation to straight and round lines get the reading that the rule's own
- * numbers give; the answer does not depend on when it was asked before, nor on turning, moving or mirroring all of it;
- * bad samples do nothing, and every allocation may fail.
+ * numbers give; the answer does not depend on earlier queries, nor on rotating, moving or mirroring everything; bad
+ * samples do nothing, and every allocation may fail.
  */
 #include <math.h>
 #include <setjmp.h>

@@ -1,4 +1,4 @@
-/* Draw over a curve: what is kept stays, the stroke is followed, the joints are C2. */
+/* Drawing over a curve: what is kept stays, the stroke is followed, the joints are C2. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

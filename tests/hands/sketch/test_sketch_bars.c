@@ -1,5 +1,5 @@
-/* The bars of the sketch hand (docs/math/sketch.md), each over many random cases, two seeds: the one it was
- * built with and one held out. Measured values are printed. label: slow */
+/* The acceptance limits of the sketch hand (docs/math/sketch.md), each over many random cases and two seeds: the one
+ * used in development and one held out. Measured values are printed. label: slow */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Every case that the table of docs/math/sketch.md names has one decided behaviour: here it is. */
+/* Every case listed in the table of docs/math/sketch.md has one decided behaviour, tested here. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

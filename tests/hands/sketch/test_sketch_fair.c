@@ -1,4 +1,4 @@
-/* How fair it is what the sketch hand leaves, and that what it shows while the pen is down stays (docs/math/sketch.md 5.7,
+/* Fairness of the sketch hand's results, and stability of its preview while the pen is down (docs/math/sketch.md 5.7,
  * 5.9): strokes of known curvature, drawn by a hand that trembles. Measured values are printed. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* The session while the pen is down: its commit is the one-shot call bit for bit, shown ink stays put. */
+/* The session while the pen is down: its commit equals the one-shot call bit for bit, and ink once shown stays put. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* The sketch hand survives every failing allocation: BAT_MEMORY, nothing handed over, nothing leaked. A live
- * session goes on after a failed preview or add, and its commit is still the one-shot call. */
+/* The sketch hand survives the failure of any allocation: BAT_MEMORY, no output, nothing leaked. A live session goes on
+ * after a failed preview or add, and its commit still equals the one-shot call. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Small and short strokes do what the pen shows (docs/math/sketch.md 5.2, 5.5): writing, zigzags, stars, small circles, dabs.
- * Measured values are printed. */
+/* Small and short strokes give what the pen shows (docs/math/sketch.md 5.2, 5.5): writing, zigzags, stars, small
+ * circles, dabs. Measured values are printed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
