@@ -1,5 +1,5 @@
-// Contrast measured over the colour tokens, focus, forced colours, reduced motion, and axe-core over the states that a
-// keyboard brings about.
+// Contrast measured over the colour tokens, focus, forced colours, reduced motion, and axe-core over the states reached
+// by keyboard.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -23,12 +23,12 @@ after(async () => {
 });
 
 async function violations(page) {
-  await page.evaluate(AXE); // the page's own rules keep foreign scripts out; the debugger may
+  await page.evaluate(AXE); // the page's policy blocks foreign scripts, but not the debugger's
   const { violations: found } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
   return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
 }
 
-/** All colour tokens as the browser has them: red, green, blue 0..255, alpha 0..1. */
+/** All colour tokens as computed by the browser: red, green, blue 0..255, alpha 0..1. */
 function tokens(page) {
   return page.evaluate(() => {
     const names = [];
@@ -56,14 +56,14 @@ function tokens(page) {
 
 const linear = (value) => (value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4);
 const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
-/** WCAG 2.2's contrast of a colour, laid over a ground. */
+/** The WCAG 2.2 contrast of a colour over a ground. */
 function contrast(colour, ground) {
   const over = colour.slice(0, 3).map((value, i) => value * colour[3] + ground[i] * (1 - colour[3]));
   const [low, high] = [luminance(over), luminance(ground)].sort((a, b) => a - b);
   return (high + 0.05) / (low + 0.05);
 }
 
-/** Words on what lies behind them: 4.5 : 1. */
+/** Text on its background: 4.5 : 1. */
 const WORDS = [
   ['words', ['surface', 'ground', 'hover', 'accent-soft']],
   ['words-soft', ['surface', 'ground', 'hover']],
@@ -72,14 +72,14 @@ const WORDS = [
   ['role-value', ['role-page-fill', 'ground']],
   ['role-ruler', ['role-ruler-fill']],
 ];
-/** What has to be seen to be used: 3 : 1 (WCAG 1.4.11). */
+/** Parts that must be visible to be usable: 3 : 1 (WCAG 1.4.11). */
 const SHAPES = [
   ['field', ['surface']],
   ...['object', 'highlight', 'ink', 'fit', 'knot', 'knot-fill', 'pending', 'selection', 'handle', 'marquee', 'point',
     'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased', 'guideline']
     .map((role) => [`role-${role}`, ['role-page-fill', 'ground']]),
 ];
-/** What only accompanies: the line that goes, areas, what lies ahead of the pen. */
+/** Secondary parts: the line being replaced, areas, the prediction ahead of the pen. */
 const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|grid|grid-strong|chosen$|.*-fill$)|^(shadow|edge|ground|surface|hover|accent-soft)$/;
 
 for (const colorScheme of ['light', 'dark']) {
@@ -125,7 +125,7 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
   const name = [options.colorScheme, options.forcedColors ? 'forced' : '', options.locale ?? ''].filter(Boolean).join('-');
   test(`axe-core finds nothing, state by state: ${name}`, async () => {
     const { page, context } = await open(browser, server.address, options);
-    await page.keyboard.press('Shift'); // somebody is there
+    await page.keyboard.press('Shift'); // a sign of a user
     await page.waitForSelector('#mirror', { state: 'attached' });
     for (const [state, keys] of STATES) {
       for (const key of keys) {
@@ -166,7 +166,7 @@ test('forced colours: what is drawn wears the system\'s, and the focus shows', a
   });
   const own = roles.filter((colour, i) => i > 0 && !system.includes(colour) && !/, 0\)$/.test(colour));
   assert.deepEqual(own, []);
-  await page.keyboard.press('Tab'); // a hand on the keyboard
+  await page.keyboard.press('Tab'); // the keyboard is in use
   for (const target of ['#stage', '[data-name=menu]', '#mirror [tabindex="0"]']) {
     await page.focus(target);
     const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
@@ -184,7 +184,7 @@ test('reduced motion: nothing moves by itself', async () => {
   assert.deepEqual(await moving(), []);
   await page.click('[data-name=menu]');
   assert.deepEqual(await moving(), []);
-  // The view jumps: one frame, and it is where it will be.
+  // The view jumps: after one frame it is in its final place.
   await page.keyboard.press('Escape');
   await page.focus('#stage');
   await page.keyboard.press('+');

@@ -1,4 +1,4 @@
-// Tests that see an error on the console, each in its own way; faults.test.mjs runs them.
+// Tests that each cause an error on the console in a different way; faults.test.mjs runs them.
 import { after, before, test } from 'node:test';
 import { expectFaults, launch, settle } from './page.mjs';
 import { serve } from './server.mjs';

@@ -1,4 +1,5 @@
-// The chips at the end of a stroke: what else it could mean; a tap, or Tab, reads it that way; the next stroke settles it.
+// The chips at the end of a stroke: what else it could mean; a tap, or Tab, chooses a reading; the next stroke settles
+// it.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -38,7 +39,7 @@ test('a stroke is read again', async (t) => {
   assert.notEqual(fresh.digest, redrawn.digest);
   assert.equal(fresh.check, '');
   const refit = page.locator('.chips input');
-  await refit.waitFor(); // it comes when the hand has paused
+  await refit.waitFor(); // appears when the hand has paused
   assert.equal(await refit.inputValue(), '0.5');
   await page.locator('#stage').focus();
   for (let i = 0; i < 9 && !await page.evaluate(() => document.activeElement.closest('.chips')); i++) {

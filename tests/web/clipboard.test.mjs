@@ -8,7 +8,7 @@ import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
 let server;
-let elsewhere; // another file: one that is open twice can only be looked at
+let elsewhere; // another file: one that is opened twice is read-only
 before(async () => {
   browser = await launch();
   server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
@@ -20,7 +20,7 @@ after(async () => {
   elsewhere.close();
 });
 
-/** Knots and points of the objects in front, from the native file. */
+/** Knots and points of the topmost objects, from the native file. */
 const objects = (page, count) => page.evaluate((wanted) =>
   JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.slice(-wanted), count);
 const size = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
@@ -63,7 +63,7 @@ for (const colorScheme of ['light', 'dark']) {
       curve.points.forEach((point, k) => point.forEach((value, axis) =>
         assert.ok(Math.abs(value - first.curves[i].points[k][axis] - 10 / zoom) < 1e-9)));
     });
-    // In place: exactly where it was. Then cut, and undo brings it back.
+    // Pasted in place: exactly where it was. Then cut, and undo restores it.
     await other.keyboard.press('Control+Shift+v');
     await settle(other);
     const [inPlace] = await objects(other, 1);
@@ -151,7 +151,7 @@ test('other programs get it as SVG, too', async () => {
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Control+c');
   const found = await page.evaluate(async () => {
-    for (;;) { // the browser takes it in its own time; the test's own limit ends this
+    for (;;) { // the browser takes a while; the test's time limit ends this
       const [item] = await navigator.clipboard.read();
       if (item?.types.includes('image/svg+xml')) {
         return Promise.all(item.types.map(async (type) => [type, await (await item.getType(type)).text()]));

@@ -1,4 +1,4 @@
-// What a pen without keys needs: the end of a curve made point by point, and the button on its barrel.
+// Working with a pen and no keyboard: ending a curve made point by point, and the barrel button.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';

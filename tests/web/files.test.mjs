@@ -17,7 +17,7 @@ after(async () => {
 });
 
 /** Drops a file on the drawing. */
-/** Drops a file, and waits until it was opened, or refused, or a question came up. */
+/** Drops a file, and waits until it is opened or refused, or a question appears. */
 async function drop(page, name, text) {
   await page.evaluate(([title, content]) => new Promise((done) => {
     const { files } = batten;
@@ -133,7 +133,7 @@ test('a heavy drawing: the layer moves with the view at once and is painted when
   assert.equal(await count(page), 601);
   const before = (await state(page)).counts;
   await page.mouse.move(600, 400);
-  await page.evaluate(() => holdTimers(true)); // the hand does not rest
+  await page.evaluate(() => holdTimers(true)); // the hand never counts as resting
   for (let i = 0; i < 5; i++) {
     await page.mouse.wheel(20, 10);
     await settle(page);
@@ -148,7 +148,7 @@ test('a heavy drawing: the layer moves with the view at once and is painted when
     ...batten.painter.counts, transform: document.getElementById('still').style.transform }));
   assert.ok(rested.full > before.full && rested.full <= before.full + 3, `painted ${rested.full - before.full} times`);
   assert.equal(rested.transform, '');
-  // Memory has grown on the way; strokes and frames still read the right words.
+  // Memory has grown meanwhile; strokes and frames still read valid views.
   await hand.stroke([[100, 60], [300, 50], [500, 62]]);
   assert.equal((await state(page)).check, '');
   await context.close();
@@ -171,7 +171,7 @@ test('markup, entities and scripts in a file stay inert', async () => {
     <path id="&lt;b&gt;http://www.w3.org/2000/svg" d="M10 10C20 0 30 20 40 10" style="stroke: #123456" onclick="bad = 2"/></svg>`);
   assert.equal(await page.evaluate(() => globalThis.bad), undefined);
   assert.equal(await count(page), 1);
-  // The style is read all the same, and what looks like a namespace stays what it is.
+  // The style is read all the same, and text that looks like a namespace is unchanged.
   const saved = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false)));
   assert.match(saved, /stroke="#123456"/);
   assert.match(saved, /&lt;b>?(&gt;)?http:\/\/www\.w3\.org\/2000\/svg/);

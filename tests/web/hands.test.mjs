@@ -1,4 +1,4 @@
-// Hands: fingers that draw, pinch, turn, undo and redo; a pen that puts them in their place; the left hand.
+// Hands: fingers that draw, pinch, rotate, undo and redo; a pen that takes precedence over them; the left hand.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -75,13 +75,13 @@ for (const colorScheme of ['light', 'dark']) {
     await hand.fingers([back[0].slice(0, 1), ...back]);
     assert.equal((await state(page)).angle, 0, 'upright again');
 
-    // What is painted in parts in a turned view is what is painted whole.
+    // In a rotated view, painting in parts gives the same as painting everything.
     await page.keyboard.press('6');
     await settle(page);
     await hand.tap(2);
     const different = await page.evaluate(async () => {
       const canvas = document.getElementById('still');
-      // Colours as far as they cover: those of a pixel that is all but clear mean nothing.
+      // Colours weighted by alpha: those of an almost transparent pixel mean nothing.
       const read = () => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
         .map((value, i, all) => ((i & 3) < 3 ? (value * all[i | 3]) / 255 : value));
       const parts = read();
@@ -136,13 +136,13 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
     .map(([name, value]) => [name, Math.round(value * 1e9) / 1e9])));
   const seen = await view();
 
-  // A palm before the very first pen: its size reaches the engine.
+  // A palm before the first pen: its size reaches the engine.
   await hand.fingers([[[700, 600]], [[640, 560]], [[600, 500]]], { radius: 45 });
   await hand.tap(2, [400, 400], { radius: 45 });
   assert.equal((await state(page)).digest, plain.digest, 'a palm does not draw');
   assert.deepEqual(await view(), seen);
 
-  // A finger draws, and goes on resting there: the pen takes over, and what the finger drew goes.
+  // A finger draws and then rests there: the pen takes over, and the finger's stroke is removed.
   await hand.fingers([[[700, 600]], [[640, 560]], [[600, 500]]], { lift: false });
   await hand.stroke(stroke, { lift: false });
   await shot(page, 'pen-beside-finger');
@@ -155,7 +155,7 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
   await page.keyboard.press('Control+z');
   assert.equal((await state(page)).digest, plain.digest, 'one step, the pen\'s');
 
-  // Fingers that pan: the view goes back under the pen.
+  // Fingers that pan: the view returns to where it was when the pen takes over.
   hand.time += 1;
   await hand.fingers([[[700, 600]], [[640, 560]], [[600, 500]]], { lift: false });
   assert.notDeepEqual(await view(), seen);
@@ -165,7 +165,7 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
   assert.notEqual(again, plain.digest);
   await hand.fingers([[[600, 500]]], { down: 1 });
 
-  // Dabs of palms undo nothing, those of fingers do.
+  // Dabs of palms undo nothing; those of fingers do.
   await hand.tap(2, [400, 400], { radius: 45 });
   assert.equal((await state(page)).digest, again);
   await hand.tap(2);
@@ -173,7 +173,7 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
   await context.close();
 });
 
-/** What can be touched and is smaller than 44 px; a box to tick counts with its label. */
+/** Touch targets smaller than 44 px; a checkbox counts together with its label. */
 function small(page) {
   return page.$$eval('button, input:not([type=file]), select, summary, a', (targets) => targets.filter((target) => {
     const { width, height } = (target.type === 'checkbox' ? target.labels[0] : target).getBoundingClientRect();

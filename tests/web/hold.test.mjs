@@ -1,4 +1,4 @@
-// A stroke held at its end becomes a figure, dragged while it is held; the chips have it as it was drawn.
+// A stroke held at its end becomes a figure, dragged while it is held; the chips offer the stroke as drawn.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** A hand that trembles and bows, from one place to another. */
+/** The path of a hand that trembles and bows, from one point to another. */
 const careless = ([x0, y0], [x1, y1]) => Array.from({ length: 81 }, (_, i) => {
   const t = i / 80;
   return [x0 + (x1 - x0) * t + 0.5 * Math.sin(50 * t), y0 + (y1 - y0) * t + 5 * Math.sin(3.1 * t) + 0.6 * Math.sin(70 * t)];

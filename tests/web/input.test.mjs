@@ -122,7 +122,7 @@ test('pressure goes with the stroke', async () => {
 
 test('the wheel with Ctrl zooms about the pointer; fit brings the drawing back', async () => {
   const before = await state(page);
-  // Wheel events know whole pixels only.
+  // Wheel events have whole pixels only.
   const [x, y] = [640, 391];
   const [dx, dy] = await page.evaluate(([px, py]) => {
     const { x: left, y: top, zoom } = batten.painter.painted;
@@ -215,7 +215,7 @@ test('what is painted in parts is what is painted whole', async () => {
     const whole = read();
     let count = 0;
     for (let i = 0; i < whole.length; i++) {
-      // A curve cut into other pieces is flattened a little otherwise; a missing or a stale line is far more.
+      // A curve cut into other pieces is flattened slightly differently; a missing or stale line differs far more.
       count += Math.abs(whole[i] - parts[i]) > 90 ? 1 : 0;
     }
     return count;

@@ -1,4 +1,4 @@
-// What a page has not saved survives its end, however sudden: the journal lies in the browser's own file system.
+// Unsaved work survives the end of a page, however sudden: its journal is in the browser's private file system.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -23,7 +23,7 @@ const kept = (page, name = 'car.svg') => page.evaluate(async (title) => {
   return (await batten.keeper.find(title))?.journal.length ?? 0;
 }, name);
 
-/** '' when the process has gone. */
+/** '' when the process has ended. */
 function commandOf(pid) {
   try {
     return fs.readFileSync(`/proc/${pid}/cmdline`, 'utf8');
@@ -32,14 +32,14 @@ function commandOf(pid) {
   }
 }
 
-/** Kills the renderer: the page gets no chance to say goodbye. */
+/** Kills the renderer: no event of closing runs in the page. */
 async function crash(page, client) {
   const crashed = page.waitForEvent('crash');
   client.send('Page.crash').catch(() => {});
   await crashed;
 }
 
-/** Another page of the same browser, in place of one that is gone. */
+/** Another page of the same browser, in place of one that has ended. */
 async function again(context, address) {
   const page = await context.newPage();
   await page.goto(address);
@@ -73,7 +73,7 @@ for (const [real, name] of [[false, 'a renderer killed in the middle of a stroke
     await next.page.emulateMedia({ colorScheme: 'dark' });
     await settle(next.page);
     await next.page.screenshot({ path: path.join(SCREENSHOTS, 'brought-back-dark.png') });
-    // Its history came along.
+    // Its history was restored too.
     await next.page.keyboard.press('Control+Z');
     await next.page.keyboard.press('Control+Z');
     await settle(next.page);
@@ -82,7 +82,7 @@ for (const [real, name] of [[false, 'a renderer killed in the middle of a stroke
     await next.page.keyboard.press('Control+Shift+Z');
     await settle(next.page);
     assert.equal((await state(next.page)).digest, before.digest);
-    // Saved work is not brought back again.
+    // Saved work is not restored again.
     await next.page.keyboard.press('Control+S');
     await next.page.waitForFunction(() => document.getElementById('unsaved').hidden);
     await settle(next.page);
@@ -208,7 +208,7 @@ for (const [lasting, name] of [[false, 'a private window'], [true, 'a profile']]
       const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=unkept] >> text=Download')]);
       assert.equal(download.suggestedFilename(), 'car.svg');
     }
-    // It goes on: what is drawn now is kept, and comes back.
+    // Keeping continues: what is drawn now is kept and restored.
     await hand.stroke(await on(page, ROOF));
     const before = await state(page);
     await page.evaluate(() => batten.keeper.settled());
@@ -216,7 +216,7 @@ for (const [lasting, name] of [[false, 'a private window'], [true, 'a profile']]
     await page.close();
     const next = await again(context, server.address);
     assert.equal((await state(next.page)).digest, before.digest);
-    // Cleared while nothing is written, then saved: nothing hangs.
+    // Cleared while nothing is being written, then saved: nothing hangs.
     await next.client.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
     await next.page.keyboard.press('Control+S');
     await next.page.waitForFunction(() => document.getElementById('unsaved').hidden);
@@ -228,7 +228,7 @@ for (const [lasting, name] of [[false, 'a private window'], [true, 'a profile']]
 test('the first stroke is kept although the server went before it', async (t) => {
   const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
   t.after(() => program.close());
-  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/); // what comes after the first load
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/); // requests after the first load
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
   const page = await context.newPage();
   await page.goto(program.address);
@@ -258,7 +258,7 @@ test('no other notice hides that work was brought back', async (t) => {
   await page.close();
   const next = await again(context, server.address);
   await next.page.keyboard.press('Control+Z');
-  await next.page.keyboard.press('Control+Z'); // says that there is nothing to undo
+  await next.page.keyboard.press('Control+Z'); // reports that there is nothing to undo
   await next.page.waitForSelector('#notice:visible');
   await next.page.keyboard.press('Control+Shift+Z');
   server.bytes = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>');
@@ -288,7 +288,7 @@ test('unsaved work is announced on leaving, saved work is not', async (t) => {
   await hand.stroke(await on(page, SKY));
   const before = await state(page);
   const asking = page.waitForEvent('dialog');
-  page.reload().catch(() => {}); // the user stays: it waits in vain
+  page.reload().catch(() => {}); // the user stays, so this never resolves
   await asking;
   assert.deepEqual(asked, ['beforeunload']);
   assert.equal((await state(page)).digest, before.digest);
@@ -344,7 +344,7 @@ test('a long journal is made short aside; what it leads to and its undo stay', a
   await settle(page);
   const [long, session] = await page.evaluate(() => {
     const { engine } = batten;
-    engine.long = 1000; // as if this were long
+    engine.long = 1000; // makes this journal count as long
     return [engine.journal.length, engine.session];
   });
   await page.keyboard.press('ArrowDown');
@@ -412,9 +412,9 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     await become('drawing.svg');
     await settle(page);
     assert.equal((await state(page)).digest, first.digest);
-    await hand.stroke([[300, 600], [500, 650], [700, 600]]); // it goes on, and is kept
+    await hand.stroke([[300, 600], [500, 650], [700, 600]]); // drawing continues, and is kept
     const more = await state(page);
-    // What another tab has is not opened, nor does it go.
+    // A drawing open in another tab is neither opened nor removed.
     const other = await again(context, server.address);
     await other.page.waitForFunction(() => batten.files.name === 'drawing 2.svg' && batten.tabs.held);
     assert.equal((await state(other.page)).digest, second.digest);
@@ -426,7 +426,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     assert.equal((await state(page)).digest, more.digest);
     await other.page.close();
     await page.waitForFunction(async () => (await navigator.locks.query()).held.length === 1);
-    // Deleted, by two presses; the first alone does nothing.
+    // Deleted by two presses; the first alone does nothing.
     await page.focus('#stage');
     await list();
     const at = (await rows()).indexOf('drawing 2.svg');

@@ -1,5 +1,5 @@
-// Everything without a pointer: a curve is drawn and a stretch of it redrawn, points are moved, things are deleted,
-// undone and saved, by keys alone; what the page tells those who do not see it.
+// Everything without a pointer: a curve is drawn and a stretch of it redrawn, points are moved, objects are deleted,
+// edits undone and saved, by keys alone; and what the page tells screen readers.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -13,14 +13,14 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Presses keys one after the other; "3 x ArrowUp" presses three times. */
+/** Presses keys in turn; "3 x ArrowUp" presses three times. */
 async function press(page, ...keys) {
   for (const key of keys) {
     const [, times, name] = /^(?:(\d+) x )?(.*)$/.exec(key);
     for (let i = 0; i < Number(times ?? 1); i++) {
       await page.keyboard.press(name);
       if (name.endsWith('F6')) {
-        await settle(page); // the page answers once a frame
+        await settle(page); // the page responds once per frame
       }
     }
   }
@@ -29,18 +29,18 @@ async function press(page, ...keys) {
 
 const said = (page) => page.textContent('#said');
 const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `keyboard-${name}.png`) });
-/** The last curve of the drawing as the file has it. */
+/** The last curve of the drawing, from the file. */
 const objects = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects);
 /** Waits until the tree has been brought up to date. */
 const calm = (page) => quiet(page);
-/** What has the focus. */
+/** The element that has the focus. */
 const focus = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.dataset.name ||
   document.activeElement.textContent);
 
 async function loaded(page) {
-  await page.keyboard.press('Shift'); // somebody is there
+  await page.keyboard.press('Shift'); // a sign of a user
   await page.waitForSelector('#mirror', { state: 'attached' });
-  // Not a single pointer event may come from now on.
+  // From now on there may be no pointer event at all.
   await page.evaluate(() => {
     globalThis.pointed = 0;
     for (const kind of ['pointerdown', 'pointermove', 'mousedown', 'click', 'touchstart']) {
@@ -59,7 +59,7 @@ for (const colorScheme of ['light', 'dark']) {
     const first = await state(page);
     const count = (await objects(page)).length;
 
-    // Draw: Enter puts the points, the arrows carry them, Enter twice in one place ends the line.
+    // Draw: Enter places points, the arrows move the cursor, Enter twice in one place ends the line.
     await press(page, 'F6', 'F6', 'F6');
     assert.equal(await focus(page), 'stage');
     await press(page, 'Enter', '2 x Control+ArrowLeft', '10 x Shift+ArrowUp', '2 x Control+ArrowUp', 'Enter');
@@ -74,7 +74,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await objects(page)).length, count + 1);
     assert.equal((await said(page)).trim(), 'New curve');
 
-    // Redraw a stretch of it: choose the curve in the list, the range by its ends, the way by five points.
+    // Redraw a stretch of it: select the curve in the list, set the range by its ends, the path by five waypoints.
     await press(page, 'F6');
     await calm(page);
     await press(page, 'End');
@@ -100,7 +100,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await objects(page)).length, count + 1);
     assert.notDeepEqual((await objects(page)).at(-1), before);
 
-    // Points: the next one, moved; a knot more.
+    // Points: move the next one; add a knot.
     await press(page, 'a', 'Tab', 'Tab', '3 x ArrowUp');
     assert.match(await said(page), /Point 2 of \d+: /);
     const moved = await state(page);
@@ -109,7 +109,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.notEqual((await state(page)).digest, moved.digest);
     await shot(page, `points-${colorScheme}`);
 
-    // Rub out a stretch, smooth another, select, turn, scale, delete.
+    // Erase a stretch, smooth another, select, rotate, scale, delete.
     const busy = await state(page);
     await press(page, 'r', 'e', 'Enter');
     assert.equal((await objects(page)).length, count + 2);
@@ -121,7 +121,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await objects(page)).length, count + 1);
     assert.equal((await said(page)).includes('Delete'), true);
 
-    // All of it back, and again.
+    // Undo everything, and redo.
     for (let i = 0; i < 40 && (await state(page)).digest !== busy.digest; i++) {
       await press(page, 'Control+z');
     }
@@ -132,7 +132,7 @@ for (const colorScheme of ['light', 'dark']) {
     await press(page, '2 x Control+Shift+z');
     assert.equal((await state(page)).digest, redrawn.digest);
 
-    // A spline of the tangents tool, begun by keys.
+    // A spline of the tangents tool, started by keys.
     await press(page, 'Escape', 't', 'Enter', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowDown', 'Enter', 'Enter');
     assert.equal((await objects(page)).at(-1).kind, 'spline');
     await press(page, 'Tab', '2 x Shift+ArrowRight');
@@ -167,13 +167,13 @@ test('the list mirrors the drawing, and the drawing the list', async () => {
   assert.equal((await lines()).filter((line) => line.selected === 'true').length, 1);
   await press(page, 'F6');
   assert.equal((await focus(page)), (await lines()).find((line) => line.selected === 'true').words);
-  assert.match(await focus(page), /group$/); // whole groups are what the select tool selects
+  assert.match(await focus(page), /group$/); // the select tool selects whole groups
   await press(page, 'ArrowRight');
   await calm(page);
   await press(page, 'Shift+F6');
   const chosen = (await lines()).findIndex((line) => line.selected === 'true');
 
-  // The list begins where the drawing is; its points stand below it.
+  // The list starts at the drawing's selection; its points are listed below it.
   await press(page, 'F6');
   assert.equal(await focus(page), (await lines())[chosen].words);
   const one = await page.evaluate(() => document.activeElement.getBoundingClientRect().width);
@@ -252,7 +252,7 @@ test('the Tab key passes each toolbar in one stop, F6 each region, and nothing h
     regions.add(await page.evaluate(() => document.activeElement.closest('#tools, #rail, #stage, #mirror, .foot').className));
   }
   assert.equal(regions.size, 5);
-  // In a toolbar the arrows go round all that can be pressed.
+  // In a toolbar the arrows cycle through all enabled buttons.
   await page.focus('#tools button:not(:disabled)');
   const able = await page.$$eval('#tools button:not(:disabled)', (all) => all.filter((one) => one.checkVisibility()).length);
   const names = new Set();
@@ -261,7 +261,7 @@ test('the Tab key passes each toolbar in one stop, F6 each region, and nothing h
     names.add(await focus(page));
   }
   assert.equal(names.size, able);
-  // Out of the drawing in any tool, range and points included.
+  // Tab leaves the drawing in any tool, range and points included.
   for (const keys of [['n'], ['n', 'r'], ['n', 'Enter'], ['a', 'Tab'], ['v', 'Tab'], ['t', 'Tab'], ['s', 'r'], ['e', 'r']]) {
     await page.focus('#stage');
     await press(page, ...keys, 'F6');
@@ -294,7 +294,7 @@ test('the ring around what has the focus comes with the Tab key, and goes with a
   }
   await page.mouse.click(600, 650);
   assert.deepEqual(await focused(), ['stage', false]);
-  await page.keyboard.press('Shift+Tab'); // from the drawing, by the list beside it, to the tools
+  await page.keyboard.press('Shift+Tab'); // from the drawing, past the list beside it, to the tools
   await page.keyboard.press('Shift+Tab');
   assert.deepEqual((await focused())[1], true);
   await page.keyboard.press('ArrowDown');

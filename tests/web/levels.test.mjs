@@ -1,6 +1,6 @@
-// Levels in the page: an outline full of points taken apart with a live choice, its sweep dragged with a pen while the
-// scales ride along, faders, mute and solo, a level redrawn by a stroke, detail copied to another curve, frames as
-// axes; by keys too; nothing for axe to find; pictures in light and dark.
+// Levels in the page: an outline with many points decomposed with a live choice, its sweep dragged with a pen while the
+// scales follow, faders, mute and solo, a level redrawn by a stroke, detail copied to another curve, frames shown as
+// axes; by keys too; no findings by axe; screenshots in light and dark.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -64,7 +64,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.ok(['/levels.js', '/levels.css'].every((name) => asked.some((path) => path.endsWith(name))));
     assert.equal(await rows(page).count(), 0);
 
-    // Taken apart: shown before it is done, the numbers live; Esc and Enter.
+    // Decomposing: previewed with live numbers; Esc and Enter.
     await key('Shift+L');
     assert.equal((await state(page)).hint, strings['hint.apart']);
     const suggested = await rows(page).count();
@@ -93,7 +93,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(leaf.kind, 'shape');
     const apart = await digest(page);
 
-    // The sweep, dragged: what is under the pen follows, the scales ride along, one step.
+    // Dragging the sweep: the point under the pen follows, the scales move along, one step.
     const grip = await place(page, 505, 87);
     await hand.stroke([grip, [grip[0] + 30, grip[1] - 50]], {
       step: 2,
@@ -110,7 +110,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(await digest(page), apart);
     await key('Control+Shift+z');
 
-    // A fader: by keys, then by the pointer, live and one step.
+    // A fader: by keys, then by the pointer, with a preview and one step.
     const fader = page.getByRole('slider', { name: 'Gain of level 3' });
     await fader.focus();
     await fader.press('ArrowRight');
@@ -162,7 +162,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.locator('#strip-show-frames').uncheck();
     await page.locator('#stage').focus();
 
-    // The sweep, redrawn by a stroke over the leaf's lower rim; the strip stays in sight.
+    // The sweep redrawn by a stroke over the leaf's lower rim; the strip stays visible.
     await key('n');
     const [near, ...over] = await Promise.all([[500, 426.6], [540, 445], [600, 450], [660, 420], [720, 380]].map(
       ([x, y]) => place(page, x, y)));
@@ -177,7 +177,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.locator('.levels').waitFor();
     await key('Control+z', 'l');
 
-    // Detail to the arch.
+    // Detail copied to the arch.
     await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).last().click();
     await settle(page);
     assert.equal((await state(page)).hint, strings['hint.copy-to']);

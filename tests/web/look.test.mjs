@@ -1,4 +1,4 @@
-// How it looks and how it can be reached: accessibility in light and dark, sizes of targets, themes, screenshots.
+// Appearance and access: accessibility in light and dark, target sizes, themes, screenshots.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -23,7 +23,7 @@ after(async () => {
 });
 
 async function violations(page) {
-  // The page's own rules keep foreign scripts out, so this one comes in by the debugger.
+  // The page's policy blocks foreign scripts, so this one is injected by the debugger.
   await page.evaluate(AXE);
   const { violations: found } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
   return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
@@ -114,7 +114,7 @@ test('a drawing in black shows on the dark ground, and its file keeps its colour
 
 test('all of it can be reached by the keyboard, with a visible focus', async () => {
   const { page, context } = await open(browser, server.address);
-  await page.keyboard.press('Shift'); // somebody is there
+  await page.keyboard.press('Shift'); // a sign of a user
   await page.waitForSelector('#mirror', { state: 'attached' });
   const reached = new Set();
   const note = async () => reached.add(await page.evaluate(() => {
@@ -127,7 +127,7 @@ test('all of it can be reached by the keyboard, with a visible focus', async () 
   for (let i = 0; i < 12; i++) {
     await page.keyboard.press('Tab');
     await note();
-    // A toolbar is one stop; the arrows go on.
+    // A toolbar is one tab stop; the arrows move within it.
     for (let k = 0; k < 14 && await page.evaluate(() => document.activeElement.closest('[role=toolbar]')); k++) {
       await page.keyboard.press('ArrowRight');
       await note();
@@ -196,7 +196,7 @@ test('every command and every property of the engine is in the page', async () =
   await page.click('[data-name=tool-levels]');
   const [x, y] = await place(page, 592, 103.5);
   await page.mouse.click(x, y);
-  await page.waitForSelector('.levels:not([hidden])'); // the strip has controls, too
+  await page.waitForSelector('.levels:not([hidden])'); // the strip has controls too
   const missing = await page.evaluate(() => {
     const { commands, properties, tools } = batten.panel.tables;
     const lost = [];

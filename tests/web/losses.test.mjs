@@ -1,5 +1,5 @@
-// What saving over a file would lose: told when it is opened, listed at any time, asked about before the first save that
-// would lose it, and never when nothing would be.
+// What overwriting a file would lose: reported when it is opened, listed at any time, asked about before the first save
+// that would lose it, and not mentioned when nothing would be lost.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -84,7 +84,7 @@ test('never asked when nothing is lost', async (t) => {
   await hand.stroke(await Promise.all(LINE.map(([x, y]) => place(page, x, y))));
   await page.keyboard.press('Control+S');
   await saved(server, 1);
-  await page.waitForFunction(() => !document.getElementById('notice').hidden); // "Saved": the page knows it, too
+  await page.waitForFunction(() => !document.getElementById('notice').hidden); // "Saved": the page knows it too
   await page.evaluate(() => batten.engine.command('losses') && batten.wake());
   await settle(page);
   assert.equal((await state(page)).notice, 'Saving keeps all of the file');
@@ -109,7 +109,7 @@ test('the list is there at any time, in the language in force', async (t) => {
   t.after(() => server.close());
   const { page, context } = await open(browser, server.address, { locale: 'ko-KR' });
   await page.mouse.move(400, 400);
-  await page.waitForFunction(() => batten.mirror); // its words have come
+  await page.waitForFunction(() => batten.mirror); // its texts have loaded
   assert.equal(await page.textContent('#unkept'), '간직 못 함 5개');
   await page.click('#unkept');
   await page.waitForSelector('#losses:popover-open');
@@ -122,7 +122,7 @@ test('the list is there at any time, in the language in force', async (t) => {
 });
 
 test('a page that was killed, and a module that broke, ask all the same', async (t) => {
-  expectFaults(/RuntimeError/); // the module breaks
+  expectFaults(/RuntimeError/); // the module traps
   const server = await art();
   t.after(() => server.close());
   const { page, hand, client, context } = await open(browser, server.address);

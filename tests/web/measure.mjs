@@ -1,5 +1,6 @@
-// Measures, in Chromium, what a user feels, with 10, 1,000 and 5,000 curves in the drawing, and prints it as a table; with
-// --write into docs/benchmarks.md. Nothing is asserted; ./test does not run it. node tests/web/measure.mjs [--write]
+// Measures latencies that a user notices, in Chromium, with 10, 1,000 and 5,000 curves in the drawing, and prints a
+// table; --write puts it into docs/benchmarks.md. Asserts nothing; ./test does not run it.
+// Usage: node tests/web/measure.mjs [--write]
 import fs from 'node:fs';
 import zlib from 'node:zlib';
 import { densify, launch, open, place, settle } from './page.mjs';
@@ -29,7 +30,7 @@ function drawing(count) {
     ${paths.join('\n')}</svg>`);
 }
 
-/** Times every call of the engine from here on: [what, milliseconds, samples]. */
+/** Times every call of the engine from now on: [call, milliseconds, samples]. */
 const watch = (page) => page.evaluate(() => {
   const { engine } = globalThis.batten;
   globalThis.calls = [];
@@ -48,7 +49,7 @@ const take = (page) => page.evaluate(() => globalThis.calls.splice(0));
 const sum = (list) => list.reduce((a, b) => a + b, 0);
 const middle = (list) => list.slice().sort((a, b) => a - b)[Math.floor(list.length / 2)] ?? NaN;
 
-/** A way over the page, wavy, of about so many samples of 0.5 px. */
+/** A wavy path over the page, of about so many samples 0.5 px apart. */
 function way(samples, [x, y]) {
   return Array.from({ length: 60 }, (_, i) => [x + (samples * 0.5 * i) / 59, y + 12 * Math.sin(i / 4)]);
 }
@@ -57,7 +58,7 @@ async function strokes(page, hand, rows, name, path) {
   await hand.hover(path[0]);
   await take(page);
   await page.evaluate(() => { batten.loop.cost = { frames: 0, engine: 0, paint: 0 }; });
-  // As a tablet of 480 samples a second brings them: eight a frame.
+  // As from a tablet at 480 samples per second: eight per frame.
   const samples = densify(path, 0.5);
   const send = (type, [x, y]) => hand.client.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1,
     pointerType: 'pen', force: 0.5, timestamp: (hand.time += 0.002), clickCount: type === 'mousePressed' ? 1 : 0 });
@@ -95,12 +96,12 @@ async function measure(browser, count) {
   await watch(page);
   rows.push(['curves', count, 0]);
   await page.evaluate(() => batten.engine.command('zoom-100'));
-  await page.waitForTimeout(1500); // all is painted
+  await page.waitForTimeout(1500); // everything is painted
   const box = await page.locator('#stage').boundingBox();
   await strokes(page, hand, rows, 'a new curve', way(2400, [box.x + 20, box.y + box.height - 22]).map(([x, y]) =>
     [Math.min(x, box.x + box.width - 20), y]));
   const shown = await page.evaluate(() => ({ ...batten.painter.painted }));
-  const columns = columnsOf(count); // a line that can be seen whole
+  const columns = columnsOf(count); // a line that is wholly visible
   const column = Math.min(columns - 1, Math.max(0, Math.ceil((shown.x + 80) / 198)));
   const row = Math.min(Math.ceil(count / columns) - 1, Math.max(0, Math.ceil((shown.y + 80) / 49)));
   const from = await place(page, 20 + column * 198 + 30, 30 + row * 49);
@@ -112,7 +113,7 @@ async function measure(browser, count) {
     undo.push(sum((await take(page)).map(([, time]) => time)));
   }
   rows.push(['undo or redo, and its frame, ms', middle(undo), 2]);
-  const paint = await page.evaluate(() => { // a pixel read back makes the drawing itself part of the time
+  const paint = await page.evaluate(() => { // reading back a pixel includes the drawing itself in the time
     const { painter, engine } = batten;
     const times = [];
     for (let i = 0; i < 5; i++) {

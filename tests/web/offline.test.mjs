@@ -1,4 +1,4 @@
-// Without a network: the page is installable, opens when its server is gone, and says when a newer one is ready.
+// Without a network: the page is installable, opens when its server has stopped, and says when a newer build is ready.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -23,7 +23,7 @@ const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y
 const controlled = (page) => page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
 const tokenOf = (page) => page.getAttribute('meta[name=batten-token]', 'content');
 
-/** Everything the browser has kept of the shell: addresses and their contents. */
+/** Everything that the browser has cached of the shell: addresses and contents. */
 const cached = (page) => page.evaluate(async () => {
   const found = {};
   for (const name of await caches.keys()) {
@@ -60,7 +60,7 @@ test('the page opens when its server is gone; a token is never kept', async (t) 
   assert.equal(shell['/'], undefined);
   assert.equal(shell['/document'], undefined);
   assert.ok(!JSON.stringify(shell).includes(first), 'no token in what is kept');
-  // Through the worker, too, the file opens and is saved.
+  // The file can be opened and saved through the service worker too.
   await page.reload();
   await ready(page);
   assert.equal(await tokenOf(page), first);
@@ -83,7 +83,7 @@ test('the page opens when its server is gone; a token is never kept', async (t) 
   assert.notEqual(more.digest, drawn.digest);
   await page.evaluate(() => { batten.files.leaving = true; return batten.keeper.settled(); });
 
-  // The program again, at the same address: its new token reaches the page, and what was drawn alone comes along.
+  // The program restarted at the same address: its new token reaches the page, and work done offline is restored.
   server = await edit(fs.readFileSync(EXAMPLE), 'car.svg', '--port', port);
   await page.reload();
   await ready(page);

@@ -1,5 +1,5 @@
-// A browser, a page with the editor in it, and hands: a pen, a mouse, fingers, all through the browser's own
-// input pipeline, so that events are trusted, coalesced and captured as a user's are.
+// A browser, a page with the editor in it, and simulated pens, mice and fingers, all through the browser's own input
+// pipeline, so that events are trusted, coalesced and captured like a user's.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -9,7 +9,7 @@ import { chromium } from 'playwright-core';
 
 export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
 
-/** Milliseconds: one step of a test that takes longer hangs, however busy the machine. */
+/** Milliseconds: a test step that takes longer counts as hanging, however busy the machine. */
 export const HANG = 90000;
 
 const BROWSER = {
@@ -20,19 +20,21 @@ const BROWSER = {
     '--disable-component-update', '--disable-sync'],
 };
 
-/** Errors on the console of any page, uncaught ones too, and what its policy refused: each fails the test that saw it. */
+/**
+ * Console errors of any page, including uncaught ones and policy violations: each fails the test in which it occurs.
+ */
 let faults = [];
 /** Those that the test declared. @type {RegExp[]} */
 let expected = [];
 /** What a test has opened, closed before the next: a page that lives on could err in it. @type {import('playwright-core').BrowserContext[]} */
 let contexts = [];
 
-/** This test is about an error: it may be seen. @param {...RegExp} patterns */
+/** Declares errors that this test is about. @param {...RegExp} patterns */
 export function expectFaults(...patterns) {
   expected.push(...patterns);
 }
 
-/** Chromium dresses what its XML parser has to say of a malformed file in styles, which the policy refuses. */
+/** Chromium adds inline styles to the XML parser's report about a malformed file, which the policy refuses. */
 export const MALFORMED = [/^Applying inline style .*svg\.js$/, /^refused by style-src-attr/];
 
 beforeEach(async () => {
@@ -46,10 +48,11 @@ afterEach(() => {
 });
 
 /**
- * In every page: its short timers and its frames are counted, so that quiet() can wait until none is left and no test waits
- * for some time. Its long timers (a notice that goes by itself, another tab that does not answer) are longer yet: a busy
- * machine needs the time. `hasty` is for the test of such a timer; `holdTimers` is for one of what happens before them.
- * A hand that a test leaves down rests only when it says so (`rests`), however long the test takes.
+ * Runs in every page. Short timers and frames are counted, so that quiet() can wait until none is left and no test
+ * needs a fixed delay. Long timers (a notice that disappears by itself, another tab that does not answer) are
+ * lengthened, because a busy machine needs the time. `hasty` is for testing such a timer; `holdTimers` for testing what
+ * happens before timers fire. A contact that a test leaves down counts as resting only when the test says so (`rests`),
+ * however long it takes.
  */
 function countTimers() {
   const { setTimeout: later, setInterval: ever, clearTimeout: never, requestAnimationFrame: soon } = globalThis;
@@ -117,7 +120,7 @@ export async function launch() {
   return browser;
 }
 
-/** A browser that keeps what it stores in a folder. @param {string} profile */
+/** A browser with persistent storage in a folder. @param {string} profile */
 export async function launchAt(profile) {
   return watch(await chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 } }));
 }
@@ -142,17 +145,17 @@ export async function ready(page) {
   await settle(page);
 }
 
-/** Two frames: what was told is painted. */
+/** Waits for two frames: input so far has been painted. */
 export function settle(page) {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 }
 
-/** The page has nothing left to do: no frame, no short timer, no transition. */
+/** Waits until the page has nothing left to do: no frame, short timer or transition. */
 export function quiet(page) {
   return page.evaluate(() => globalThis.quiet());
 }
 
-/** What the engine says now: without asking it for a frame of our own. */
+/** The engine's current state, without requesting another frame from it. */
 export function state(page) {
   return page.evaluate(() => ({
     digest: batten.engine.digest(),
@@ -177,7 +180,7 @@ export function place(page, x, y) {
   }, [x, y]);
 }
 
-/** How many pixels of a canvas are not clear. */
+/** The number of pixels of a canvas that are not transparent. */
 export function inked(page, id) {
   return page.evaluate((name) => {
     const canvas = document.getElementById(name);
@@ -210,7 +213,7 @@ export class Hand {
 
   /**
    * A stroke through window positions, samples `step` pixels apart, 4 ms each. Sent without waiting for each other,
-   * as a tablet sends them. `lift`: false leaves the pen down. `during` runs while it is still down; `end`: where it is then.
+   * as by a tablet. `lift`: false leaves the pen down. `during` runs while it is still down; `end`: its position then.
    */
   async stroke(points, { pointerType = 'pen', lift = true, modifiers = 0, step = 3, during = null, end = points.at(-1),
     button = 'left' } = {}) {
@@ -233,19 +236,19 @@ export class Hand {
     return dense;
   }
 
-  /** On from where it is down. */
+  /** Continues a stroke from where the pen is down. */
   async drag(from, to, pointerType = 'pen') {
     const pen = { pointerType, button: 'left', buttons: 1, force: 0.5 };
     await Promise.all(densify([from, to], 3).map((point) => this.#mouse('mouseMoved', point, pen)));
     await settle(this.page);
   }
 
-  /** Time goes by for the engine, as events tell it. */
+  /** Advances the engine's time, which it takes from events. */
   rest(seconds) {
     this.time += seconds;
   }
 
-  /** Fingers: an array of frames 8 ms apart, each an array of positions; the last lifts, unless `lift` is false.
+  /** Fingers: an array of frames 8 ms apart, each an array of positions; they lift at the end, unless `lift` is false.
    * `radius` in pixels: of a finger's contact, or a palm's. `down`: how many are down already. */
   async fingers(frames, { lift = true, radius = 6, down = 0 } = {}) {
     let before = down;
@@ -265,7 +268,7 @@ export class Hand {
     return this.client.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp: this.time });
   }
 
-  /** Fingers side by side that come down together and go up again, long after what was before. */
+  /** A tap of several fingers side by side, long after any earlier input. */
   async tap(fingers, [x, y] = [400, 400], options = {}) {
     this.time += 2;
     const at = Array.from({ length: fingers }, (_, i) => [x + 70 * i, y + 9 * i]);

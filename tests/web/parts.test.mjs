@@ -1,4 +1,4 @@
-// The files of one build belong together: what is missing, or of another build, is said, with the way out; never silence.
+// The files of one build belong together: a missing file, or one of another build, is reported with a way out.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -19,7 +19,7 @@ after(() => browser.close());
 const car = () => serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
 const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
 
-/** The page says that it is not whole, and offers one thing. */
+/** Waits until the page says that it is incomplete; it offers one action. */
 async function said(page, text = 'can only be looked at') {
   await page.waitForSelector(`[data-about=missing] >> text=${text}`);
   assert.equal(await page.locator('[data-about=missing] button').count(), 1);
@@ -30,7 +30,7 @@ async function reloaded(page) {
   await ready(page);
 }
 
-/** The second part, as another build would have named what it imports. */
+/** The second part with its imports named as by another build. */
 function ofAnotherBuild() {
   const name = WebAssembly.Module.imports(new WebAssembly.Module(LATER))[0].module;
   assert.match(name, /^[0-9a-f]{12}$/);
@@ -53,9 +53,9 @@ for (const [how, body] of Object.entries(spoils)) {
     await context.route('**/batten-later.wasm', (route) => (body ?
       route.fulfill({ contentType: 'application/wasm', body }) : route.fulfill({ status: 404 })));
     const { page, hand } = await open(context, server.address);
-    await said(page); // nobody has touched it
+    await said(page); // without any input
     const opened = await state(page);
-    // It can be looked at: a pen moves the view, keys change nothing, and nothing errs.
+    // It is read-only: a pen moves the view, keys change nothing, and there is no error.
     const corner = await place(page, 0, 0);
     await hand.stroke(await on(page, SKY));
     assert.notDeepEqual(await place(page, 0, 0), corner);
@@ -128,14 +128,14 @@ test('the second part is missing in the midst of a stroke: what was drawn before
   await page.evaluate(() => batten.keeper.settled());
   server.without = /batten-later/;
   await page.evaluate(() => {
-    batten.engine.module.second = null; // as if it were still to come
-    batten.engine.editor = 0xfffffff0; // it breaks, and its journal is to be replayed
+    batten.engine.module.second = null; // as if it had not arrived yet
+    batten.engine.editor = 0xfffffff0; // it traps, and its journal must be replayed
   });
   expectFaults(/RuntimeError/);
   await hand.stroke(await on(page, ROOF));
   await said(page);
   assert.equal(await page.evaluate(() => batten.engine.dead), true);
-  await hand.stroke(await on(page, ROOF)); // nothing, and no error
+  await hand.stroke(await on(page, ROOF)); // no effect, and no error
   server.without = /^$/;
   await reloaded(page);
   assert.equal((await state(page)).digest, drawn.digest);

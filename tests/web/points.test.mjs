@@ -1,4 +1,4 @@
-// Points, smooth brush and eraser in the page, with a pen; comb and knots by key; pictures of each.
+// Points, smooth brush and eraser in the page, with a pen; comb and knots by key; screenshots of each.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -33,7 +33,7 @@ for (const colorScheme of ['light', 'dark']) {
     await hand.hover(roof);
     await shot('hover');
     assert.equal((await state(page)).hint, strings['hint.pull']);
-    // The curve itself, pulled: live while the pen is down, one step when it is lifted.
+    // Pulling the curve itself: previewed while the pen is down, one step when it is lifted.
     await hand.stroke([roof, [roof[0] + 10, roof[1] - 40]], {
       during: async () => {
         await shot('pulled');
@@ -46,7 +46,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+Shift+z');
     await settle(page);
     const pulled = (await state(page)).digest;
-    // Keys: a point is chosen, moved, moved back.
+    // Keys: a point is selected, moved, moved back.
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
     await settle(page);
@@ -55,7 +55,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.notEqual((await state(page)).digest, pulled);
     await page.keyboard.press('Control+z');
-    // A knot, made a corner: its rings count.
+    // A knot made a corner: its rings show the multiplicity.
     await page.keyboard.press('.');
     await page.keyboard.press('.');
     await page.keyboard.press('Shift+C');
@@ -83,7 +83,7 @@ for (const colorScheme of ['light', 'dark']) {
     });
     assert.notEqual((await state(page)).digest, before);
     await page.keyboard.press('Control+z');
-    // A line that shook is calmed; the roof is calm already.
+    // A shaky line is calmed; the roof is smooth already.
     await page.keyboard.press('n');
     const sky = await place(page, 160, 60);
     await hand.stroke(Array.from({ length: 60 }, (_, i) => [sky[0] + 4 * i, sky[1] + 7 * Math.sin(i / 2)]));
@@ -104,7 +104,7 @@ for (const colorScheme of ['light', 'dark']) {
     await shot('erased');
     assert.notEqual(await objects(page), count - 1);
     assert.equal((await state(page)).check, '');
-    // The pen's other end erases whatever the tool.
+    // The pen's eraser end erases in any tool.
     await page.keyboard.press('n');
     const here = (await state(page)).digest;
     const knots = JSON.stringify((await native(page)).objects).length;

@@ -1,4 +1,4 @@
-// Precision in the browser: rulers, guides out of them, the grid, a drag that snaps, units, isolation and outlines.
+// Precision in the browser: rulers, guides dragged from them, the grid, snapping, units, isolation and outline mode.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -35,7 +35,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     const box = await page.locator('#stage').boundingBox();
     assert.ok((await labels(page)).filter(([role]) => role === 29).length > 10);
     assert.equal(await page.textContent('#values'), '', 'the rulers are not read out');
-    // Out of the left ruler, then out of the upper one.
+    // From the left ruler, then from the upper one.
     const [gx, gy] = await place(page, 400, 240);
     await hand.stroke([[box.x + 9, gy], [gx, gy]], { pointerType });
     await hand.stroke([[gx + 100, box.y + 9], [gx + 100, gy]], { pointerType });
@@ -49,7 +49,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await press('Shift+G');
     await shot('grid');
     await press('Shift+G');
-    // What is dragged near the guide goes to it, and says so.
+    // An object dragged near the guide snaps to it, and a text says so.
     const at = await place(page, 592, 103.5);
     await hand.stroke([at, at], { pointerType });
     const left = await page.evaluate(() => batten.engine.frame().selected);
@@ -62,7 +62,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await press('o');
     await shot('outlines');
     await press('o');
-    // The guide goes back into its ruler: the drawing is as it was, once the other is undone, too.
+    // The guide is dragged back into its ruler: with the other one undone too, the drawing is as it was.
     await hand.stroke([[gx, gy + 60], [box.x + 5, gy + 60]], { pointerType });
     await press('Escape');
     for (let i = 0; i < 6 && (await state(page)).digest !== fresh.digest; i++) {

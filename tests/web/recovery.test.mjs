@@ -1,4 +1,4 @@
-// When the module breaks, the drawing comes back from its journal.
+// When the module traps, the drawing is restored from its journal.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -43,7 +43,7 @@ for (const [name, spoil] of Object.entries(breaks)) {
     assert.equal(after.digest, before.digest, 'nothing is lost');
     assert.match(after.notice, /brought back/);
     assert.equal(after.unsaved, true);
-    // And it goes on: the step undone can be done again, and new ones drawn.
+    // Work continues: the undone step can be redone, and new strokes drawn.
     await page.keyboard.press('Control+Shift+Z');
     await settle(page);
     assert.notEqual((await state(page)).digest, before.digest);
@@ -73,7 +73,7 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
     }, bad);
     await hand.hover(await place(page, 100, 100));
     await page.waitForSelector('[data-about=trap] >> text=Not all steps');
-    // It does not try for ever: twenty frames without a start, before its hundredth.
+    // It does not retry for ever: twenty frames without another start, before the hundredth start.
     for (let still = 0, last = 0; still < 10;) {
       await settle(page);
       const starts = await page.evaluate(() => globalThis.starts);

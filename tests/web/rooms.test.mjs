@@ -1,5 +1,5 @@
-// The rooms of the page: files stay short, imports run downwards, what the page starts with is fetched at once, and each sheet
-// comes by itself when it is first opened.
+// The structure of the page's scripts: files stay short, imports run downwards, what the page starts with is fetched at
+// once, and each sheet is fetched separately when it is first opened.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';

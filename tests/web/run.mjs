@@ -1,11 +1,11 @@
 // Runs the browser tests: node run.mjs [FILE...]. The last line is "N passed, N failed".
-// Reads the runner's events itself: the reporters of node 18 and of later ones are made in different ways.
+// Reads the runner's events itself, because node 18 and later versions construct reporters differently.
 import fs from 'node:fs';
 import path from 'node:path';
 import { run } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const HANG = 1200000; // milliseconds: a file that takes longer hangs, however busy the machine
+const HANG = 1200000; // milliseconds: a file that takes longer counts as hanging, however busy the machine
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
 const asked = process.argv.slice(2).map((file) => path.resolve(file));
@@ -24,7 +24,7 @@ for await (const { type, data } of run({ files: asked.length > 0 ? asked : all.s
     passed++;
     console.log(`ok    ${data.name} (${Math.round(data.details.duration_ms)} ms)`);
   } else if (type === 'test:pass' || type === 'test:fail') {
-    failed++; // skipped: it should have run and did not
+    failed++; // a skipped test should have run
     console.log(`FAIL  ${data.name} (${Math.round(data.details.duration_ms)} ms)\n${reason(data.details)}`);
   } else if (type === 'test:stdout' || type === 'test:stderr') {
     process.stdout.write(data.message);

@@ -91,14 +91,14 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
-/** What axe finds. */
+/** The findings of axe. */
 async function violations(page) {
   await page.evaluate(axe.source);
   const { violations: found } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
   return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
 }
 
-// Whatever the width, and the lines that the bar takes: the drawing's rulers are 22 px wide.
+// At any width, and however many rows the bar has: the drawing's rulers are 22 px wide.
 for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
   ['tablet', 0, { viewport: { width: 700, height: 800 }, hasTouch: true, colorScheme: 'dark' }],
   ['phone', 1, { viewport: { width: 420, height: 800 }, hasTouch: true }]]) {
@@ -146,7 +146,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+Shift+a');
     await settle(page);
     assert.equal(await page.isVisible('#actions'), false);
-    // Three layers; the front one is dragged to the back, by its grip; then up again with the keyboard.
+    // Three layers; the front one is dragged to the back by its grip, then moved up again with the keyboard.
     await page.click('[data-name="layers"]');
     for (let i = 0; i < 3; i++) {
       await page.click('#layers [data-text="command.layer-add"]');
@@ -173,7 +173,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.equal(await page.evaluate(() => batten.engine.layers().layers.at(-1).hidden), true);
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-icons.png`) });
-    // A new colour keeps what the old one let through, and that is set beside it.
+    // A new colour keeps the old opacity, which is set beside it.
     await page.keyboard.press('Escape');
     await page.click('[data-name="style"]');
     await page.locator('#style input[type=range]').first().fill('128');

@@ -1,5 +1,5 @@
 // A stand-in for the server of `batten edit`: the shell's files with its headers, and one document.
-// It exists so that a test can look at, and spoil, what the real one would hold.
+// With it a test can inspect, and corrupt, what the real server would hold.
 import { spawn } from 'node:child_process';
 import crypto from 'node:crypto';
 import fs from 'node:fs';
@@ -27,11 +27,11 @@ const TYPES = {
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/** Those whose address stays; all others stand in the folder of their build. */
+/** Files with a fixed address; all others are in the folder of their build. */
 const STAYING = ['index.html', 'manifest.webmanifest', 'sw.js'];
 const BUILT = ['words.en.json', 'words.ko.json', 'batten.wasm', 'batten-later.wasm'];
 
-/** What the program would have embedded. @param {string} build */
+/** The files as the program would embed them. @param {string} build */
 function shellFiles(build) {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
   return [...files.filter((file) => file !== 'engine/types.js' && !STAYING.includes(file)), ...BUILT].map((file) => `${build}/${file}`)
@@ -41,9 +41,9 @@ function shellFiles(build) {
 const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
 
 /**
- * Its `version` names the build, `without` files that it does not have, `beside` a new file beside the document ('': none
- * can be made); `heard` counts how often it was asked for nothing but the version.
- * @param {{ name?: string, bytes?: Buffer }} [document] none: the page is served without a token
+ * `version` names the build, `without` the files that it lacks, `beside` a new file beside the document ('': none can
+ * be made); `heard` counts the requests for the version alone.
+ * @param {{ name?: string, bytes?: Buffer }} [document] omitted: the page is served without a token
  * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
  */
 export async function serve(document, lasting = false) {
@@ -111,7 +111,7 @@ export async function serve(document, lasting = false) {
   }
 
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
-  server.unref(); // a test that fails before it closes must not hang
+  server.unref(); // a test that fails before closing it must not hang
   state.address = `http://127.0.0.1:${server.address().port}/`;
   state.close = () => {
     server.closeAllConnections();
@@ -121,7 +121,7 @@ export async function serve(document, lasting = false) {
 }
 
 /**
- * The program's own server, on a file in a folder of its own. No bytes: the file is not there yet.
+ * The program's own server, on a file in a separate folder. No bytes: the file does not exist yet.
  * @param {Buffer} bytes
  * @param {string} name
  * @param {string[]} words further arguments
@@ -143,7 +143,7 @@ export async function edit(bytes, name, ...words) {
     },
     /** @param {string} other */
     beside: (other) => fs.readFileSync(path.join(folder, other)),
-    /** At the same port, when it is free. */
+    /** On the same port, if it is free. */
     async start() {
       const program = spawn(PROGRAM, ['edit', file, '--no-open', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });
       editor.program = program;
@@ -153,7 +153,7 @@ export async function edit(bytes, name, ...words) {
         program.stdout.on('data', (text) => resolve(String(text).trim()));
       });
     },
-    /** Without a word. */
+    /** Killed, without a chance to shut down. */
     async kill() {
       const gone = new Promise((resolve) => editor.program?.on('exit', resolve));
       editor.program?.kill('SIGKILL');

@@ -1,5 +1,5 @@
-// The main job from end to end: open the example, redraw the roof line with the pen, undo, redo, save, reload,
-// compare the file.
+// The main task from end to end: open the example, redraw the roof line with the pen, undo, redo, save, reload, compare
+// the file.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -13,11 +13,11 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Where the pen goes: over the middle of the roof, a little higher than it is. */
+/** The pen's path: over the middle of the roof, slightly above it. */
 const NEW_ROOF = [[440, 135], [490, 88], [580, 80], [690, 115]];
 
 /**
- * Distances of points from the nearest of a file's outlines, as the browser itself understands the file.
+ * Distances of points from the nearest of a file's outlines, as the browser renders the file.
  * @returns {Promise<number[]>}
  */
 function distances(page, text, points) {
@@ -60,7 +60,7 @@ async function wholeSession(server) {
   const strings = await page.evaluate(() => batten.panel.tables.strings);
   assert.equal((await state(page)).hint, strings['hint.redraw']);
 
-  // The final fit shows while the pen is down; the document is as it was.
+  // The final fit is shown while the pen is down; the document is unchanged.
   const drawn = bezier(...NEW_ROOF);
   const path = await Promise.all(drawn.map(([x, y]) => place(page, x, y)));
   await hand.stroke(path, {
@@ -94,7 +94,7 @@ async function wholeSession(server) {
   assert.equal(reloaded.digest, redrawn.digest, 'every knot is as it was');
   assert.equal(reloaded.unsaved, false);
 
-  // What the file shows to another program: the roof where the pen went, all else where it was.
+  // The file in another program: the roof follows the pen, everything else is where it was.
   const saved = server.bytes.toString();
   const inner = drawn.slice(8, -8);
   const far = await distances(page, saved, inner);
@@ -138,7 +138,7 @@ test('the program and a native file', async (t) => {
   await context.close();
 });
 
-/** What it asks, and what can be answered. @returns {Promise<string[]>} */
+/** The question and its answers. @returns {Promise<string[]>} */
 const answers = (page) => page.locator('[data-about=changed] button').allTextContents();
 const shown = (page) => page.waitForFunction(() => [...document.querySelectorAll('#compare img')]
   .filter((picture) => picture.complete && picture.naturalWidth > 0).length === 2);
@@ -158,7 +158,7 @@ test('a file that changed on disk: both can be seen, and nothing is written over
   assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Save beside it', '×']);
   assert.equal((await state(page)).unsaved, true);
 
-  // Nothing can be written beside it: the reason, and a download in its place.
+  // Nothing can be written beside it: the reason is given, and a download offered instead.
   await page.click('text=Save beside it');
   await page.waitForSelector('[data-about=changed] >> text=read-only');
   assert.deepEqual(await answers(page), ['Look at both', 'Overwrite', 'Download a copy', '×']);
@@ -199,7 +199,7 @@ test('a file that changed on disk: both can be seen, and nothing is written over
   await context.close();
 });
 
-/** As when its window is looked at again. */
+/** As when its window becomes visible again. */
 const lookedAt = (page) => page.evaluate(() => dispatchEvent(new Event('focus')));
 
 test('the program saves beside a file that changed on disk, which is noticed before the next save', async (t) => {
@@ -221,7 +221,7 @@ test('the program saves beside a file that changed on disk, which is noticed bef
   }
   await page.screenshot({ path: path.join(SCREENSHOTS, 'beside.png') });
   assert.deepEqual(program.bytes, foreign);
-  // Once it was closed it is not asked again of the same version.
+  // Once closed, the question is not asked again about the same version.
   await page.click('[data-about=changed] button:last-of-type');
   await lookedAt(page);
   await settle(page);
@@ -239,7 +239,7 @@ test('a program that ends and is started again is noticed while nobody saves', a
   await program.kill();
   await lookedAt(page);
   await page.waitForSelector('[data-about=silent] >> text=does not answer');
-  // Asked again soon, and by itself.
+  // The server is asked again soon, automatically.
   await page.evaluate(() => { globalThis.hasty = true; });
   await lookedAt(page);
   await program.start();

@@ -1,5 +1,5 @@
-// The sheet of commands: opened by its key, searched, commands run from it, keys given, taken away, told when others
-// have them too, brought back, and kept over a reload. All by the keyboard.
+// The sheet of commands: opened by its key, searched, commands run from it; keys assigned, removed, reported when other
+// commands use them too, restored, and kept across a reload. All by keyboard.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -72,7 +72,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko']]) {
 
 test('a key is given, told to be another command\'s too, taken there, kept, and brought back', async () => {
   const { page, context } = await open(browser, server.address);
-  await page.mouse.move(400, 300); // what explains is fetched
+  await page.mouse.move(400, 300); // causes the explanations to be fetched
   await page.waitForFunction(() => batten.engine.words);
   assert.equal(await tool(page), 'sketch');
   await type(page, 'h');
@@ -96,7 +96,7 @@ test('a key is given, told to be another command\'s too, taken there, kept, and 
   await page.focus('#menu [data-focus=tool-pan]');
   await type(page, 'Control+Shift+ArrowLeft');
   await wanted(page, 'Also on: Rotate left.');
-  await type(page, '"'); // no key that a table can hold
+  await type(page, '"'); // not a key that a table can hold
   await wanted(page, '" cannot be used.');
   assert.deepEqual(await keys(page, 'tool-pan'), ['Q', 'A', 'Ctrl+Shift+ArrowLeft']);
   await type(page, 'Escape');

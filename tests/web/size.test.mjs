@@ -1,5 +1,5 @@
-// The first load: all that the program serves until the page is ready and nobody has touched it, gzip: 200 kB at most. The
-// second part of the module comes after it, when the page rests.
+// The first load: all that the program serves until the page is ready, before any input, is at most 200 kB with gzip.
+// The second part of the module follows when the page is idle.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -13,7 +13,7 @@ after(() => browser?.close());
 
 test('the first load is small', async (t) => {
   const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
-  t.after(() => program.close()); // also when it fails: the runner waits for what is open
+  t.after(() => program.close()); // also after a failure: the runner waits for open handles
   const page = await browser.newPage();
   const answers = [];
   page.on('response', (response) => {
@@ -22,7 +22,7 @@ test('the first load is small', async (t) => {
     }
   });
   const nameOf = (url) => new URL(url).pathname.replace(/^\/[0-9a-f]{16}/, '');
-  const later = '/batten-later.wasm'; // asked for before the page is ready, something in web/module/later.txt is called too early
+  const later = '/batten-later.wasm'; // requested before the page is ready: something in later.txt is called too early
   await page.addInitScript(() => new MutationObserver(() => performance.mark('ready'))
     .observe(document, { subtree: true, attributeFilter: ['data-ready'] }));
   await page.goto(program.address);

@@ -1,4 +1,5 @@
-// Symmetry: a pen draws on one side of the dashed axis and on both; across it one curve; a straight line as another axis.
+// Symmetry: a stroke on one side of the dashed axis gives two curves, one across it a single curve; a straight line as
+// another axis.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -14,7 +15,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** A bow from one place to another. */
+/** An arc from one point to another. */
 const bow = ([x0, y0], [x1, y1], lift) => Array.from({ length: 61 }, (_, i) => {
   const t = i / 60;
   return [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t - 4 * lift * t * (1 - t)];

@@ -1,4 +1,4 @@
-// Two pages on one drawing: one edits it, the other looks on and may take it over with all that was not saved.
+// Two pages on one drawing: one edits it, the other is read-only and may take it over with all unsaved work.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -25,7 +25,7 @@ async function another(context, address) {
   return { page, hand: new Hand(page, await context.newCDPSession(page)) };
 }
 
-/** Takes the drawing over, and waits until it is here. */
+/** Takes the drawing over, and waits until this page has it. */
 async function take(page) {
   await page.click('[data-about=owner] button');
   await page.waitForSelector('[data-about=kept] >> text=brought back');
@@ -47,7 +47,7 @@ test('the second page looks on, takes over, and gives back', async (t) => {
   const second = await another(first.context, server.address);
   assert.match(await standing(second.page), /car\.svg is open in another tab/);
   const shown = await state(second.page);
-  // A pen moves the view and keys change nothing; nothing is written over what the first page keeps.
+  // A pen moves the view and keys change nothing; what the first page keeps is not overwritten.
   await second.hand.stroke(await on(second.page, ROOF));
   await second.page.keyboard.press('Control+A');
   await second.page.keyboard.press('Delete');
@@ -88,7 +88,7 @@ test('a page that was killed holds nothing; one that hangs is overruled', async 
   await first.hand.stroke(await on(first.page, SKY));
   const drawn = await state(first.page);
   await first.page.evaluate(() => batten.keeper.settled());
-  // It hangs: it will not answer.
+  // It hangs and will not answer.
   await first.page.evaluate(() => {
     batten.tabs.channel.onmessage = null;
   });
@@ -123,7 +123,7 @@ test('without a server the last drawing opens as it was left, and another tab be
   await second.page.evaluate(() => batten.keeper.settled());
   await first.page.close();
   await second.page.close();
-  // The latest first; then the other.
+  // The latest one first, then the other.
   const third = await another(first.context, server.address);
   assert.equal(await third.page.textContent('#name'), 'drawing 2.svg');
   assert.equal((await state(third.page)).digest, other.digest);

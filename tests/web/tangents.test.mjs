@@ -1,4 +1,4 @@
-// The tangents tool in the page, with a pen: points, directions, tension, values, and what stays after a reload.
+// The tangents tool in the page, with a pen: points, directions, tension, values, and what remains after a reload.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -58,7 +58,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(plain.spline.points.length, 5);
     assert.equal(plain.spline.tangents, undefined);
 
-    // The arrow of the middle point: to the horizontal, by way of all that lies outside the wedge.
+    // The arrow of the middle point: dragged to the horizontal, through all directions outside the wedge.
     await tap(page, hand, SPOTS[2]);
     await hand.hover(around(SPOTS[2], 30));
     await shot('chosen');
@@ -79,19 +79,19 @@ for (const colorScheme of ['light', 'dark']) {
     assert.ok(Math.abs(Math.atan2(dy, dx)) < 0.02, 'the direction is where the pen left it');
     assert.equal(turned.spline.tangents[1], null);
 
-    // Further out: tension.
+    // Farther out: tension.
     await hand.stroke([around(SPOTS[2], 0), around(SPOTS[2], 0, 124)], { during: () => shot('tension') });
     const pulled = await newest(page);
     assert.ok(Math.abs(pulled.spline.tension[2][0] - 2) < 0.05);
 
-    // A double tap gives all of it back.
+    // A double tap resets both.
     hand.rest(0.45);
     await hand.stroke([SPOTS[2]]);
     await hand.stroke([SPOTS[2]]);
     assert.equal((await newest(page)).spline.tangents, undefined);
     assert.equal((await state(page)).check, '');
 
-    // What was done can be done again from the journal.
+    // The journal replays to the same document.
     const { digest } = await state(page);
     assert.ok(await page.evaluate(() => batten.engine.replay(batten.engine.journal.slice())));
     assert.equal((await state(page)).digest, digest);

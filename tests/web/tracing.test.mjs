@@ -1,4 +1,4 @@
-// Pictures to trace: dropped, pasted and opened; kept through saving and after a crash; shown behind the drawing.
+// Pictures to trace: dropped, pasted and opened; preserved by saving and after a crash; shown behind the drawing.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -38,7 +38,7 @@ function twoHalves(width, height) {
     chunk('IDAT', zlib.deflateSync(pixels)), chunk('IEND', Buffer.alloc(0))]).toString('base64');
 }
 
-/** Gives the page a file by an event that carries files. */
+/** Passes a file to the page by an event that carries files. */
 const give = (page, kind, type, base64) => page.evaluate(([event, mime, data]) => {
   const transfer = new DataTransfer();
   transfer.items.add(new File([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], 'picture', { type: mime }));
@@ -80,7 +80,7 @@ for (const colorScheme of ['light', 'dark']) {
     await hand.stroke([[x, y], [x + 120, y + 60]], { pointerType: 'mouse' });
     assert.ok((await colourAt(page, x + 20, y + 60))[0] > 240);
     assert.equal((await colourAt(page, x - 150, y))[3], 0);
-    // Draw over it.
+    // Draws over it.
     await page.keyboard.press('n');
     await hand.stroke([[x - 200, y], [x, y - 80], [x + 200, y]]);
     await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-drawn.png`) });
@@ -168,7 +168,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Enter');
     await settle(page);
     assert.equal(await label(), '120 mm');
-    assert.equal(await page.textContent('#values'), '120 mm'); // for those who do not see the canvas
+    assert.equal(await page.textContent('#values'), '120 mm'); // for screen readers
     const { matrix } = await page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0]);
     assert.ok(Math.abs(matrix[0] - (120 * 96 / 25.4) / 300) < 1e-9, String(matrix));
     await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-millimetres.png`) });

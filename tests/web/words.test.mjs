@@ -1,5 +1,5 @@
-// Languages: Korean from the first picture to a notice, changed while the page is open and kept; what explains is
-// fetched only when somebody is there.
+// Languages: Korean from the first frame to a notice, changed while the page is open, and remembered; explanations are
+// fetched only at the first sign of a user.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -24,7 +24,7 @@ after(async () => {
 
 const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
 
-/** What the page says, text and names for those who do not see it, that holds no letter of Korean. */
+/** Texts and accessible names on the page that contain no Korean letter. */
 const foreign = (page) => page.evaluate(() => {
   const said = [];
   for (const element of document.querySelectorAll('body *')) {
@@ -80,7 +80,7 @@ test('the language is chosen in the settings, at once, and stays chosen', async 
   await page.reload();
   await ready(page);
   assert.deepEqual(await said(), ['ko', '설정']);
-  // An engine that broke and was made anew still speaks it.
+  // An engine restarted after a trap still uses that language.
   expectFaults(/asked to break/);
   await page.evaluate(() => {
     batten.engine.wasm = { ...batten.engine.wasm, editor_command: batten.engine.wasm.module_break };
@@ -123,7 +123,7 @@ test('English: what explains comes with the first touch of the page; without it 
   await alone.close();
 });
 
-/** What is shown of the page's own controls and texts, as boxes, where two of them lie over one another. */
+/** Pairs of visible controls and texts of the page whose boxes overlap. */
 const overlaps = (page) => page.evaluate(() => {
   const shown = [...document.querySelectorAll('.bar button, .rail button, .name, #unsaved, .hint, .readouts > div')]
     .filter((one) => one.checkVisibility() && one.getBoundingClientRect().width > 0);
@@ -152,7 +152,7 @@ const overlaps = (page) => page.evaluate(() => {
 for (const [colorScheme, width] of [['light', 1280], ['dark', 1280], ['light', 820]]) {
   test(`from right to left, ${colorScheme}, ${width} wide: nothing overlaps, nothing scrolls sideways`, async () => {
     const context = await browser.newContext({ locale: 'ko', colorScheme, viewport: { width, height: 800 } });
-    // No language of the table runs from right to left yet: this one says that it does.
+    // No language of the table is written from right to left yet: here one claims to be.
     await context.route('**/words.ko.json', async (route) => {
       const words = await (await route.fetch()).json();
       await route.fulfill({ json: { ...words, 'language.direction': 'rtl' } });
@@ -161,7 +161,7 @@ for (const [colorScheme, width] of [['light', 1280], ['dark', 1280], ['light', 8
     await page.goto(server.address);
     await ready(page);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).direction), 'rtl');
-    // The tools stand at the beginning of the line, which is now on the right; numbers still run from left to right.
+    // The tools are at the start of the line, now on the right; numbers still run from left to right.
     const rail = await page.evaluate(() => document.getElementById('rail').getBoundingClientRect());
     assert.equal(Math.round(rail.right), width);
     assert.deepEqual(await overlaps(page), []);
@@ -187,6 +187,6 @@ test('no rule of the style sheets knows left from right but what the canvas and 
   const styles = path.resolve(HERE, '../../web/styles');
   const sheet = fs.readdirSync(styles).map((file) => fs.readFileSync(path.join(styles, file), 'utf8')).join('');
   const physical = sheet.match(/^ +((margin|padding|border)-(left|right)|left|right|text-align: (left|right)).*$/gm) ?? [];
-  // The canvas, whose transform counts from the left; half is half from either side.
+  // The canvas, whose transform is measured from the left; half is half from either side.
   assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: 0;']);
 });
