@@ -1,10 +1,10 @@
 # Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE, its parts, and
-# WORDS, of build/wasm: may be empty; MINIFY: esbuild, or empty: scripts and styles are embedded without their comments
-# and spaces, else as they are.
+# WORDS, from build/wasm: may be empty; MINIFY: esbuild, which strips comments and spaces from scripts and styles, or
+# empty: they are embedded as they are.
 #
-# All files stand in a folder named by the digest of all of them, but for those whose address stays: a page gets the files
-# it was built with, or none. index.html, the manifest and sw.js are told that name in place of %BUILD%, sw.js also what
-# there is; index.html is served as "/", with a token put in, and as it is.
+# All files except those with a fixed address are in a folder named after the digest of all of them, so a page gets the
+# files it was built with, or none. In index.html, the manifest and sw.js that name replaces %BUILD%; sw.js also gets
+# the list of files. index.html is served as "/", with a token inserted, and also under its own name, unchanged.
 cmake_minimum_required(VERSION 3.23)
 set(type_html "text/html; charset=utf-8")
 set(type_js "text/javascript; charset=utf-8")
@@ -19,7 +19,7 @@ string(REPLACE "|" ";" files "${FILES}")
 string(REPLACE "|" ";" built "${WORDS}|${MODULE}")
 list(REMOVE_ITEM built "")
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
-set(staying index.html manifest.webmanifest sw.js) # the last names the others
+set(staying index.html manifest.webmanifest sw.js) # the last contains the list of the others
 list(TRANSFORM staying PREPEND "${ROOT}/")
 list(REMOVE_ITEM files ${staying})
 list(APPEND files ${built} ${staying})

@@ -1,4 +1,4 @@
-# Installed: headers, both libraries, the CMake package (batten::batten, batten::shared) and batten.pc; where it is built,
+# Installed: headers, both libraries, the CMake package (batten::batten, batten::shared) and batten.pc; also, if built,
 # libbatten-svg (batten::svg, batten::svg_shared) and batten-svg.pc.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -23,7 +23,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/cmake/batten-config-version
 install(FILES ${CMAKE_BINARY_DIR}/cmake/batten-config.cmake ${CMAKE_BINARY_DIR}/cmake/batten-config-version.cmake
   DESTINATION ${BATTEN_CMAKE_DIR})
 
-# Relocatable: paths in batten.pc are relative to where it lies.
+# Relocatable: paths in batten.pc are relative to its own folder.
 file(RELATIVE_PATH BATTEN_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" BATTEN_PC_PREFIX ${BATTEN_PC_PREFIX})
 set(packages batten)

@@ -1,11 +1,11 @@
 # build/wasm/batten.wasm, batten-later.wasm: the library and the glue of the browser shell (web/module), in two parts.
-# tests/wasm adds modules of the same objects that must compute what is computed natively.
+# tests/wasm adds modules of the same objects, whose results must equal the native ones.
 find_program(WASM_OPT wasm-opt REQUIRED)
 find_program(WASM_SPLIT wasm-split REQUIRED)
-set(WASM_FEATURES "--enable-simd --enable-bulk-memory") # of what clang was told, for binaryen
+set(WASM_FEATURES "--enable-simd --enable-bulk-memory") # the features enabled for clang, as options of binaryen
 include(cmake/words.cmake)
 
-# Where the time of a stroke goes: compiled for speed, the rest for size.
+# The files in which a stroke spends its time: compiled for speed, the rest for size.
 set_source_files_properties(src/curve/lsq.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
 

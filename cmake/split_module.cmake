@@ -1,7 +1,7 @@
-# Splits a linked module in two: what stands in the source files that LATER lists goes to <name>-later.wasm, which the
-# shell fetches when somebody is there. Functions are told by the linker's MAP; those that LATER names with a ! stay.
-# Both parts are then made small; x.wasm.named is one with the names of its functions. What they import from each
-# other is named by the digest of the whole: parts of two builds do not fit together. FLAGS: of the tools of binaryen.
+# Splits a linked module in two: code from the source files that LATER lists goes to <name>-later.wasm, which the shell
+# fetches at the first sign of a user. The linker's MAP gives the functions; those that LATER marks with a ! stay.
+# Both parts are then optimised for size; x.wasm.named is a module that still has its function names. Imports between
+# the parts are named by the digest of the whole, so parts of different builds do not fit. FLAGS: for binaryen's tools.
 # cmake -DMODULE=x.wasm -DMAP=x.map -DLATER=later.txt -DOPT=wasm-opt -DSPLIT=wasm-split -DFLAGS=... -P split_module.cmake
 cmake_minimum_required(VERSION 3.23)
 string(REPLACE " " ";" flags "${FLAGS}")
@@ -21,7 +21,7 @@ foreach(line ${lines})
   list(APPEND kept ${names})
 endforeach()
 
-# The functions of the code in their order. Where several files have one of the same name, the tools call the second
+# The functions of the code section in order. If several files have a function `up`, the tools call the second
 # up.1, the third up.2 and so on.
 file(STRINGS ${MAP} lines REGEX " CODE$| DATA$|:\\([A-Za-z_0-9.]+\\)$")
 set(code OFF)
@@ -56,7 +56,7 @@ file(WRITE ${MODULE}.later "${text}\n")
 function(tool)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_VARIABLE said)
 endfunction()
-# Split before anything is made small: a function that was put into another one can no longer be moved.
+# Split before optimising: a function that has been inlined can no longer be moved.
 file(SHA256 ${MODULE} build)
 string(SUBSTRING ${build} 0 12 build)
 file(RENAME ${MODULE} ${MODULE}.whole)

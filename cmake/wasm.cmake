@@ -1,5 +1,5 @@
 # Toolchain: C to WebAssembly with Debian's clang, lld and wasi-libc. No system underneath: the module imports
-# nothing from WASI (of stdio only snprintf is used, and web/module/print.c stands in for it).
+# nothing from WASI (of stdio only snprintf is used, which web/module/print.c replaces).
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 include(${CMAKE_CURRENT_LIST_DIR}/wasm_clang.cmake)
@@ -7,10 +7,10 @@ if(NOT BATTEN_WASM_CLANG)
   message(FATAL_ERROR "The module needs clang 16 or newer")
 endif()
 set(CMAKE_C_COMPILER ${BATTEN_WASM_CLANG})
-# CFLAGS and LDFLAGS in the environment are meant for the machine's own code (a stack protector, control-flow protection).
+# CFLAGS and LDFLAGS in the environment are meant for native code (a stack protector, control-flow protection).
 unset(ENV{CFLAGS})
 unset(ENV{LDFLAGS})
-# A tree that another compiler has built remembers that one: let it look again.
+# A build tree configured for another compiler has that one cached: clear it.
 set(known ${CMAKE_BINARY_DIR}/CMakeFiles/${CMAKE_VERSION}/CMakeCCompiler.cmake)
 if(EXISTS ${known})
   file(STRINGS ${known} same REGEX "CMAKE_C_COMPILER \"${BATTEN_WASM_CLANG}\"")
@@ -23,10 +23,10 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_EXECUTABLE_SUFFIX_C .wasm)
 set(BATTEN_WASM ON CACHE INTERNAL "Building the WASM module")
 
-# Native headers stay out: clang's own (stddef.h and friends) and wasi-libc's only.
+# No native headers: only clang's own (stddef.h and the like) and wasi-libc's.
 add_compile_options(-nostdlibinc -isystem /usr/include/wasm32-wasi -msimd128 -mbulk-memory)
-# Optimise when compiling only: with -O at link clang runs wasm-opt by itself. For size, because the first load
-# has a bar (tests/web/size.test.mjs); module.cmake names the files that a frame of a stroke spends its time in
+# Optimise only when compiling: with -O at link time clang would run wasm-opt itself. For size, because the first load
+# has a limit (tests/web/size.test.mjs); module.cmake lists the files in which a frame of a stroke spends its time
 # (tests/web/measure.mjs).
 set(CMAKE_C_FLAGS_RELEASE "-DNDEBUG")
 add_compile_options($<$<CONFIG:Release>:-Oz>)

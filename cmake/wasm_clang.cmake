@@ -1,5 +1,5 @@
-# BATTEN_WASM_CLANG: clang 16 or newer. clang 14 makes wrong code for SIMD: a number that was loaded once and is put into
-# all lanes of a vector is loaded again there, also behind a store that has changed it.
+# BATTEN_WASM_CLANG: clang 16 or newer. clang 14 generates wrong SIMD code: a number that was loaded once and is
+# splatted to all lanes of a vector is loaded again at that point, even after a store that has changed it.
 find_program(BATTEN_WASM_CLANG NAMES clang-16 clang-17 clang-18 clang-19 clang-20 clang-21 clang)
 if(BATTEN_WASM_CLANG)
   execute_process(COMMAND ${BATTEN_WASM_CLANG} -dumpversion OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)

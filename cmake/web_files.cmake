@@ -1,5 +1,5 @@
-# BATTEN_WEB_FILES: a C file with the browser shell and the WASM module as data, made anew when they change.
-# The module is built in its own tree, build/wasm, with its own preset; without a WASM compiler it is left out.
+# BATTEN_WEB_FILES: a C file with the browser shell and the WASM module as data, regenerated when they change.
+# The module is built in a separate tree, build/wasm, with its own preset; without a WASM compiler it is left out.
 include(${CMAKE_CURRENT_LIST_DIR}/wasm_clang.cmake)
 if(BATTEN_WASM_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
   set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm ${PROJECT_SOURCE_DIR}/build/wasm/batten-later.wasm)
@@ -22,7 +22,7 @@ endif()
 file(GLOB_RECURSE WEB_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/*.html ${PROJECT_SOURCE_DIR}/web/*.js
   ${PROJECT_SOURCE_DIR}/web/*.css ${PROJECT_SOURCE_DIR}/web/*.svg ${PROJECT_SOURCE_DIR}/web/*.png
   ${PROJECT_SOURCE_DIR}/web/*.webmanifest)
-find_program(BATTEN_ESBUILD esbuild) # Debian's; without it the files are embedded as they are
+find_program(BATTEN_ESBUILD esbuild) # Debian's package; without it the files are embedded unchanged
 if(NOT BATTEN_ESBUILD)
   set(BATTEN_ESBUILD "")
 endif()

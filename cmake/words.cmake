@@ -1,6 +1,6 @@
-# words.<language>.json beside the module: all strings of one language, made of the table by the preprocessor. The page
-# fetches them when it needs them; the module carries English alone, and nothing of what only explains.
-# A language: its column of strings.def, here and below, and a choice of the property "language".
+# words.<language>.json beside the module: all strings of one language, generated from the table by the preprocessor.
+# The page fetches them on demand; the module contains only English, without the explanations.
+# To add a language: a column of strings.def, its name here and below, and a choice of the property "language".
 set(LANGUAGES en ko)
 
 foreach(language ${LANGUAGES})

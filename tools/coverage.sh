@@ -1,9 +1,9 @@
 #!/bin/sh
 # Branch coverage of src/ by the C tests, the examples, the seeds of the fuzz targets, the journals and the drawings of
-# this repository, all in one native program (tests/wasm), and by the tests of the program (tests/cli). A line for each
-# file: the share of its branches' directions that are taken, how many there are, how many are not taken; worst first,
-# all of src/ last.
-# Usage: tools/coverage.sh [FILE...]: with files, also each condition of theirs that never holds, or always.
+# this repository, all in one native program (tests/wasm), and by the tests of the program (tests/cli). One line per
+# file: the share of branch outcomes that are taken, how many there are, how many are never taken; worst first, the
+# total of src/ last.
+# Usage: tools/coverage.sh [FILE...]: for the files given, also lists each condition that never holds or always holds.
 set -eu
 cd "$(dirname "$0")/.."
 tree=build/coverage
@@ -12,7 +12,7 @@ cmake --build --preset coverage > $tree/build.log || { tail -40 $tree/build.log;
 rm -rf $tree/runs
 mkdir $tree/runs
 
-# The words of each run, a line each: its name, what the program is given.
+# One line per run: its name and the program's arguments.
 {
     sed -n 's/^    {"\(.*\)", \(unit\|call\)_.*/\1 run \1/p' $tree/tests/wasm/units_list.c
     for folder in fuzz/corpus/*; do
@@ -26,7 +26,7 @@ mkdir $tree/runs
 xargs -P "$(nproc)" -L 1 sh -c 'name=$1 && shift
     LLVM_PROFILE_FILE=$0/runs/$name.profraw "$0/units" "$@" > "$0/runs/$name.log" 2>&1 ||
         { echo "$name failed:"; tail -3 "$0/runs/$name.log"; exit 1; }' $tree < $tree/runs.txt
-# The program's processes share eight files. Left out: what tries the server, the disk and signals, not src/.
+# The program's processes share eight profile files. Left out: tests of the server, the disk and signals, not of src/.
 LLVM_PROFILE_FILE=$PWD/$tree/runs/cli-%8m.profraw ctest --test-dir $tree -R '^cli_' \
     -E 'crowd|kill|levels_oracle|races|streams' -j "$(nproc)" > $tree/cli.log || { tail -40 $tree/cli.log; exit 1; }
 llvm-profdata merge -sparse $tree/runs/*.profraw -o $tree/all.profdata

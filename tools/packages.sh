@@ -1,8 +1,8 @@
-# Sourced by ./run and ./test: installs Debian packages, only those that are missing.
+# Sourced by ./run and ./test: installs missing Debian packages.
 
 say() { printf '\033[1m== %s\033[0m\n' "$*"; }
 
-# need PACKAGE PROBE: the package is wanted unless the probe is there (a command, or a path; a path may have
+# need PACKAGE PROBE: the package is needed unless the probe exists (a command, or a path, which may have
 # wildcards).
 missing=
 need() {

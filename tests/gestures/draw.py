@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the drawings of this folder: curves through points, as cubic Béziers (Catmull and Rom). Usage: draw.py FOLDER"""
+"""Writes the drawings of this folder: curves through points, as cubic Béziers (Catmull-Rom). Usage: draw.py FOLDER"""
 import math
 import pathlib
 import sys
@@ -86,7 +86,7 @@ DRAWINGS = {
 
 
 def beziers(points, closed):
-    """Cubics of a spline through the points; its ends turn as the circle through three points does, roughly."""
+    """Cubics of a spline through the points; its ends bend roughly like the circle through the last three points."""
     n = len(points)
     out = []
     for i in range(n if closed else n - 1):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes gestures.json: strokes over the drawings of draw.py, each with what a designer means by it. The label comes from
-the family and from the geometry of the drawing, never from what the program does. Seeded; the same every time.
+"""Writes gestures.json: strokes over the drawings of draw.py, each labelled with the designer's intention. The label
+comes from the family and the geometry of the drawing, never from what the program does. Seeded and reproducible.
 
 Usage: families.py FOLDER > FOLDER/gestures.json
 """
@@ -17,7 +17,7 @@ VIEW = [1280, 752]
 
 
 class Curve:
-    """A curve of a drawing: places by length, directions, how far others are."""
+    """A curve of a drawing: points by arc length, directions, distances to other curves."""
 
     def __init__(self, name, closed, points):
         self.name, self.closed = name, closed
@@ -48,13 +48,13 @@ class Curve:
         return min(math.dist(p, q) for q in self.line.places)
 
     def end(self, last):
-        """The end's place and the direction outwards."""
+        """The end point and the outward direction."""
         s = self.length if last else 0
         w = self.way(s)
         return self.at(s), (w if last else [-w[0], -w[1]])
 
     def turn(self, a, b):
-        """How much it bends between, radians."""
+        """The total bending in between, radians."""
         n = 12
         angles = [math.atan2(*reversed(self.way(a + (b - a) * i / n))) for i in range(n + 1)]
         return sum(abs(math.remainder(q - p, 2 * math.pi)) for p, q in zip(angles, angles[1:]))
@@ -150,13 +150,13 @@ def middle(path):
 
 
 def bump(curve, a, b, height, count=14, lean=0.0):
-    """Along the curve, leaving it by a smooth bump."""
+    """A path along the curve that leaves it in a smooth bump."""
     return [curve.beside(a + (b - a) * i / (count - 1), height * math.sin(math.pi * i / (count - 1)) ** 2 + lean * (i / (count - 1) - 0.5))
             for i in range(count)]
 
 
 def stretch(m, curve, low, high):
-    """A stretch of the curve of low to high units, and its length; None where it is too short."""
+    """A stretch of the curve, low to high units long, and its length; None if the curve is too short."""
     most = curve.length * (0.8 if not curve.closed else 0.6)
     if most < low:
         return None
@@ -170,7 +170,7 @@ def stretch(m, curve, low, high):
 
 
 def bare_ends(drawing, curve, a, b, limit):
-    """No end of the curve that touches another is near the stretch."""
+    """Whether no end of the curve that touches another curve is near the stretch."""
     return curve.closed or (a > limit and b < curve.length - limit)
 
 
@@ -253,7 +253,7 @@ def crossing(m, low, high, category):
         if not all(map(inside, path)) or min(math.dist(q, e) for q in (path[0], path[-1]) for e in ends) * zoom < 22:
             return False
         fine = [[path[0][k] + (path[-1][k] - path[0][k]) * i / 40 for k in (0, 1)] for i in range(41)]
-        for c in DRAWINGS[drawing].values():  # it may cross others, not run along them
+        for c in DRAWINGS[drawing].values():  # it may cross other curves, but not run along them
             near = [i for i, q in enumerate(fine) if c.distance(q) * zoom < 14]
             if len(near) * length * zoom / 40 > max(40, 0.3 * length * zoom) and c is not curve:
                 return False
@@ -263,7 +263,7 @@ def crossing(m, low, high, category):
 
 
 def branch(m, near):
-    """From a curve, or from beside it, steeply away."""
+    """A path that starts on a curve, or beside it, and leads steeply away."""
     def attempt():
         drawing, zoom = m.any_drawing(), m.zoom()
         curve = m.pick(drawing)
@@ -316,7 +316,7 @@ def small_circle(m):
     return True
 
 
-LETTERS = [  # x to the right, y up, in x-heights; strokes of a plain hand
+LETTERS = [  # x to the right, y up, in x-heights; strokes of plain handwriting
     [(0, 0.9), (0.1, 0.2), (0.35, 0), (0.6, 0.3), (0.65, 0.95), (0.68, 0.3), (0.85, 0)],           # u
     [(0, 0), (0.15, 0.9), (0.2, 0.1), (0.45, 0.95), (0.6, 0.8), (0.62, 0), (0.8, 0.1)],            # n
     [(0, 0.1), (0.3, 1.9), (0.4, 1.7), (0.25, 0.3), (0.4, 0), (0.6, 0.2)],                         # l
@@ -403,7 +403,7 @@ def joint(m):
     zoom = m.zoom(0.8, 1.8)
     a, ea, b, eb = m.r.pick(touching(drawing))
     wa, wb = a.end(ea)[1], b.end(eb)[1]
-    if wa[0] * wb[0] + wa[1] * wb[1] > -0.85:  # nearly straight on
+    if wa[0] * wb[0] + wa[1] * wb[1] > -0.85:  # almost straight through
         return False
     back = [m.r.between(0.35, 0.7) * min(c.length, 260 / zoom) for c in (a, b)]
     height = m.r.between(-7, 7) / zoom
@@ -449,7 +449,7 @@ def further_line(m):
 
 
 def chosen(m):
-    """Another curve is nearer, but this one is chosen."""
+    """Another curve is nearer, but this one is selected."""
     a, b = m.r.pick([("band-1", "band-2"), ("band-3", "band-2"), ("band-2", "band-1"), ("band-2", "band-3")])
     meant, other = DRAWINGS["vase"][a], DRAWINGS["vase"][b]
     zoom = m.zoom(0.8, 1.3)

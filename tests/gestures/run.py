@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Do strokes do what is meant? Plays the gestures of starter/ and those that families.py writes through the engine.
+"""Do strokes do what was meant? Runs the gestures of starter/ and those written by families.py through the engine.
 
-Exit 0 when 95 % of all hold, and of each category of five or more 80 %.
+Exit status 0 when 95 % of all gestures pass, and 80 % in each category of five or more.
 """
 import argparse
 import os
@@ -18,7 +18,7 @@ MARKS = ("<!-- confusion: begin -->", "<!-- confusion: end -->")
 
 
 def written():
-    """A folder with the gestures that the families write."""
+    """A folder with the gestures that families.py writes."""
     folder = tempfile.TemporaryDirectory(prefix="gestures-")
     os.mkdir(os.path.join(folder.name, "drawings"))
     subprocess.run([sys.executable, "-B", os.path.join(HERE, "draw.py"), os.path.join(folder.name, "drawings")], check=True)
@@ -28,11 +28,11 @@ def written():
 
 
 def confusion(rows):
-    """Meant in rows, done in columns, as Markdown."""
+    """The confusion matrix as Markdown: meant in rows, done in columns."""
     cells = {}
     for g, ok, why, got, raw, done, cut in rows:
         meant = s.kind_meant(g)
-        if ok and done != meant:  # one of several outcomes that are right
+        if ok and done != meant:  # one of several acceptable outcomes
             done = meant
         cells[meant, done] = cells.get((meant, done), 0) + 1
     kinds = [k for k in s.MEANINGS if any(k in pair for pair in cells)]

@@ -1,4 +1,4 @@
-"""Runs labelled gestures through the engine and says which outcomes are what the designer meant."""
+"""Runs labelled gestures through the engine and tells which outcomes match the designer's intention."""
 import concurrent.futures
 import json
 import math
@@ -11,7 +11,7 @@ import stroke as hands
 
 HOVER, DOWN, MOVE, UP, CANCEL = 0, 1, 2, 3, 4
 PEN, TOUCH = 1, 2
-BATCH = 8  # samples between two frames
+BATCH = 8  # samples per frame
 
 
 # ---- gestures to events ----
@@ -30,7 +30,7 @@ def strokes_of(g):
 
 
 def clean(g, s):
-    """The path that is meant, document units, places about half a pixel apart."""
+    """The intended path, document units, points about half a pixel apart."""
     return hands.path(s["path"], s.get("kind", "smooth"), 0.5 / zoom_of(g))
 
 
@@ -69,7 +69,7 @@ def events(g):
         device = {"pen": 1, "mouse": 0, "touch": 2}[s.get("device", "pen")]
         x, y = got[0][:2]
         if device != 2:
-            for k in range(6):  # the pen comes near
+            for k in range(6):  # the pen approaches, hovering
                 t = at - 120 + 16 * k
                 palm_until(t)
                 lines.append(f"p {HOVER} {device} 7 0 {modifiers} {x + 3 * (6 - k):.2f} {y - 4 * (6 - k):.2f} 0 {t:.3f}")
@@ -112,7 +112,7 @@ def play(host, g, folder):
 # ---- geometry ----
 
 class Places:
-    """A polyline (closed: back to its start) that answers how far a place is from it; boxes keep it quick."""
+    """A polyline (closed: back to its start) that gives its distance from a point; boxes make this fast."""
     CHUNK = 16
 
     def __init__(self, points, closed=False):
@@ -167,7 +167,7 @@ def within(points, low, high):
 
 
 class Result:
-    """What became of a document. Curves are named "object" or "object:index"."""
+    """The resulting document. Curves are named "object" or "object:index"."""
 
     def __init__(self, g, raw):
         self.g, self.raw = g, raw
@@ -192,7 +192,7 @@ class Result:
                 elif self.after[k].points != self.before[k].points and not self.alike(k):
                     self.changed.add(k)
             self.added += [k for k in self.after if k.split(":")[0] == name and k not in self.before]
-        # The same shapes, given again in another order, are not a change.
+        # The same shapes in another order are not a change.
         self.changed, self.removed = self.changed, self.removed
 
     def alike(self, k):
@@ -229,14 +229,14 @@ class Result:
 # ---- expectations ----
 
 def passes(r, curves, s, limit, core):
-    """How far, in pixels, the path that is meant lies from the curves; its first and last parts may blend."""
+    """The distance, in pixels, of the intended path from the curves; its first and last parts may blend."""
     path = clean(r.g, s)
     worst = max(nearest(curves, p) for p in thin(within(path, *core), 160)) * zoom_of(r.g)
     return None if worst <= limit else f"{worst:.1f} px from the path, {limit:.1f} allowed"
 
 
 def still(r, old, new, limit, away, what):
-    """Parts of old further than `away` px from the strokes are unmoved within limit px, and nothing new lies elsewhere."""
+    """Whether old parts farther than `away` px from the strokes moved by at most limit px, and nothing new is there."""
     z = zoom_of(r.g)
     paths = [Places(thin(clean(r.g, s), 400)) for s in strokes_of(r.g)]
     for a, b, word in ((old, new, "moved"), (new, old, "strays")):
@@ -261,7 +261,7 @@ def touching(r, pairs):
 
 
 def span(r, names):
-    """How far the path lies from the old curves: transitions are as long as a few times that."""
+    """The path's distance from the old curves: transitions are a few times as long."""
     old = [r.before[n] for n in names]
     return max(nearest(old, p) for s in strokes_of(r.g) for p in thin(within(clean(r.g, s), 0.05, 0.95), 40)) * zoom_of(r.g)
 
@@ -285,7 +285,7 @@ def alone(r, names, added, removed=()):
 
 
 def near_enough(r, s):
-    """Of short strokes less is asked in pixels, or none could fail."""
+    """The tolerance in pixels; smaller for short strokes, which otherwise could not fail."""
     return min(6, max(1.6, 0.05 * hands.lengths(clean(r.g, s))[-1] * zoom_of(r.g)))
 
 
@@ -408,7 +408,7 @@ KINDS = {"redraws": redraws, "new": new, "joins": joins, "closes": closes, "exte
 
 
 def judge(g, raw):
-    """(holds, why not, what happened)"""
+    """(passes, why not, what happened)"""
     if "fault" in raw:
         return False, raw["fault"], "fault"
     if raw["refused"]:
@@ -423,7 +423,7 @@ def judge(g, raw):
         if why is None:
             return True, "", r.words()
         reasons.append((kind, why))
-    # The reason that comes nearest: the outcome that was of the expected kind, else the first.
+    # The most relevant reason: that of the outcome of the expected kind, else of the first.
     got = "new" if r.added and not r.changed else "redraws"
     for kind, why in reasons:
         if kind == got:
@@ -437,7 +437,8 @@ def read(folder):
 
 
 def score(host, folder, only=None, keep=False):
-    """Rows of (gesture, whether it holds, why not, what happened, what the host said). folder: with gestures.json and drawings."""
+    """Rows of (gesture, whether it passes, why not, what happened, the host's output). folder: contains gestures.json
+    and the drawings."""
     gestures = [g for g in read(folder) if not only or only in g["id"] or only in g["category"]]
     rows = []
     with concurrent.futures.ProcessPoolExecutor(max_workers=max(2, os.cpu_count() or 2)) as pool:
@@ -471,7 +472,7 @@ MEANINGS = ["redraw", "several", "extend", "join", "close", "new", "nothing"]
 
 
 def kind_meant(g):
-    """The first outcome's kind."""
+    """The kind of the first expected outcome."""
     e = g["expect"][0]
     if "redraws" in e:
         return "several" if len(e["redraws"]) > 1 else "redraw"
@@ -479,7 +480,7 @@ def kind_meant(g):
 
 
 def kind_done(g, raw):
-    """What became of the curves, whatever was meant."""
+    """The kind of what happened to the curves, whatever was meant."""
     if "fault" in raw:
         return "nothing"
     r = Result(g, raw)
@@ -498,7 +499,7 @@ def kind_done(g, raw):
 
 
 def grown(r, name):
-    """An end has gone on with the stroke, away from where the curve was."""
+    """Whether an end was continued along the stroke, away from where the curve was."""
     if r.closed_after[name]:
         return False
     paths = [Places(thin(clean(r.g, s), 400)) for s in strokes_of(r.g)]

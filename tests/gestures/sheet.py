@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Contact sheets of gestures: sheet.py HOST FOLDER OUT_PREFIX [filter]. HOST: gesture_host of a build; FOLDER: with gestures.json.
-Grey: before; amber: what was changed or removed, before; red: the stroke's samples; blue: changed, after; green: new.
+Grey: before; amber: changed or removed, before; red: the stroke's samples; blue: changed, after; green: new.
 Needs rsvg-convert for PNG; else the sheets stay SVG."""
 import html, os, shutil, subprocess, sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))

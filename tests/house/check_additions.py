@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What CONTRIBUTING.md says a tool, a kind of object and a format need is what its examples have: the files of the engine
-and the page that name Line, the plane and OBJ are those that it lists, and no others.
+"""The files that CONTRIBUTING.md lists for adding a tool, a kind of object and a format are those of its examples: the
+files of the engine and the page that name Line, the plane and OBJ are exactly those listed.
 
-Usage: check_additions.py ROOT. Exit status 1 when a file is missing from a list, or too many.
+Usage: check_additions.py ROOT. Exit status 1 when a list lacks a file or has one too many.
 """
 import pathlib
 import re
@@ -10,7 +10,8 @@ import sys
 
 from sources import sources
 
-# "X was added so:", and how a file names X. Other senses of the words (a rule's line, the plane of the page) do not count.
+# "X was added so:", and how a file names X. Other meanings of the words (a ruler's line, the plane of the page) do not
+# count.
 EXAMPLES = {
     "Line": r"\bbat_tool_line\b|\bTOOL_LINE\b|\btool-line\b|\bTOOL\(LINE\b|HINT_LINE\b",
     "The plane": r"\bbat_kind_of_plane\b|\bBAT_KIND_PLANE\b|\bKIND_PLANE\b|\bKIND\(plane\b|\bbat_object_(create_)?plane\b",

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Where doubles are not IEEE's, the library is not compiled, and the compiler says why; on 32-bit x86 it is compiled with
+# Where double is not IEEE double, the library does not compile and an error says why; on 32-bit x86 it is compiled with
 # SSE2. Usage: check_arithmetic.sh SRC_DIR
 set -u
 src=$1
 fail=0
 
-# tried WHAT COMPILER...: refused with these words, or taken where WHAT is "".
+# tried WHAT COMPILER...: must be refused with the message WHAT, or accepted if WHAT is "".
 tried() {
     what=$1
     shift

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""The numbers that the engine and the page have in common stand in one list, input.h, frame.h and panels.h of
-include/batten (and the caps and joins of document.h): web/engine/codes.js is made of it, and no other script of the page may have them.
+"""The numbers that the engine and the page share are defined in one place: input.h, frame.h and panels.h of
+include/batten (and the caps and joins of document.h). web/engine/codes.js is generated from them, and no other script
+of the page may define them.
 
-Usage: check_codes.py ROOT [--write]. Exit status 1 when codes.js is not what the headers say. --write: makes it so.
+Usage: check_codes.py ROOT [--write]. Exit status 1 when codes.js differs from the headers. --write: regenerates it.
 """
 import pathlib
 import re
 import sys
 
-# The page's name for each family, and how the header's names begin.
+# The page's name for each family, and the prefix of the header's names.
 FAMILIES = [("Phase", "BAT_POINTER_", "of events of a pointer"), ("Device", "BAT_DEVICE_", ""), ("Modifier", "", "keys that are held"),
             ("Role", "BAT_ROLE_", "what an item of a picture is"), ("Flag", "BAT_ITEM_", "how an item is painted"),
             ("Path", "BAT_PATH_", "commands of a path"), ("Cap", "BAT_CAP_", ""), ("Join", "BAT_JOIN_", ""),

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The installed library serves a foreign project: found both ways, linked both ways, from C and C++, and run;
+# A third-party project can use the installed library: found both ways, linked both ways, from C and C++, and run;
 # also after the installed tree was moved. Usage: check_consumer.sh BUILD_DIR CONSUMER_DIR
 set -eu
 work=$PWD/consumer

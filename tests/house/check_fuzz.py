@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-# Not called, and why.
+# Not called, with the reason.
 EXCEPT = {
     "bat_version": "gives a constant",
     "bat_svg_read": "expat, which has fuzzers of its own, and the reader that fuzz_svg feeds",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every header of ours has an include guard, named BATTEN_..._<FILE>_H, that no other header shares.
+"""Every header of the project has an include guard, named BATTEN_..._<FILE>_H, that no other header shares.
 
 Usage: check_guards.py ROOT
 """

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A copy of the tree under the flags of Debian's packages and more of their kind: no warning, and the module for the
-# browser is the one that is built without them, in another folder, byte for byte. Usage: check_hardened.sh ROOT
+# Builds a copy of the tree with Debian's hardening flags and similar ones: no warnings, and the module for the browser
+# equals, byte for byte, the one built without them in another folder. Usage: check_hardened.sh ROOT
 set -eu
 root=$1
 copy=$PWD/elsewhere

@@ -7,7 +7,7 @@ for header in "$1"/batten/*.h; do
     name=batten/$(basename "$header")
     for compiler in 'gcc -std=c17 -x c' 'g++ -std=c++17 -x c++' 'clang -std=c17 -x c' 'clang++ -std=c++17 -x c++'; do
         count=$((count + 1))
-        # Twice: the guard holds.
+        # Included twice, to test the guard.
         printf '#include <%s>\n#include <%s>\nint batten_used;\n' "$name" "$name" |
             $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only "-I$1" - ||
             { echo "$name does not stand alone: $compiler"; fail=1; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The C interface is one hand's work, as docs/interface.md says: what of that can be counted in the public headers.
+"""The C interface is consistent, as docs/interface.md describes: the rules that can be checked in the public headers.
 
 Usage: check_interface.py ROOT. Exit status 1 when a header breaks a rule.
 """
@@ -7,19 +7,19 @@ import pathlib
 import re
 import sys
 
-# Counts of what has an index, which is an int: objects, curves of an object, things a file lost.
+# Counts of things indexed by an int: objects, curves of an object, losses of a file.
 INT_COUNTS = {"bat_object_create_path", "bat_object_with_curves", "bat_object_curve_count", "bat_document_count",
               "bat_editor_outline", "bat_loss_words", "bat_losses", "bat_curve_knot_count", "bat_curve_segment_count",
               "bat_surface_knot_count"}
-# Not a question but an event: says whether it was used.
+# Not a query but an event: returns whether it was used.
 NO_PREDICATES = {"bat_editor_key"}
-# Where the arguments of a call may stand, from the first on.
+# The order of a call's arguments, from the first on.
 PLACES = ["dimension", "degree", "closed", "count"]
 COUNT = re.compile(r"(?:\w*_)?(?:count|room|samples)$")
 
 
 def split(parameters):
-    """[(type, name)] of a list of parameters; arrays are pointers."""
+    """[(type, name)] of a parameter list; arrays become pointers."""
     found = []
     for one in parameters.split(","):
         type_, name, array = re.fullmatch(r"(.*?)(\w+)((?:\[\w*\])*)", one.strip()).groups()

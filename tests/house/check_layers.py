@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The rooms of the house, and what may see what: reads every #include line of src/ and include/, every call from one
-source of src/ to another, and names what runs upwards, in a circle, or past a door.
+"""The modules ("rooms") of the library and their allowed dependencies: reads every #include line of src/ and include/
+and every call from one source of src/ to another, and reports those that go upwards, in a circle, or past a header.
 
 Usage: check_layers.py ROOT. Exit status 1 when a line breaks a rule.
 """
@@ -10,7 +10,7 @@ import sys
 
 from sources import sources
 
-# The rooms of src/, from the ground up: each may use those that stand before it.
+# The rooms of src/, from the bottom up: each may use those listed before it.
 ROOMS = [
     "base", "text", "curve", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "document", "format/json",
     "kinds", "format/native", "format/svg", "format/curve", "format/obj", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
@@ -18,15 +18,15 @@ ROOMS = [
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels",
     "editor/commands", "editor/panels", "editor",
 ]
-# Rooms side by side, that do not see each other.
+# Rooms on the same level, which may not use each other.
 APART = [{"hands/figures", "hands/sketch", "hands/tangents"},
          {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch",
           "editor/tools/tangents", "editor/tools/levels"}]
-# Rooms in which files do not see each other either; but for the headers named here, which are for all of them.
+# Rooms whose files may not use each other either, except for the headers listed here, which all of them may use.
 TOOLBOX = {"editor/tools/tool.h", "editor/tools/toolbox.h", "editor/tools/toolbox.c"}  # for every tool
 SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/modes": set()}
 
-# The room of each public header. A new header needs a line here.
+# The room of each public header. A new header needs an entry here.
 ROOM_OF_HEADER = {
     "base": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve",
@@ -35,18 +35,18 @@ ROOM_OF_HEADER = {
     "document": "document",
     "format": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",
-    "svg_read": None,  # of another library (expat/)
-    "batten": None,  # the umbrella: for users, not for us
-    "before_0_2": None,  # what the umbrella brings for programs of old
+    "svg_read": None,  # belongs to another library (expat/)
+    "batten": None,  # the umbrella header: for users, not for the library itself
+    "before_0_2": None,  # included by the umbrella header, for older programs
 }
 
-# libc and libm as far as the WASM build has them; anything else is a dependency.
+# The headers of libc and libm that the WASM build has; anything else would be a dependency.
 LIBC = {"assert", "ctype", "errno", "float", "inttypes", "limits", "math", "stdalign", "stdarg", "stdatomic", "stdbool",
         "stddef", "stdint", "stdio", "stdlib", "string"}
 
-MOST_SOURCES = 40  # of a folder
+MOST_SOURCES = 40  # per folder
 
-MOST_LINES = 60  # of a function
+MOST_LINES = 60  # per function
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.M)
 DEFINED = re.compile(r"^(?!static|typedef|#)[A-Za-z_][\w \*]*?\b(bat_\w+)\([^;{]*\)\s*\{", re.M)
@@ -58,7 +58,7 @@ VIEW = re.compile(r"\bbat_view\w*|->view\b|\.view\b")  # tools ask the stage
 
 
 def bare(text):
-    """Without comments and texts, line for line."""
+    """The text without comments and string literals, line for line."""
     return re.sub(r'/\*.*?\*/|"(?:[^"\\\n]|\\.)*"', lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.S)
 
 
@@ -79,7 +79,7 @@ class House:
         return room
 
     def header(self, name, place):
-        """What an included file is: a room, a file of a room, None for libc."""
+        """What an included file belongs to: a room, a file of a room, or None for libc."""
         if name.startswith("batten/"):
             stem = name[len("batten/"):].removesuffix(".h")
             if ROOM_OF_HEADER.get(stem) is None:
@@ -150,7 +150,7 @@ class House:
         return graph
 
     def circles(self, graph):
-        """Tarjan's strongly connected components of over one file."""
+        """Tarjan's strongly connected components, those of more than one file."""
         index, low, stack, found = {}, {}, [], []
 
         def visit(node):
@@ -174,7 +174,7 @@ class House:
         return found
 
     def doors(self):
-        """What only one room may name."""
+        """Names that only one room may use."""
         for name, code in self.code.items():
             room = name.rsplit("/", 1)[0]
             if KIND.search(code) and not name.startswith("kinds/"):
@@ -195,7 +195,7 @@ class House:
 
 
     def lengths(self):
-        """Functions that nobody reads in one go."""
+        """Functions that are too long."""
         for name, text in self.text.items():
             start = 0
             for number, line in enumerate(text.splitlines(), 1):

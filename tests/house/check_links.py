@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every relative link and every path in backticks that the documents name is there.
+"""Every relative link and every path in backticks in the documents exists.
 
 Usage: check_links.py ROOT
 """
@@ -8,7 +8,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(sys.argv[1])
-# Names of files that a reader is to make, or that a build makes.
+# Names of files that the reader or a build makes.
 NOT_YET = re.compile(r"build/|bug\.journal|trim|scissors|<|\*|drawing\.|corpus")
 FOLDERS = "apps|bench|cmake|docs|examples|fuzz|include|src|tests|tools|web"
 

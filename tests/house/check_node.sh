@@ -1,5 +1,5 @@
 #!/bin/sh
-# The scripts run on Debian 12's node 18, not only on newer ones. Usage: check_node.sh ROOT
+# The scripts run on Debian 12's node 18, not only on newer versions. Usage: check_node.sh ROOT
 set -eu
 cd "$1"
 files=$(find tests bench web examples -name '*.mjs' -not -path '*/node_modules/*')

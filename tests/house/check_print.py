@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Formats of snprintf in what the module is made of hold only conversions that web/module/print.c knows.
+"""In the sources of the module, formats of snprintf contain only conversions that web/module/print.c supports.
 
 Usage: check_print.py ROOT
 """

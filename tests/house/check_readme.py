@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""What the README tells a newcomer to type does what it says: its C program is built and run, the commands of "The
-program" run in the order given, on the examples, in a folder of their own. The struct that docs/interface.md declares in
-Python is the one of the header.
+"""The instructions of the README work: its C program is built and run, and the commands of "The program" are run in
+order, on the examples, in a separate folder. The struct that docs/interface.md declares in Python matches the header.
 
 Usage: check_readme.py ROOT BUILD
 """
@@ -24,7 +23,7 @@ def block(heading, language, page="README.md"):
 
 
 def edit(command, folder, environment):
-    """`batten edit` runs until it is told to end: its first line is an address."""
+    """`batten edit` runs until it is terminated; its first line is an address."""
     with subprocess.Popen(command + " --no-open", shell=True, cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, start_new_session=True) as server:
         address = server.stdout.readline()
@@ -33,7 +32,8 @@ def edit(command, folder, environment):
 
 
 def options_of_python():
-    """The members of bat_fit_options in the header's order, at the header's places, with the library's defaults."""
+    """The size and offsets of bat_fit_options as declared in Python, its members in the header's order, and a struct
+    with the library's defaults."""
     given = {"ctypes": ctypes, "batten": ctypes.CDLL(str(BUILD / "libbatten.so"))}
     exec(block("Options", "python", "docs/interface.md"), given)  # pylint: disable=exec-used
     struct, options = given["FitOptions"], given["options"]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The library calls only those libm functions whose results IEEE 754 fixes; the others differ between libcs in
-their last bits, and src/base/real.h has ours. Also no qsort: what it does with ties differs, too, unless the
-line says that there are none ("no ties").
+"""The library calls only those libm functions whose results IEEE 754 determines; the others differ between libcs in the
+last bits, and src/base/real.h replaces them. Nor does it call qsort, whose order of ties differs too, unless the line
+states that there are none ("no ties").
 
 Usage: check_real.py ROOT
 """

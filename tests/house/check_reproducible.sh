@@ -1,6 +1,6 @@
 #!/bin/sh
-# Two builds of the libraries and the program in folders of different names, with all that a debugger wants to know, are
-# the same bytes. The second folder is the copy that check_hardened.sh has made. Usage: check_reproducible.sh ROOT
+# Two builds of the libraries and the program with debug information, in differently named folders, are identical byte
+# for byte. The second folder is the copy made by check_hardened.sh. Usage: check_reproducible.sh ROOT
 set -eu
 root=$1
 copy=$PWD/elsewhere

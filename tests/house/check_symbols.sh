@@ -1,6 +1,6 @@
 #!/bin/sh
-# Both libraries show symbols that begin with bat_ and no others; the shared one shows exactly what the public
-# headers declare with BAT_API. Usage: check_symbols.sh LIBRARY_DIR INCLUDE_DIR
+# Both libraries export only symbols that begin with bat_; the shared one exports exactly those that the public headers
+# declare with BAT_API. Usage: check_symbols.sh LIBRARY_DIR INCLUDE_DIR
 set -eu
 static=$1/libbatten.a
 shared=$1/libbatten.so
@@ -14,13 +14,13 @@ shown=$(nm -D --defined-only "$shared" | awk '{ print $3 }' | sort)
 foreign=$(echo "$shown" | grep -v '^bat_' || true)
 [ -z "$foreign" ] || { echo "libbatten.so: symbols without bat_:"; echo "$foreign"; fail=1; }
 
-# Mutable globals: none. Data that is only written by the loader (.data.rel.ro) is constant.
+# No mutable globals. Data written only by the loader (.data.rel.ro) counts as constant.
 mutable=$(nm --defined-only "$static" | awk 'NF == 3 && $2 ~ /^[bBcCdD]$/ { print $3 }' | while read -r name; do
     objdump -t "$static" | awk -v name="$name" '$NF == name && !/\*UND\*/ && $0 !~ /\.(data\.rel\.)?ro/ { print name }'
 done | sort -u)
 [ -z "$mutable" ] || { echo "libbatten.a: mutable globals:"; echo "$mutable"; fail=1; }
 
-# libbatten-svg: what svg_read.h declares, and nothing else of its own.
+# libbatten-svg: exports what svg_read.h declares, and nothing else of its own.
 apart=$(nm -D --defined-only "$1/libbatten-svg.so" | awk '{ print $3 }')
 [ "$apart" = bat_svg_read ] || { echo "libbatten-svg.so shows: $apart"; fail=1; }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every public call that takes an object as const is made on many threads at once by tests/threads: base.h promises it.
+"""tests/threads makes every public call that takes an object as const on many threads at once: base.h promises it.
 
 Usage: check_threads.py ROOT
 """

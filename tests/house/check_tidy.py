@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""clang-tidy over the library, the program and the module, or a share of their files. A file whose preprocessed text
-and whose configuration were clean before is not read again.
+"""Runs clang-tidy over the library, the program and the module, or a share of their files. A file is skipped if the
+same preprocessed text was clean before with the same configuration.
 
 Usage: check_tidy.py ROOT [SHARE SHARES]    shares are counted from 1
 """
@@ -20,7 +20,7 @@ WASM = ["--target=wasm32-wasi", "-nostdlibinc", "-isystem", "/usr/include/wasm32
 
 
 def check(path):
-    """(path, text of the findings, whether it was read)"""
+    """(path, text of the findings, whether clang-tidy was run)"""
     flags = FLAGS + (WASM if "module" in path.parts else LIBRARIES if "apps" in path.parts or "expat" in path.parts else [])
     text = subprocess.run(["clang", *flags, "-E", str(path)], capture_output=True, check=False).stdout
     key = hashlib.sha256(text + (ROOT / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes())

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The JavaScript of the shell holds what its JSDoc types say. Usage: check_types.sh ROOT
+# The JavaScript of the shell conforms to its JSDoc types. Usage: check_types.sh ROOT
 set -eu
 cd "$1"
 tsc=tests/web/node_modules/.bin/tsc

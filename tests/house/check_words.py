@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The browser shell has no words of its own: what it says comes from src/editor/tables/strings.def. No text in index.html but
-the name and what stands there when nothing could be loaded; no sentence, and no text given to an element, in the
-scripts. Every key that the shell asks for is in the table.
+"""The browser shell contains no texts itself: all come from src/editor/tables/strings.def. index.html has no text
+except the name and the message for a failed load; the scripts have no sentence and set no literal text on an element.
+Every key that the shell uses is in the table.
 
 Usage: check_words.py ROOT
 """
@@ -21,7 +21,7 @@ asked = set()
 class Page(html.parser.HTMLParser):
     def __init__(self):
         super().__init__()
-        self.skipped = 0  # depth inside what may have words
+        self.skipped = 0  # depth inside elements that may contain text
 
     def handle_starttag(self, tag, attributes):
         if tag in ("meta", "link", "img", "input"):
@@ -64,7 +64,7 @@ for path in files:
             faults.append(f"{path.relative_to(root)}: {words!r}")
     asked |= set(re.findall(r"'(shell\.[a-z0-9-]+)'", text))
     asked |= {f"shell.{key}" for key in re.findall(r"#?text\('([a-z-]+)'\)", text)}
-    if "`shell.${" in text:  # by the names of sheets and of the groups of the bar
+    if "`shell.${" in text:  # keys made from the names of sheets and of the bar's groups
         names = re.findall(r"'([a-z]+)'", text) + re.findall(r'data-group="(\w+)"', sprite.lower())
         asked |= {f"shell.{name}" for name in names} & keys
 

@@ -1,5 +1,5 @@
-"""The files that a check reads: walked in the tree, and compared with those that git tracks, so that no check goes blind
-when folders move."""
+"""The files that a check reads: found in the tree, and compared with those that git tracks, so that no check silently
+reads nothing when folders move."""
 import os
 import pathlib
 import subprocess
@@ -7,7 +7,7 @@ import sys
 
 
 def sources(root, folders, suffixes):
-    """Sorted paths under root's folders with one of the suffixes. Ends the program when git knows of another set."""
+    """Sorted paths under root's folders with one of the suffixes. Ends the program if git lists a different set."""
     root = pathlib.Path(root)
     walked = set()
     for folder in folders:

@@ -1,10 +1,10 @@
-# In the WASM tree, and not built by themselves:
-# parity.wasm, the vectors of parity.c; units.wasm, everything in programs.cmake. Both are linked with the objects that
-# the shell's module has; units.wasm is made small by the same tool, too.
+# In the WASM tree, not part of its default build:
+# parity.wasm, the vectors of parity.c; units.wasm, everything in programs.cmake. Both are linked with the objects of
+# the shell's module; units.wasm is optimised by the same tool too.
 add_module(parity_module parity $<TARGET_OBJECTS:batten_objects> parity.c parity_module.c)
 target_include_directories(parity_module PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 
-# The tables with their help, which the shell's module fetches apart.
+# The tables including their help texts, which the shell fetches separately.
 set(tables src/editor/tables/tables.c)
 add_module(units_module units "$<FILTER:$<TARGET_OBJECTS:batten_objects>,EXCLUDE,${tables}>"
   ${PROJECT_SOURCE_DIR}/${tables} host.c)

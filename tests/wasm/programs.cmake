@@ -1,15 +1,15 @@
-# What runs natively and as WebAssembly with the same outcome: the test programs, the examples, the fuzz targets and the
-# readers. PROGRAMS names those that have a main. Included by both builds.
+# Everything that must give the same result natively and as WebAssembly: the test programs, the examples, the fuzz
+# targets and the readers. PROGRAMS lists those that have a main. Included by both builds.
 set(here ${CMAKE_CURRENT_LIST_DIR})
 file(GLOB_RECURSE UNITS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/test_*.c)
 file(GLOB EXAMPLES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.c)
 file(GLOB FUZZERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/fuzz_*.c)
 list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
   ${PROJECT_SOURCE_DIR}/tests/format/write_documents.c)
-# Not among them: what a Python program talks with (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and
-# WebAssembly has no threads and no expat, and other sizes of structs.
+# Excluded: programs driven by a Python script (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and those that
+# need threads, expat or native struct sizes, which WebAssembly does not have.
 set(NATIVE_ONLY test_threads test_svg_file test_options)
-set(files /) # where a test finds the repository
+set(files /) # the path of the repository for tests
 if(NOT BATTEN_WASM)
   set(files ${PROJECT_SOURCE_DIR})
 endif()
@@ -25,7 +25,7 @@ foreach(source ${UNITS})
   endif()
   list(APPEND PROGRAMS ${name})
   set(every "-include;${here}/every.h")
-  if(name STREQUAL "test_real") # which compares with libm
+  if(name STREQUAL "test_real") # compares with libm
     set(every)
   endif()
   set_source_files_properties(${source} PROPERTIES
@@ -55,11 +55,11 @@ const unit_program unit_programs[] = {\n${programs}    {NULL, NULL},\n};
 const unit_reader unit_readers[] = {\n${readers}    {\"svg\", read_svg},\n    {\"journal\", read_journal},
     {\"text\", read_text},\n    {NULL, NULL},\n};\n" @ONLY)
 
-# The functions that witness.c looks at, and those that tests/support/alloc_fail.h makes fail.
+# The functions that witness.c observes, and those that tests/support/alloc_fail.h makes fail.
 file(STRINGS ${here}/witness.c wraps REGEX "^WRAP\\(")
 list(TRANSFORM wraps REPLACE "^WRAP\\([^,]*, ([a-z_]+),.*" "-Wl,--wrap=\\1")
 
-# Adds all of it to a target.
+# Adds all of these to a target.
 function(use_programs target)
   target_sources(${target} PRIVATE units.c readers.c witness.c ${CMAKE_CURRENT_BINARY_DIR}/units_list.c
     ${UNITS} ${FUZZERS})
