@@ -11,7 +11,7 @@
  *     }
  *     assert status == BAT_OK
  *
- * alloc_live() counts blocks that the program holds: the same before and after means that nothing leaks.
+ * alloc_live() counts the blocks that the program holds: if it is the same before and after, nothing leaked.
  */
 #ifndef BATTEN_TESTS_ALLOC_FAIL_H
 #define BATTEN_TESTS_ALLOC_FAIL_H
@@ -28,7 +28,7 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *memory, size_t size);
 void __wrap_free(void *memory);
 
-#ifdef BATTEN_ONE_MODULE /* many programs in one: tests/wasm/units.c alone holds the state and the functions */
+#ifdef BATTEN_ONE_MODULE /* many programs in one: only tests/wasm/units.c defines the state and the functions */
 #define ALLOC_STATE extern
 #else
 #define ALLOC_STATE
@@ -37,10 +37,10 @@ ALLOC_STATE long alloc_countdown; /* 0: none fails */
 ALLOC_STATE bool alloc_hit;
 ALLOC_STATE long alloc_blocks;
 
-/* The nth allocation from now on fails, once; 0 switches it off. */
+/* Makes the nth allocation from now on fail, once; 0 switches this off. */
 static inline void alloc_fail_at(long n) { alloc_countdown = n, alloc_hit = false; }
 
-/* Has it failed? Also switches it off. */
+/* Whether that allocation has failed. Also switches it off. */
 static inline bool alloc_fail_reached(void) {
     alloc_countdown = 0;
     return alloc_hit;

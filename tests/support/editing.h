@@ -1,5 +1,4 @@
-/* What tests of the editor do again and again: open a document, drag, tap, and see that all holds. Included after
- * cmocka.h. */
+/* Common operations of editor tests: open a document, drag, tap, check invariants. Include after cmocka.h. */
 #ifndef BATTEN_TESTS_EDITING_H
 #define BATTEN_TESTS_EDITING_H
 
@@ -14,7 +13,7 @@ static inline void check(const bat_editor *editor) {
     if (wrong) fail_msg("%s", wrong);
 }
 
-/* In a window of 1000 x 800 px, one to one; the document is taken over. */
+/* An editor in a window of 1000 x 800 px at zoom 1; takes ownership of the document. */
 static inline bat_editor *editor_of(bat_document *document) {
     bat_editor *editor = NULL;
     assert_int_equal(bat_editor_create(&editor), BAT_OK);
@@ -24,7 +23,7 @@ static inline bat_editor *editor_of(bat_document *document) {
     return editor;
 }
 
-/* The curves on a page as large as the window; they are taken over. */
+/* An editor with the curves on a page as large as the window; takes ownership of them. */
 static inline bat_editor *editor_with(int count, bat_curve **curves) {
     bat_document *document = NULL;
     bat_document_create(&document);
@@ -39,8 +38,8 @@ static inline pen mouse(bat_editor *editor) {
     return p;
 }
 
-/* The pen comes near a second later, so that two taps are no double tap, goes down, and draws a straight line in eight
- * steps, a frame each. */
+/* The pen approaches a second later, so that two taps are no double tap, goes down, and draws a straight line in eight
+ * steps, one frame each. */
 static inline void drag_to(pen *p, double x0, double y0, double x1, double y1) {
     p->time += 1000;
     pen_event(p, BAT_POINTER_HOVER, x0, y0);
@@ -53,7 +52,7 @@ static inline void drag_to(pen *p, double x0, double y0, double x1, double y1) {
     }
 }
 
-/* And is lifted. */
+/* As drag_to, then the pen is lifted. */
 static inline void drag(pen *p, double x0, double y0, double x1, double y1) {
     drag_to(p, x0, y0, x1, y1);
     pen_event(p, BAT_POINTER_UP, x1, y1);
@@ -73,7 +72,7 @@ static inline void tap(pen *p, double x, double y) {
     check(p->editor);
 }
 
-/* An editor that has replayed the other's journal and has the same document. session: named where it has not. */
+/* An editor that has replayed the other's journal and has the same document. session: named in the failure message. */
 static inline bat_editor *replay_of(const bat_editor *editor, uint64_t session) {
     bat_editor *again = NULL;
     bat_problem problem = {"", ""};
@@ -90,7 +89,8 @@ static inline void replays(const bat_editor *editor, uint64_t session) {
     bat_editor_free(replay_of(editor, session));
 }
 
-/* The journal makes the document again; undo gives back the first, redo the last. How many steps that were. */
+/* Checks that the journal reproduces the document, undo leads to the first one and redo to the last. Returns the number
+ * of steps. */
 static inline int round_trip(bat_editor *editor, uint64_t first) {
     uint64_t last = digest(editor);
     int steps = 0;

@@ -1,4 +1,4 @@
-/* What tests of kinds of objects share. Included after cmocka.h. */
+/* Shared by tests of kinds of objects. Include after cmocka.h. */
 #ifndef BATTEN_TESTS_OBJECTS_H
 #define BATTEN_TESTS_OBJECTS_H
 
@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The object is taken over. */
+/* A document with one object; takes ownership of it. */
 static inline bat_document *of_one(bat_object *object) {
     bat_document *document = NULL;
     assert_int_equal(bat_document_create(&document), BAT_OK);
@@ -15,7 +15,7 @@ static inline bat_document *of_one(bat_object *object) {
     return document;
 }
 
-/* No reader takes a document of the one object: it is said what is wrong with it, and where. */
+/* Checks that reading a document of this one object is refused, with a reason and a place. */
 static inline void object_refused(const char *object) {
     char text[512];
     bat_document *document = NULL;

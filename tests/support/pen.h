@@ -74,7 +74,7 @@ static inline void pen_line(pen *p, double x0, double y0, double x1, double y1, 
     pen_stroke(p, pen_arch, (double[]){x0, y0, x1, y1, bulge}, 60);
 }
 
-/* A cubic through nothing in particular: count control points along y = height, waving by wave. */
+/* A cubic curve with count control points along y = height, alternating by wave. */
 static inline bat_curve *pen_curve(double x, double y, double step, double wave, int count) {
     double points[64], knots[40];
     for (int i = 0; i < count; i++) {
@@ -87,7 +87,7 @@ static inline bat_curve *pen_curve(double x, double y, double step, double wave,
     return curve;
 }
 
-/* Appends a path of one curve, which it takes over; returns its id. */
+/* Appends a path of one curve, taking ownership of it; returns the path's id. */
 static inline bat_id pen_add(bat_document *document, bat_curve *curve) {
     bat_style style = bat_style_defaults();
     bat_object *object = NULL;

@@ -1,4 +1,4 @@
-/* Heads of picture files, made by the formats' own rules. Pixels do not follow: nothing here looks at them. */
+/* Headers of picture files, made by the rules of each format. No pixels follow: nothing here reads them. */
 #ifndef BATTEN_TESTS_PICTURES_H
 #define BATTEN_TESTS_PICTURES_H
 
@@ -25,7 +25,7 @@ static inline size_t head_png(unsigned char *b, uint32_t width, uint32_t height)
     return 33;
 }
 
-/* orientation 0: no Exif segment; little: Intel's order in it. */
+/* orientation 0: no Exif segment; little: little-endian Exif. */
 static inline size_t head_jpeg(unsigned char *b, uint32_t width, uint32_t height, uint32_t orientation,
                                bool little) {
     size_t n = 2;
@@ -65,7 +65,7 @@ static inline size_t head_webp(unsigned char *b, char kind, uint32_t width, uint
     b[15] = (unsigned char)kind;
     if (kind == ' ') {
         memcpy(b + 23, "\x9d\x01\x2a", 3);
-        head_little(b + 26, width | 0x4000, 2); /* the two bits above are a scale for display */
+        head_little(b + 26, width | 0x4000, 2); /* the upper two bits are a display scale */
         head_little(b + 28, height, 2);
     } else if (kind == 'L') {
         b[20] = 0x2f;
@@ -77,7 +77,7 @@ static inline size_t head_webp(unsigned char *b, char kind, uint32_t width, uint
     return 40;
 }
 
-/* A picture with some bytes behind its head that differ with the seed. */
+/* A picture with some bytes after its header that depend on the seed. */
 static inline bat_picture *make_picture(uint32_t width, uint32_t height, unsigned seed) {
     unsigned char bytes[HEAD_ROOM];
     size_t size = head_png(bytes, width, height);

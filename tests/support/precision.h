@@ -1,4 +1,4 @@
-/* Lines to snap to, and what is snapped to. Included after cmocka.h. */
+/* Lines to snap to, and checks of snapping. Include after cmocka.h. */
 #ifndef BATTEN_TESTS_PRECISION_H
 #define BATTEN_TESTS_PRECISION_H
 

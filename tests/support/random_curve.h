@@ -25,7 +25,7 @@ static inline int random_int(random_source *r, int low, int high) {
     return low + (int)(random_unit(r) * (high - low + 1));
 }
 
-/* The next knots: steps of very different length, with runs of multiplicity up to `most`. */
+/* Random knots: steps of very different length, with multiplicities up to `most`. */
 static inline void random_knots(random_source *r, int count, int most, double start, double *knots) {
     double t = start;
     for (int i = 0; i < count;) {
@@ -35,7 +35,8 @@ static inline void random_knots(random_source *r, int count, int most, double st
     }
 }
 
-/* A curve of `spans`-ish points: kind 0 clamped, 1 open with free ends, 2 closed. Exits when it cannot. */
+/* A random curve, with `extra` points more than needed: kind 0 clamped, 1 open with free ends, 2 closed. Exits on
+ * failure. */
 static inline bat_curve *random_curve(random_source *r, int degree, int dimension, int kind, int extra) {
     enum { ROOM = 256 };
     double knots[ROOM], points[ROOM * BAT_DIMENSION_MAX], t = random_between(r, -3, 3);
@@ -65,8 +66,8 @@ static inline bat_curve *random_curve(random_source *r, int degree, int dimensio
     return curve;
 }
 
-/* Largest distance of two curves over `count` parameters spread over the domain of a, b read at from + scale
- * * u. Both are evaluated from the right and from the left. */
+/* Largest distance of two curves over `count` parameters spread over the domain of a, with b evaluated at scale * u +
+ * shift. Both are evaluated from the right and from the left. */
 static inline double curve_gap(const bat_curve *a, const bat_curve *b, double scale, double shift,
                                int count) {
     double domain[2], pa[BAT_DIMENSION_MAX], pb[BAT_DIMENSION_MAX], worst = 0;

@@ -6,7 +6,7 @@
 
 #include "support/random_curve.h"
 
-/* Kinds and extra points of each direction as in random_curve. Exits when it cannot. */
+/* Kinds and extra points of each direction as in random_curve. Exits on failure. */
 static inline bat_surface *random_surface(random_source *r, const int degree[2], const int kind[2],
                                           const int extra[2]) {
     bat_curve *axis[2];
@@ -26,7 +26,7 @@ static inline bat_surface *random_surface(random_source *r, const int degree[2],
     return surface;
 }
 
-/* Degrees, kinds and sizes in turn. */
+/* A surface by number: cycles through degrees, kinds and sizes. */
 static inline bat_surface *some_surface(random_source *r, int number) {
     const int degree[2] = {1 + number % 7, 1 + number * 3 % 7}, kind[2] = {number % 3, number / 3 % 3};
     const int extra[2] = {random_int(r, 0, 6), random_int(r, 0, 6)};

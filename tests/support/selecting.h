@@ -1,4 +1,4 @@
-/* What tests of selections do again and again. Included after cmocka.h. */
+/* Common operations of selection tests. Include after cmocka.h. */
 #ifndef BATTEN_TESTS_SELECTING_H
 #define BATTEN_TESTS_SELECTING_H
 
@@ -71,7 +71,7 @@ static inline void expect_box(const bat_editor *editor, bat_id id, double x0, do
             fail_msg("box %g %g %g %g, not %g %g %g %g", box[0], box[1], box[2], box[3], x0, y0, x1, y1);
 }
 
-/* Undoes all, redoes all, replays: the digests agree at both ends. */
+/* Undoes everything, redoes everything, replays: the digests agree at both ends. */
 static inline void goes_back_and_replays(bat_editor *editor, uint64_t first) {
     uint64_t last = digest(editor);
     int steps = 0;

@@ -1,17 +1,17 @@
-/* Wild sessions: a stream of bytes becomes events of every kind, sense and nonsense. Shared by the random
- * session test and the fuzzer. */
+/* Random sessions: a stream of bytes becomes events of every kind, sensible or not. Shared by the random session test
+ * and the fuzzer. */
 #ifndef BATTEN_TESTS_SESSION_H
 #define BATTEN_TESTS_SESSION_H
 
 #include "support/pen.h"
 
-/* Bytes as they come; zeros when they are used up. */
+/* Bytes in order; zeros once they are used up. */
 typedef struct session_bytes {
     const uint8_t *data;
     size_t size, at;
 } session_bytes;
 
-/* Fills data with random bytes, and goes on from *seed. */
+/* Fills data with random bytes from *seed, which advances. */
 static inline session_bytes session_random(uint8_t *data, size_t size, uint64_t *seed) {
     for (size_t i = 0; i < size; i++) {
         *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -34,13 +34,13 @@ static inline double session_place(session_bytes *bytes) {
     return (high * 256 + low) / 65.536 - 20; /* mostly in a window of 960 px */
 }
 
-/* A stroke with a few hands' worth of samples: what makes a session more than noise. */
+/* A whole stroke with a number of samples, so that a session is more than noise. */
 static inline void session_stroke(bat_editor *editor, session_bytes *bytes, double *time) {
     static const double rows[] = {200, 600, 400, 300};
     pen p = pen_for(editor);
     uint8_t kind = session_byte(bytes);
     p.time = *time;
-    for (unsigned i = 0; i < 9 && kind & 4; i++) { /* lift whatever lies about, so that this one draws */
+    for (unsigned i = 0; i < 9 && kind & 4; i++) { /* lift all other contacts, so that this one draws */
         p.device = (bat_device)(i % 3);
         p.contact = i / 3;
         pen_event(&p, BAT_POINTER_CANCEL, 0, 0);
@@ -52,7 +52,7 @@ static inline void session_stroke(bat_editor *editor, session_bytes *bytes, doub
     double length = 20 + 3 * session_byte(bytes), bulge = session_byte(bytes) - 128;
     double rise = kind & 64 ? session_byte(bytes) - 128 : 0;
     pen_begin(&p, pen_arch, (double[]){x, y, x + length, y + rise, bulge / 2}, 12 + session_byte(bytes) % 40);
-    if (kind & 128) { /* held until it is a figure, and dragged */
+    if (kind & 128) { /* held until it becomes a figure, and dragged */
         p.time += 450;
         pen_event(&p, BAT_POINTER_MOVE, x + length, y + rise);
         pen_event(&p, BAT_POINTER_MOVE, x + length + bulge, y + rise);

@@ -1,4 +1,4 @@
-/* What tests of levels ask of shapes. */
+/* Comparisons of shapes for the tests of levels. */
 #ifndef BATTEN_TESTS_SHAPES_H
 #define BATTEN_TESTS_SHAPES_H
 
@@ -11,7 +11,7 @@ static inline const bat_curve *shape_finest(const bat_shape *shape) {
     return bat_shape_curve(shape, bat_shape_levels(shape));
 }
 
-/* The greatest difference of a coordinate of the control points; of curves that have not as many, INFINITY. */
+/* The greatest difference of a coordinate of the control points; INFINITY if their numbers differ. */
 static inline double points_apart(const bat_curve *a, const bat_curve *b) {
     double most = 0;
     if (bat_point_count(a) != bat_point_count(b)) return INFINITY;
@@ -20,7 +20,7 @@ static inline double points_apart(const bat_curve *a, const bat_curve *b) {
     return most;
 }
 
-/* The same curves and details, to the bit. */
+/* The same curves and details, bit for bit. */
 static inline bool shapes_same(const bat_shape *a, const bat_shape *b) {
     if (bat_shape_levels(a) != bat_shape_levels(b)) return false;
     for (int l = 0; l <= bat_shape_levels(a); l++) {

@@ -1,5 +1,4 @@
-/* What the tests of the sketch hand share: random smooth curves and strokes, and the properties a redraw has.
- */
+/* Shared by the tests of the sketch hand: random smooth curves and strokes, and measures of a redraw. */
 #ifndef BATTEN_TESTS_SKETCH_CASES_H
 #define BATTEN_TESTS_SKETCH_CASES_H
 
@@ -19,7 +18,7 @@ static inline double random_normal(random_source *r) {
     return sqrt(-2 * log(1 - a)) * cos(2 * 3.14159265358979 * b);
 }
 
-/* Clamped cubic along a gentle wave, some 600 units long. */
+/* A clamped cubic along a gentle wave, some 600 units long. */
 static inline bat_curve *wavy_curve(random_source *r, int count, double strength) {
     double points[2 * 128], knots[140];
     for (int i = 0; i < count; i++) {
@@ -35,7 +34,7 @@ static inline bat_curve *wavy_curve(random_source *r, int count, double strength
     return curve;
 }
 
-/* Closed cubic round (400, 300). */
+/* A closed cubic around (400, 300). */
 static inline bat_curve *ring_curve(random_source *r, int count, double strength) {
     double points[2 * 128], knots[130];
     for (int i = 0; i < count; i++) {
@@ -77,7 +76,7 @@ static inline drawn draw_along(random_source *r, const bat_curve *curve, double 
     return d;
 }
 
-/* A calm hand: a Bezier curve whose seven control points are points of the stretch, moved at random. */
+/* A stroke by a calm hand: a Bézier curve whose seven control points are points of the stretch, displaced at random. */
 static inline drawn draw_calmly(random_source *r, const bat_curve *curve, double u0, double u1, size_t count,
                                 double height, double noise) {
     enum { DEGREE = 6 };
@@ -117,7 +116,7 @@ static inline double gap(const double *a, const double *b, int m) {
     return sqrt(sum);
 }
 
-/* Greatest move of what is kept, parameter by parameter, as a part of the size. */
+/* Greatest displacement of the kept parts at equal parameters, relative to the size. */
 static inline double kept_moves(const bat_curve *old, const bat_curve *now, const bat_sketch_report *report) {
     enum { PLACES = 400 };
     double domain[2], worst = 0;

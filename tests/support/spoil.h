@@ -1,4 +1,4 @@
-/* Good texts of which one word is something else: what every reader must refuse with a reason, or take as sound. */
+/* Valid texts with one word replaced, which every reader must refuse with a reason or read into something sound. */
 #ifndef BATTEN_TESTS_SPOIL_H
 #define BATTEN_TESTS_SPOIL_H
 
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The words of a text: of JSON its values and names, lists and objects as a whole, too; of XML what stands in quotes; of
- * lines what stands between blanks. Each begins at or after *at; false: there are no more. */
+/* The words of a text. JSON: names and values, including whole lists and objects; XML: quoted strings; lines: parts
+ * between blanks. Finds the next word at or after *at; false: there are no more. */
 typedef bool spoil_words(const char *text, size_t *at, size_t *end);
 
 static inline size_t spoil_string_end(const char *text, size_t at) {
@@ -50,10 +50,10 @@ static inline bool spoil_blanks(const char *text, size_t *at, size_t *end) {
     return text[*at] != 0;
 }
 
-/* Where to go on from a word. */
+/* Where to continue after a word. */
 static inline size_t spoil_next(spoil_words *words, const char *text, size_t at, size_t end) {
     if (words == spoil_quoted) return end + 1;
-    return text[at] == '{' || text[at] == '[' ? at + 1 : end; /* into it */
+    return text[at] == '{' || text[at] == '[' ? at + 1 : end; /* descend into it */
 }
 
 static inline int spoil_count(spoil_words *words, const char *text) {
@@ -62,7 +62,7 @@ static inline int spoil_count(spoil_words *words, const char *text) {
     return count;
 }
 
-/* The text with its nth word replaced. free() */
+/* The text with its nth word replaced; the caller frees it with free(). */
 static inline char *spoil(spoil_words *words, const char *text, int n, const char *by) {
     size_t at = 0, end = 0, size = strlen(text), more = strlen(by);
     for (int i = 0; words(text, &at, &end) && i < n; i++) at = spoil_next(words, text, at, end);

@@ -1,5 +1,5 @@
-/* Wild sessions with all that the editor can do: every command and every property of the table, numbers entered,
- * levels, layers, the list of objects, pictures and the clipboard, besides the events of session.h. */
+/* Random sessions with everything that the editor can do: every command and every property of the tables, numbers
+ * entered, levels, layers, the list of objects, pictures and the clipboard, besides the events of session.h. */
 #ifndef BATTEN_TESTS_WILD_H
 #define BATTEN_TESTS_WILD_H
 
@@ -8,7 +8,7 @@
 #include "support/xml.h"
 #include <stdio.h>
 
-/* SVG with numbers as they come: open, closed, crowded, of no length, in a group, under a transform. */
+/* Pastes SVG with arbitrary numbers: open, closed, crowded, of zero length, in a group, under a transform. */
 static inline void wild_paste(bat_editor *editor, session_bytes *bytes) {
     char text[400];
     int n[8];
@@ -39,7 +39,7 @@ static inline void wild_copy(bat_editor *editor, bool cut, bool own) {
     bat_free(text);
 }
 
-/* A property within its range, most often; at its ends, beyond them, or no number. */
+/* Sets a property, mostly within its range; sometimes at its ends, beyond them, or to NaN. */
 static inline void wild_property(bat_editor *editor, session_bytes *bytes) {
     static const struct {
         const char *name;
@@ -64,7 +64,7 @@ static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
     return which == 255 || count == 0 ? 77 : bat_object_id(bat_document_at(document, which % count));
 }
 
-/* What else hosts ask and tell. */
+/* Other calls that hosts make. */
 static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     static const char *const keys[] = {"Ctrl+Q", "Q Shift+Q", "", NULL, "Ctrl+", "+", "\xff"};
     static const char *const words[] = {"{\"HINT_PAN\":\"%\"}", "{}", "[", "{\"TOOL_SKETCH\":\"\u00e4\"}"};
@@ -158,7 +158,7 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
     }
 }
 
-/* What begins and may stand open is ended. */
+/* Ends whatever operation may still be open. */
 static inline void wild_settle(bat_editor *editor) {
     bat_editor_set_read_only(editor, false);
     for (int i = 0; i < 6; i++) bat_editor_command(editor, "cancel");

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Decodes entities in place, returns the new length. */
+/* Decodes entities in place; returns the new length. */
 static inline size_t xml_decode(char *text, size_t size) {
     size_t n = 0;
     for (size_t i = 0; i < size;) {
@@ -35,7 +35,7 @@ static inline size_t xml_decode(char *text, size_t size) {
     return n;
 }
 
-/* False when the text is not even roughly XML, or there is no memory. */
+/* False when the text is not even roughly XML, or out of memory. */
 static inline bool xml_feed(bat_svg_reader *reader, const char *source) {
     size_t size = strlen(source);
     char *text = malloc(size + 1);
