@@ -36,7 +36,7 @@ export async function settle(notices, pack) {
   });
   const registration = await workers.register('sw.js', { updateViaCache: 'none' }).catch(() => null);
   if (!registration) {
-    return; // the browser does not allow it to be installed
+    return; // the browser does not allow service workers here
   }
   const watch = () => {
     const next = registration.installing;

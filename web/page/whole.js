@@ -42,7 +42,7 @@ export class Whole {
     if (answer?.ok) {
       await this.pack();
       location.reload();
-    } else { // this page is better than none, so no reload
+    } else { // the server does not answer: this page is better than none
       this.#say();
       this.notices.say(word('shell.no-answer'));
     }

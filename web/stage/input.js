@@ -136,7 +136,7 @@ export class Input {
     this.ticking ||= setInterval(() => this.#tick(), TICK);
   }
 
-  /** @param {PointerEvent} event gone from the contacts */
+  /** Removes a contact; gives whether it was down. @param {PointerEvent} event */
   #drop(event) {
     const was = this.contacts.delete(event.pointerId);
     if (this.contacts.size === 0) {
