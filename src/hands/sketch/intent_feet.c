@@ -120,6 +120,16 @@ static double priced(const bat_foot *from, const bat_foot *to, double step) {
     return to->d * to->d + hurry * jump * jump;
 }
 
+/* Tracks that have met go on together: the foot of an earlier track that stood at the same place, or NULL. */
+static const bat_foot *met_before(const bat_intent_near *near, int track, int i) {
+    const bat_foot *from = &near->track[track].foot[i - 1];
+    for (int t = 0; t < track; t++) {
+        const bat_foot *other = &near->track[t].foot[i - 1];
+        if (other->s == from->s && other->segment == from->segment) return other + 1;
+    }
+    return NULL;
+}
+
 bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     const int n = intent->places, firm = intent->firm;
     if (!room_for(near, n)) return BAT_MEMORY;
@@ -137,9 +147,10 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
         bat_feet *track = &near->track[t];
         double last = 0;
         for (int i = near->done; i < n; i++) {
-            const bat_foot *from = &track->foot[i - 1];
-            track->foot[i] = bat_intent_foot(&near->line, intent->p + 2 * (size_t)i, from, intent->step,
-                                             -INFINITY, INFINITY);
+            const bat_foot *from = &track->foot[i - 1], *met = met_before(near, t, i);
+            track->foot[i] = met ? *met
+                                 : bat_intent_foot(&near->line, intent->p + 2 * (size_t)i, from, intent->step,
+                                                   -INFINITY, INFINITY);
             last = priced(from, &track->foot[i], intent->step);
             if (i < firm) track->cost += last;
         }
