@@ -34,10 +34,13 @@ static void try_segment(const bat_polyline *line, int k, const double p[2], doub
         s = (s + hurry * (from + easy)) / (1 + hurry);
     else if (s < from - easy)
         s = (s + hurry * (from - easy)) / (1 + hurry);
-    s = fmin(fmax(s, fmax(s0, low)), fmin(s1, high));
+    low = s0 > low ? s0 : low,
+    high = s1 < high ? s1 : high; /* not fmin and fmax: calls, in the innermost loop */
+    s = s > low ? s : low, s = s < high ? s : high;
     const double f = h > 0 ? (s - s0) / h : 0, x[2] = {a[0] + f * v[0], a[1] + f * v[1]};
     const double d2 = (p[0] - x[0]) * (p[0] - x[0]) + (p[1] - x[1]) * (p[1] - x[1]);
-    const double jump = fmax(0, fabs(s - from) - easy), now = d2 + hurry * jump * jump;
+    const double beyond = fabs(s - from) - easy, jump = beyond > 0 ? beyond : 0,
+                 now = d2 + hurry * jump * jump;
     if (!(now < *price)) return;
     *price = now;
     *best = (bat_foot){.s = s, .d = sqrt(d2), .x = {x[0], x[1]}, .segment = k};
@@ -49,14 +52,15 @@ bat_foot bat_intent_foot(const bat_polyline *line, const double p[2], const bat_
     double price = INFINITY, s0, s1;
     const double easy = 3 * step, window = easy + 2 * from->d;
     const int last = line->count - 2;
+    const double upto = fmin(from->s + window, high), since = fmax(from->s - window, low);
     for (int k = from->segment; line->closed || k <= last; k++) {
         segment_at(line, k, &s0, &s1);
-        if (s0 > fmin(from->s + window, high) || k - from->segment > last) break;
+        if (s0 > upto || k - from->segment > last) break;
         try_segment(line, k, p, from->s, easy, low, high, &best, &price);
     }
     for (int k = from->segment - 1; line->closed || k >= 0; k--) {
         segment_at(line, k, &s0, &s1);
-        if (s1 < fmax(from->s - window, low) || from->segment - k > last) break;
+        if (s1 < since || from->segment - k > last) break;
         try_segment(line, k, p, from->s, easy, low, high, &best, &price);
     }
     best.settled = false;
@@ -159,7 +163,7 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     if (firm > near->done) near->done = firm;
     bat_foot *foot = near->track[near->best].foot;
     for (int i = 0; i < n; i++)
-        if (!foot[i].settled)
+        if (!foot[i].settled && foot[i].d < INTENT_DIRECTED)
             foot[i].c = bat_intent_cosine(intent, &near->line, intent->a[i], &foot[i], &foot[i].settled);
     return BAT_OK;
 }

@@ -15,6 +15,8 @@
 #define INTENT_JOINT 3.0
 #define INTENT_MARGIN 0.9
 #define INTENT_BESIDE 43.0 /* nearer than this counts as run in parallel */
+#define INTENT_DIRECTED                                                                                      \
+    94.0 /* farther off evidence is full whatever the direction: 1.5 INTENT_REACH_MOST sqrt(INTENT_FREE) */
 
 /* ---- a polyline with lengths ---- */
 
