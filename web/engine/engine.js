@@ -126,10 +126,7 @@ export class Engine extends Instance {
       this.wasm.editor_enter(this.editor, number, words))) === OK, false);
   }
 
-  /**
-   * The current value of that number, in the current unit; '' when there is none.
-   * @param {string} name @returns {string}
-   */
+  /** The value of that number in the current unit; '' when there is none. @param {string} name @returns {string} */
   number(name) {
     return this.guard(() => this.string(this.lend(name, (text) => this.wasm.editor_number(this.editor, text))), '');
   }
@@ -141,7 +138,7 @@ export class Engine extends Instance {
 
   /** Moves a layer to the place of another. @param {number} id @param {number} target @returns {boolean} */
   placeLayer(id, target) {
-    return this.guard(() => this.wasm.editor_place_layer(this.editor, id, target) === OK, false);
+    return this.act('editor_place_layer', id, target);
   }
 
   /** A text made by the engine. @param {string} name of the export @param {...number} numbers @returns {string} */
@@ -176,7 +173,7 @@ export class Engine extends Instance {
 
   /** @param {number} reading @returns {boolean} */
   readAs(reading) {
-    return this.guard(() => this.wasm.editor_read_as(this.editor, reading) === OK, false);
+    return this.act('editor_read_as', reading);
   }
 
   /** @returns {import('../sheets/levels.js').Levels} */
@@ -193,12 +190,12 @@ export class Engine extends Instance {
    * @returns {boolean}
    */
   level(act, level, value, done) {
-    return this.guard(() => this.wasm.editor_level(this.editor, act, level, value, Number(done)) === OK, false);
+    return this.act('editor_level', act, level, value, Number(done));
   }
 
   /** @param {number} id 0: none @returns {boolean} */
   activateLayer(id) {
-    return this.guard(() => this.wasm.editor_activate_layer(this.editor, id) === OK, false);
+    return this.act('editor_activate_layer', id);
   }
 
   /** @param {number} id @param {string} name @returns {boolean} */
@@ -208,7 +205,7 @@ export class Engine extends Instance {
 
   /** @param {number} id @param {boolean} hidden @param {boolean} locked @returns {boolean} */
   setState(id, hidden, locked) {
-    return this.guard(() => this.wasm.editor_set_state(this.editor, id, Number(hidden), Number(locked)) === OK, false);
+    return this.act('editor_set_state', id, Number(hidden), Number(locked));
   }
 
   /** @param {string} command @param {string | null} keys null: the default @returns {boolean} */
@@ -260,35 +257,25 @@ export class Engine extends Instance {
 
   // ---- files ----
 
-  /**
-   * A native document.
-   * @param {Uint8Array} bytes
-   * @param {string} name
-   */
+  /** A native document. @param {Uint8Array} bytes @param {string} name */
   openNative(bytes, name) {
-    const broken = -1;
-    const status = this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
-      this.wasm.editor_open_native(this.editor, text, size, title, this.scratch))), broken);
-    this.#opened(status);
+    this.#openBytes('editor_open_native', bytes, name);
   }
 
-  /**
-   * A file of another format that is not XML.
-   * @param {Uint8Array} bytes
-   * @param {string} name
-   */
+  /** A file of another format that is not XML. @param {Uint8Array} bytes @param {string} name */
   openFile(bytes, name) {
+    this.#openBytes('editor_open_file', bytes, name);
+  }
+
+  /** @param {string} reader name of the export @param {Uint8Array} bytes @param {string} name */
+  #openBytes(reader, bytes, name) {
     const broken = -1;
     const status = this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
-      this.wasm.editor_open_file(this.editor, text, size, title, this.scratch))), broken);
+      this.wasm[reader](this.editor, text, size, title, this.scratch))), broken);
     this.#opened(status);
   }
 
-  /**
-   * An SVG document as parsed by the browser.
-   * @param {Element} root
-   * @param {string} name
-   */
+  /** An SVG document as parsed by the browser. @param {Element} root @param {string} name */
   openSvg(root, name) {
     const broken = -1;
     const status = this.guard(() => readSvg(this, root, (reader) => this.lend(name, (title) =>
