@@ -34,6 +34,9 @@ export function expectFaults(...patterns) {
   expected.push(...patterns);
 }
 
+/** What a page says whose server has gone: parts that it had not fetched yet are missing too. */
+export const GONE = [/ERR_CONNECTION_(REFUSED|RESET)/, /Failed to fetch/, /^Missing: /];
+
 /** Chromium adds inline styles to the XML parser's report about a malformed file, which the policy refuses. */
 export const MALFORMED = [/^Applying inline style .*svg\.js$/, /^refused by style-src-attr/];
 

@@ -11,15 +11,16 @@ void bat_axis_show(bat_context *c, bat_overlay *overlay) {
     double box[4];
     if (!axis.on) return;
     bat_stage_box(c->stage, box);
-    const double x = (box[0] + box[2]) / 2, y = (box[1] + box[3]) / 2;
+    const double middle[2] = {(box[0] + box[2]) / 2, (box[1] + box[3]) / 2};
+    double from[2], to[2];
     /* From the point nearest to the window's middle, as far as the window reaches. */
     const double far = bat_hypot(box[2] - box[0], box[3] - box[1]);
-    const double s = (x - axis.at[0]) * axis.along[0] + (y - axis.at[1]) * axis.along[1];
+    const double s = bat_mirror_along(&axis, middle);
+    bat_mirror_place(&axis, s - far, from);
+    bat_mirror_place(&axis, s + far, to);
     bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, WIDTH);
-    bat_path_move(&overlay->path, axis.at[0] + (s - far) * axis.along[0],
-                  axis.at[1] + (s - far) * axis.along[1]);
-    bat_path_line(&overlay->path, axis.at[0] + (s + far) * axis.along[0],
-                  axis.at[1] + (s + far) * axis.along[1]);
+    bat_path_move(&overlay->path, from[0], from[1]);
+    bat_path_line(&overlay->path, to[0], to[1]);
 }
 
 void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,

@@ -6,6 +6,7 @@
  */
 #include "hands/levels/fit.h"
 
+#include "base/bisect.h"
 #include "curve/banded.h"
 #include "curve/curve.h"
 
@@ -75,15 +76,8 @@ static bat_status fit_make(const bat_curve *curve, size_t count, fit *f) {
 
 /* The number of spans before u, and the inverse. */
 static double place_of(const fit *f, double u) {
-    int low = 0, high = f->spans;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (f->breaks[middle] <= u)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low + (u - f->breaks[low]) / (f->breaks[low + 1] - f->breaks[low]);
+    const size_t i = bat_bisect(f->breaks, (size_t)f->spans + 1, u);
+    return (double)i + (u - f->breaks[i]) / (f->breaks[i + 1] - f->breaks[i]);
 }
 
 static double parameter_at(const fit *f, double place) {

@@ -213,7 +213,6 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
         k->limit[i] = tight * tight;
         k->soft[i] = 1;
     }
-
     return true;
 }
 

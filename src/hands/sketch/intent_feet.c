@@ -124,6 +124,12 @@ static double priced(const bat_foot *from, const bat_foot *to, double step) {
     return to->d * to->d + hurry * jump * jump;
 }
 
+/* False: so far off that the evidence is full whatever the direction (bat_intent_e). */
+static bool direction_counts(const bat_foot *foot) {
+    const double most = INTENT_CHOSEN * INTENT_REACH_MOST;
+    return foot->d * foot->d < INTENT_FREE * most * most;
+}
+
 /* Tracks that have met go on together: the foot of an earlier track that stood at the same place, or NULL. */
 static const bat_foot *met_before(const bat_intent_near *near, int track, int i) {
     const bat_foot *from = &near->track[track].foot[i - 1];
@@ -163,7 +169,7 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     if (firm > near->done) near->done = firm;
     bat_foot *foot = near->track[near->best].foot;
     for (int i = 0; i < n; i++)
-        if (!foot[i].settled && foot[i].d < INTENT_DIRECTED)
+        if (!foot[i].settled && direction_counts(&foot[i]))
             foot[i].c = bat_intent_cosine(intent, &near->line, intent->a[i], &foot[i], &foot[i].settled);
     return BAT_OK;
 }

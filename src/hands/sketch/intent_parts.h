@@ -15,8 +15,7 @@
 #define INTENT_JOINT 3.0
 #define INTENT_MARGIN 0.9
 #define INTENT_BESIDE 43.0 /* nearer than this counts as run in parallel */
-#define INTENT_DIRECTED                                                                                      \
-    94.0 /* farther off evidence is full whatever the direction: 1.5 INTENT_REACH_MOST sqrt(INTENT_FREE) */
+#define INTENT_CHOSEN 1.5  /* times the reach, of curves that are selected */
 
 /* ---- a polyline with lengths ---- */
 

@@ -102,7 +102,7 @@ void bat_intent_evidence(bat_intent *intent, int index) {
         near->least = fmin(near->least, foot[i].d);
     }
     double reach = bat_intent_reach(intent, near->ran);
-    if (intent->chosen) reach *= 1.5;
+    if (intent->chosen) reach *= INTENT_CHOSEN;
     near->sum = total(intent, near, reach);
     /* A stroke beside it all the way is rather a further line. What is too far in any case need not be looked
      * at. */

@@ -1,4 +1,5 @@
 #include "hands/sketch/track.h"
+#include "base/bisect.h"
 #include "base/real.h"
 
 #include <math.h>
@@ -64,18 +65,6 @@ void bat_track_free(bat_track *track) {
     memset(track, 0, sizeof *track);
 }
 
-static int locate(const double *x, int count, double v) {
-    int low = 0, high = count - 1;
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        if (x[middle] <= v)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Cubic Hermite value on [0, 1] between y0 and y1, slopes limited so that it stays monotone. */
 static double hermite(double f, double y0, double y1, double d0, double d1) {
     const double rise = y1 - y0;
@@ -93,7 +82,7 @@ double bat_track_s(const bat_track *k, double u) {
     }
     if (u <= k->start) return base;
     if (u >= k->end) return base + k->length;
-    const int i = locate(k->u, k->count, u);
+    const size_t i = bat_bisect(k->u, (size_t)k->count, u);
     const double h = k->u[i + 1] - k->u[i];
     if (!(h > 0)) return base + k->s[i];
     return base + hermite((u - k->u[i]) / h, k->s[i], k->s[i + 1], h * k->speed[i], h * k->speed[i + 1]);
@@ -107,7 +96,7 @@ double bat_track_u(const bat_track *k, double s) {
     }
     if (s <= 0) return base + k->start;
     if (s >= k->length) return base + k->end;
-    const int i = locate(k->s, k->count, s);
+    const size_t i = bat_bisect(k->s, (size_t)k->count, s);
     const double h = k->s[i + 1] - k->s[i], rise = k->u[i + 1] - k->u[i];
     if (!(h > 0)) return base + k->u[i];
     const double d0 = k->speed[i] > 0 ? h / k->speed[i] : 3 * rise;
@@ -118,11 +107,11 @@ double bat_track_u(const bat_track *k, double s) {
 void bat_track_point(const bat_track *k, double s, double *point) {
     const size_t m = (size_t)k->curve->dimension;
     if (k->curve->closed && k->length > 0) s -= floor(s / k->length) * k->length;
-    const int i = locate(k->s, k->count, s);
+    const size_t i = bat_bisect(k->s, (size_t)k->count, s);
     const double h = k->s[i + 1] - k->s[i];
     double f = h > 0 ? (s - k->s[i]) / h : 0;
     f = f < 0 ? 0 : f > 1 ? 1 : f;
-    const double *a = k->points + (size_t)i * m, *b = a + m;
+    const double *a = k->points + i * m, *b = a + m;
     for (size_t c = 0; c < m; c++) point[c] = a[c] + f * (b[c] - a[c]);
 }
 
