@@ -48,15 +48,26 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     w->members = members;
 }
 
-/* Draws the first child that is supported, requires no extensions, and is not for a language other than
- * English. */
+/* True: one of the comma-separated language tags is "en" or begins with "en-"; NULL: for every language. */
+static bool for_english(const char *tags) {
+    if (!tags) return true;
+    while (*tags) {
+        tags += strspn(tags, " \t\n\r,");
+        const size_t size = strcspn(tags, " \t\n\r,");
+        if (size >= 2 && (tags[0] | 32) == 'e' && (tags[1] | 32) == 'n' && (size == 2 || tags[2] == '-'))
+            return true;
+        tags += size;
+    }
+    return false;
+}
+
+/* Draws the first child that is supported, requires no extensions, and is for English or for every language. */
 void bat_svg_draw_switch(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     for (uint32_t at = w->tree->elements[element].first; at; at = w->tree->elements[at].next) {
         bat_svg_kind kind = (bat_svg_kind)w->tree->elements[at].kind;
-        const char *language = bat_svg_attribute_of(w, at, "systemLanguage");
         if (kind == BAT_SVG_UNKNOWN || kind == BAT_SVG_OTHER || kind >= BAT_SVG_NEVER) continue;
         if (bat_svg_attribute_of(w, at, "requiredExtensions") ||
-            (language && strncmp(language, "en", 2) != 0))
+            !for_english(bat_svg_attribute_of(w, at, "systemLanguage")))
             continue;
         w->draw(w, at, s);
         return;

@@ -169,6 +169,28 @@ static void use_and_viewports(void **state) {
     bat_document_free(d);
 }
 
+/* One tag of the list decides, whole or up to a hyphen, in either case of letters. */
+static void a_switch_draws_what_is_for_english(void **state) {
+    (void)state;
+    static const struct {
+        const char *tags;
+        bool drawn;
+    } rows[] = {{"en", true},     {"de, en-GB", true}, {"EN-us", true}, {" fr,\ten ", true},
+                {"enm", false},   {"e", false},        {"", false},     {"de,fr", false},
+                {"de-en", false}, {",,", false},       {"eng,en", true}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "<svg viewBox='0 0 100 100'><switch><rect systemLanguage='%s' width='3' height='4'/>"
+                 "<rect width='50' height='60'/></switch></svg>",
+                 rows[i].tags);
+        bat_document *d = read_svg(text);
+        assert_int_equal(bat_document_count(d), 1);
+        expect_box(d, 0, 0, 0, rows[i].drawn ? 3 : 50, rows[i].drawn ? 4 : 60);
+        bat_document_free(d);
+    }
+}
+
 static bat_document *random_document(random_source *r, int objects) {
     static const char *const names[] = {
         "", "roof", "roof", "\"<&>'\n\t \x01 \xf0\x9f\x9a\x97]]>", "r\xc3\xb6hre", "9x"};
@@ -429,6 +451,7 @@ int main(void) {
         cmocka_unit_test(pages_and_units),
         cmocka_unit_test(styles_cascade),
         cmocka_unit_test(use_and_viewports),
+        cmocka_unit_test(a_switch_draws_what_is_for_english),
         cmocka_unit_test(native_comes_back_bit_for_bit),
         cmocka_unit_test(visible_paths_are_the_curves),
         cmocka_unit_test(an_edited_drawing_wins),
