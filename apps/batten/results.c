@@ -139,13 +139,18 @@ static int write_reported(char *data, size_t size, bat_text *report) {
     return write_text(&text);
 }
 
-int write_sketch(const bat_curve *curve, const bat_sketch_report *report) {
+int write_curve_reported(const bat_curve *curve, bat_text *report) {
     char *data;
     size_t size;
+    if (bat_curve_write(curve, &data, &size) == BAT_OK) return write_reported(data, size, report);
+    bat_text_free(report);
+    return fail_memory();
+}
+
+int write_sketch(const bat_curve *curve, const bat_sketch_report *report) {
     bat_text text = {0};
-    if (bat_curve_write(curve, &data, &size) != BAT_OK) return fail_memory();
     put_report(&text, report);
-    return write_reported(data, size, &text);
+    return write_curve_reported(curve, &text);
 }
 
 int write_surface(const bat_surface *surface, bat_text *report) {

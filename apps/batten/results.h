@@ -28,6 +28,8 @@ int write_text(bat_text *text);
 int write_curve(const bat_curve *curve);
 /* Writes the surface with its report (JSON), which is released. */
 int write_surface(const bat_surface *surface, bat_text *report);
+/* Writes the curve with its report (JSON), which is released. */
+int write_curve_reported(const bat_curve *curve, bat_text *report);
 /* Writes the curve with its report to standard output. */
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
 /* Reports what a sketch's status means for the user; stroke: the name of the stroke file. */

@@ -41,8 +41,9 @@ BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, co
                            bat_curve **out, bat_fit_report *report);
 
 /*
- * Fits the curve again, with the same degree and as few knots as keep it within tolerance (> 0); corners (knots of
- * multiplicity p at which the tangent turns by more than corner radians) and ends stay. The parametrisation is new.
+ * Fits the curve again, with the same degree and as few knots as keep it within tolerance (0: only removals that
+ * change nothing); corners (knots of multiplicity p at which the tangent turns by more than corner radians) and ends
+ * stay. The parametrisation is new.
  * *error (may be NULL): the distance, measured both ways. Where a fit of samples of the curve has no fewer points
  * than bat_curve_simplify gives, the result is that of bat_curve_simplify.
  */

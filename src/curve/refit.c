@@ -94,7 +94,8 @@ static bat_status fitted(const bat_curve *curve, const sampling *s, double toler
 
 bat_status bat_curve_refit(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
                            double *error) {
-    if (!curve || !out || !(tolerance > 0) || !isfinite(tolerance) || !(corner >= 0)) return BAT_ARGUMENT;
+    if (!curve || !out || !(tolerance >= 0) || !isfinite(tolerance) || !(corner >= 0)) return BAT_ARGUMENT;
+    if (tolerance == 0) return bat_curve_simplify(curve, 0, corner, out, error); /* nothing to fit */
     bat_curve *fewer = NULL, *again = NULL;
     double kept = 0, worst = 0;
     bat_status status = bat_curve_simplify(curve, tolerance, corner, &fewer, &kept);

@@ -28,7 +28,7 @@ class Streams(ProgramTest):
             "eval": ["eval", curve, "--samples", 20000], "nearest": ["nearest", curve, "--point", "1,1"],
             "frames": ["frames", self.file("d.json", SPACE), "--samples", 5000], "fit": ["fit", stroke],
             "sketch": ["sketch", curve, stroke], "tangents": ["tangents", spline],
-            "levels": ["levels", self.file("l.json", {"base": CURVE})], "info": ["info", car],
+            "levels": ["levels", self.file("l.json", {"base": CURVE})], "info": ["info", car], "simplify": ["simplify", car],
             "info --json": ["info", car, "--json"], "replay": ["replay", journal],
             "convert": ["convert", car, "-", "--to", "batten"], "render svg": ["render", car, "-", "--to", "svg"],
             "render png": ["render", car, "-", "--to", "png"], "render pdf": ["render", car, "-", "--to", "pdf"],
@@ -139,7 +139,7 @@ class Utf8(ProgramTest):
     """What is told is valid UTF-8, whatever names and data hold."""
 
     COMMANDS = {"eval": ["--samples", "3"], "nearest": ["--point", "1,2"], "frames": ["--samples", "3"], "fit": [],
-                "tangents": [], "levels": [], "info": [], "replay": []}
+                "tangents": [], "levels": [], "info": [], "replay": [], "simplify": []}
 
     def test_names_of_files(self):
         escaped = r"no\xFF\xFE\x80utf8\xC3"

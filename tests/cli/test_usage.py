@@ -8,7 +8,7 @@ import unittest
 
 from program import CURVE, PROGRAM, ProgramTest
 
-COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "info", "replay",
+COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "info", "replay",
             "surface eval", "surface isocurve", "surface closest", "surface hit", "surface redraw"]
 
 
@@ -52,7 +52,8 @@ class Usage(ProgramTest):
             ["render", curve, "out.gif"], ["render", curve, "-"], ["render", curve, "o.png", "--size", "10"],
             ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
             ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],
-            ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
+            ["simplify"], ["simplify", curve, "--tolerance", "-1"], ["simplify", curve, "--tolerance", "nan"],
+            ["simplify", curve, curve], ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
             ["surface"], ["surface", "frobnicate"], ["surface", "eval"], ["surface", "eval", curve],
             ["surface", "eval", curve, "--samples", "3"], ["surface", "eval", curve, "--samples", "3x0"],
             ["surface", "eval", curve, "--samples", "9999x9999"], ["surface", "eval", curve, "--at", "1"],

@@ -54,7 +54,7 @@ static void of_refinement(void **state) {
     ARGUMENT(bat_curve_simplify(open, -1, 1, &out, &error));
     ARGUMENT(bat_curve_refit(NULL, 1, 1, &out, &error));
     ARGUMENT(bat_curve_refit(open, 1, 1, NULL, &error));
-    ARGUMENT(bat_curve_refit(open, 0, 1, &out, &error));
+    ARGUMENT(bat_curve_refit(open, -1, 1, &out, &error));
     ARGUMENT(bat_curve_refit(open, INFINITY, 1, &out, &error));
     ARGUMENT(bat_curve_refit(open, 1, -1, &out, &error));
     ARGUMENT(bat_curve_simplify(open, 1, NAN, &out, &error));
