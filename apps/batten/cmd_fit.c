@@ -7,7 +7,10 @@ static int run(const cli_arguments *arguments) {
     const char *name = arguments->operands[0];
     bat_sketch_options options;
     int failed = sketch_options(arguments, &options);
+    long degree = options.degree;
+    if (!failed) failed = arguments_integer(arguments, "--degree", 3, BAT_DEGREE_MAX, &degree);
     if (failed) return failed;
+    options.degree = (int)degree;
     bat_stroke stroke;
     void *block = NULL;
     failed = read_stroke(name, &stroke, &block);
@@ -24,7 +27,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_fit = {
     .name = "fit",
-    .usage = "STROKE [--tolerance T] [--pixel P] [--closed]",
+    .usage = "STROKE [--tolerance T] [--pixel P] [--degree P] [--closed]",
     .summary = "A new curve from a stroke.",
     .details = "STROKE is JSON ({\"points\", \"pressure\", \"time\"}) or CSV with a header line x,y. The "
                "result is a CURVE\n"
@@ -33,6 +36,7 @@ const cli_command command_fit = {
     .operands = 1,
     .options = {OPTION_TOLERANCE,
                 OPTION_PIXEL,
+                {"--degree", "P", "3 (default) to 7; the curve is C^(P - 1)"},
                 {"--closed", NULL, "closed, even when the stroke's ends do not meet"}},
     .run = run,
 };

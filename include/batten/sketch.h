@@ -28,6 +28,8 @@ typedef struct bat_sketch_options {
     double width;        /* factor on the offset for the transitions, 3 (math 5.5) */
     bool keep_corners;   /* corners of the stroke and of the curve are kept */
     double smooth_limit; /* smoothing stroke: how far the curve may move at most, document units; 0: 5 px */
+    /* Since after 0.2: */
+    int degree; /* of new curves, which are C^(degree - 1): 3, or up to 7; 5 is what surfaces of class A ask for */
 } bat_sketch_options;
 
 typedef struct bat_sketch_report {

@@ -35,9 +35,9 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     status = bat_sketch_clean(stroke, &o, true, hints, origin, &clean);
     if (status != BAT_OK) return status;
     /* Parameters of a new curve are lengths in document units. */
-    bat_plan plan = {.degree = 3,
+    bat_plan plan = {.degree = o.degree,
                      .dimension = stroke->dimension,
-                     .pins = 3,
+                     .pins = o.degree,
                      .tolerance = clean.share * (o.tolerance / o.pixel),
                      .width = o.width,
                      .keep_corners = true,

@@ -8,8 +8,8 @@
 #include <string.h>
 
 static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1, .pins = 3,
-                                            .width = 3};
-enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
+                                            .width = 3, .degree = 3};
+enum { LEAST = offsetof(bat_sketch_options, degree) }; /* the size in 0.2 */
 
 void bat_sketch_options_init(bat_sketch_options *options, size_t size) {
     bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
@@ -28,6 +28,7 @@ bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *
     if (!(o->pixel > 1e-100 && o->pixel < 1e100) || o->tolerance < 0 || o->smooth_limit < 0)
         return BAT_ARGUMENT;
     if (o->pins != 2 && o->pins != 3) return BAT_ARGUMENT;
+    if (o->degree < 3 || o->degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (!(o->width >= 0 && o->width <= 100)) return BAT_ARGUMENT;
     if (o->tolerance == 0) o->tolerance = o->pixel;
     if (o->smooth_limit == 0) o->smooth_limit = 5 * o->pixel;

@@ -12,6 +12,7 @@
 #include <string.h>
 
 static const double TAP = 4; /* px that a tap may travel */
+enum { CLASS_A = 5 };        /* degree of new lines then */
 
 static bat_sketch_options options(const bat_context *c) {
     double pixel = bat_stage_pixel(c->stage);
@@ -20,6 +21,7 @@ static bat_sketch_options options(const bat_context *c) {
     options.tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel;
     options.width = c->settings->values[BAT_PROPERTY_TRANSITION_WIDTH];
     options.keep_corners = c->settings->values[BAT_PROPERTY_KEEP_CORNERS] != 0;
+    if (c->settings->values[BAT_PROPERTY_CLASS_A] != 0) options.degree = CLASS_A;
     options.smooth_limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
     return options;
 }

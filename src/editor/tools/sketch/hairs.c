@@ -94,6 +94,7 @@ static bat_status shape(const bat_context *c, const bat_hairs *h, const bat_edit
         bat_fit_options options = bat_fit_defaults();
         options.tolerance = fmax(fmax(LEAST * pixel, SLACK * line->scatter), 0.5 * edit->options.tolerance);
         options.smoothing = WAVE * pixel;
+        options.degree = edit->options.degree;
         return bat_fit(2, line->count, line->points, &options, out, NULL);
     }
     const bat_stroke stroke = {.dimension = 2, .count = line->count, .points = line->points};
