@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1, .pins = 3,
-                                            .width = 3, .degree = 3};
+static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1,
+                                            .pins = 3,       .width = 3,     .degree = 3};
 enum { LEAST = offsetof(bat_sketch_options, degree) }; /* the size in 0.2 */
 
 void bat_sketch_options_init(bat_sketch_options *options, size_t size) {

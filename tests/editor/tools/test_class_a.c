@@ -127,7 +127,8 @@ static void files_bring_it_back(void **state) {
             double x[2];
             bat_near near;
             for (int k = 0; k < 2; k++)
-                x[k] = s * s * s * b[k] + 3 * s * s * t * b[2 + k] + 3 * s * t * t * b[4 + k] + t * t * t * b[6 + k];
+                x[k] = s * s * s * b[k] + 3 * s * s * t * b[2 + k] + 3 * s * t * t * b[4 + k] +
+                       t * t * t * b[6 + k];
             assert_int_equal(bat_curve_nearest(curve, x, &near), BAT_OK);
             worst = fmax(worst, near.distance);
         }

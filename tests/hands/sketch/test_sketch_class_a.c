@@ -19,12 +19,15 @@ static bat_sketch_options of_degree(int degree) {
     return options;
 }
 
-static double size_of(const double *x, int m) { return m == 2 ? hypot(x[0], x[1]) : hypot(hypot(x[0], x[1]), x[2]); }
+static double size_of(const double *x, int m) {
+    return m == 2 ? hypot(x[0], x[1]) : hypot(hypot(x[0], x[1]), x[2]);
+}
 
 /* The greatest jump of a derivative of an order below the degree, at a knot, of that derivative's greatest value. */
 static double greatest_jump(const bat_curve *curve) {
     enum { LOOKS = 400 };
-    const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve), count = bat_curve_knot_count(curve);
+    const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve),
+              count = bat_curve_knot_count(curve);
     const bool closed = bat_curve_is_closed(curve);
     const double *knots = bat_curve_knots(curve);
     double domain[2], scale[BAT_DEGREE_MAX] = {0}, worst = 0;
@@ -70,7 +73,8 @@ static size_t bump_over(const sample_set *s, size_t from, size_t to, double heig
         const size_t a = i > 0 ? i - 1 : i, b = i + 1 < s->count ? i + 1 : i;
         const double x = s->points[2 * b] - s->points[2 * a], y = s->points[2 * b + 1] - s->points[2 * a + 1];
         const double length = hypot(x, y) > 0 ? hypot(x, y) : 1;
-        out[2 * n] = s->points[2 * i] - up * y / length, out[2 * n + 1] = s->points[2 * i + 1] + up * x / length;
+        out[2 * n] = s->points[2 * i] - up * y / length,
+                out[2 * n + 1] = s->points[2 * i + 1] + up * x / length;
     }
     return n;
 }
@@ -211,9 +215,11 @@ static void degrees_are_checked(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_degree_is_as_smooth_as_it_can_be), cmocka_unit_test(a_cubic_stays_a_cubic),
-        cmocka_unit_test(rings_are_smooth_all_round),  cmocka_unit_test(joined_and_closed_curves_are_smooth),
-        cmocka_unit_test(it_is_fairer),                cmocka_unit_test(degrees_are_checked)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_degree_is_as_smooth_as_it_can_be),
+                                       cmocka_unit_test(a_cubic_stays_a_cubic),
+                                       cmocka_unit_test(rings_are_smooth_all_round),
+                                       cmocka_unit_test(joined_and_closed_curves_are_smooth),
+                                       cmocka_unit_test(it_is_fairer),
+                                       cmocka_unit_test(degrees_are_checked)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
