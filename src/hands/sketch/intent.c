@@ -7,13 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double hopeless = 2.5, first_say = 8;
+static const double first_say = 8;
 
 bat_status bat_intent_create(bool touch, bool chosen, bat_intent **out) {
     if (!out) return BAT_ARGUMENT;
     bat_intent *intent = calloc(1, sizeof *intent);
     if (!intent) return BAT_MEMORY;
-    intent->box[0] = intent->box[1] = INFINITY, intent->box[2] = intent->box[3] = -INFINITY;
     intent->touch = touch, intent->chosen = chosen;
     intent->reach0 = touch ? 2 * INTENT_REACH0 : INTENT_REACH0;
     intent->on = touch ? 2 * INTENT_ON : INTENT_ON;
@@ -23,6 +22,7 @@ bat_status bat_intent_create(bool touch, bool chosen, bat_intent **out) {
 
 static void free_line(bat_intent_near *near) {
     bat_polyline_free(&near->line);
+    bat_runs_free(&near->runs);
     for (int t = 0; t < INTENT_SEEDS; t++) free(near->track[t].foot);
 }
 
@@ -31,6 +31,7 @@ void bat_intent_free(bat_intent *intent) {
     for (int i = 0; i < intent->line_count; i++) free_line(&intent->line[i]);
     free(intent->line);
     bat_polyline_free(&intent->stroke);
+    bat_runs_free(&intent->runs);
     free(intent->a);
     free(intent->steps);
     free(intent);
@@ -46,7 +47,11 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
     }
     bat_intent_near near = {.meant = meant, .box = {INFINITY, INFINITY, -INFINITY, -INFINITY}};
     bat_status status = bat_polyline_flatten(curve, map, &near.line);
-    if (status != BAT_OK) return status;
+    if (status == BAT_OK) status = bat_runs_build(&near.runs, near.line.count, near.line.x);
+    if (status != BAT_OK) {
+        free_line(&near);
+        return status;
+    }
     for (int i = 0; i < near.line.count; i++)
         for (int k = 0; k < 2; k++) {
             near.box[k] = fmin(near.box[k], near.line.x[2 * i + k]);
@@ -56,32 +61,16 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
     return BAT_OK;
 }
 
-/* Brings the tracks up to date and evaluates them. A line that explains nothing sleeps until the stroke is a
- * quarter longer; for the whole stroke all lines are asked. */
-static bat_status look(bat_intent *intent, bool whole) {
-    for (int i = 0; i < intent->line_count; i++) {
-        bat_intent_near *near = &intent->line[i];
-        near->usable = near->line.count > 1 && bat_polyline_length(&near->line) > 0 &&
-                       (whole || intent->length >= near->asleep);
-        if (!near->usable) continue;
-        bat_status status = bat_intent_feet(intent, near);
-        if (status != BAT_OK) return status;
-        bat_intent_evidence(intent, i);
-        near->asleep = near->sum > hopeless * intent->length && intent->length > 40 ? 1.25 * intent->length
-                                                                                    : 0;
-    }
-    return BAT_OK;
-}
-
 bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_reading out[BAT_INTENT_READINGS], int *count) {
     bat_intent_list list = {.reading = out};
     *count = 0;
     bat_status status = bat_intent_places(intent);
     if (status != BAT_OK) return status;
     if (!whole && intent->length < first_say) return BAT_DOT;
-    status = look(intent, whole);
+    status = bat_intent_ask(intent, whole);
     if (status != BAT_OK) return status;
-    bat_intent_new(intent, &list);
+    status = bat_intent_new(intent, &list);
+    if (status != BAT_OK) return status;
     bat_intent_redraws(intent, &list);
     bat_intent_ends(intent, &list);
     status = bat_intent_several(intent, &list);

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static const double passing = 13.5, straight = 10, ran_least = 8;
+static const double straight = 10, ran_least = 8;
 
 typedef struct head {
     double cost;
@@ -15,9 +15,6 @@ typedef struct head {
     bool ran;    /* along the curve first */
     int place;   /* where it leaves the end */
 } head;
-
-/* The stroke from the other side is the same stroke turned round. */
-static int mirror(const bat_intent *intent, int i, int side) { return side ? intent->places - 1 - i : i; }
 
 static void outwards(const bat_polyline *line, int end, double point[2], double way[2]) {
     const double length = bat_polyline_length(line), h = fmin(straight, length);
@@ -31,81 +28,78 @@ static void outwards(const bat_polyline *line, int end, double point[2], double 
 
 /* Direction in which the stroke goes on from place i, away from `side`. */
 static void going_on(const bat_intent *intent, int i, int side, double way[2]) {
-    const double end = intent->hook + (side ? 0 : intent->length), a = intent->a[mirror(intent, i, side)];
+    const double end = intent->hook + (side ? 0 : intent->length),
+                 a = intent->a[bat_intent_mirror(intent, i, side)];
     const double h = fmin(straight, fabs(end - a)) / 2;
     bat_intent_heading(intent, a + (side ? -h : h), h, way);
     if (side) way[0] = -way[0], way[1] = -way[1];
 }
 
-static int nearest_place(const bat_intent *intent, const double point[2], int side, double *distance) {
-    int best = 0;
-    *distance = INFINITY;
-    for (int i = 0; i < intent->places; i++) {
-        const double *p = intent->p + 2 * (size_t)mirror(intent, i, side);
-        const double d = bat_hypot(p[0] - point[0], p[1] - point[1]);
-        if (d < *distance) *distance = d, best = i;
-    }
-    return best;
-}
-
-/* Whether a place can be near enough at all. */
-static bool within(const bat_intent *intent, const double point[2]) {
-    const double *box = intent->box;
-    return point[0] > box[0] - passing && point[0] < box[2] + passing && point[1] > box[1] - passing &&
-           point[1] < box[3] + passing;
+/* The first place that may lie within INTENT_FAR of the line. */
+static int first_beside(const bat_intent *intent, const bat_intent_near *near, int side) {
+    const double *box = near->box, centre[2] = {0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])};
+    const double within = INTENT_FAR + bat_hypot(box[2] - centre[0], box[3] - centre[1]);
+    const int last = intent->places - 1;
+    return side ? last - bat_runs_last(&intent->runs, last, centre, within * within)
+                : bat_runs_next(&intent->runs, 0, centre, within * within);
 }
 
 /* Runs along the curve up to place k at the end: feet are looked for from the end back, on so much of the curve as
  * the stroke is long. */
-static double run_along(const bat_intent *intent, const bat_polyline *line, int end, int k, int side,
+static double run_along(bat_intent *intent, const bat_intent_near *near, int end, int k, int side,
                         double *off) {
+    const bat_polyline *line = &near->line;
     const double length = bat_polyline_length(line);
     bat_foot foot = {.s = end ? length : 0, .segment = end ? line->count - 2 : 0};
-    double ran = 0, sum[2] = {0, 0};
-    const double way = fabs(intent->a[mirror(intent, k, side)] - intent->a[mirror(intent, 0, side)]);
+    double ran = 0, sum = 0;
+    const double way = fabs(intent->a[bat_intent_mirror(intent, k, side)] -
+                            intent->a[bat_intent_mirror(intent, 0, side)]);
     const double low = end ? length - way - INTENT_REACH_MOST : 0,
                  high = end ? length : way + INTENT_REACH_MOST;
     bat_polyline_at(line, foot.s, foot.x);
-    const double *p = intent->p + 2 * (size_t)mirror(intent, k, side);
+    const double *p = intent->p + 2 * (size_t)bat_intent_mirror(intent, k, side);
     foot.d = bat_hypot(p[0] - foot.x[0], p[1] - foot.x[1]);
-    /* Goes the same way twice: first for how far they ran together, then, with the reach from that, for the
-     * cost. */
-    const bat_foot start = foot;
-    for (int round = 0; round < 2; round++) {
-        const double reach = bat_intent_reach(intent, ran) * (intent->chosen ? 1.5 : 1);
-        foot = start;
-        for (int i = k; i >= 0; i--) {
-            const int m = mirror(intent, i, side);
-            bool settled;
-            foot = bat_intent_foot(line, intent->p + 2 * (size_t)m, &foot, intent->step, low, high);
+    /* Before the first place beside the line nothing is asked of the feet. */
+    const int since = first_beside(intent, near, side);
+    for (int i = k; i >= since; i--) {
+        const int m = bat_intent_mirror(intent, i, side);
+        bool settled;
+        foot = bat_intent_foot(near, intent->p + 2 * (size_t)m, &foot, intent->step, low, high);
+        foot.c = 0;
+        if (foot.d < INTENT_FAR)
             foot.c = bat_intent_cosine(intent, line, intent->a[m], &foot, &settled) *
                      ((side == 0) == (end == 1) ? 1 : -1);
-            if (round == 0 && foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
-            if (round == 1) sum[0] += bat_intent_e(&foot, 1, reach) * intent->ds[m];
-        }
-        if (!(ran > ran_least)) return INFINITY;
+        if (foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
+        intent->d[i] = foot.d, intent->c[i] = foot.c;
     }
-    *off = foot.d;
-    return sum[0];
+    if (!(ran > ran_least)) return INFINITY;
+    const double reach = bat_intent_reach(intent, ran) * (intent->chosen ? INTENT_CHOSEN : 1);
+    for (int i = k; i >= 0; i--) {
+        const bat_foot kept = {.d = intent->d[i], .c = intent->c[i]};
+        sum += (i < since ? INTENT_FREE : bat_intent_e(&kept, 1, reach)) *
+               intent->ds[bat_intent_mirror(intent, i, side)];
+    }
+    *off = since > 0 ? INTENT_FAR : foot.d;
+    return sum;
 }
 
 static bool find_head(bat_intent *intent, int index, int end, int side, head *out) {
-    const bat_polyline *line = &intent->line[index].line;
+    const bat_intent_near *near = &intent->line[index];
     double point[2], out_way[2], way[2], passed, first[2];
-    outwards(line, end, point, out_way);
-    const double *p = intent->p + 2 * (size_t)mirror(intent, 0, side);
+    outwards(&near->line, end, point, out_way);
+    const double *p = intent->p + 2 * (size_t)bat_intent_mirror(intent, 0, side);
     first[0] = p[0], first[1] = p[1];
     const double start = bat_hypot(first[0] - point[0], first[1] - point[1]);
-    const int k = nearest_place(intent, point, side, &passed);
+    const int k = bat_intent_nearest(intent, point, side, &passed);
     *out = (head){.cost = INFINITY};
     if (start < INTENT_AT_END) {
         going_on(intent, 0, side, way);
         *out = (head){.cost = (start - INTENT_AT_END) * fmin(1, intent->length / 60),
                       .turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1])};
     }
-    if (k > 0 && passed < passing) {
+    if (k > 0 && passed < INTENT_PASSING) {
         double off = 0;
-        const double sum = run_along(intent, line, end, k, side, &off);
+        const double sum = run_along(intent, near, end, k, side, &off);
         if (sum < INFINITY) {
             const double cost = sum + bat_intent_off(intent, off) + 2 * fmax(0, passed - 4.5);
             going_on(intent, k, side, way);
@@ -117,7 +111,8 @@ static bool find_head(bat_intent *intent, int index, int end, int side, head *ou
 }
 
 static double rest_of(const bat_intent *intent, const head *h, int side, double *chord) {
-    const int i = mirror(intent, h->place, side), last = mirror(intent, intent->places - 1, side);
+    const int i = bat_intent_mirror(intent, h->place, side),
+              last = bat_intent_mirror(intent, intent->places - 1, side);
     const double *p = intent->p + 2 * (size_t)i, *q = intent->p + 2 * (size_t)last;
     *chord = bat_hypot(p[0] - q[0], p[1] - q[1]);
     return fabs(intent->a[last] - intent->a[i]);
@@ -148,8 +143,8 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
     if (near->least > intent->on || fabs(near->ran) < ran_least) return;
     for (int end = 0; end < 2; end++) {
         outwards(&near->line, end, point, way);
-        k[end ^ against] = nearest_place(intent, point, 0, &passed[end]);
-        if (passed[end] >= passing) return;
+        k[end ^ against] = bat_intent_nearest(intent, point, 0, &passed[end]);
+        if (passed[end] >= INTENT_PASSING) return;
     }
     if (k[0] >= k[1]) return;
     const bat_foot *foot = near->track[near->best].foot;
@@ -178,7 +173,7 @@ static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_he
     const head *h = &from->side[0], *t = &to->side[1];
     if (!from->is[0] || !to->is[1] || (from->line == to->line && from->end == to->end)) return;
     const bool close = from->line == to->line;
-    const double gap = intent->a[mirror(intent, t->place, 1)] - intent->a[h->place];
+    const double gap = intent->a[bat_intent_mirror(intent, t->place, 1)] - intent->a[h->place];
     const double turn_most = 1 + 0.173648177666930; /* cosine of 100 degrees */
     if (!(gap > 0) || (!close && (h->turn >= turn_most || t->turn >= turn_most))) return;
     bat_reading reading = {.kind = close ? BAT_INTENT_CLOSE : BAT_INTENT_JOIN,
@@ -202,11 +197,10 @@ void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
         if (near->line.count < 2 || !near->meant || near->line.closed) continue;
         bool open[2];
         for (int end = 0; end < 2; end++) {
-            double point[2], way[2], distance;
-            outwards(&near->line, end, point, way);
-            open[end] = within(intent, point) &&
-                        (nearest_place(intent, point, 0, &distance), distance < passing) &&
-                        bat_intent_open(intent, i, end);
+            double point[2], distance;
+            bat_polyline_at(&near->line, end ? bat_polyline_length(&near->line) : 0, point);
+            bat_intent_nearest(intent, point, 0, &distance);
+            open[end] = distance < INTENT_PASSING && bat_intent_open(intent, i, end);
             if (!open[end] || count == ENDS_MOST) continue;
             end_heads *e = &found[count];
             *e = (end_heads){.line = i, .end = end};

@@ -9,14 +9,11 @@
 
 static const double hurry = 0.1; /* price of a jump along the line beyond three steps */
 
-/* Segment k of a closed line may lie in any turn. */
+/* Segment k of a closed line of n may lie in any turn. */
+static int turn_of(int k, int n) { return k >= 0 ? k / n : -((n - 1 - k) / n); }
+
 static const double *segment_at(const bat_polyline *line, int k, double *s0, double *s1) {
-    const int n = line->count - 1;
-    int turn = 0, i = k;
-    if (line->closed) {
-        turn = k >= 0 ? k / n : -((n - 1 - k) / n);
-        i = k - turn * n;
-    }
+    const int n = line->count - 1, turn = line->closed ? turn_of(k, n) : 0, i = k - turn * n;
     const double base = turn * line->s[n];
     *s0 = base + line->s[i], *s1 = base + line->s[i + 1];
     return line->x + 2 * (size_t)i;
@@ -46,19 +43,34 @@ static void try_segment(const bat_polyline *line, int k, const double p[2], doub
     *best = (bat_foot){.s = s, .d = sqrt(d2), .x = {x[0], x[1]}, .segment = k};
 }
 
-bat_foot bat_intent_foot(const bat_polyline *line, const double p[2], const bat_foot *from, double step,
+/* The next segment from k on, or the last up to k, that may be cheaper; none is passed over beyond the line's seam. */
+static int ahead(const bat_intent_near *near, int k, const double p[2], double price) {
+    const int n = near->line.count - 1, turn = near->line.closed ? turn_of(k, n) : 0;
+    const int found = bat_runs_next(&near->runs, k - turn * n, p, price);
+    return turn * n + (found < n ? found : n);
+}
+
+static int behind(const bat_intent_near *near, int k, const double p[2], double price) {
+    const int n = near->line.count - 1, turn = near->line.closed ? turn_of(k, n) : 0;
+    return turn * n + bat_runs_last(&near->runs, k - turn * n, p, price);
+}
+
+bat_foot bat_intent_foot(const bat_intent_near *near, const double p[2], const bat_foot *from, double step,
                          double low, double high) {
+    const bat_polyline *line = &near->line;
     bat_foot best = *from;
     double price = INFINITY, s0, s1;
     const double easy = 3 * step, window = easy + 2 * from->d;
     const int last = line->count - 2;
-    const double upto = fmin(from->s + window, high), since = fmax(from->s - window, low);
-    for (int k = from->segment; line->closed || k <= last; k++) {
+    double upto = from->s + window, since = from->s - window;
+    upto = upto < high ? upto : high, since = since > low ? since : low;
+    for (int k = from->segment; line->closed || k <= last; k = ahead(near, k + 1, p, price)) {
         segment_at(line, k, &s0, &s1);
         if (s0 > upto || k - from->segment > last) break;
         try_segment(line, k, p, from->s, easy, low, high, &best, &price);
     }
-    for (int k = from->segment - 1; line->closed || k >= 0; k--) {
+    for (int k = behind(near, from->segment - 1, p, price); line->closed || k >= 0;
+         k = behind(near, k - 1, p, price)) {
         segment_at(line, k, &s0, &s1);
         if (s1 < since || from->segment - k > last) break;
         try_segment(line, k, p, from->s, easy, low, high, &best, &price);
@@ -124,12 +136,6 @@ static double priced(const bat_foot *from, const bat_foot *to, double step) {
     return to->d * to->d + hurry * jump * jump;
 }
 
-/* False: so far off that the evidence is full whatever the direction (bat_intent_e). */
-static bool direction_counts(const bat_foot *foot) {
-    const double most = INTENT_CHOSEN * INTENT_REACH_MOST;
-    return foot->d * foot->d < INTENT_FREE * most * most;
-}
-
 /* Tracks that have met go on together: the foot of an earlier track that stood at the same place, or NULL. */
 static const bat_foot *met_before(const bat_intent_near *near, int track, int i) {
     const bat_foot *from = &near->track[track].foot[i - 1];
@@ -140,18 +146,22 @@ static const bat_foot *met_before(const bat_intent_near *near, int track, int i)
     return NULL;
 }
 
+bat_status bat_intent_seed(bat_intent *intent, bat_intent_near *near) {
+    bat_foot seeds[INTENT_SEEDS];
+    if (near->seeds) return BAT_OK;
+    if (!room_for(near, 1)) return BAT_MEMORY;
+    near->seeds = find_seeds(&near->line, intent->p, seeds);
+    for (int t = 0; t < near->seeds; t++) {
+        near->track[t].foot[0] = seeds[t];
+        near->track[t].cost = seeds[t].d * seeds[t].d;
+    }
+    near->done = 1;
+    return BAT_OK;
+}
+
 bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     const int n = intent->places, firm = intent->firm;
-    if (!room_for(near, n)) return BAT_MEMORY;
-    if (!near->seeds) {
-        bat_foot seeds[INTENT_SEEDS];
-        near->seeds = find_seeds(&near->line, intent->p, seeds);
-        for (int t = 0; t < near->seeds; t++) {
-            near->track[t].foot[0] = seeds[t];
-            near->track[t].cost = seeds[t].d * seeds[t].d;
-        }
-        near->done = 1;
-    }
+    if (!room_for(near, n) || bat_intent_seed(intent, near) != BAT_OK) return BAT_MEMORY;
     double least = INFINITY;
     for (int t = 0; t < near->seeds; t++) {
         bat_feet *track = &near->track[t];
@@ -159,7 +169,7 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
         for (int i = near->done; i < n; i++) {
             const bat_foot *from = &track->foot[i - 1], *met = met_before(near, t, i);
             track->foot[i] = met ? *met
-                                 : bat_intent_foot(&near->line, intent->p + 2 * (size_t)i, from, intent->step,
+                                 : bat_intent_foot(near, intent->p + 2 * (size_t)i, from, intent->step,
                                                    -INFINITY, INFINITY);
             last = priced(from, &track->foot[i], intent->step);
             if (i < firm) track->cost += last;
@@ -169,7 +179,7 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     if (firm > near->done) near->done = firm;
     bat_foot *foot = near->track[near->best].foot;
     for (int i = 0; i < n; i++)
-        if (!foot[i].settled && direction_counts(&foot[i]))
+        if (!foot[i].settled && foot[i].d < INTENT_FAR)
             foot[i].c = bat_intent_cosine(intent, &near->line, intent->a[i], &foot[i], &foot[i].settled);
     return BAT_OK;
 }

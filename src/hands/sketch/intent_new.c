@@ -27,22 +27,33 @@ static bool closes(const bat_intent *intent) {
     return degrees >= 230 && degrees <= 470;
 }
 
-void bat_intent_new(bat_intent *intent, bat_intent_list *list) {
+/* The line that the stroke's start is put on: the nearest of those that are near enough. */
+static bat_status put_on(bat_intent *intent, bat_reading *reading) {
+    double near = intent->on * fmin(1, intent->length / 60);
+    for (int i = 0; i < intent->line_count; i++) {
+        bat_intent_near *line = &intent->line[i];
+        const double within = near + intent->hook;
+        if (!bat_intent_long(line) || bat_box_distance2(line->box, intent->p) > 1.01 * within * within)
+            continue;
+        if (bat_intent_seed(intent, line) != BAT_OK) return BAT_MEMORY;
+        /* The first seed is the nearest. */
+        const bat_foot *seed = &line->track[0].foot[0];
+        if (seed->d >= within) continue;
+        const bat_foot foot = bat_intent_foot(line, reading->start, seed, intent->hook, -INFINITY, INFINITY);
+        if (foot.d >= near) continue;
+        near = foot.d;
+        reading->onto = i;
+    }
+    return BAT_OK;
+}
+
+bat_status bat_intent_new(bat_intent *intent, bat_intent_list *list) {
     bat_reading reading = {.kind = BAT_INTENT_NEW, .onto = -1, .cost = intent->length};
     reading.closed = closes(intent);
     double way[2], ahead = fmin(12, intent->length / 2);
     bat_intent_heading(intent, intent->hook + ahead / 2, ahead / 2, way);
     for (int k = 0; k < 2; k++) reading.start[k] = intent->p[k] - intent->hook * way[k];
-    double near = intent->on * fmin(1, intent->length / 60);
-    for (int i = 0; i < intent->line_count && !reading.closed; i++) {
-        const bat_intent_near *line = &intent->line[i];
-        if (!line->seeds || line->track[0].foot[0].d >= near + intent->hook) continue;
-        /* The first seed is the nearest. */
-        const bat_foot foot = bat_intent_foot(&line->line, reading.start, &line->track[0].foot[0],
-                                              intent->hook, -INFINITY, INFINITY);
-        if (foot.d >= near) continue;
-        near = foot.d;
-        reading.onto = i;
-    }
+    const bat_status status = reading.closed ? BAT_OK : put_on(intent, &reading);
     bat_intent_offer(list, &reading);
+    return status;
 }

@@ -3,6 +3,7 @@
 #define BATTEN_HANDS_SKETCH_INTENT_PARTS_H
 
 #include "hands/sketch/intent.h"
+#include "hands/sketch/runs.h"
 
 /* View pixels; the reasons are in docs/math/intent.md. */
 #define INTENT_REACH0 6.0
@@ -14,8 +15,11 @@
 #define INTENT_AT_END 9.0
 #define INTENT_JOINT 3.0
 #define INTENT_MARGIN 0.9
-#define INTENT_BESIDE 43.0 /* nearer than this counts as run in parallel */
-#define INTENT_CHOSEN 1.5  /* times the reach, of curves that are selected */
+#define INTENT_PASSING 13.5 /* how far from an end a stroke may pass it */
+#define INTENT_BESIDE 43.0  /* nearer than this counts as run in parallel */
+#define INTENT_CHOSEN 1.5   /* times the reach, of curves that are selected */
+#define INTENT_FAR                                                                                           \
+    93.6 /* from there on the evidence is full: over INTENT_CHOSEN INTENT_REACH_MOST sqrt(INTENT_FREE) */
 
 /* ---- a polyline with lengths ---- */
 
@@ -56,6 +60,7 @@ enum { INTENT_SEEDS = 3 };
 
 typedef struct bat_intent_near {
     bat_polyline line;
+    bat_runs runs;
     double box[4];
     bool meant;
     int seeds, done, room; /* tracks, places that have feet for good, places there is room for */
@@ -65,9 +70,11 @@ typedef struct bat_intent_near {
     /* What the present stroke makes of it. */
     double ran;   /* how far they ran side by side; negative: against the line */
     double least; /* distance */
+    double bound; /* no less than this can the sum be, as its box lies */
     double reach, sum, cost;
-    bool usable;
-    bool open[2]; /* of its ends, found when there were `among` lines; 0: not known yet */
+    bool within;        /* as its box lies, the line may be within reach of the whole stroke */
+    bool awake, usable; /* it may be asked; it was */
+    bool open[2];       /* of its ends, found when there were `among` lines; 0: not known yet */
     int among[2];
 } bat_intent_near;
 
@@ -75,10 +82,11 @@ struct bat_intent {
     bool touch, chosen;
     double reach0, on;
     bat_polyline stroke;
-    double box[4];             /* of all samples */
     double hook, length, step; /* what is left out at both ends; what is between; distance of places */
     int places, firm, room;    /* the last place is the stroke's end and not firm */
     double *a, *ds, *p;        /* lengths, weights, places x y */
+    double *d, *c;             /* a place each, for who wants to keep distances and cosines a while */
+    bat_runs runs;             /* of the places */
     int line_count, line_room;
     bat_intent_near *line;
     size_t steps_room;
@@ -89,16 +97,39 @@ struct bat_intent {
 bat_status bat_intent_places(bat_intent *intent);
 void bat_intent_heading(const bat_intent *intent, double a, double h, double out[2]); /* unit, or zero */
 
+/* The first of the nearest places, from that side, that lie within INTENT_PASSING of the point; `distance` is
+ * INTENT_PASSING if none does. Places are counted from that side. */
+int bat_intent_nearest(const bat_intent *intent, const double point[2], int side, double *distance);
+/* The stroke from the other side is the same stroke turned round. */
+static inline int bat_intent_mirror(const bat_intent *intent, int i, int side) {
+    return side ? intent->places - 1 - i : i;
+}
+
+/* Whether the line has a length: nothing is asked of a dot. */
+static inline bool bat_intent_long(const bat_intent_near *near) {
+    return near->line.count > 1 && bat_polyline_length(&near->line) > 0;
+}
+
+/* intent_ask.c: feet are sought, and evaluated, of the lines that may explain something; they become `usable`. whole:
+ * the stroke has ended, and no line sleeps. */
+bat_status bat_intent_ask(bat_intent *intent, bool whole);
+/* Of one more line, if it may be within reach: for chains, of which it may be a small part. */
+bat_status bat_intent_ask_late(bat_intent *intent, int index);
+
 /* intent_feet.c */
+/* Finds where the stroke's first place may belong, the nearest first. */
+bat_status bat_intent_seed(bat_intent *intent, bat_intent_near *near);
 bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near);
 /* The foot of p beside `from`, at most so far along the line, between low and high (open lines). */
-bat_foot bat_intent_foot(const bat_polyline *line, const double p[2], const bat_foot *from, double step,
+bat_foot bat_intent_foot(const bat_intent_near *near, const double p[2], const bat_foot *from, double step,
                          double low, double high);
 double bat_intent_cosine(const bat_intent *intent, const bat_polyline *line, double a, const bat_foot *foot,
                          bool *settled);
 
 /* intent_reach.c: how far off still counts, and what a stretch beside a line costs. */
 double bat_intent_reach(const bat_intent *intent, double ran);
+/* Of a stroke that runs all along. */
+double bat_intent_reach_whole(const bat_intent *intent);
 double bat_intent_e(const bat_foot *foot, double sense, double reach);
 void bat_intent_evidence(bat_intent *intent, int index);
 /* An end of the stroke that lies on the line speaks for it, one that lies off it speaks against it. */
@@ -121,6 +152,6 @@ void bat_intent_offer(bat_intent_list *list, const bat_reading *reading);
 void bat_intent_redraws(bat_intent *intent, bat_intent_list *list);       /* intent_redraw.c */
 void bat_intent_ends(bat_intent *intent, bat_intent_list *list);          /* intent_ends.c */
 bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list); /* intent_several.c */
-void bat_intent_new(bat_intent *intent, bat_intent_list *list);           /* intent_new.c */
+bat_status bat_intent_new(bat_intent *intent, bat_intent_list *list);     /* intent_new.c */
 
 #endif

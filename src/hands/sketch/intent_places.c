@@ -13,10 +13,6 @@ bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points
     for (size_t i = 0; i < count; i++) {
         const double *p = points + 2 * i;
         if (!isfinite(p[0]) || !isfinite(p[1])) continue;
-        for (int k = 0; k < 2; k++) {
-            intent->box[k] = fmin(intent->box[k], p[k]);
-            intent->box[2 + k] = fmax(intent->box[2 + k], p[k]);
-        }
         if (stroke->count) { /* anything nearer is noise rather than path */
             const double *q = stroke->x + 2 * (size_t)(stroke->count - 1);
             if (bat_hypot(p[0] - q[0], p[1] - q[1]) < apart) continue;
@@ -30,7 +26,7 @@ bat_status bat_intent_add(bat_intent *intent, size_t count, const double *points
 static bool room_for(bat_intent *intent, int places) {
     if (places <= intent->room) return true;
     const int room = 2 * places + 64;
-    double *block = malloc(4 * (size_t)room * sizeof *block);
+    double *block = malloc(6 * (size_t)room * sizeof *block);
     if (!block) return false;
     if (intent->places) {
         const size_t n = (size_t)intent->places;
@@ -40,6 +36,7 @@ static bool room_for(bat_intent *intent, int places) {
     }
     free(intent->a);
     intent->a = block, intent->ds = block + room, intent->p = block + 2 * room;
+    intent->d = block + 4 * room, intent->c = block + 5 * room;
     intent->room = room;
     return true;
 }
@@ -66,13 +63,29 @@ bat_status bat_intent_places(bat_intent *intent) {
         intent->ds[i] = 0.5 * ((i + 1 < count ? intent->a[i + 1] : intent->a[i]) -
                                (i > 0 ? intent->a[i - 1] : intent->a[i]));
     intent->firm = count - 1, intent->places = count;
-    return BAT_OK;
+    return bat_runs_build(&intent->runs, count, intent->p);
 }
 
 void bat_intent_heading(const bat_intent *intent, double a, double h, double out[2]) {
     bat_polyline_chord(&intent->stroke, a, h, out);
     const double size = bat_hypot(out[0], out[1]);
     for (int k = 0; k < 2; k++) out[k] = size > 0 ? out[k] / size : 0;
+}
+
+int bat_intent_nearest(const bat_intent *intent, const double point[2], int side, double *distance) {
+    const bat_runs *runs = &intent->runs;
+    const int last = intent->places - 1;
+    int best = 0;
+    *distance = INTENT_PASSING;
+    for (int i = 0; i <= last; i++) {
+        const double most = *distance * *distance;
+        i = side ? last - bat_runs_last(runs, last - i, point, most) : bat_runs_next(runs, i, point, most);
+        if (i > last) break;
+        const double *p = intent->p + 2 * (size_t)bat_intent_mirror(intent, i, side);
+        const double d = bat_hypot(p[0] - point[0], p[1] - point[1]);
+        if (d < *distance) *distance = d, best = i;
+    }
+    return best;
 }
 
 double bat_intent_length(const bat_intent *intent) { return intent->length; }

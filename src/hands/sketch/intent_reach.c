@@ -13,6 +13,10 @@ double bat_intent_reach(const bat_intent *intent, double ran) {
     return fmin(INTENT_REACH_MOST, intent->reach0 + INTENT_GROW * fabs(ran));
 }
 
+double bat_intent_reach_whole(const bat_intent *intent) {
+    return bat_intent_reach(intent, intent->length) * (intent->chosen ? INTENT_CHOSEN : 1);
+}
+
 double bat_intent_e(const bat_foot *foot, double sense, double reach) {
     const double off = foot->d / reach;
     return fmin(INTENT_FREE, off * off + 2 * (1 - sense * foot->c));
@@ -30,12 +34,6 @@ double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side
     bat_intent_heading(intent, a, fmin(10, intent->length / 3), u);
     const double sine = ((p[0] - foot->x[0]) * u[0] + (p[1] - foot->x[1]) * u[1]) / foot->d * (side ? 1 : -1);
     return 2 * fmin(foot->d, INTENT_REACH_MOST) * fmax(0, sine);
-}
-
-static double box_distance(const double box[4], const double p[2]) {
-    const double dx = fmax(fmax(box[0] - p[0], p[0] - box[2]), 0),
-                 dy = fmax(fmax(box[1] - p[1], p[1] - box[3]), 0);
-    return bat_hypot(dx, dy);
 }
 
 /* Distance from p to the part of a line that runs along `way`, or `most`. */
@@ -66,7 +64,7 @@ static double spacing(const bat_intent *intent, int index) {
         const double size = bat_hypot(way[0], way[1]);
         way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
         for (int j = 0, looked = 0; j < intent->line_count && looked < NEIGHBOURS; j++) {
-            if (j == index || box_distance(intent->line[j].box, foot->x) >= least) continue;
+            if (j == index || bat_box_distance2(intent->line[j].box, foot->x) >= least * least) continue;
             least = parallel_distance(&intent->line[j].line, foot->x, way, least);
             looked++;
         }
@@ -123,7 +121,7 @@ bool bat_intent_open(bat_intent *intent, int index, int end) {
     bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > INTENT_JOINT;
     for (int j = 0; j < intent->line_count && open; j++) {
         const bat_polyline *line = &intent->line[j].line;
-        if (j == index || box_distance(intent->line[j].box, x) > INTENT_JOINT) continue;
+        if (j == index || bat_box_distance2(intent->line[j].box, x) > INTENT_JOINT * INTENT_JOINT) continue;
         for (int i = 0; i + 1 < line->count && open; i++) {
             const double *a = line->x + 2 * (size_t)i, v[2] = {a[2] - a[0], a[3] - a[1]};
             const double w = v[0] * v[0] + v[1] * v[1], r[2] = {x[0] - a[0], x[1] - a[1]};

@@ -37,13 +37,16 @@ static bool touches_any(const chain *c, int i) {
     return false;
 }
 
-static void gather(const bat_intent *intent, chain *c) {
+static bat_status gather(bat_intent *intent, chain *c) {
     c->count = 0;
-    c->reach = bat_intent_reach(intent, intent->length) * (intent->chosen ? 1.5 : 1);
+    c->reach = bat_intent_reach_whole(intent);
     c->least = fmax(part_least, part_share * intent->length);
     for (int i = 0; i < intent->line_count && c->count < CHAIN_MOST; i++) {
         const bat_intent_near *near = &intent->line[i];
-        if (!near->usable || !near->meant || near->line.closed || near->least > c->reach) continue;
+        if (!near->meant || near->line.closed) continue;
+        const bat_status status = bat_intent_ask_late(intent, i);
+        if (status != BAT_OK) return status;
+        if (!near->usable || near->least > c->reach) continue;
         const double *x = near->line.x;
         memcpy(c->end[c->count][0], x, 2 * sizeof *x);
         memcpy(c->end[c->count][1], x + 2 * (size_t)(near->line.count - 1), 2 * sizeof *x);
@@ -56,6 +59,7 @@ static void gather(const bat_intent *intent, chain *c) {
         memcpy(c->end[c->count], all.end[i], sizeof all.end[i]);
         c->line[c->count++] = all.line[i];
     }
+    return BAT_OK;
 }
 
 static const bat_foot *foot_of(const bat_intent *intent, const chain *c, int state, int place) {
@@ -130,9 +134,9 @@ static void read_back(bat_intent *intent, const chain *c, int state, int parts, 
 bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list) {
     chain c;
     cell row[2][STATES];
-    gather(intent, &c);
+    const bat_status status = gather(intent, &c);
     const int states = 2 * c.count, n = intent->places;
-    if (c.count < 2) return BAT_OK;
+    if (status != BAT_OK || c.count < 2) return status;
     const size_t size = (size_t)states * (size_t)n;
     if (size > intent->steps_room) {
         unsigned char *steps = realloc(intent->steps, 2 * size);

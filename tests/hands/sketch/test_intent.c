@@ -150,6 +150,34 @@ static void parts_of_several(void **state) {
                 !best.part[1].free[1]);
 }
 
+/* A long line and the beginning of the next one are drawn over, beside more lines than there can be readings, all of
+ * which lie nearer to the whole stroke than the short part does. */
+static void short_part_in_a_crowd(void **state) {
+    (void)state;
+    enum { CROWD = 60 };
+    const scene s = {.stroke = {{0, 1}, {985, 1}}, .corners = 2};
+    double points[2 * SAMPLES];
+    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent *intent = NULL;
+    int count = 0;
+    samples(&s, points);
+    assert_int_equal(bat_intent_create(false, false, &intent), BAT_OK);
+    for (int i = 0; i < CROWD + 2; i++) {
+        bat_curve *curve = i < CROWD    ? line(0, 45 + 0.2 * i, 985, 45 + 0.2 * i)
+                           : i == CROWD ? line(0, 0, 900, 0)
+                                        : line(900, 0, 1200, 0);
+        assert_int_equal(bat_intent_line(intent, curve, UPRIGHT, true), BAT_OK);
+        bat_curve_free(curve);
+    }
+    assert_int_equal(bat_intent_add(intent, SAMPLES, points), BAT_OK);
+    assert_int_equal(bat_intent_rank(intent, true, all, &count), BAT_OK);
+    assert_int_equal(all[0].kind, BAT_INTENT_SEVERAL);
+    assert_int_equal(all[0].count, 2);
+    assert_int_equal(all[0].part[0].line, CROWD);
+    assert_int_equal(all[0].part[1].line, CROWD + 1);
+    bat_intent_free(intent);
+}
+
 static void bad_samples(void **state) {
     (void)state;
     const double nothing[] = {NAN, 0, 5, INFINITY, 3, 3, 3, 3, 3.1, 3};
@@ -194,9 +222,13 @@ static void memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_relations),       cmocka_unit_test(asked_any_time),
-        cmocka_unit_test(moved_turned_mirrored), cmocka_unit_test(parts_of_several),
-        cmocka_unit_test(bad_samples),           cmocka_unit_test(memory),
+        cmocka_unit_test(known_relations),
+        cmocka_unit_test(asked_any_time),
+        cmocka_unit_test(moved_turned_mirrored),
+        cmocka_unit_test(parts_of_several),
+        cmocka_unit_test(short_part_in_a_crowd),
+        cmocka_unit_test(bad_samples),
+        cmocka_unit_test(memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
