@@ -7,6 +7,7 @@
 #include <batten/sketch.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
+#include <batten/view.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,6 +23,11 @@ BAT_API bat_status bat_curve_write(const bat_curve *curve, char **text, size_t *
 /* One SURFACE. */
 BAT_API bat_status bat_surface_read(const char *text, size_t size, bat_surface **out, bat_problem *problem);
 BAT_API bat_status bat_surface_write(const bat_surface *surface, char **text, size_t *size);
+/* One VIEW; and what a stroke is cast on (an ON of docs/format.md), released by bat_canvas_clear. */
+BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoint *out,
+                                      bat_problem *problem);
+BAT_API bat_status bat_viewpoint_write(const bat_viewpoint *view, char **text, size_t *size);
+BAT_API bat_status bat_canvas_read(const char *text, size_t size, bat_canvas *out, bat_problem *problem);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

@@ -9,7 +9,7 @@ import unittest
 from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "info", "replay",
-            "surface eval", "surface isocurve", "surface closest", "surface hit", "surface redraw"]
+            "surface eval", "surface isocurve", "surface closest", "surface hit", "surface redraw", "cast"]
 
 
 class Usage(ProgramTest):
@@ -70,6 +70,7 @@ class Usage(ProgramTest):
             ["surface", "redraw", "-", "-", "--u", "1"], ["surface", "redraw", curve, curve, "--u", "1", "--hold", "1.5"],
             ["surface", "redraw", curve, curve, "--u", "1", "--hold", "-1"],
             ["surface", "redraw", curve, curve, "--u", "1", "--reach", "0"],
+            ["cast", curve, curve], ["cast", "-", curve, "-"], ["cast", curve, curve, curve, curve],
             ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
         ):
             with self.subTest(words=words):

@@ -290,6 +290,21 @@ static uint64_t add_surface(uint64_t digest, bat_status status, bat_surface **ma
     return digest;
 }
 
+static uint64_t add_cast(uint64_t digest, const bat_surface *surface, int seed) {
+    const bat_viewpoint view = {.eye = {seed, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
+    const double pixels[] = {50, 50, 52, 51};
+    const bat_stroke stroke = {.dimension = 2, .count = 2, .points = pixels};
+    bat_canvas canvas = {.along = {0, 0, 1}, .surface = (bat_surface *)surface};
+    bat_cast_point out[2] = {{.fate = BAT_CAST_LANDED}};
+    for (int ruled = 0; ruled < 2; ruled++) {
+        if (ruled && bat_surface_isocurve(surface, BAT_U, 0.5, &canvas.curve) != BAT_OK) return digest;
+        digest = add(digest, (uint64_t)bat_cast(&view, &stroke, &canvas, out, NULL));
+        digest = add_doubles(add(digest, out[0].fate), out[0].point, 3);
+    }
+    bat_curve_free(canvas.curve);
+    return digest;
+}
+
 static uint64_t look_at_surface(const void *shared, int seed) {
     const bat_surface *s = shared;
     double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
@@ -313,6 +328,7 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = bat_digest_double(bat_digest_double(d, at[0].distance), at[0].u);
     d = add(d, (uint64_t)bat_surface_hits(s, from, way, 8, at, &count));
     d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
+    d = add_cast(d, s, seed);
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);

@@ -9,7 +9,8 @@
 #include <batten/batten.h>
 #include "base/real.h"
 #include "hands/sketch/intent.h"
-#include "support/random_curve.h"
+#include "support/random_surface.h"
+#include "support/views.h"
 
 static void put(parity_sink *sink, double value) {
     if (sink->count < sink->room) sink->values[sink->count] = value;
@@ -375,6 +376,38 @@ static void levels_one(parity_sink *sink, random_source *r, bat_curve *curve) {
 
 static void levels(parity_sink *sink) { each_curve(sink, 13, levels_one); }
 
+static void put_cast(parity_sink *sink, random_source *r, int number, const bat_canvas *canvas) {
+    enum { COUNT = 12 };
+    const double middle[3] = {0, 0, 0};
+    const bat_viewpoint view = some_view(r, number, middle, 40);
+    double pixels[2 * COUNT];
+    bat_cast_point out[COUNT];
+    for (int i = 0; i < 2 * COUNT; i++) pixels[i] = view.size[i % 2] * random_between(r, 0.3, 0.7);
+    const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = pixels};
+    put(sink, bat_cast(&view, &stroke, canvas, out, NULL));
+    for (int i = 0; i < COUNT; i++) {
+        put(sink, out[i].fate);
+        if (out[i].fate != BAT_CAST_LANDED) continue;
+        put_many(sink, 3, out[i].point), put_many(sink, 2, out[i].own);
+    }
+}
+
+static void space(parity_sink *sink) {
+    random_source r = {14};
+    for (int number = 0; number < 30; number++) {
+        bat_surface *surface = some_surface(&r, number);
+        put_cast(sink, &r, number, &(bat_canvas){.surface = surface});
+        put_cast(sink, &r, number, &(bat_canvas){.normal = {0, number, 1}});
+        bat_canvas ruled = {.along = {1, 0, number}};
+        const bat_status status = bat_surface_isocurve(surface, BAT_U, random_parameter(&r, surface, BAT_U),
+                                                       &ruled.curve);
+        put(sink, status);
+        if (status == BAT_OK) put_cast(sink, &r, number, &ruled);
+        bat_curve_free(ruled.curve);
+        bat_surface_free(surface);
+    }
+}
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
@@ -388,5 +421,6 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"meaning", meaning},
                                           {"tangents", tangents},
                                           {"levels", levels},
+                                          {"views", space},
                                           {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);

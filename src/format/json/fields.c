@@ -60,3 +60,25 @@ bat_status bat_fields_numbers(const bat_fields *f, uint32_t object, const char *
     free(numbers);
     return found == count ? BAT_OK : bat_json_complain(f->json, list, BAT_COUNT, name, expected, f->problem);
 }
+
+bat_status bat_fields_vector(const bat_fields *f, uint32_t object, const char *name, double out[3]) {
+    const uint32_t list = bat_json_member(f->json, object, name);
+    double *numbers;
+    size_t count;
+    if (!list) {
+        char message[80];
+        snprintf(message, sizeof message, "%s: expected 2 or 3 numbers, found none", name);
+        return bat_json_say(f->json, object, BAT_SYNTAX, message, f->problem);
+    }
+    bat_status status = bat_numbers_from_json(f->json, list, name, &numbers, &count, f->problem);
+    if (status != BAT_OK) return status;
+    if (count == 2 || count == 3)
+        for (size_t i = 0; i < 3; i++) out[i] = i < count ? numbers[i] : 0;
+    else
+        status = bat_json_complain(f->json, list, BAT_COUNT, name, "2 or 3 numbers", f->problem);
+    free(numbers);
+    for (int i = 0; i < 3 && status == BAT_OK; i++)
+        if (!(fabs(out[i]) <= BAT_COORDINATE_MAX))
+            status = bat_json_complain(f->json, list, BAT_NUMBER, name, "numbers up to 1e75", f->problem);
+    return status;
+}

@@ -24,5 +24,7 @@ bat_status bat_fields_flag(const bat_fields *f, uint32_t object, const char *nam
 /* Exactly `count` numbers; expected: a description of them. Here a missing member is an error. */
 bat_status bat_fields_numbers(const bat_fields *f, uint32_t object, const char *name, size_t count,
                               const char *expected, double *values);
+/* A point or direction of 2 or 3 numbers (2: z = 0). Here, too, a missing member is an error. */
+bat_status bat_fields_vector(const bat_fields *f, uint32_t object, const char *name, double out[3]);
 
 #endif

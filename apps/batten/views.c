@@ -1,0 +1,30 @@
+#include "views.h"
+
+#include "results.h"
+
+#include <batten/bezier.h>
+#include <batten/format.h>
+#include <string.h>
+
+static bat_status view_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_viewpoint_read(data, size, out, problem);
+}
+
+int read_view(const char *name, bat_viewpoint *out) {
+    bat_problem problem;
+    return read_data(name, view_of, out, &problem);
+}
+
+int read_pixels(const char *name, bat_stroke *out, void **block) {
+    int failed = read_stroke(name, out, block);
+    if (failed || out->dimension == 2) return failed;
+    bat_free(*block);
+    return fail_data(name, "points", "expected samples of 2 numbers, in pixels, found 3");
+}
+
+int one_input(const cli_arguments *arguments, int count) {
+    int inputs = 0;
+    for (int i = 0; i < count; i++) inputs += strcmp(arguments->operands[i], "-") == 0;
+    if (inputs < 2) return EXIT_DONE;
+    return fail_usage(arguments->command, "only one of the files can be standard input");
+}

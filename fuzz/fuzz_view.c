@@ -1,0 +1,68 @@
+/* Any bytes as a VIEW and, behind a zero byte, as what a stroke is cast on. A view that can be read gives rays that lead
+ * back to their pixels; what lands does so on its ray. */
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static double length(const double *a) { return hypot(hypot(a[0], a[1]), a[2]); }
+
+static void check_rays(const bat_viewpoint *view) {
+    double from[3], way[3], seen[2], depth;
+    const double pixel[2] = {view->size[0] / 3, view->size[1] / 5};
+    if (bat_viewpoint_check(view) != BAT_OK) abort();
+    if (bat_viewpoint_ray(view, pixel, from, way) != BAT_OK) abort();
+    if (!(fabs(length(way) - 1) < 1e-9)) abort();
+    if (bat_viewpoint_project(view, view->target, seen, &depth) == BAT_OK && !(depth >= 0)) abort();
+}
+
+static void check_cast(const bat_viewpoint *view, const bat_canvas *canvas) {
+    enum { COUNT = 6 };
+    double pixels[2 * COUNT];
+    bat_cast_point out[COUNT];
+    size_t landed = 0, found = 0;
+    for (int i = 0; i < COUNT; i++)
+        pixels[2 * i] = view->size[0] * (0.3 + 0.08 * i),
+                   pixels[2 * i + 1] = view->size[1] * (0.45 + 0.02 * i);
+    const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = pixels};
+    if (bat_cast(view, &stroke, canvas, out, &landed) != BAT_OK) return;
+    for (int i = 0; i < COUNT; i++) {
+        double from[3], way[3], gap[3];
+        if (out[i].fate != BAT_CAST_LANDED) continue;
+        found++;
+        if (bat_viewpoint_ray(view, pixels + 2 * i, from, way) != BAT_OK) abort();
+        for (int c = 0; c < 3; c++) gap[c] = from[c] + out[i].distance * way[c] - out[i].point[c];
+        if (!(length(gap) <= 1e-5 * (length(out[i].point) + length(from) + out[i].distance))) abort();
+    }
+    if (found != landed) abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    const char *text = (const char *)data, *zero = size ? memchr(text, 0, size) : NULL;
+    const size_t first = zero ? (size_t)(zero - text) : size;
+    bat_viewpoint view = {.eye = {1, -20, 7}, .up = {0, 0, 1}, .size = {100, 80}, .fov = 40};
+    bat_problem problem;
+    bat_canvas canvas = {.curve = NULL};
+    if (bat_viewpoint_read(text, first, &view, &problem) == BAT_OK) {
+        char *again = NULL;
+        size_t length_again;
+        bat_viewpoint same;
+        if (bat_viewpoint_write(&view, &again, &length_again) != BAT_OK) abort();
+        if (bat_viewpoint_read(again, length_again, &same, NULL) != BAT_OK) abort();
+        bat_free(again);
+    }
+    check_rays(&view);
+    if (zero && bat_canvas_read(zero + 1, size - first - 1, &canvas, &problem) == BAT_OK) {
+        const size_t points = canvas.curve     ? bat_curve_count(canvas.curve)
+                              : canvas.surface ? bat_surface_count(canvas.surface, BAT_U) *
+                                                     bat_surface_count(canvas.surface, BAT_V)
+                                               : 1;
+        if (points <= 100) check_cast(&view, &canvas);
+    }
+    bat_canvas_clear(&canvas);
+    return 0;
+}

@@ -1,0 +1,81 @@
+/*
+ * Batten: views, and strokes cast into space. A view says where the eye is and what the window shows; each pixel of it
+ * is a ray. A stroke is cast on a plane, on the ruled surface of a curve, or on a surface: every sample lands where its
+ * ray meets it (docs/math/surfaces.md).
+ *
+ * Pixel (0, 0) is the top left corner, y points down; the eye looks through the middle of the window.
+ */
+#ifndef BATTEN_VIEW_H
+#define BATTEN_VIEW_H
+
+#include <batten/sketch.h>
+#include <batten/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Either fov or height is above 0, and the other is 0. */
+typedef struct bat_viewpoint {
+    double eye[3], target[3], up[3];
+    double size[2]; /* width and height of the window in pixels */
+    double fov;     /* perspective: the vertical angle that the window shows, in degrees, below 180 */
+    double height;  /* parallel projection: document units from the top of the window to the bottom */
+} bat_viewpoint;
+
+/* Checks a view: BAT_NUMBER: a number is not finite or too large; BAT_ARGUMENT: size, fov or height are out of range;
+ * BAT_SINGULAR: eye and target are the same point, or up is parallel to the gaze. The calls below check it, too. */
+BAT_API bat_status bat_viewpoint_check(const bat_viewpoint *view);
+/* The ray through a pixel. direction has length 1. origin: the eye, or in parallel projection the point at the pixel in
+ * the plane of the eye at right angles to the gaze; what lies before it on the ray is behind the eye. BAT_NUMBER:
+ * the pixel is not finite. */
+BAT_API bat_status bat_viewpoint_ray(const bat_viewpoint *view, const double pixel[2], double origin[3],
+                                     double direction[3]);
+/* The pixel at which a point is seen; depth (may be NULL): its distance from the eye along the gaze. BAT_NUMBER: the
+ * point is not finite; BAT_FAR: in perspective, it does not lie before the eye. */
+BAT_API bat_status bat_viewpoint_project(const bat_viewpoint *view, const double point[3], double pixel[2],
+                                         double *depth);
+
+/* What a stroke is cast on: the ruled surface of the curve C, the points C(s) + h along (along is made unit); or else
+ * a surface; or else, when both are NULL, the plane. Borrowed by the calls below. */
+typedef struct bat_canvas {
+    bat_curve *curve; /* of dimension 2 or 3; 2: z = 0 */
+    double along[3];
+    bat_surface *surface;
+    double origin[3], normal[3]; /* the plane; normal of any length above 0 */
+} bat_canvas;
+
+/* Frees the curve and the surface, as bat_canvas_read (format.h) hands them over. */
+BAT_API void bat_canvas_clear(bat_canvas *canvas);
+
+/* What became of a sample. When several reasons hold, the first of them. */
+typedef enum bat_cast_fate {
+    BAT_CAST_LANDED = 0,
+    BAT_CAST_EDGE_ON = 1, /* the sine of the angle between ray and canvas is below that of 5 degrees */
+    BAT_CAST_MISSED = 2,
+    BAT_CAST_BEHIND = 3, /* behind the eye */
+    BAT_CAST_FAR = 4     /* on a ruled surface: further from the curve than 4 times the curve's size */
+} bat_cast_fate;
+
+typedef struct bat_cast_point {
+    bat_cast_fate fate;
+    double point[3]; /* this and the rest only where the sample landed */
+    double own[2];   /* on the canvas: s and h, or u and v; on a plane 0 */
+    double distance; /* from the origin of the ray */
+} bat_cast_point;
+
+/*
+ * Casts each sample of a stroke, in pixels of the view. out: as many as the stroke has samples. *landed (may be NULL):
+ * how many landed. A ray can meet a ruled surface more than once: of the places that can be kept the first sample
+ * takes the one with the least |h|, every other one the s nearest to that of the sample that landed before it. On a
+ * surface it is the hit nearest to the eye. BAT_DIMENSION: the stroke does not have 2 coordinates; BAT_NUMBER: a sample
+ * or the canvas is not finite; BAT_ARGUMENT: along or normal is zero; else as bat_viewpoint_check. Cost: a curve's
+ * spans for each sample; on a surface that of bat_surface_hits.
+ */
+BAT_API bat_status bat_cast(const bat_viewpoint *view, const bat_stroke *stroke, const bat_canvas *canvas,
+                            bat_cast_point *out, size_t *landed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,88 @@
+/* Views: their checks, the rays of pixels, and the pixels of points. */
+#include "form/view/view.h"
+#include <batten/curve.h>
+
+static const double parallel = 1e-9; /* sine of the least angle between up and the gaze */
+
+static bool finite(const double *numbers, int count) {
+    for (int i = 0; i < count; i++)
+        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
+    return true;
+}
+
+bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
+    if (!view || !out) return BAT_ARGUMENT;
+    if (!finite(view->eye, 3) || !finite(view->target, 3) || !finite(view->up, 3) || !finite(view->size, 2) ||
+        !finite(&view->fov, 1) || !finite(&view->height, 1))
+        return BAT_NUMBER;
+    if (!(view->size[0] > 0 && view->size[1] > 0)) return BAT_ARGUMENT;
+    if (!(view->fov >= 0 && view->fov < 180 && view->height >= 0)) return BAT_ARGUMENT;
+    if ((view->fov > 0) == (view->height > 0)) return BAT_ARGUMENT;
+    bat_gaze gaze = {.eye = vec_load(view->eye, 3)};
+    gaze.ahead = vec_unit(vec_sub(vec_load(view->target, 3), gaze.eye));
+    const vec across = vec_cross(gaze.ahead, vec_unit(vec_load(view->up, 3)));
+    if (!(vec_norm(across) > parallel)) return BAT_SINGULAR;
+    gaze.right = vec_unit(across);
+    gaze.above = vec_cross(gaze.right, gaze.ahead);
+    for (int d = 0; d < 2; d++) gaze.middle[d] = 0.5 * view->size[d];
+    if (view->fov > 0)
+        gaze.focus = gaze.middle[1] / bat_tan(view->fov * (BAT_PI / 360));
+    else
+        gaze.pixel = view->height / view->size[1];
+    const double scale = fmax(gaze.focus, gaze.pixel);
+    if (!(scale >= 1 / BAT_COORDINATE_MAX && scale <= BAT_COORDINATE_MAX)) return BAT_ARGUMENT;
+    *out = gaze;
+    return BAT_OK;
+}
+
+bat_status bat_viewpoint_check(const bat_viewpoint *view) {
+    bat_gaze gaze;
+    return bat_gaze_of(view, &gaze);
+}
+
+bat_sight bat_gaze_ray(const bat_gaze *gaze, const double pixel[2]) {
+    const double x = pixel[0] - gaze->middle[0], y = gaze->middle[1] - pixel[1];
+    const vec across = vec_add(vec_scale(gaze->right, x), vec_scale(gaze->above, y));
+    if (gaze->focus > 0)
+        return (bat_sight){gaze->eye, vec_unit(vec_add(across, vec_scale(gaze->ahead, gaze->focus)))};
+    return (bat_sight){vec_add(gaze->eye, vec_scale(across, gaze->pixel)), gaze->ahead};
+}
+
+double bat_gaze_pixel(const bat_gaze *gaze, vec point) {
+    if (!(gaze->focus > 0)) return gaze->pixel;
+    return fmax(vec_dot(vec_sub(point, gaze->eye), gaze->ahead), 0) / gaze->focus;
+}
+
+vec bat_gaze_towards(const bat_gaze *gaze, vec point) {
+    return gaze->focus > 0 ? vec_unit(vec_sub(point, gaze->eye)) : gaze->ahead;
+}
+
+bat_status bat_viewpoint_ray(const bat_viewpoint *view, const double pixel[2], double origin[3],
+                             double direction[3]) {
+    if (!pixel || !origin || !direction) return BAT_ARGUMENT;
+    bat_gaze gaze;
+    bat_status status = bat_gaze_of(view, &gaze);
+    if (status != BAT_OK) return status;
+    if (!finite(pixel, 2)) return BAT_NUMBER;
+    const bat_sight ray = bat_gaze_ray(&gaze, pixel);
+    vec_store(ray.from, origin);
+    vec_store(ray.along, direction);
+    return BAT_OK;
+}
+
+bat_status bat_viewpoint_project(const bat_viewpoint *view, const double point[3], double pixel[2],
+                                 double *depth) {
+    if (!point || !pixel) return BAT_ARGUMENT;
+    bat_gaze gaze;
+    bat_status status = bat_gaze_of(view, &gaze);
+    if (status != BAT_OK) return status;
+    if (!finite(point, 3)) return BAT_NUMBER;
+    const vec way = vec_sub(vec_load(point, 3), gaze.eye);
+    const double far = vec_dot(way, gaze.ahead);
+    if (gaze.focus > 0 && !(far > 0)) return BAT_FAR;
+    const double scale = gaze.focus > 0 ? gaze.focus / far : 1 / gaze.pixel;
+    pixel[0] = gaze.middle[0] + scale * vec_dot(way, gaze.right);
+    pixel[1] = gaze.middle[1] - scale * vec_dot(way, gaze.above);
+    if (depth) *depth = far;
+    return BAT_OK;
+}

@@ -1,0 +1,78 @@
+/* Every call on views survives the failure of any one of its allocations: BAT_MEMORY, nothing leaked. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include <batten/bezier.h>
+#include <batten/format.h>
+#include "support/alloc_fail.h"
+#include "support/random_surface.h"
+
+static const bat_viewpoint view = {.eye = {0, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
+static const double pixels[] = {50, 50, 52, 51, 55, 53};
+static const bat_stroke stroke = {.dimension = 2, .count = 3, .points = pixels};
+static bat_surface *sheet;
+static bat_curve *line;
+
+static bat_status on_ruled(void) {
+    const bat_canvas canvas = {.curve = line, .along = {1, 0, 0}};
+    bat_cast_point out[3];
+    return bat_cast(&view, &stroke, &canvas, out, NULL);
+}
+static bat_status on_surface(void) {
+    const bat_canvas canvas = {.surface = sheet};
+    bat_cast_point out[3];
+    return bat_cast(&view, &stroke, &canvas, out, NULL);
+}
+static bat_status write_view(void) {
+    char *text = NULL;
+    size_t size;
+    const bat_status status = bat_viewpoint_write(&view, &text, &size);
+    bat_free(text);
+    return status;
+}
+static bat_status read_view(void) {
+    static const char text[] = "{\"eye\":[0,0,1],\"target\":[0,0],\"up\":[0,1],\"size\":[8,6],\"height\":1}";
+    bat_viewpoint out;
+    return bat_viewpoint_read(text, sizeof text - 1, &out, NULL);
+}
+static bat_status read_canvas(void) {
+    static const char text[] =
+        "{\"curve\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]},\"along\":[0,0,1]}";
+    bat_canvas out = {.curve = NULL};
+    const bat_status status = bat_canvas_read(text, sizeof text - 1, &out, NULL);
+    bat_canvas_clear(&out);
+    return status;
+}
+
+static void each_allocation(void **state) {
+    (void)state;
+    static bat_status (*const operations[])(void) = {on_ruled, on_surface, write_view, read_view,
+                                                     read_canvas};
+    random_source r = {3};
+    sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
+    line = random_curve(&r, 3, 2, 0, 4);
+    for (size_t i = 0; i < sizeof operations / sizeof *operations; i++) {
+        const long before = alloc_live();
+        for (long n = 1;; n++) {
+            alloc_fail_at(n);
+            const bat_status status = operations[i]();
+            const bool reached = alloc_fail_reached();
+            assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+            assert_int_equal(alloc_live(), before);
+            if (!reached) {
+                assert_true(n > 1);
+                break;
+            }
+        }
+    }
+    bat_curve_free(line);
+    bat_surface_free(sheet);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_allocation)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
