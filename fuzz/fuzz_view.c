@@ -29,6 +29,9 @@ static void check_cast(const bat_viewpoint *view, const bat_canvas *canvas) {
         pixels[2 * i] = view->size[0] * (0.3 + 0.08 * i),
                    pixels[2 * i + 1] = view->size[1] * (0.45 + 0.02 * i);
     const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = pixels};
+    const double size = canvas->curve     ? bat_curve_size(canvas->curve)
+                        : canvas->surface ? bat_surface_size(canvas->surface)
+                                          : 0;
     if (bat_cast(view, &stroke, canvas, out, &landed) != BAT_OK) return;
     for (int i = 0; i < COUNT; i++) {
         double from[3], way[3], gap[3];
@@ -36,7 +39,7 @@ static void check_cast(const bat_viewpoint *view, const bat_canvas *canvas) {
         found++;
         if (bat_viewpoint_ray(view, pixels + 2 * i, from, way) != BAT_OK) abort();
         for (int c = 0; c < 3; c++) gap[c] = from[c] + out[i].distance * way[c] - out[i].point[c];
-        if (!(length(gap) <= 1e-5 * (length(out[i].point) + length(from) + out[i].distance))) abort();
+        if (!(length(gap) <= 1e-5 * (length(out[i].point) + length(from) + out[i].distance + size))) abort();
     }
     if (found != landed) abort();
 }

@@ -92,7 +92,7 @@ class Cast(ProgramTest):
     def test_on_ruled_surfaces_places_come_back(self):
         """A stroke drawn along a path of the ruled surface (its places all fit to be kept) lands on the surface and on its rays."""
         kept = exact = 0
-        for i in range(40):
+        for i in range(200):
             curve = CURVE if i % 2 else RING
             at = spline(curve)
             view, d = some_view(60, i % 3), unit(RANDOM.normal(size=3))
@@ -114,8 +114,8 @@ class Cast(ProgramTest):
                 self.assertLess(numpy.linalg.norm(numpy.cross(numpy.subtract(place, from_), along)), 1e-8)
             kept += 1
             exact += numpy.abs(numpy.subtract(result["points"], places)).max() < 1e-7
-        self.assertGreater(kept, 3)
-        self.assertGreater(exact, 1)
+        self.assertGreater(kept, 8)
+        self.assertGreater(exact, 3)
 
     def test_why_samples_are_dropped_on_a_ruled_surface(self):
         on = {"curve": {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[-1, 0], [1, 0]]}, "along": [0, 0, 5]}
