@@ -195,9 +195,29 @@ static bat_status settle(bat_shape *shape, bat_level *level, const bat_level *fr
     return status;
 }
 
+/* The level's details: those of the detail curve, exactly where it has the level's knots. */
+static bat_status take_details(const bat_shape *shape, const bat_curve *detail, bat_level *level) {
+    bat_curve *fitting = NULL;
+    bat_status status = BAT_KNOTS;
+    if (detail->degree == level->curve->degree && detail->closed == level->curve->closed)
+        status = bat_curve_refine(detail, bat_curve_knot_count(level->curve), bat_curve_knots(level->curve),
+                                  &fitting);
+    if (status == BAT_MEMORY) return status;
+    for (int i = 0; i < level->count; i++) {
+        double *d = level->details + 3 * i;
+        if (fitting)
+            memcpy(d, bat_curve_points(fitting) + 3 * i, 3 * sizeof *d);
+        else
+            bat_curve_eval(detail, level->nodes[i], 0, d);
+        if (bat_shape_flat(shape)) d[2] = 0;
+    }
+    bat_curve_free(fitting);
+    return BAT_OK;
+}
+
 static bat_status copy_level(bat_shape *shape, const bat_level *from, const bat_knot_map *map) {
     const bat_curve *below = bat_shape_curve(shape, shape->count);
-    bat_curve *detail = NULL, *fitting = NULL;
+    bat_curve *detail = NULL;
     bat_status status = detail_curve(from, below, map, &detail);
     if (status != BAT_OK) return status;
     size_t room = (size_t)(bat_curve_knot_count(below) + bat_curve_knot_count(detail));
@@ -205,25 +225,14 @@ static bat_status copy_level(bat_shape *shape, const bat_level *from, const bat_
     status = knots ? bat_shape_add_level(shape, united(below, detail, knots), knots, NULL, NULL) : BAT_MEMORY;
     if (status == BAT_OK) {
         bat_level *level = &shape->levels[shape->count - 1];
-        int count = bat_curve_knot_count(level->curve);
-        bool same = detail->degree == level->curve->degree && detail->closed == level->curve->closed &&
-                    bat_curve_refine(detail, count, bat_curve_knots(level->curve), &fitting) == BAT_OK;
-        for (int i = 0; i < level->count; i++) {
-            double *d = level->details + 3 * i;
-            if (same)
-                memcpy(d, bat_curve_points(fitting) + 3 * i, 3 * sizeof *d);
-            else
-                bat_curve_eval(detail, level->nodes[i], 0, d);
-            if (bat_shape_flat(shape)) d[2] = 0;
-        }
         level->gain = from->gain;
         level->muted = from->muted;
-        status = settle(shape, level, from, map);
+        status = take_details(shape, detail, level);
+        if (status == BAT_OK) status = settle(shape, level, from, map);
         if (status == BAT_OK) status = bat_level_build(level, below);
     }
     free(knots);
     bat_curve_free(detail);
-    bat_curve_free(fitting);
     return status;
 }
 

@@ -13,6 +13,7 @@
 #include <batten/levels.h>
 #include <batten/refine.h>
 #include "curve/curve.h"
+#include "support/alloc_fail.h"
 #include "support/shapes.h"
 
 static uint64_t seed;
@@ -160,11 +161,38 @@ static void any_onto_any(void **state) {
     bat_curve_free(space);
 }
 
+/* A detail that memory does not suffice for is not sampled instead: the copy is the same, or there is none. */
+static void memory_may_run_out(void **state) {
+    (void)state;
+    seed = 5;
+    bat_curve *curve = wavy(3, 2, false, 40, 10);
+    bat_shape *shape, *wanted;
+    assert_int_equal(bat_shape_decompose(curve, 2, NULL, &shape), BAT_OK);
+    assert_int_equal(bat_shape_copy_levels(shape, bat_shape_curve(shape, 0), &wanted), BAT_OK);
+    const long held = alloc_live();
+    bool reached = true;
+    for (long n = 1; reached; n++) {
+        bat_shape *copy = NULL;
+        alloc_fail_at(n);
+        const bat_status status = bat_shape_copy_levels(shape, bat_shape_curve(shape, 0), &copy);
+        reached = alloc_fail_reached();
+        assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+        assert_true((copy == NULL) == reached);
+        if (copy) assert_true(points_apart(shape_finest(copy), shape_finest(wanted)) == 0);
+        bat_shape_free(copy);
+        assert_true(alloc_live() == held);
+    }
+    bat_shape_free(wanted);
+    bat_shape_free(shape);
+    bat_curve_free(curve);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(onto_its_own_base),
         cmocka_unit_test(other_knots_same_detail),
         cmocka_unit_test(any_onto_any),
+        cmocka_unit_test(memory_may_run_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
