@@ -33,7 +33,7 @@ void __wrap_free(void *memory);
 #else
 #define ALLOC_STATE
 #endif
-ALLOC_STATE long alloc_countdown; /* 0: none fails */
+ALLOC_STATE long alloc_countdown; /* 0: none fails; -1: alloc_paths.h decides */
 ALLOC_STATE bool alloc_hit;
 ALLOC_STATE long alloc_blocks;
 
@@ -49,7 +49,11 @@ static inline bool alloc_fail_reached(void) {
 static inline long alloc_live(void) { return alloc_blocks; }
 
 #ifndef BATTEN_ONE_MODULE
+#ifndef ALLOC_DECIDES
+#define ALLOC_DECIDES() false
+#endif
 static inline bool alloc_fails_now(void) {
+    if (alloc_countdown < 0) return ALLOC_DECIDES() && (alloc_hit = true);
     if (alloc_countdown == 0 || --alloc_countdown > 0) return false;
     return alloc_hit = true;
 }

@@ -7,7 +7,7 @@ file(GLOB FUZZERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/fuzz_*.c)
 list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
   ${PROJECT_SOURCE_DIR}/tests/format/write_documents.c)
 # Excluded: programs driven by a Python script (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and those that
-# need threads, expat or native struct sizes, which WebAssembly does not have.
+# need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have.
 set(NATIVE_ONLY test_threads test_svg_file test_options)
 set(files /) # the path of the repository for tests
 if(NOT BATTEN_WASM)
@@ -19,7 +19,8 @@ set(declared)
 set(programs)
 foreach(source ${UNITS})
   get_filename_component(name ${source} NAME_WE)
-  if(name IN_LIST NATIVE_ONLY)
+  file(STRINGS ${source} reads_stack REGEX "support/alloc_paths\\.h" LIMIT_COUNT 1)
+  if(name IN_LIST NATIVE_ONLY OR reads_stack)
     list(REMOVE_ITEM UNITS ${source})
     continue()
   endif()

@@ -1,3 +1,4 @@
+#include "document/document.h"
 #include "editor/scene/seen.h"
 #include "editor/choice/choice.h"
 #include "editor/session/notice.h"
@@ -23,8 +24,11 @@ void bat_seen_sync(bat_context *c) {
 
 bool bat_seen_out_of_reach(const bat_context *c, int at) {
     const bat_scene *scene = c->scene;
-    if (scene->revision != c->session->revision || at >= scene->count) return false;
-    return scene->entries[at].hidden || scene->entries[at].locked;
+    if (at < 0) return false;
+    if (scene->revision == c->session->revision)
+        return scene->entries[at].hidden || scene->entries[at].locked;
+    const bat_nesting_level level = bat_document_level(c->session->document, at); /* memory ran out, say */
+    return level.hidden || level.locked;
 }
 
 bool bat_seen_fit(bat_context *c) {
