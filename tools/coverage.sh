@@ -1,7 +1,7 @@
 #!/bin/sh
 # Branch coverage of src/ by the C tests, the examples, the seeds of the fuzz targets, the journals and the drawings of
-# this repository, all in one native program (tests/wasm), and by the tests of the program (tests/cli). One line per
-# file: the share of branch outcomes that are taken, how many there are, how many are never taken; worst first, the
+# this repository, nearly all in one native program (tests/wasm), and by the tests of the program (tests/cli). One line
+# per file: the share of branch outcomes that are taken, how many there are, how many are never taken; worst first, the
 # total of src/ last.
 # Usage: tools/coverage.sh [FILE...]: for the files given, also lists each condition that never holds or always holds.
 set -eu
@@ -26,13 +26,20 @@ mkdir $tree/runs
 xargs -P "$(nproc)" -L 1 sh -c 'name=$1 && shift
     LLVM_PROFILE_FILE=$0/runs/$name.profraw "$0/units" "$@" > "$0/runs/$name.log" 2>&1 ||
         { echo "$name failed:"; tail -3 "$0/runs/$name.log"; exit 1; }' $tree < $tree/runs.txt
+# The tests that are not in it.
+objects=
+while read -r name; do
+    LLVM_PROFILE_FILE=$tree/runs/$name.profraw $tree/tests/$name > $tree/runs/$name.log 2>&1 ||
+        { echo "$name failed:"; tail -3 $tree/runs/$name.log; exit 1; }
+    objects="$objects -object $tree/tests/$name"
+done < $tree/tests/native_tests.txt
 # The program's processes share eight profile files. Left out: tests of the server, the disk and signals, not of src/.
 LLVM_PROFILE_FILE=$PWD/$tree/runs/cli-%8m.profraw ctest --test-dir $tree -R '^cli_' \
     -E 'crowd|kill|levels_oracle|races|streams' -j "$(nproc)" > $tree/cli.log || { tail -40 $tree/cli.log; exit 1; }
 llvm-profdata merge -sparse $tree/runs/*.profraw -o $tree/all.profdata
 rm $tree/runs/*.profraw
 
-llvm-cov export $tree/units -object $tree/batten -instr-profile=$tree/all.profdata > $tree/all.json
+llvm-cov export $tree/units -object $tree/batten $objects -instr-profile=$tree/all.profdata > $tree/all.json
 jq -r '[.data[0].files[] | select(.filename | test("(^|/)src/")) |
         {name: (.filename | sub(".*?src/"; "src/")), all: .summary.branches.count, none: .summary.branches.notcovered}] |
         (sort_by(if .all == 0 then 1 else 1 - .none / .all end) | .[]),
