@@ -142,7 +142,7 @@ bat_status bat_object_make(const bat_kind_type *type, bat_id id, const char *nam
 
 bat_status bat_object_remake(const bat_object *object, const bat_kind_type *type, const void *own, int count,
                              bat_curve *const *curves, bat_object **out) {
-    if (!object || !out) return BAT_ARGUMENT;
+    if (!out) return BAT_ARGUMENT;
     bat_status status = check_curves(type, count, curves);
     return status == BAT_OK ? make(type, &object->head, object->name, own, count, curves, out) : status;
 }

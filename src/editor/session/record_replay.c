@@ -16,10 +16,6 @@ static bat_string label_named(const char *key) {
     return label == BAT_STRING_COUNT ? BAT_STRING_STEP_CHANGE : label;
 }
 
-static bat_status say(const bat_json *json, uint32_t node, bat_status status, bat_problem *problem) {
-    return bat_json_say(json, node, status, bat_status_message(status), problem);
-}
-
 /* A whole number from 0 to limit, or -1. */
 static double whole(const bat_json *json, uint32_t node, double limit) {
     double value = bat_json_type_of(json, node) == BAT_JSON_NUMBER ? json->nodes[node].value.number : -1;
@@ -47,7 +43,7 @@ static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, b
                         : bat_transaction_replace(c, (int)at, object);
         bat_object_release(object);
     }
-    return status == BAT_OK ? status : say(json, node, status, problem);
+    return status;
 }
 
 bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem *problem) {
@@ -56,7 +52,7 @@ bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem 
     if (bat_json_count(json, list) == 0)
         return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "changes", "a list of changes", problem);
     bat_status status = bat_transaction_begin(c);
-    if (status != BAT_OK) return say(json, 1, status, problem);
+    if (status != BAT_OK) return status;
     c->session->transaction.told = true;
     for (uint32_t node = bat_json_first(json, list); node && status == BAT_OK; node = json->nodes[node].next)
         status = perform(c, json, node, problem);
@@ -64,6 +60,5 @@ bat_status bat_change_perform(bat_context *c, const bat_json *json, bat_problem 
         bat_transaction_cancel(c);
         return status;
     }
-    status = bat_transaction_commit(c, label_named(label ? label : ""), NULL);
-    return status == BAT_OK ? status : say(json, 1, status, problem);
+    return bat_transaction_commit(c, label_named(label ? label : ""), NULL);
 }
