@@ -18,6 +18,7 @@ static void wire(bat_editor *editor) {
                                     .scene = &editor->scene,
                                     .snap = &editor->snap,
                                     .insight = &editor->insight,
+                                    .simplifying = &editor->simplifying,
                                     .panels = &editor->panels,
                                     .toolbox = &editor->toolbox};
 }
@@ -59,6 +60,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_overlay_free(&editor->overlay);
     bat_choice_free(&editor->choice);
     bat_session_free(&editor->session);
+    bat_simplify_free(&editor->simplifying);
     bat_panels_free(&editor->panels);
     bat_settings_free(&editor->settings);
     free(editor);
@@ -77,6 +79,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
         return status;
     }
     bat_choice_forget(c);
+    bat_simplify_free(c->simplifying);
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);
     bat_view_look_afresh(&c->stage->view);

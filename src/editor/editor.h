@@ -4,6 +4,7 @@
 
 #include "editor/session/context.h"
 #include "editor/choice/choice.h"
+#include "editor/commands/simplify.h"
 #include "editor/edit/clipboard.h"
 #include "editor/input/input.h"
 #include "editor/panels/panels.h"
@@ -29,6 +30,7 @@ struct bat_editor {
     bat_scene scene;
     bat_snap snap;
     bat_insight insight;
+    bat_simplifying simplifying;
     bat_panels panels;
     bat_toolbox toolbox;
     bat_overlay overlay;

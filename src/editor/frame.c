@@ -66,10 +66,16 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     show_selection(c, overlay);
     bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
+    bat_simplify_show(c, overlay);
     if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
+}
+
+static uint32_t readings(const bat_context *c) {
+    const uint32_t simplified = bat_simplify_version(c);
+    return simplified ? simplified : bat_toolbox_readings(c);
 }
 
 const bat_frame *bat_editor_frame(bat_editor *editor) {
@@ -111,7 +117,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .selection = c->choice->selection.version,
         .selected = (uint32_t)c->choice->selection.count,
         .layer = (uint32_t)c->choice->layer,
-        .readings = bat_toolbox_readings(c),
+        .readings = readings(c),
         .levels = bat_leveling_version(c),
         .lost = (uint32_t)bat_losses_total(&c->session->losses),
         .first = bat_first_shown(c)};

@@ -1,5 +1,6 @@
 // The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap chooses that reading;
-// the chips disappear when the next stroke begins.
+// the chips disappear when the next stroke begins. Beside a selection that was simplified, the same slider and how many
+// points are left.
 
 import { dress } from '../page/build.js';
 import { tell, word } from '../page/words.js';
@@ -10,6 +11,7 @@ import { tell, word } from '../page/words.js';
  * @property {number} chosen
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
+ * @property {[number, number]} [points] a selection was simplified: its points before and after
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -27,10 +29,12 @@ export class Chips {
     this.box.hidden = true;
     this.at = [0, 0];
     this.amount = this.#slider();
-    this.refit = tell(document.createElement('label'), { help: 'refit.help' });
+    this.refit = document.createElement('label');
     this.refit.className = 'refit';
-    this.refit.append(...['refit.raw', this.amount, 'refit.fair'].map((part) =>
-      (typeof part === 'string' ? tell(document.createElement('span'), { text: part }) : part)));
+    this.ends = [document.createElement('span'), document.createElement('span')];
+    this.points = document.createElement('output');
+    this.refit.append(this.ends[0], this.amount, this.ends[1], this.points);
+    this.shown = '';
     void dress('styles/chips.css').then(() => { // unstyled, it would push the stage aside
       stage.after(this.box);
       this.#place();
@@ -39,18 +43,34 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, points } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
+    if (amount < 0 && this.box.contains(document.activeElement)) {
+      this.stage.focus();
+    }
     this.box.hidden = amount < 0;
     this.amount.valueAsNumber = amount;
-    this.box.setAttribute('aria-label', word('command.reading-next'));
-    this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i, i === chosen)), this.refit);
+    const shown = [words.length > 0 && chosen, !points, ...words].join('\n');
+    if (shown !== this.shown || !points) { // a slider that is being dragged stays where it is
+      this.shown = shown;
+      this.#dress(points ? 'command.curve-simplify' : 'refit', points ? ['simplify.close', 'simplify.few'] : ['refit.raw', 'refit.fair']);
+      this.box.setAttribute('aria-label', word(points ? 'command.curve-simplify' : 'command.reading-next'));
+      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i, i === chosen)), this.refit);
+    }
+    this.points.textContent = points ? word('notice.simplified', points.join(' \u2192 ')) : '';
     this.#place();
+  }
+
+  /** Names the slider and its ends. @param {string} label @param {string[]} ends */
+  #dress(label, ends) {
+    tell(this.amount, { label });
+    tell(this.refit, { help: label === 'refit' ? 'refit.help' : 'simplify.help' });
+    ends.forEach((text, i) => tell(this.ends[i], { text }));
   }
 
   /** The slider: previews while it is dragged; one undo step when it is released. */
   #slider() {
-    const slider = tell(document.createElement('input'), { label: 'refit' });
+    const slider = document.createElement('input');
     Object.assign(slider, { type: 'range', min: '0', max: '1', step: '0.05' });
     for (const event of ['input', 'change']) {
       slider.addEventListener(event, () => {
@@ -58,6 +78,12 @@ export class Chips {
         this.wake();
       });
     }
+    slider.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') {
+        this.engine.command('accept');
+        this.wake();
+      }
+    });
     return slider;
   }
 

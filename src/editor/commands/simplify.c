@@ -1,80 +1,245 @@
-/* Simplifies the selected curves: as few knots as keep them within the tolerance. */
-#include "editor/tables/commands.h"
+#include "editor/commands/simplify.h"
+#include "base/real.h"
+#include "document/document.h"
+#include "document/kind.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
-#include "editor/session/context.h"
+#include "editor/scene/path.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
+#include "editor/session/undo.h"
+#include "editor/tables/commands.h"
 #include "editor/tables/settings.h"
-#include "editor/tables/tables.h"
 #include "editor/view/stage.h"
 #include <batten/fit.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 static const double CORNER = 0.05; /* radians: larger turns stay corners */
+static const double RANGE = 256;   /* the largest tolerance that can be chosen over the smallest */
+static const float FIT_WIDTH = 2;
 
-typedef struct tally {
-    size_t before, after; /* control points of the whole selection */
-} tally;
+/* ---- what is kept ---- */
 
-/* Within the transaction: simplifies each curve of the object that can do with fewer points. */
-static bat_status simplify_object(bat_context *c, int index, double tolerance, tally *sum) {
-    const bat_object *object = bat_document_at(c->session->document, index);
-    const bat_id id = bat_object_id(object);
-    const int count = bat_object_curve_count(object);
-    for (int k = 0; k < count; k++) {
-        const bat_curve *curve = bat_edit_target(c->session->document, id, k);
-        if (!curve) continue;
-        const size_t before = (size_t)bat_curve_count(curve);
-        bat_curve *fewer = NULL;
-        bat_status status = bat_curve_refit(curve, tolerance, CORNER, &fewer, NULL);
-        if (status != BAT_OK) return status;
-        const size_t after = (size_t)bat_curve_count(fewer);
-        sum->before += before, sum->after += after;
-        if (after < before)
-            status = bat_put_curve(c, id, k, fewer);
-        else
-            bat_curve_free(fewer);
-        if (status != BAT_OK) return status;
-    }
+static void drop_shown(bat_simplifying *s) {
+    for (int i = 0; i < s->shown; i++) bat_curve_free(s->fit[i]);
+    free(s->fit);
+    s->fit = NULL;
+    s->shown = 0;
+}
+
+void bat_simplify_free(bat_simplifying *s) {
+    drop_shown(s);
+    for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
+    free(s->before);
+    *s = (bat_simplifying){.version = s->version};
+}
+
+bool bat_simplify_holds(const bat_context *c) {
+    const bat_simplifying *s = c->simplifying;
+    return s->count > 0 && s->revision == c->session->revision && s->tool == c->choice->tool &&
+           s->selection == c->choice->selection.version && !c->session->busy;
+}
+
+uint32_t bat_simplify_version(const bat_context *c) {
+    return bat_simplify_holds(c) ? c->simplifying->version | 1U << 31 : 0;
+}
+
+/* From now on this is the last thing done. */
+static void mark(bat_context *c, bool stepped) {
+    bat_simplifying *s = c->simplifying;
+    s->stepped = stepped;
+    s->revision = c->session->revision;
+    s->selection = c->choice->selection.version;
+    s->tool = c->choice->tool;
+    s->version++;
+}
+
+/* Planar curves, neither locked nor hidden in a group that is selected. */
+static bool is_possible(const bat_document *document, int index) {
+    const bat_object *object = bat_document_at(document, index);
+    const bat_nesting_level level = bat_document_level(document, index);
+    return bat_object_is(object, BAT_CURVES) && !level.hidden && !level.locked &&
+           bat_curve_dimension(bat_object_curve(object, 0)) == 2;
+}
+
+/* BAT_STATE: nothing is selected; BAT_ARGUMENT: no curve that can be simplified. */
+static bat_status keep(bat_context *c) {
+    bat_simplifying *s = c->simplifying;
+    const bat_document *document = c->session->document;
+    int *members = NULL, count = 0;
+    bat_simplify_free(s);
+    bat_status status = bat_arrange_members(c, &members, &count);
+    if (status != BAT_OK) return status;
+    s->before = malloc((size_t)(count > 0 ? count : 1) * sizeof *s->before);
+    for (int i = 0; i < count && s->before; i++)
+        if (is_possible(document, members[i]))
+            s->before[s->count++] = bat_object_retain(bat_document_at(document, members[i]));
+    free(members);
+    if (!s->before) return BAT_MEMORY;
+    return s->count > 0 ? BAT_OK : BAT_ARGUMENT;
+}
+
+void bat_simplify_place(const bat_context *c, double at[2]) {
+    double box[4];
+    const bool some = bat_arrange_selection_box(c, box);
+    for (int k = 0; k < 2; k++) at[k] = some ? box[k + 2] : 0;
+}
+
+/* ---- simplifying ---- */
+
+/* What is done with a curve of the objects as they were; takes over `fewer`, which is NULL where the curve has as few
+ * points as it can. */
+typedef bat_status taker(bat_context *c, const bat_object *object, int index, bat_curve *fewer);
+
+static bat_status put(bat_context *c, const bat_object *object, int index, bat_curve *fewer) {
+    return fewer ? bat_put_curve(c, bat_object_id(object), index, fewer) : BAT_OK;
+}
+
+static bat_status show(bat_context *c, const bat_object *object, int index, bat_curve *fewer) {
+    bat_simplifying *s = c->simplifying;
+    bat_curve **more = realloc(s->fit, (size_t)(s->shown + 1) * sizeof *more);
+    bat_status status = more ? BAT_OK : BAT_MEMORY;
+    if (more) s->fit = more;
+    if (more && !fewer) status = bat_curve_copy(bat_object_curve(object, index), &fewer);
+    if (status == BAT_OK)
+        s->fit[s->shown++] = fewer;
+    else
+        bat_curve_free(fewer);
+    return status;
+}
+
+static bat_status simplify_all(bat_context *c, double tolerance, taker *take, size_t points[2]) {
+    const bat_simplifying *s = c->simplifying;
+    points[0] = points[1] = 0;
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
+            const bat_curve *curve = bat_object_curve(s->before[i], k);
+            bat_curve *fewer = NULL;
+            bat_status status = bat_curve_refit(curve, tolerance, CORNER, &fewer, NULL);
+            if (status != BAT_OK) return status;
+            const size_t had = (size_t)bat_curve_count(curve), has = (size_t)bat_curve_count(fewer);
+            if (has >= had) {
+                bat_curve_free(fewer);
+                fewer = NULL;
+            }
+            points[0] += had, points[1] += fewer ? has : had;
+            status = take(c, s->before[i], k, fewer);
+            if (status != BAT_OK) return status;
+        }
     return BAT_OK;
 }
 
-static bat_status nothing(bat_context *c, bat_status status, bat_string why) {
-    if (status == BAT_OK)
-        bat_notice(c, why);
+/* One step, or none when nothing became simpler. */
+static bat_status carry_out(bat_context *c, double tolerance) {
+    size_t points[2];
+    bat_status status = bat_transaction_begin(c);
+    if (status != BAT_OK) return status;
+    status = simplify_all(c, tolerance, put, points);
+    status = bat_transaction_end(c, status, BAT_STRING_STEP_SIMPLIFY);
+    if (status != BAT_OK) return status;
+    c->simplifying->points[0] = points[0], c->simplifying->points[1] = points[1];
+    mark(c, points[1] < points[0]);
+    return BAT_OK;
+}
+
+static void tell(bat_context *c) {
+    const size_t *points = c->simplifying->points;
+    char numbers[64];
+    if (points[1] == points[0]) {
+        bat_notice(c, BAT_STRING_NOTICE_SIMPLE_ALREADY);
+        return;
+    }
+    snprintf(numbers, sizeof numbers, "%zu \xE2\x86\x92 %zu", points[0], points[1]);
+    bat_notice_value(c, BAT_STRING_NOTICE_SIMPLIFIED, numbers);
+}
+
+static bat_status refuse(bat_context *c, bat_status status) {
+    bat_simplify_free(c->simplifying);
+    if (status == BAT_STATE)
+        bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
+    else if (status == BAT_ARGUMENT)
+        bat_notice(c, BAT_STRING_NOTICE_NOT_POSSIBLE);
     else
         bat_notice_failure(c, status);
-    return status == BAT_OK ? BAT_STATE : status;
+    return status == BAT_ARGUMENT ? BAT_STATE : status;
 }
 
 bat_status bat_command_curve_simplify(bat_context *c, bat_command_id id) {
     (void)id;
-    int *members = NULL, count = 0;
-    tally sum = {0, 0};
-    const double tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage);
-    bat_status status = bat_arrange_members(c, &members, &count);
-    if (status == BAT_STATE) return nothing(c, BAT_OK, BAT_STRING_NOTICE_SELECT_FIRST);
-    if (status == BAT_OK) status = bat_transaction_begin(c);
+    bat_simplifying *s = c->simplifying;
+    bat_status status = keep(c);
+    if (status != BAT_OK) return refuse(c, status);
+    s->tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage);
+    s->amount = 0.5;
+    status = carry_out(c, s->tolerance);
     if (status != BAT_OK) {
-        free(members);
-        return nothing(c, status, BAT_STRING_NOTICE_SELECT_FIRST);
+        bat_simplify_free(s);
+        bat_notice_failure(c, status);
+        return status;
     }
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        status = simplify_object(c, members[i], tolerance, &sum);
-    free(members);
-    if (status != BAT_OK || sum.after == sum.before) {
-        bat_transaction_cancel(c);
-        return nothing(c, status, BAT_STRING_NOTICE_SIMPLE_ALREADY);
-    }
-    status = bat_transaction_commit(c, BAT_STRING_STEP_SIMPLIFY, NULL);
-    if (status == BAT_OK) {
-        char numbers[64];
-        snprintf(numbers, sizeof numbers, "%zu \xE2\x86\x92 %zu", sum.before, sum.after);
-        bat_notice_value(c, BAT_STRING_NOTICE_SIMPLIFIED, numbers);
-    }
+    tell(c);
+    return s->stepped ? BAT_OK : BAT_STATE;
+}
+
+/* ---- again ---- */
+
+/* Replaces the step; when that fails, it is as it was. */
+static bat_status replace(bat_context *c, double tolerance) {
+    const bool stepped = c->simplifying->stepped;
+    bat_status status = stepped ? bat_session_step(c, true) : BAT_OK;
+    if (status != BAT_OK) return status;
+    status = carry_out(c, tolerance);
+    if (status == BAT_OK) return BAT_OK;
+    if (stepped) bat_session_step(c, false);
+    mark(c, stepped);
     return status;
+}
+
+bat_status bat_simplify_again(bat_context *c, double amount, bool done) {
+    bat_simplifying *s = c->simplifying;
+    if (!bat_simplify_holds(c)) return BAT_STATE;
+    if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
+    const double tolerance = s->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
+    size_t points[2];
+    drop_shown(s);
+    bat_status status = done ? replace(c, tolerance) : simplify_all(c, tolerance, show, points);
+    if (status != BAT_OK) {
+        drop_shown(s);
+        bat_notice_failure(c, status);
+        return status;
+    }
+    s->amount = amount;
+    if (!done) {
+        s->points[0] = points[0], s->points[1] = points[1];
+        s->version++;
+    } else {
+        tell(c);
+    }
+    return BAT_OK;
+}
+
+bool bat_simplify_cancel(bat_context *c) {
+    bat_simplifying *s = c->simplifying;
+    if (!bat_simplify_holds(c)) return false;
+    if (s->stepped && bat_session_step(c, true) == BAT_OK)
+        bat_notice_value(c, BAT_STRING_NOTICE_UNDONE, bat_word(c, BAT_STRING_STEP_SIMPLIFY));
+    bat_simplify_free(s);
+    return true;
+}
+
+bool bat_simplify_accept(bat_context *c) {
+    const bool holds = bat_simplify_holds(c);
+    if (holds) bat_simplify_free(c->simplifying);
+    return holds;
+}
+
+void bat_simplify_show(bat_context *c, bat_overlay *overlay) {
+    const bat_simplifying *s = c->simplifying;
+    if (s->shown == 0 || !bat_simplify_holds(c)) return;
+    bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, FIT_WIDTH);
+    for (int i = 0; i < s->shown; i++) bat_path_curve(&overlay->path, s->fit[i]);
 }

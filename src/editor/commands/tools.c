@@ -1,5 +1,6 @@
 /* Commands that choose a tool, and those passed on to the tool in force. */
 #include "editor/choice/choice.h"
+#include "editor/commands/simplify.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/session/notice.h"
@@ -19,10 +20,12 @@ bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
 bat_status bat_command_accept(bat_context *c, bat_command_id id) {
     (void)id;
     const bat_slot *tool = bat_toolbox_tool(c);
+    if (bat_simplify_accept(c)) return BAT_OK;
     return tool->is->accept && tool->is->accept(c, tool->state) ? BAT_OK : BAT_STATE;
 }
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
-    if (bat_toolbox_drop(c) || bat_isolate_end(c) || bat_arrange_leave(c)) return BAT_OK;
+    if (bat_toolbox_drop(c) || bat_simplify_cancel(c) || bat_isolate_end(c) || bat_arrange_leave(c))
+        return BAT_OK;
     return bat_command_deselect(c, id);
 }

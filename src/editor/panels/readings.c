@@ -1,4 +1,5 @@
-/* The chips at the end of a stroke: its other readings. */
+/* The chips at the end of a stroke: its other readings; and the slider beside what was simplified. */
+#include "editor/commands/simplify.h"
 #include "editor/panels/panels.h"
 #include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
@@ -32,36 +33,59 @@ static void word(const bat_context *c, const bat_again *again, int reading, bat_
     bat_text_free(&words);
 }
 
+static const char *finish(bat_context *c, bat_text *text) {
+    bat_text_string(text, "]}");
+    bat_text_add(text, "", 1);
+    if (text->failed) {
+        bat_text_free(text);
+        return NULL;
+    }
+    free(c->panels->readings);
+    return c->panels->readings = text->data;
+}
+
+static void begin(bat_context *c, bat_text *text, const double place[2], int chosen, double amount) {
+    double at[2] = {0, 0};
+    if (place) bat_stage_project(c->stage, place, at);
+    bat_text_string(text, "{\"at\":");
+    bat_line_numbers(text, at, 2, 1);
+    bat_text_string(text, ",\"chosen\":");
+    bat_line_number(text, chosen);
+    bat_text_string(text, ",\"amount\":");
+    bat_line_number(text, amount);
+}
+
+/* The same slider for a selection that was simplified. */
+static const char *simplified(bat_context *c) {
+    const bat_simplifying *s = c->simplifying;
+    bat_text text = {0};
+    double place[2];
+    bat_simplify_place(c, place);
+    begin(c, &text, place, -1, s->amount);
+    bat_text_string(&text, ",\"points\":");
+    bat_line_numbers(&text, (double[]){(double)s->points[0], (double)s->points[1]}, 2, 1);
+    bat_text_string(&text, ",\"words\":[");
+    return finish(c, &text);
+}
+
 const char *bat_panel_readings(bat_context *c) {
+    if (bat_simplify_holds(c)) return simplified(c);
     const bat_sketching *s = bat_sketching_of(c);
     const bat_again *again = &s->again;
     bat_text text = {0};
-    double at[2] = {0, 0};
     const bool any = bat_sketching_readings(c, s);
     const int count = any && again->count > 1 ? again->count : 0;
-    if (any) bat_stage_project(c->stage, again->place, at);
-    bat_text_string(&text, "{\"at\":");
-    bat_line_numbers(&text, at, 2, 1);
-    bat_text_string(&text, ",\"chosen\":");
-    bat_line_number(&text, again->at);
-    bat_text_string(&text, ",\"amount\":");
-    bat_line_number(&text, any ? again->amount : -1);
+    begin(c, &text, any ? again->place : NULL, again->at, any ? again->amount : -1);
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");
         word(c, again, i, &text);
     }
-    bat_text_string(&text, "]}");
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(c->panels->readings);
-    return c->panels->readings = text.data;
+    return finish(c, &text);
 }
 
 bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
+    if (bat_simplify_holds(c)) return bat_simplify_again(c, amount, done);
     return bat_sketching_refit(c, bat_sketching_of(c), amount, done);
 }
 

@@ -1,13 +1,11 @@
-/* Commands that cut, mend and simplify the selected curves. */
+/* Commands that cut and mend the selected curves. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "editor/edit/curves_of.h"
 #include "support/selecting.h"
-#include <batten/refine.h>
 
 static void curves_are_cut_and_mended(void **state) {
     (void)state;
@@ -72,42 +70,9 @@ static void curves_are_cut_and_mended(void **state) {
     bat_editor_free(editor);
 }
 
-/* The selected curves with fewer points, one step; a second time there is nothing left to do. */
-static void simplify(void **state) {
-    (void)state;
-    bat_editor *editor = select_editor();
-    bat_editor_command(editor, "deselect");
-    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE); /* nothing is selected */
-    bat_curve *finer = NULL, *old = NULL;
-    double knots[40], domain[2];
-    bat_curve_copy(curve(editor, 1), &old);
-    bat_curve_domain(old, domain);
-    for (int i = 0; i < 40; i++) knots[i] = domain[0] + (domain[1] - domain[0]) * (i + 0.5) / 40;
-    assert_int_equal(bat_curve_insert_knots(old, 40, knots, &finer), BAT_OK);
-    assert_int_equal(bat_transaction_begin(&editor->context), BAT_OK);
-    assert_int_equal(bat_put_curve(&editor->context, 1, 0, finer), BAT_OK);
-    assert_int_equal(bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL), BAT_OK);
-    const size_t many = bat_curve_count(curve(editor, 1));
-    uint64_t before = digest(editor);
-    only(editor, 1, 0);
-    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_OK);
-    assert_true(bat_curve_count(curve(editor, 1)) + 38 <= many);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Simplified: "));
-    double there, back;
-    assert_int_equal(bat_curve_distance(old, curve(editor, 1), 20, &there, &back), BAT_OK);
-    assert_true(fmax(there, back) <= 1.001);
-    bat_editor_command(editor, "undo");
-    assert_true(digest(editor) == before);
-    bat_editor_command(editor, "redo");
-    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE);
-    bat_curve_free(old);
-    bat_editor_free(editor);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(curves_are_cut_and_mended),
-        cmocka_unit_test(simplify),
     };
     return cmocka_run_group_tests_name("cut and mend", tests, NULL, NULL);
 }
