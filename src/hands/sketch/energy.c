@@ -2,6 +2,7 @@
  * change of curvature times the normal, for the curvature k of the last solve: lines and circles cost nothing, and the
  * problem stays quadratic. */
 #include "hands/sketch/fit_interval.h"
+#include "base/lanes.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,7 +10,8 @@
 static const double tightest = 0.2; /* curvature, 1/px: beyond it the term would only do harm */
 
 /* The point of a slot's local polynomials at x in -1..1, and its derivatives by x up to order 3. */
-static void jet_at(const double *local, int p, int m, double x, double jet[4][BAT_DIMENSION_MAX]) {
+BAT_INLINE void jet_at(const double *local, const int p, const int m, double x,
+                       double jet[4][BAT_DIMENSION_MAX]) {
     for (int c = 0; c < m; c++) {
         double f[4] = {0};
         for (int j = p; j >= 0; j--) {
@@ -20,7 +22,7 @@ static void jet_at(const double *local, int p, int m, double x, double jet[4][BA
     }
 }
 
-static double dot(const double *a, const double *b, int m) {
+BAT_INLINE double dot(const double *a, const double *b, const int m) {
     double sum = 0;
     for (int c = 0; c < m; c++) sum += a[c] * b[c];
     return sum;
@@ -37,50 +39,70 @@ static double turn_at(const bat_local_machine *k, size_t i) {
     return k->bend[i] * v * v;
 }
 
-/* What is known of the last solve at sample i in slot s. */
-static void sample_jet(const bat_local_machine *k, int s, size_t i, double jet[4][BAT_DIMENSION_MAX]) {
-    const bat_local_problem *q = k->problem;
-    const int p = q->degree, m = q->dimension;
-    const double *t = k->space.knots + p, half = half_of(k, s);
-    jet_at(k->local + (size_t)s * (size_t)((p + 1) * m), p, m, half > 0 ? (q->w[i] - t[s]) / half - 1 : 0,
-           jet);
+/* The square of the curvature. */
+BAT_INLINE double bend_of(double jet[4][BAT_DIMENSION_MAX], const int m) {
+    const double v2 = dot(jet[1], jet[1], m), va = dot(jet[1], jet[2], m);
+    const double area = v2 * dot(jet[2], jet[2], m) - va * va; /* not fmax: a call, in an inner loop */
+    return v2 > 0 ? (area > 0 ? area : 0) / (v2 * v2 * v2) : 0;
 }
 
-/* The square of the curvature. */
-static double bend_of(double jet[4][BAT_DIMENSION_MAX], int m) {
-    const double v2 = dot(jet[1], jet[1], m), va = dot(jet[1], jet[2], m);
-    return v2 > 0 ? fmax(v2 * dot(jet[2], jet[2], m) - va * va, 0) / (v2 * v2 * v2) : 0;
+/* What is known of the last solve at the samples of slot s. */
+BAT_INLINE void read_slot(bat_local_machine *k, const int p, const int m, int s, double *points) {
+    const bat_local_problem *q = k->problem;
+    const double *t = k->space.knots + q->degree, half = half_of(k, s);
+    const double *local = k->local + (size_t)s * (size_t)((p + 1) * m);
+    for (size_t i = k->first[s]; i < k->first[s + 1]; i++) {
+        double jet[4][BAT_DIMENSION_MAX];
+        jet_at(local, p, m, half > 0 ? (q->w[i] - t[s]) / half - 1 : 0, jet);
+        const double bend = bend_of(jet, m);
+        k->bend[i] = bend < tightest * tightest ? bend : tightest * tightest;
+        const double turn = turn_at(k, i);
+        for (int c = 0; c < m; c++) {
+            points[i * (size_t)m + (size_t)c] = jet[0][c];
+            k->pull[i * (size_t)m + (size_t)c] =
+                half > 0 ? jet[3][c] / (half * half * half) + turn * jet[1][c] / half : 0;
+        }
+    }
+}
+
+BAT_INLINE void curve_slot(bat_local_machine *k, const int p, const int m, int s) {
+    const bat_local_problem *q = k->problem;
+    const double *t = k->space.knots + q->degree, half = half_of(k, s);
+    const double *local = k->local + (size_t)s * (size_t)((p + 1) * m);
+    for (size_t i = k->first[s]; i < k->first[s + 1]; i++) {
+        double jet[4][BAT_DIMENSION_MAX];
+        jet_at(local, p, m, half > 0 ? (q->w[i] - t[s]) / half - 1 : 0, jet);
+        const bool right = m == 2 && jet[1][0] * jet[2][1] < jet[1][1] * jet[2][0];
+        k->curvature[i] = (right ? -1 : 1) * sqrt(bend_of(jet, m));
+    }
+}
+
+/* Numbers in the place of degree and dimension let compilers unroll the loops. */
+static bool is_plane_cubic(const bat_local_machine *k) {
+    return k->problem->degree == 3 && k->problem->dimension == 2;
 }
 
 void bat_local_read(bat_local_machine *k, double *points) {
-    const size_t m = (size_t)k->problem->dimension;
+    const bool plain = is_plane_cubic(k);
     for (int s = 0; s < bat_lsq_slots(&k->space); s++)
-        for (size_t i = k->first[s]; i < k->first[s + 1]; i++) {
-            double jet[4][BAT_DIMENSION_MAX];
-            sample_jet(k, s, i, jet);
-            memcpy(points + i * m, jet[0], m * sizeof *points);
-            k->bend[i] = fmin(bend_of(jet, (int)m), tightest * tightest);
-            const double half = half_of(k, s), turn = turn_at(k, i);
-            for (size_t c = 0; c < m; c++)
-                k->pull[i * m + c] = half > 0 ? jet[3][c] / (half * half * half) + turn * jet[1][c] / half
-                                              : 0;
-        }
+        if (plain)
+            read_slot(k, 3, 2, s, points);
+        else
+            read_slot(k, k->problem->degree, k->problem->dimension, s, points);
     k->bent = true;
 }
 
 void bat_local_curvature(bat_local_machine *k) {
-    const int m = k->problem->dimension;
+    const bool plain = is_plane_cubic(k);
     for (int s = 0; s < bat_lsq_slots(&k->space); s++)
-        for (size_t i = k->first[s]; i < k->first[s + 1]; i++) {
-            double jet[4][BAT_DIMENSION_MAX];
-            sample_jet(k, s, i, jet);
-            const bool right = m == 2 && jet[1][0] * jet[2][1] < jet[1][1] * jet[2][0];
-            k->curvature[i] = (right ? -1 : 1) * sqrt(bend_of(jet, m));
-        }
+        if (plain)
+            curve_slot(k, 3, 2, s);
+        else
+            curve_slot(k, k->problem->degree, k->problem->dimension, s);
 }
 
 /* C''' + turn C' at x of a slot, as numbers for its basis functions. */
-static void energy_row(const double *T, int p, double x, double half, double turn, double *row) {
+BAT_INLINE void energy_row(const double *T, const int p, double x, double half, double turn, double *row) {
     const int w = p + 1;
     for (int j = 0; j < w; j++) {
         double first = 0, third = 0;
@@ -90,8 +112,9 @@ static void energy_row(const double *T, int p, double x, double half, double tur
     }
 }
 
-static void add_row(bat_local_machine *k, int slot, double scale, const double *row, const double *pull) {
-    const int w = k->problem->degree + 1, m = k->problem->dimension;
+BAT_INLINE void add_row(bat_local_machine *k, const int p, const int m, int slot, double scale,
+                        const double *row, const double *pull) {
+    const int w = p + 1;
     for (int r = 0; r < w; r++) {
         const size_t unknown = (size_t)bat_lsq_unknown(&k->space, slot + r);
         double *a = k->a + unknown * (size_t)w, *b = k->b + unknown * (size_t)m;
@@ -100,11 +123,11 @@ static void add_row(bat_local_machine *k, int slot, double scale, const double *
     }
 }
 
-void bat_local_energy(bat_local_machine *k, double mu) {
+BAT_INLINE void energy_of(bat_local_machine *k, const int p, const int m, double mu) {
     static const double place[3] = {-0.774596669241483377, 0, 0.774596669241483377};
     static const double share[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
     const bat_local_problem *q = k->problem;
-    const int w = q->degree + 1;
+    const int w = p + 1;
     for (int s = 0; s < bat_lsq_slots(&k->space); s++) {
         const double half = half_of(k, s);
         if (!(half > 0)) continue;
@@ -114,8 +137,15 @@ void bat_local_energy(bat_local_machine *k, double mu) {
             size_t i = from + (size_t)(0.5 * (1 + place[g]) * (double)count);
             if (i >= q->count) i = q->count - 1;
             double row[BAT_DEGREE_MAX + 1];
-            energy_row(T, q->degree, place[g], half, turn_at(k, i), row);
-            add_row(k, s, mu * k->factor[s] * share[g] * half, row, k->pull + i * (size_t)q->dimension);
+            energy_row(T, p, place[g], half, turn_at(k, i), row);
+            add_row(k, p, m, s, mu * k->factor[s] * share[g] * half, row, k->pull + i * (size_t)m);
         }
     }
+}
+
+void bat_local_energy(bat_local_machine *k, double mu) {
+    if (is_plane_cubic(k))
+        energy_of(k, 3, 2, mu);
+    else
+        energy_of(k, k->problem->degree, k->problem->dimension, mu);
 }

@@ -21,19 +21,20 @@ bat_status bat_local_stiffen(bat_local_machine *k, int steps) {
     const double most = 6 * bat_log(fmax(1, fmin(longest, length) / q->wavelength));
     double low = 0, high = most, next = most;
     bat_status status = BAT_OK;
+    k->hope = 1;
     for (int step = 0; step <= steps && low < high; step++) {
         k->stiffness = bat_exp(next);
         const bool fine = bat_local_try(k, &k->best, &status);
         if (status == BAT_SINGULAR) status = BAT_OK;
-        if (status != BAT_OK) return status;
+        if (status != BAT_OK) break;
         if (fine)
             low = next;
         else
             high = next;
         next = 0.5 * (low + high);
     }
-    k->stiffness = bat_exp(low);
-    return BAT_OK;
+    k->stiffness = bat_exp(low), k->hope = INFINITY;
+    return status;
 }
 
 /* From now on `data` is fitted; pulled: its change of curvature, too. */

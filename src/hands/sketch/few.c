@@ -6,9 +6,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { LAWS = 3, FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2 };
+enum { FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2 };
 /* Density of knots: (1 - even) |F''''|^power / its mean + even. */
-static const struct { double power, even; } laws[LAWS] = {{0.5, 0.1}, {0.25, 0.25}, {0.67, 0.1}};
+static const struct {
+    double power, even;
+} laws[BAT_LOCAL_DENSITIES] = {{0.5, 0.1}, {0.25, 0.25}, {0.67, 0.1}};
 static const double of_range = 0.04, of_mean = 0.05; /* what counts as an extremum */
 static const double near = 1.6;       /* times what is allowed: then moving the knots is tried */
 static const double shift = 0.3;      /* of the gap to the next knot, that a knot is moved by */
@@ -20,7 +22,7 @@ static int extrema(const double *x, size_t count, double least) {
     double low = x[0], high = x[0];
     int way = 0, found = 0;
     for (size_t i = 1; i < count; i++) {
-        low = fmin(low, x[i]), high = fmax(high, x[i]);
+        low = x[i] < low ? x[i] : low, high = x[i] > high ? x[i] : high; /* fmin and fmax are calls */
         if (!(way >= 0 && x[i] < high - least) && !(way <= 0 && x[i] > low + least)) continue;
         found += way != 0;
         way = x[i] < high - least && way >= 0 ? -1 : 1;
@@ -51,7 +53,7 @@ static bat_local_bumps bumps_of(bat_local_machine *k, double least) {
 static double what_stands_out(const double *curvature, size_t count) {
     double low = curvature[0], high = low, mean = 0;
     for (size_t i = 0; i < count; i++) {
-        low = fmin(low, curvature[i]), high = fmax(high, curvature[i]);
+        low = curvature[i] < low ? curvature[i] : low, high = curvature[i] > high ? curvature[i] : high;
         mean += fabs(curvature[i]) / (double)count;
     }
     return fmax(of_range * (high - low), of_mean * mean);
@@ -90,12 +92,13 @@ void bat_local_note(bat_local_machine *k) {
     bat_local_curvature(k);
     k->fair = bumps_of(k, what_stands_out(k->curvature, k->problem->count));
     find_need(k);
+    k->spread_count = 0;
 }
 
-/* `count` knots into k->trial, where the integral of the density is even. */
-static void place(bat_local_machine *k, int count, int law) {
+/* The integral of a density. */
+static void spread(bat_local_machine *k, int law, double *sum) {
     const bat_local_problem *q = k->problem;
-    double *sum = k->curvature, mean = 0; /* room that is free now */
+    double mean = 0;
     for (size_t i = 0; i < q->count; i++) {
         sum[i] = k->need[i] > 1e-12 ? bat_exp(laws[law].power * bat_log(k->need[i])) : 0;
         mean += sum[i] / (double)q->count;
@@ -104,6 +107,14 @@ static void place(bat_local_machine *k, int count, int law) {
         const double density = (1 - laws[law].even) * (mean > 0 ? sum[i] / mean : 1) + laws[law].even;
         sum[i] = i > 0 ? sum[i - 1] + density * (q->w[i] - q->w[i - 1]) : 0;
     }
+}
+
+/* `count` knots into k->trial, where the integral of the density is even. */
+static void place(bat_local_machine *k, int count, int law) {
+    const bat_local_problem *q = k->problem;
+    double *sum = k->spread + (size_t)law * q->count;
+    for (; k->spread_count <= law; k->spread_count++)
+        spread(k, k->spread_count, k->spread + (size_t)k->spread_count * q->count);
     k->trial.count = count;
     size_t i = 1;
     for (int n = 0; n < count; n++) {
@@ -115,19 +126,25 @@ static void place(bat_local_machine *k, int count, int law) {
     }
 }
 
-/* How far the last solve is from what is allowed; 1: just within, and as fair as can be. */
-static double off(bat_local_machine *k, bool fine) {
+/* How far the last solve is from what is allowed; 1: just within, and as fair as can be. INFINITY: no less than most. */
+static double off(bat_local_machine *k, bool fine, double most) {
     double worst = 0;
-    for (size_t i = 0; i < k->problem->count; i++) worst = fmax(worst, k->distance[i] / k->limit[i]);
+    for (size_t i = 0; i < k->problem->count && !k->given_up; i++) {
+        const double ratio = k->distance[i] / k->limit[i];
+        worst = ratio > worst ? ratio : worst;
+    }
+    if (k->given_up || !(sqrt(worst) < most)) return INFINITY;
     const bat_local_bumps b = bumps_of(k, k->fair.least);
     const int more = (b.extrema > k->fair.extrema ? b.extrema - k->fair.extrema : 0) +
                      (b.inflections > k->fair.inflections ? b.inflections - k->fair.inflections : 0);
     return fmax(sqrt(worst), more > 0 || !fine ? not_fair + each_bump * more : 0);
 }
 
-static double try_off(bat_local_machine *k, bat_status *status) {
+static double try_off(bat_local_machine *k, double most, bat_status *status) {
+    k->hope = most * most;
     const bool fine = bat_local_try(k, &k->trial, status);
-    if (*status == BAT_OK) return off(k, fine);
+    k->hope = INFINITY;
+    if (*status == BAT_OK) return off(k, fine, most);
     if (*status == BAT_SINGULAR) *status = BAT_OK;
     return INFINITY;
 }
@@ -142,7 +159,7 @@ static double move(bat_local_machine *k, double least, double most_work, bat_sta
         const double before = i > 0 ? w[i - 1] : 0, after = i + 1 < n ? w[i + 1] : q->end;
         bat_knots_copy(&k->trial, &k->spare);
         k->trial.w[i] += shift * ((j % 2 ? after : before) - w[i]);
-        const double now = try_off(k, status);
+        const double now = try_off(k, least, status);
         if (now < least) least = now, bat_knots_copy(&k->spare, &k->trial);
         if (least <= 1 || *status != BAT_OK || k->work > most_work) break;
     }
@@ -152,9 +169,9 @@ static double move(bat_local_machine *k, double least, double most_work, bat_sta
 /* `count` knots in the best of some places, in k->spare; how far they are off. */
 static double best_places(bat_local_machine *k, int count, double most_work, bat_status *status) {
     double least = INFINITY;
-    for (int law = 0; law < LAWS && *status == BAT_OK && least > 1; law++) {
+    for (int law = 0; law < BAT_LOCAL_DENSITIES && *status == BAT_OK && least > 1; law++) {
         place(k, count, law);
-        const double now = try_off(k, status);
+        const double now = try_off(k, fmin(least, near), status);
         if (now < least) least = now, bat_knots_copy(&k->spare, &k->trial);
     }
     if (*status == BAT_OK && least > 1 && least < near && count > 0)
@@ -170,7 +187,7 @@ bat_status bat_local_few(bat_local_machine *k) {
     const double most_work = k->work + work_few;
     bat_status status = BAT_OK;
     if (q->fixed_count > 0 || now > MOST) return BAT_OK;
-    if (bat_local_try(k, &k->best, &status) && off(k, true) <= 1) return BAT_OK;
+    if (bat_local_try(k, &k->best, &status) && off(k, true, INFINITY) <= 1) return BAT_OK;
     k->pulled =
         false; /* with few knots the least change of curvature is what is wanted, not that of the fair curve */
     for (int n = now > fewest + FEWER ? now - FEWER : fewest; n <= now + more; n++) {

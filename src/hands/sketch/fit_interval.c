@@ -154,6 +154,7 @@ static void machine_free(bat_local_machine *k) {
     free(k->bend);
     free(k->pull);
     free(k->need);
+    free(k->spread);
     free(k->curvature);
     free(k->limit);
     free(k->distance);
@@ -169,7 +170,7 @@ static void machine_free(bat_local_machine *k) {
 
 static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     memset(k, 0, sizeof *k);
-    k->problem = q, k->stiffness = 1, k->x = k->data = q->x;
+    k->problem = q, k->stiffness = 1, k->hope = INFINITY, k->x = k->data = q->x;
     const int p = q->degree;
     k->room = (int)fmin(2 * (double)q->count + 32, 1 << 22) + q->fixed_count * p;
     const size_t n = (size_t)(k->room + 2 * p + 4), m = (size_t)q->dimension;
@@ -193,6 +194,7 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     k->pull = malloc(q->count * m * sizeof(double));
     k->bend = malloc(q->count * sizeof(double));
     k->need = malloc(q->count * sizeof(double));
+    k->spread = malloc(BAT_LOCAL_DENSITIES * q->count * sizeof(double));
     k->curvature = malloc(q->count * sizeof(double));
     k->limit = malloc(q->count * sizeof(double));
     k->distance = malloc(q->count * sizeof(double));
@@ -200,7 +202,8 @@ static bool machine_make(bat_local_machine *k, const bat_local_problem *q) {
     k->wild = calloc(q->count, 1);
     bool fine = k->space.knots && k->remembered && k->a && k->b && k->points && k->local && k->factor &&
                 k->rank && k->slow && k->first && k->shape && k->aim && k->bend && k->pull && k->need &&
-                k->curvature && k->limit && k->distance && k->soft && k->wild && (!q->closed || k->border);
+                k->spread && k->curvature && k->limit && k->distance && k->soft && k->wild &&
+                (!q->closed || k->border);
     bat_knot_set *sets[3] = {&k->best, &k->trial, &k->spare};
     for (int i = 0; i < 3; i++) {
         sets[i]->w = malloc(n * sizeof(double));

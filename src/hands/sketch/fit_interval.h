@@ -57,6 +57,8 @@ typedef struct bat_knot_set {
 } bat_knot_set;
 
 /* What stands out in a curve's curvature by at least so much. */
+enum { BAT_LOCAL_DENSITIES = 3 };
+
 typedef struct bat_local_bumps {
     double least;
     int extrema, inflections;
@@ -78,6 +80,8 @@ typedef struct bat_local_machine {
     double *curvature;    /* of the last solve at the samples, in the plane with its sign */
     bat_local_bumps fair; /* of the fair curve */
     double *need;         /* how its knots should be spread: |C''''| at the samples, mean 1 */
+    double *spread;       /* integrals over the samples of the densities made of it, one after the other */
+    int spread_count;     /* those that are known */
     double *pull;         /* C''' + bend C' of what is fitted, at its samples */
     bool pulled;          /* the penalty is on the difference to that */
     bool bent;            /* bend is known: the penalty is on the change of curvature, else on C''' */
@@ -91,6 +95,8 @@ typedef struct bat_local_machine {
     double work;     /* of all solves, units of some 20 ns: samples and eight times the knots */
     double sought;   /* samples whose nearest points were sought in them */
     bool missed;     /* no knots were found that meet the tolerance */
+    double hope;     /* squared: a solve so many times beyond a limit need not be measured to the end */
+    bool given_up;   /* the last one was not */
     bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
     bool holds_best; /* the local polynomials are those of best */
     double *slow;    /* w where the last solve left the speed law */

@@ -91,7 +91,7 @@ static void factors(bat_local_machine *k) {
         if (from >= q->count) from = q->count - 1;
         if (to <= from) to = from + 1;
         double soft = k->soft[from];
-        for (size_t i = from; i < to; i++) soft = fmin(soft, k->soft[i]);
+        for (size_t i = from; i < to; i++) soft = k->soft[i] < soft ? k->soft[i] : soft; /* fmin is a call */
         const double v = q->law[from + (to - from) / 2], v2 = v * v;
         k->factor[s] = soft / (v2 * v2 * v);
     }
@@ -176,6 +176,19 @@ static bat_status solve(bat_local_machine *k, const bat_knot_set *set) {
     return status;
 }
 
+/* The worst sample by the plain distances, projected: tells soonest that there is no hope. */
+static bool beyond_hope(const bat_local_machine *k) {
+    const bat_local_problem *q = k->problem;
+    size_t worst = 0;
+    double most = 0, distance;
+    for (size_t i = 0; i < q->count; i++)
+        if (k->distance[i] > most * k->limit[i]) most = k->distance[i] / k->limit[i], worst = i;
+    if (!(most > k->hope)) return false;
+    bat_lsq_error(&k->space, q->dimension, k->local, 1, q->w + worst, k->x + worst * (size_t)q->dimension, 2,
+                  NULL, &distance);
+    return distance > k->hope * k->limit[worst];
+}
+
 /* Whether all samples are near enough. Most are at their own parameter; only the others are projected. */
 static bool near_enough(bat_local_machine *k, bat_status *status) {
     const bat_local_problem *q = k->problem;
@@ -184,8 +197,9 @@ static bool near_enough(bat_local_machine *k, bat_status *status) {
         bat_lsq_error(&k->space, m, k->local, q->count, q->w, k->x, 2, NULL, k->distance);
     else
         bat_lsq_plain(&k->space, m, k->local, k->first, q->w, k->x, k->distance);
-    bool fine = true;
-    for (size_t i = 0; i < q->count;) {
+    k->given_up = k->hope < INFINITY && beyond_hope(k);
+    bool fine = !k->given_up;
+    for (size_t i = 0; i < q->count && !k->given_up;) {
         if (!bat_local_fails(k, i)) {
             i++;
             continue;
@@ -199,6 +213,7 @@ static bool near_enough(bat_local_machine *k, bat_status *status) {
         for (size_t j = from; j < i; j++) {
             fine = fine && !bat_local_fails(k, j);
             if (!(k->distance[j] < INFINITY)) *status = BAT_NUMBER;
+            k->given_up |= k->distance[j] > k->hope * k->limit[j];
         }
     }
     return fine;
