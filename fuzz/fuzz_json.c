@@ -27,6 +27,20 @@ static void add_plane(bat_document *document, const double *numbers) {
     bat_object_release(plane);
 }
 
+/* What a surface is made into can be made again. */
+static void look_at_surfaces(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        const bat_surface *surface = bat_object_surface(object);
+        bat_object *again = NULL;
+        if (!surface || bat_object_with_surface(object, surface, &again) != BAT_OK) continue;
+        if (bat_object_curve_count(again) != bat_object_curve_count(object)) abort();
+        bat_object_release(again);
+        if (bat_object_create_surface(1, "s", bat_object_style(object), surface, &again) != BAT_OK) abort();
+        bat_object_release(again);
+    }
+}
+
 static void check_document(const char *text, size_t size) {
     bat_document *document, *back;
     bat_problem problem;
@@ -39,6 +53,7 @@ static void check_document(const char *text, size_t size) {
     }
     size_t before = size;
     if (bat_document_check(document)) abort();
+    look_at_surfaces(document);
     add_guide(document, bat_document_new_id(document));
     add_guide(document, bat_document_digest(document) >> (bat_document_digest(document) & 63));
     double numbers[9] = {0};

@@ -163,6 +163,7 @@ static void ask(const bat_object *object) {
     demand((bat_object_guide(object, &at) >= 0) == (kind == BAT_KIND_GUIDE));
     demand((bat_object_spline(object) != NULL) == (kind == BAT_KIND_SPLINE));
     demand(!bat_object_spline(object) || bat_object_spline_options(object));
+    demand(bat_object_is_made_of_curves(object) == (bat_object_curve_count(object) > 0));
     bat_object_bounds(object, box);
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_shape *shape = bat_object_shape(object, i);

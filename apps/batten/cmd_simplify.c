@@ -66,9 +66,11 @@ static bat_status simplify_curve(bat_document *document, int object, int index, 
 
 static bat_status simplify_all(bat_document *document, double tolerance, tally *sum) {
     bat_status status = BAT_OK;
-    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++)
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        if (!bat_object_is_made_of_curves(bat_document_at(document, i))) continue;
         for (int k = 0; k < bat_object_curve_count(bat_document_at(document, i)) && status == BAT_OK; k++)
             status = simplify_curve(document, i, k, tolerance, sum);
+    }
     return status;
 }
 

@@ -8,6 +8,7 @@
 #define BATTEN_DOCUMENT_H
 
 #include <batten/levels.h>
+#include <batten/surface.h>
 #include <batten/tangents.h>
 
 #ifdef __cplusplus
@@ -37,7 +38,8 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * two); a spline of the tangents hand, whose points and directions stay editable and give its one curve; a shape,
  * some of whose curves are taken apart into levels, of which the finest is the curve; a container without curves,
  * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
- * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on. */
+ * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
+ * whose curves are its lines at the knots, which cannot be replaced. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -46,7 +48,8 @@ typedef enum bat_kind {
     BAT_KIND_SHAPE = 5,
     BAT_KIND_IMAGE = 6,
     BAT_KIND_GUIDE = 7,
-    BAT_KIND_PLANE = 8
+    BAT_KIND_PLANE = 8,
+    BAT_KIND_SURFACE = 9
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -93,8 +96,15 @@ BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, ba
  * span no plane. */
 BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3],
                                            const double axes[6], bat_object **out);
+/* Copies the surface. Its curves are its lines at u and then at v, at the ends and at inner knots, of which at most 63
+ * in each direction have one. */
+BAT_API bat_status bat_object_create_surface(bat_id id, const char *name, const bat_style *style,
+                                             const bat_surface *surface, bat_object **out);
+/* A copy with another surface. BAT_ARGUMENT: the object is not a surface. */
+BAT_API bat_status bat_object_with_surface(const bat_object *object, const bat_surface *surface,
+                                           bat_object **out);
 /* A copy with other curves (ownership is taken), which is a path; all else, including its place in groups, is
- * kept. */
+ * kept. BAT_ARGUMENT, here and for a single curve or shape: the object is a surface, or of a kind without curves. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                           bat_object **out);
 /* A copy in another group (0: in none), under another name (UTF-8), hidden or shown, locked or free. */
@@ -105,8 +115,8 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
 /* A copy with one other curve (ownership is taken), or with another style (of an image only the opacity;
- * groups, guides and planes have none, and stay as they are). With another curve a spline becomes a path, and the curve no longer
- * has levels. */
+ * groups, guides and planes have none, and stay as they are). With another curve a spline becomes a path, and the
+ * curve no longer has levels. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);
 BAT_API bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out);
@@ -127,6 +137,8 @@ BAT_API bat_kind bat_object_kind(const bat_object *object);
 BAT_API const char *bat_object_name(const bat_object *object); /* never NULL */
 BAT_API const bat_style *bat_object_style(const bat_object *object);
 BAT_API int bat_object_curve_count(const bat_object *object);
+/* Whether it is nothing but its curves, so that others can take their place. Those of a surface only show it. */
+BAT_API bool bat_object_is_made_of_curves(const bat_object *object);
 BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
 /* The spline and how its curve is made; NULL when the object is not a spline. Its tangents and tension are never
  * NULL. */
@@ -143,6 +155,8 @@ BAT_API bool bat_object_is_group(const bat_object *object); /* a group or a laye
 BAT_API bool
 bat_object_is_drawn(const bat_object *object); /* no group, guide or plane: it can be seen and chosen */
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
+/* Owned by the object; NULL when it is not a surface. */
+BAT_API const bat_surface *bat_object_surface(const bat_object *object);
 /* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */
 BAT_API const double *bat_object_plane(const bat_object *object);
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */

@@ -168,6 +168,7 @@ static bat_object *share(const bat_object *object) { return share_as(object, obj
 bat_status bat_object_with_part(const bat_object *object, const bat_kind_type *type, int index,
                                 const bat_curve *curve, bat_shape *shape, bat_object **out) {
     if (!object || !curve || !out || index < 0 || index >= object->count) return BAT_ARGUMENT;
+    if (!bat_object_is_made_of_curves(object)) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != bat_curve_dimension(object->parts[0]->curve)) return BAT_DIMENSION;
     part *made = part_create();
     bat_object *copy = made ? share_as(object, type, object->name) : NULL;
@@ -258,6 +259,10 @@ bool bat_object_is_hidden(const bat_object *object) { return object->head.hidden
 bool bat_object_is_locked(const bat_object *object) { return object->head.locked; }
 bool bat_object_is_group(const bat_object *object) { return bat_object_is(object, BAT_HOLDS); }
 bool bat_object_is_drawn(const bat_object *object) { return bat_object_is(object, BAT_DRAWN); }
+bool bat_object_is_made_of_curves(const bat_object *object) {
+    return object && bat_object_is(object, BAT_CURVES) && !bat_object_is(object, BAT_FIXED);
+}
+
 int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {

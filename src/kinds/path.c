@@ -26,7 +26,7 @@ bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *
 
 bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                   bat_object **out) {
-    bat_status status = object && bat_object_is(object, BAT_CURVES)
+    bat_status status = bat_object_is_made_of_curves(object)
                             ? bat_object_remake(object, &bat_kind_of_path, NULL, count, curves, out)
                             : BAT_ARGUMENT;
     return dropped(status, count, curves);
@@ -72,7 +72,8 @@ static bat_status copied(void *none, const bat_curve *curve, bat_curve **out) {
 }
 
 bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
-    if (!object || !out || !bat_object_is(object, BAT_MADE)) return BAT_ARGUMENT;
+    if (!out || !bat_object_is_made_of_curves(object) || !bat_object_is(object, BAT_MADE))
+        return BAT_ARGUMENT;
     return bat_object_with_each(object, copied, NULL, out);
 }
 

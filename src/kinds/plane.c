@@ -106,6 +106,7 @@ static const double *ground(const bat_object *object, int *count) {
 
 const bat_kind_type bat_kind_of_plane = {.number = BAT_KIND_PLANE,
                                          .name = "plane",
+                                         .traits = BAT_SPACE,
                                          .size = sizeof(plane),
                                          .check = check,
                                          .digest = digest_plane,

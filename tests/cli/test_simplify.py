@@ -120,6 +120,18 @@ class Simplify(ProgramTest):
         native = self.run_program("simplify", "-", "--tolerance", "0.5", stdin=self.done("convert", name, "-", "--to", "batten"))
         self.assertEqual((native.returncode, json.loads(native.stdout)["batten"] is None), (0, False))
 
+    def test_a_surface_stays(self):
+        """Its lines only show it: here they are straight, and one span would do."""
+        knots = [0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4]
+        places = [sum(knots[i + 1:i + 4]) / 3 for i in range(7)]
+        surface = {"degree": [3, 3], "knots": [knots, knots], "points": [[[x, y, 0] for y in places] for x in places]}
+        drawing = {"batten": 2, "objects": [{"id": 1, "kind": "surface", "name": "sheet", "surface": surface}]}
+        name = self.file("s.batten", json.dumps(drawing))
+        result = self.run_program("simplify", name, "--tolerance", "0.5")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, self.done("convert", name, "-", "--to", "batten"))
+        self.assertEqual(json.loads(result.stderr)["report"]["points_after"], 0)
+
     def test_an_empty_drawing(self):
         result = self.run_program("simplify", self.file("e.svg", '<svg xmlns="http://www.w3.org/2000/svg"/>'))
         self.assertEqual((result.returncode, json.loads(result.stderr)),

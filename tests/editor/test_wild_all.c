@@ -16,7 +16,7 @@ static void wild_sessions(void **state) {
     (void)state;
     enum { SIZE = 3000, SESSIONS = 40 };
     static uint8_t data[SIZE];
-    int undone = 0, shapes = 0, images = 0, guides = 0;
+    int undone = 0, shapes = 0, images = 0, guides = 0, surfaces = 0;
     for (uint64_t seed = 1; seed <= SESSIONS; seed++) {
         session_bytes bytes = session_random(data, SIZE, &(uint64_t){seed * 31337});
         bat_editor *editor = pen_editor();
@@ -34,6 +34,7 @@ static void wild_sessions(void **state) {
         shapes += strstr(text, "\"kind\":\"shape\"") != NULL;
         images += strstr(text, "\"kind\":\"image\"") != NULL;
         guides += strstr(text, "\"kind\":\"guide\"") != NULL;
+        surfaces += strstr(text, "\"kind\":\"surface\"") != NULL;
         bat_editor *again = replay_of(editor, seed);
         const char *text_again = bat_editor_journal(again, &size_again);
         assert_true(size == size_again && !memcmp(text, text_again, size));
@@ -51,8 +52,10 @@ static void wild_sessions(void **state) {
         bat_editor_free(editor);
     }
     /* Sessions that do something, of every kind. */
-    if (undone < 20 * SESSIONS || shapes < 3 || images < SESSIONS / 2 || guides < SESSIONS / 2)
-        fail_msg("%d steps; sessions with levels %d, pictures %d, guides %d", undone, shapes, images, guides);
+    if (undone < 20 * SESSIONS || shapes < 3 || images < SESSIONS / 2 || guides < SESSIONS / 2 ||
+        surfaces < SESSIONS / 4)
+        fail_msg("%d steps; sessions with levels %d, pictures %d, guides %d, surfaces %d", undone, shapes,
+                 images, guides, surfaces);
 }
 
 int main(void) {

@@ -2,7 +2,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include "support/pictures.h"
-#include "support/random_curve.h"
+#include "support/random_surface.h"
 
 #include <stdio.h>
 
@@ -53,6 +53,12 @@ static void write_one(random_source *r, int objects) {
     if (bat_object_create_plane(bat_document_new_id(document), "plane", matrix + 3,
                                 (double[]){1, 2, 3, -1, 0, 5}, &made))
         abort();
+    if (bat_document_insert(document, 0, made)) abort();
+    bat_object_release(made);
+    bat_surface *surface = some_surface(r, objects);
+    const bat_style style = bat_style_defaults();
+    if (bat_object_create_surface(bat_document_new_id(document), "s", &style, surface, &made)) abort();
+    bat_surface_free(surface);
     if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);
     char *text;

@@ -5,10 +5,12 @@
 
 #include "support/pictures.h"
 #include "support/session.h"
+#include "support/sheet.h"
 #include "support/xml.h"
 #include <stdio.h>
 
-/* Pastes SVG with arbitrary numbers: open, closed, crowded, of zero length, in a group, under a transform. */
+/* Pastes SVG with arbitrary numbers: open, closed, crowded, of zero length, in a group, under a transform; sometimes
+ * with a surface above. */
 static inline void wild_paste(bat_editor *editor, session_bytes *bytes) {
     char text[400];
     int n[8];
@@ -21,8 +23,14 @@ static inline void wild_paste(bat_editor *editor, session_bytes *bytes) {
     bat_document *document = NULL;
     bat_svg_report report;
     bat_problem problem;
-    if (xml_read(text, NULL, &document, &report, &problem) == BAT_OK)
+    if (xml_read(text, NULL, &document, &report, &problem) == BAT_OK) {
+        if (n[7] & 8) {
+            bat_surface *surface = sheet_create();
+            sheet_add(document, bat_document_new_id(document), surface);
+            bat_surface_free(surface);
+        }
         bat_editor_paste(editor, document, n[0] & 8);
+    }
     bat_document_free(document);
 }
 

@@ -441,6 +441,10 @@ static bat_document *rich_document(void) {
     assert_int_equal(bat_object_create_plane(11, "plane", matrix, (double[]){1, 0, 0, 0, 1, 0}, &object),
                      BAT_OK);
     put(document, object);
+    bat_surface *sheet = some_surface(&(random_source){6}, 5);
+    assert_int_equal(bat_object_create_surface(12, "surface", &style, sheet, &object), BAT_OK);
+    put(document, object);
+    bat_surface_free(sheet);
     return document;
 }
 
@@ -462,6 +466,8 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     if (bat_object_spline(object)) d = add(d, (uint64_t)bat_object_spline_options(object)->mode);
     if (bat_object_matrix(object)) d = add_doubles(d, bat_object_matrix(object), 6);
     if (bat_object_plane(object)) d = add_doubles(d, bat_object_plane(object), 9);
+    const bat_surface *surface = bat_object_surface(object);
+    if (surface) d = add_doubles(d, bat_surface_row(surface, 0), 3);
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
     const void *bytes = bat_picture_bytes(picture, &size);
@@ -483,7 +489,8 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     d = add_object(d, bat_object_with_parent(object, 500, &m), &m);
     d = add_object(d, bat_object_with_guide(object, seed, &m), &m);
     d = add_object(d, bat_object_to_path(object, &m), &m);
-    if (bat_object_curve_count(object) && bat_curve_copy(bat_object_curve(object, 0), &curve) == BAT_OK) {
+    if (bat_object_is_made_of_curves(object) &&
+        bat_curve_copy(bat_object_curve(object, 0), &curve) == BAT_OK) {
         if (bat_curve_copy(curve, &other) == BAT_OK)
             d = add_object(d, bat_object_with_curves(object, 1, &other, &m), &m);
         d = add_object(d, bat_object_with_curve(object, 0, curve, &m), &m);
@@ -493,6 +500,8 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
         d = add_object(d, bat_object_with_shape(object, 0, shape, &m), &m);
     if (bat_object_spline(object))
         d = add_object(d, bat_object_with_spline(object, bat_object_spline(object), &m), &m);
+    if (bat_object_surface(object))
+        d = add_object(d, bat_object_with_surface(object, bat_object_surface(object), &m), &m);
     if (bat_object_picture(object)) {
         double matrix[6] = {2, 0, 0, 2, seed, 0};
         bat_picture *picture = bat_picture_retain(bat_object_picture(object));
@@ -548,13 +557,12 @@ static uint64_t edit_copy(bat_document *own, int seed) {
         if (status == BAT_OK) status = bat_document_replace(own, at, made);
         bat_object_release(made);
         object = bat_document_at(own, at);
-        if (bat_object_curve_count(object) > 0) {
+        if (bat_object_is_made_of_curves(object)) {
             bat_curve *moved = NULL;
-            const double delta[2] = {seed, round};
+            const double delta[3] = {seed, round, 1};
             bat_object *other = NULL;
-            if (bat_curve_move_point(bat_object_curve(object, 0), 1, delta, &moved) == BAT_OK &&
-                bat_object_with_curve(object, 0, moved, &other) != BAT_OK)
-                bat_curve_free(moved);
+            if (bat_curve_move_point(bat_object_curve(object, 0), 1, delta, &moved) == BAT_OK)
+                bat_object_with_curve(object, 0, moved, &other);
             if (other) bat_document_replace(own, at, other);
             bat_object_release(other);
         }

@@ -1,4 +1,5 @@
 /* Commands that cut and join the selected curves. */
+#include "document/kind.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
@@ -94,6 +95,7 @@ static bat_status make_one(void *context, const bat_curve *curve, bat_curve **ou
 static bat_status made_over(const bat_object *object, bat_status (*make)(const bat_curve *, bat_curve **),
                             bat_object **out) {
     making way = {make, 0};
+    if (!bat_object_is_made_of_curves(object)) return BAT_STATE;
     bat_status status = bat_object_with_each(object, make_one, &way, out);
     if (status != BAT_OK || way.changed) return status;
     bat_object_release(*out);

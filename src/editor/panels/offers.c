@@ -33,7 +33,8 @@ static bat_status find(const bat_context *c, facts *f) {
         f->layers += bat_object_is(bat_document_at(document, roots[i]), BAT_LAYER);
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
-            for (int j = 0; j < bat_object_curve_count(object); j++)
+            const int curves = bat_object_is_made_of_curves(object) ? bat_object_curve_count(object) : 0;
+            for (int j = 0; j < curves; j++)
                 ++*(bat_curve_is_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);
         }
     }

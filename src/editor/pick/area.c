@@ -82,7 +82,6 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
         double near_box[4] = {point[0], point[1], point[0], point[1]};
         if (apart(entry->box, near_box, fmax(within, half))) continue;
         for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
-            if (bat_curve_dimension(bat_object_curve(entry->object, j)) != 2) continue;
             const bat_finder *finder = bat_scene_finder(scene, i, j);
             bat_near near;
             if (!finder) continue;

@@ -1,4 +1,5 @@
 #include "editor/pick/pick.h"
+#include "document/kind.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -19,6 +20,7 @@ bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], 
     for (int i = 0; i < scene->count; i++) {
         const bat_object *object = scene->entries[i].object;
         if (!within_reach(&scene->entries[i], point, within)) continue;
+        if (!bat_object_is_made_of_curves(object)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             if (bat_curve_dimension(bat_object_curve(object, j)) != dimension) continue;
             const bat_finder *finder = bat_scene_finder(scene, i, j);

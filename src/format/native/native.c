@@ -14,6 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Versions of the format: of drawings with something in space, which older programs must refuse, and of all others. */
+enum { PLAIN = 1, SPATIAL = 2 };
+
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
                            bat_object *made, bat_object **object) {
@@ -159,8 +162,9 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     uint32_t version = bat_json_member(f->json, 1, "batten");
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
-    if (f->json->nodes[version].value.number != 1)
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1", f->problem);
+    const double number = f->json->nodes[version].value.number;
+    if (number != PLAIN && number != SPATIAL)
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1 or 2", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
@@ -242,10 +246,18 @@ static void write_pictures(const bat_document *document, bat_text *text) {
     bat_pictures_free(&written);
 }
 
+static uint64_t version_of(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++)
+        if (bat_object_is(bat_document_at(document, i), BAT_SPACE)) return SPATIAL;
+    return PLAIN;
+}
+
 void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text) {
     double page[4];
     bat_document_page(document, page);
-    bat_text_string(text, "{\"batten\":1,\n\"page\":[");
+    bat_text_string(text, "{\"batten\":");
+    bat_text_integer(text, version_of(document));
+    bat_text_string(text, ",\n\"page\":[");
     for (int i = 0; i < 4; i++) {
         if (i > 0) bat_text_string(text, ",");
         bat_text_number(text, page[i]);

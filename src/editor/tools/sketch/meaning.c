@@ -1,5 +1,6 @@
 #include "editor/tools/sketch/meaning.h"
 #include "curve/curve.h"
+#include "document/kind.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/input/input.h"
@@ -31,7 +32,8 @@ static bool restricts(const bat_context *c) {
     for (int i = 0, end = 0; i < scene->count && c->choice->selection.count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         bool within = chosen(c, i, &end);
-        if (within && !entry->hidden && !entry->locked && bat_object_curve_count(entry->object)) return true;
+        if (within && !entry->hidden && !entry->locked && bat_object_is_made_of_curves(entry->object))
+            return true;
     }
     return false;
 }
@@ -128,6 +130,7 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage
         const bat_scene_entry *entry = &scene->entries[i];
         bool meant = !m->restricts || chosen(c, i, &end);
         if (entry->hidden || entry->locked || !boxes_meet(entry->box, box)) continue;
+        if (!bat_object_is_made_of_curves(entry->object)) continue;
         int count = bat_object_curve_count(entry->object);
         for (int j = 0; j < count && status == BAT_OK; j++) {
             const bat_curve *curve = bat_object_curve(entry->object, j);
