@@ -30,6 +30,9 @@ typedef struct bat_sketch_options {
     double smooth_limit; /* smoothing stroke: how far the curve may move at most, document units; 0: 5 px */
     /* Since after 0.2: */
     int degree; /* of new curves, which are C^(degree - 1): 3, or up to 7; 5 is what surfaces of class A ask for */
+    double
+        fairness; /* share of the tolerance that may be spent on less change of curvature: 0.2, near the stroke, to
+                        0.6, fair; 0.4 */
 } bat_sketch_options;
 
 typedef struct bat_sketch_report {
@@ -49,7 +52,7 @@ typedef struct bat_sketch_report {
     double spans;          /* at a level of a shape: how many of its spans the stroke covers; else 0 */
 } bat_sketch_report;
 
-/* The defaults: tolerance 1 px, pixel 1, 3 pins, width 3, corners not kept. */
+/* The defaults: tolerance 1 px, pixel 1, 3 pins, width 3, corners not kept, degree 3, fairness 0.4. */
 BAT_API void bat_sketch_options_init(bat_sketch_options *options, size_t size);
 static inline bat_sketch_options bat_sketch_defaults(void) {
     bat_sketch_options options;

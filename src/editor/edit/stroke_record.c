@@ -156,6 +156,8 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     number(line, "width", edit->options.width);
     bat_text_string(line, edit->options.keep_corners ? ",\"keep_corners\":true" : ",\"keep_corners\":false");
     number(line, "smooth_limit", edit->options.smooth_limit);
+    if (edit->options.fairness != bat_sketch_defaults().fairness)
+        number(line, "fairness", edit->options.fairness);
     if (edit->options.degree != 3) number(line, "degree", edit->options.degree);
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     write_mirror(line, &edit->mirror);
@@ -424,6 +426,7 @@ bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *probl
     options->tolerance = read(&r, "tolerance", 1e-9, 1e9, &options->pixel);
     options->pins = (int)read(&r, "pins", 2, 3, &three);
     options->degree = (int)read(&r, "degree", 3, BAT_DEGREE_MAX, &three);
+    options->fairness = read(&r, "fairness", BAT_FAIRNESS_LEAST, BAT_FAIRNESS_MOST, &options->fairness);
     options->width = read(&r, "width", 1, 100, &three);
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");

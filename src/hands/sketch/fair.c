@@ -9,10 +9,9 @@ enum { ROUNDS = 3, FINE_STEPS = 5 };
 static const double fairing = 0.8; /* of what is left goes into fairness, the rest into fewer knots */
 
 static const double longest = 190; /* waves that are stiffened, px; none longer than the interval */
-static const double close = 0.6;   /* of what is allowed is for the dense fit */
 
 double bat_local_spare(const bat_local_problem *q, size_t i) {
-    return (1 - close) * fmin(q->allowed[i], q->tolerance);
+    return q->fairness * fmin(q->allowed[i], q->tolerance);
 }
 
 bat_status bat_local_stiffen(bat_local_machine *k, int steps) {

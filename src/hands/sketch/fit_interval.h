@@ -27,6 +27,7 @@ typedef struct bat_local_problem {
     int fixed_count;
     const double *fixed; /* corners: knots of multiplicity p that stay */
     double tolerance;    /* what is allowed on the stroke */
+    double fairness;     /* share of what is allowed that is left for fairness and fewer knots */
     double span;         /* length of the first spans */
     double wavelength;   /* shorter waves are not followed */
     bool remove;         /* knots that are not needed go */

@@ -155,6 +155,7 @@ static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke 
                      .pins = o.pins == 2 ? j.degree - 1 : j.degree,
                      .tolerance = j.clean.share * tolerance,
                      .width = o.width,
+                     .fairness = o.fairness,
                      .keep_corners = o.keep_corners,
                      .stroke = &j.clean};
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(a) + bat_curve_knot_count(b)};

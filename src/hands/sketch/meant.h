@@ -4,6 +4,10 @@
 
 #include <batten/sketch.h>
 
+/* The range of bat_sketch_options.fairness. */
+#define BAT_FAIRNESS_LEAST 0.2
+#define BAT_FAIRNESS_MOST 0.6
+
 /* What the choice of meaning says of an end of the stroke. */
 typedef enum bat_end_rule {
     BAT_END_RULE_AUTO,

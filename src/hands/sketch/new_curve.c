@@ -40,6 +40,7 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
                      .pins = o.degree,
                      .tolerance = clean.share * (o.tolerance / o.pixel),
                      .width = o.width,
+                     .fairness = o.fairness,
                      .keep_corners = true,
                      .stroke = &clean,
                      .speed = 1 / o.pixel};

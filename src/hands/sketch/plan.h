@@ -43,6 +43,7 @@ typedef struct bat_target {
 typedef struct bat_plan {
     int degree, dimension, pins;
     double tolerance, width; /* tolerance in pixels */
+    double fairness;         /* share of it, for what follows the dense fit (5.7) */
     bool keep_corners;
     double speed;  /* pixels per parameter unit, where the curve has no speed of its own to continue */
     bool closed;   /* the curve stays closed: ends 0 and 1 are on one closed curve */

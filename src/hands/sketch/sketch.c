@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1,
-                                            .pins = 3,       .width = 3,     .degree = 3};
+static const bat_sketch_options DEFAULTS = {sizeof DEFAULTS, .tolerance = 0, .pixel = 1,     .pins = 3,
+                                            .width = 3,      .degree = 3,    .fairness = 0.4};
 enum { LEAST = offsetof(bat_sketch_options, degree) }; /* the size in 0.2 */
 
 void bat_sketch_options_init(bat_sketch_options *options, size_t size) {
@@ -23,13 +23,15 @@ bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *
     *o = DEFAULTS;
     bat_status status = bat_options_read(given, LEAST, sizeof *o, o);
     if (status != BAT_OK) return status;
-    if (isnan(o->pixel) || isnan(o->tolerance) || isnan(o->width) || isnan(o->smooth_limit))
+    if (isnan(o->pixel) || isnan(o->tolerance) || isnan(o->width) || isnan(o->fairness) ||
+        isnan(o->smooth_limit))
         return BAT_NUMBER;
     if (!(o->pixel > 1e-100 && o->pixel < 1e100) || o->tolerance < 0 || o->smooth_limit < 0)
         return BAT_ARGUMENT;
     if (o->pins != 2 && o->pins != 3) return BAT_ARGUMENT;
     if (o->degree < 3 || o->degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (!(o->width >= 0 && o->width <= 100)) return BAT_ARGUMENT;
+    if (!(o->fairness >= BAT_FAIRNESS_LEAST && o->fairness <= BAT_FAIRNESS_MOST)) return BAT_ARGUMENT;
     if (o->tolerance == 0) o->tolerance = o->pixel;
     if (o->smooth_limit == 0) o->smooth_limit = 5 * o->pixel;
     const double pixels = o->tolerance / o->pixel;
@@ -207,6 +209,7 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
                      .pins = o->pins == 2 ? p - 1 : p,
                      .tolerance = clean->share * o->tolerance / o->pixel,
                      .width = o->width,
+                     .fairness = o->fairness,
                      .keep_corners = o->keep_corners,
                      .closed = curve->closed,
                      .stroke = clean};

@@ -116,6 +116,7 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
                      .pins = o.pins == 2 ? p - 1 : p,
                      .tolerance = o.tolerance / o.pixel,
                      .width = o.width,
+                     .fairness = o.fairness,
                      .closed = curve->closed,
                      .stroke = &clean};
     bat_canvas_bind(&plan, &canvas);

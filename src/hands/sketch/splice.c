@@ -111,7 +111,7 @@ void bat_plan_problem(const bat_plan *plan, bat_local_problem *q) {
     q->w = t->w, q->x = t->x, q->weight = t->weight, q->allowed = t->allowed, q->law = t->law;
     q->first = t->first, q->last = t->last;
     q->fixed_count = plan->fixed_count, q->fixed = plan->fixed;
-    q->tolerance = plan->tolerance;
+    q->tolerance = plan->tolerance, q->fairness = plan->fairness;
     q->span = fmax(8 * plan->tolerance, 2);
     q->wavelength = 18;
     if (plan->stroke) /* waves that belong to what was drawn are shorter than this */

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 #include <cmocka.h>
 #include "support/editing.h"
 
@@ -57,6 +58,37 @@ static void from_raw_to_fair(void **state) {
     }
 }
 
+static const bat_curve *last_curve(const bat_editor *editor) {
+    return bat_object_curve(bat_document_at(bat_editor_document(editor), count(editor) - 1), 0);
+}
+
+/* The last line of the journal has the text. */
+static bool recorded(const bat_editor *editor, const char *text) {
+    const char *journal = bat_editor_journal(editor, NULL), *last = strrchr(journal, '{');
+    for (const char *at = journal; (at = strstr(at, "\n{")) != NULL; at++) last = at;
+    return strstr(last, text) != NULL;
+}
+
+static void more_or_less_is_spent_on_fairness(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    pen p = pen_for(editor);
+    pen_stroke(&p, rippled, (double[]){300, 400, 400}, 200);
+    bat_curve *drawn = NULL;
+    assert_int_equal(bat_curve_copy(last_curve(editor), &drawn), BAT_OK);
+    assert_false(recorded(editor, "\"fairness\""));
+    assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
+    assert_true(recorded(editor, "\"fairness\":0.6,"));
+    assert_int_equal(bat_editor_refit(editor, 0, true), BAT_OK);
+    assert_true(recorded(editor, "\"fairness\":0.2,"));
+    replays(editor, 0);
+    assert_int_equal(bat_editor_refit(editor, 0.5, true), BAT_OK);
+    assert_false(recorded(editor, "\"fairness\""));
+    assert_true(bat_curve_is_equal(last_curve(editor), drawn));
+    bat_curve_free(drawn);
+    bat_editor_free(editor);
+}
+
 static void not_for_ever(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
@@ -81,6 +113,8 @@ static void not_for_ever(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(from_raw_to_fair), cmocka_unit_test(not_for_ever)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(from_raw_to_fair),
+                                       cmocka_unit_test(more_or_less_is_spent_on_fairness),
+                                       cmocka_unit_test(not_for_ever)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -524,6 +524,45 @@ static void without_a_page_the_axis_stays_where_it_was(void **state) {
     bat_editor_free(editor);
 }
 
+static const bat_item *shown(bat_editor *editor, bat_role role, double x[2]) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    const bat_item *item = pen_live(frame, role);
+    x[0] = x[1] = 0;
+    for (int k = 0; k < 2 && item; k++) x[k] = item->bounds[2 * k] + frame->origin[0];
+    return item;
+}
+
+static void the_refit_is_shown_on_both_sides(void **state) {
+    (void)state;
+    bat_curve *alone = pen_curve(100, 100, 25, 0, 11);
+    bat_editor *editor = editor_with(1, &alone);
+    static const double strokes[4][5] = {{100, 400, 400, 400, 20},  /* new: its image */
+                                         {160, 387, 330, 386, 20},  /* a redraw: the twin */
+                                         {100, 600, 530, 600, 20},  /* across: the whole */
+                                         {200, 585, 400, 584, 20}}; /* and half of it redrawn */
+    bat_editor_set(editor, "symmetry", 1);
+    for (int i = 0; i < 4; i++) {
+        const double *s = strokes[i];
+        double fit[2], ghost[2];
+        line(editor, s[0], s[1], s[2], s[3], s[4]);
+        for (double amount = 0; amount <= 1; amount += 0.5) {
+            assert_int_equal(bat_editor_refit(editor, amount, false), BAT_OK);
+            assert_non_null(shown(editor, BAT_ROLE_FIT, fit));
+            assert_non_null(shown(editor, BAT_ROLE_GHOST, ghost));
+            const double from = i < 2 ? 1000 - fit[1] : 100;
+            if (!(fabs(ghost[0] - from) < 3 && fabs(ghost[1] - 900) < 3)) fail_msg("%d %g", i, ghost[0]);
+        }
+        assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
+        assert_null(shown(editor, BAT_ROLE_GHOST, ghost));
+        check(editor);
+    }
+    line(editor, 150, 100, 300, 100, 12); /* a redraw of one without a twin */
+    double ghost[2];
+    assert_int_equal(bat_editor_refit(editor, 1, false), BAT_OK);
+    assert_null(shown(editor, BAT_ROLE_GHOST, ghost));
+    bat_editor_free(editor);
+}
+
 static void cancelled_nothing_is_left(void **state) {
     (void)state;
     bat_editor *editor = symmetric();
@@ -597,6 +636,7 @@ int main(void) {
                                        cmocka_unit_test(the_axis_is_shown_and_chosen),
                                        cmocka_unit_test(without_a_page_the_axis_stays_where_it_was),
                                        cmocka_unit_test(the_ghost_is_what_will_be),
+                                       cmocka_unit_test(the_refit_is_shown_on_both_sides),
                                        cmocka_unit_test(cancelled_nothing_is_left)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,6 +53,52 @@ static void strokes_become_fair(void **state) {
     assert_true(rms <= 1.5);
 }
 
+static double rms_off(const bat_curve *curve, const sample_set *s) {
+    double sum = 0;
+    for (size_t i = 0; i < s->count; i++) {
+        bat_near near;
+        assert_int_equal(bat_curve_nearest(curve, s->points + 2 * i, &near), BAT_OK);
+        sum += near.distance * near.distance;
+    }
+    return sqrt(sum / (double)s->count);
+}
+
+static void what_is_spent_on_fairness_can_be_chosen(void **state) {
+    (void)state;
+    enum { STROKES = 40, SHARES = 3 };
+    static const double shares[SHARES] = {0.2, 0.4, 0.6}, bad[] = {-1, 0, 0.19, 0.61, INFINITY};
+    static sample_set s;
+    double rms[SHARES] = {0}, points[SHARES] = {0};
+    bat_sketch_options options = bat_sketch_defaults();
+    bat_stroke stroke = {.dimension = 2, .points = s.points, .time = s.time};
+    bat_curve *curve = NULL;
+    random_source r = {4712};
+    for (int n = 0; n < STROKES; n++) {
+        const profile p = random_profile(&r, n % KINDS);
+        draw(&r, &p, n % 2 ? 0.12 : 0.3, &s);
+        stroke.count = s.count;
+        for (int i = 0; i < SHARES; i++) {
+            options.fairness = shares[i];
+            assert_int_equal(bat_sketch_new(&stroke, false, &options, &curve, NULL), BAT_OK);
+            rms[i] += rms_off(curve, &s) / STROKES, points[i] += (double)bat_point_count(curve) / STROKES;
+            bat_curve_free(curve);
+        }
+    }
+    for (int i = 0; i < SHARES; i++)
+        print_message("%.1f of the tolerance spent: %.2f px rms from the samples, %.1f points\n", shares[i],
+                      rms[i], points[i]);
+    for (int i = 1; i < SHARES; i++) {
+        assert_true(rms[i] > rms[i - 1] + 0.01);
+        assert_true(points[i] < points[i - 1] - 0.2);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        options.fairness = bad[i];
+        assert_int_equal(bat_sketch_new(&stroke, false, &options, &curve, NULL), BAT_ARGUMENT);
+    }
+    options.fairness = NAN;
+    assert_int_equal(bat_sketch_new(&stroke, false, &options, &curve, NULL), BAT_NUMBER);
+}
+
 /* ---- what is shown ---- */
 
 static void feed(bat_sketch_live *live, const sample_set *s, size_t from, size_t count) {
@@ -220,8 +266,8 @@ static void transitions_have_no_more_than_they_need(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(strokes_become_fair),
-                                       cmocka_unit_test(what_was_shown_stays),
-                                       cmocka_unit_test(transitions_have_no_more_than_they_need)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(strokes_become_fair), cmocka_unit_test(what_is_spent_on_fairness_can_be_chosen),
+        cmocka_unit_test(what_was_shown_stays), cmocka_unit_test(transitions_have_no_more_than_they_need)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -158,6 +158,7 @@ bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool
     if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
     bat_edit *now = &again->edit[again->at], edit = *now;
     edit.options.tolerance = again->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
+    edit.options.fairness = (1 - amount) * BAT_FAIRNESS_LEAST + amount * BAT_FAIRNESS_MOST;
     if (!done) return preview(again, &edit);
     drop_fit(again);
     if (amount == again->amount) return BAT_OK;

@@ -62,8 +62,8 @@ bat_status bat_sketching_lift(bat_context *c, void *state, const bat_traced *str
 /* ---- show.c: the overlay ---- */
 void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
-/* The last stroke with the new amount, over its present state. */
-void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
+/* The last stroke with the new amount, over its present state; with symmetry, on both sides. */
+void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 
 /* ---- hint.c: what it does, as text ---- */
 bat_string bat_sketching_hint(const bat_context *c, const void *state);

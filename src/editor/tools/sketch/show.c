@@ -75,15 +75,15 @@ static bool sure(const bat_sketching *s) {
     return length >= SURE_AFTER && m->readings[1].cost - m->readings[0].cost >= SURE * length;
 }
 
-/* Shows what the stroke does on the other side of the axis; as long as a new line has no fit, the image of its ink. */
-static void show_other_side(bat_context *c, const bat_sketching *s, const bat_curve *target,
-                            bat_overlay *overlay) {
-    const bat_edit *edit = &s->edit;
+/* Shows what the edit does on the other side of the axis, when it turns `before` (NULL: a new line) into `fit`; as long
+ * as a new line has no fit, the image of its ink. */
+static void show_other_side(bat_context *c, const bat_edit *edit, const bat_curve *before,
+                            const bat_curve *fit, bat_overlay *overlay) {
     const bool fresh = edit->kind == BAT_EDIT_NEW;
     bat_curve *ghost = NULL;
-    if (s->preview.curve && (fresh || target))
-        bat_mirror_preview(c, &edit->mirror, edit->options.pixel, edit->options.tolerance, target,
-                           s->preview.curve, &ghost);
+    if (fit && (fresh || before))
+        bat_mirror_preview(c, &edit->mirror, edit->options.pixel, edit->options.tolerance, before, fit,
+                           &ghost);
     bat_axis_show_ghost(&edit->mirror, overlay, fresh ? edit->samples.count : 0, edit->samples.points, ghost);
     bat_curve_free(ghost);
 }
@@ -113,7 +113,7 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
     if (preview->curve)
         show_fit(c, overlay, sure(s) ? BAT_ROLE_FIT : BAT_ROLE_GHOST, preview->curve, &preview->report,
                  !bat_sketching_one_changes(&s->edit));
-    if (s->edit.mirror.on) show_other_side(c, s, target, overlay);
+    if (s->edit.mirror.on) show_other_side(c, &s->edit, target, preview->curve, overlay);
     if ((s->predicted_count || s->steady.reach > 0) &&
         samples->count) { /* from the ink through the pen to the predicted points */
         double pen[2];
@@ -127,13 +127,18 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
     }
 }
 
-void bat_sketching_show_refit(const bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
     const bat_edit *edit = &s->again.edit[s->again.at];
     const bat_curve *now = bat_edit_target(c->session->document, edit->object, edit->curve);
+    const bat_curve *before = s->again.before;
     if (!now) return;
     bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
     bat_path_curve(&overlay->path, now);
     show_fit(c, overlay, BAT_ROLE_FIT, s->again.fit, NULL, true);
+    if (!edit->mirror.on) return;
+    /* The twin, where there is one, is by now that of the present curve. */
+    const bool own = before && bat_mirror_twins(&edit->mirror, before, before, edit->options.pixel);
+    show_other_side(c, edit, !before || own ? before : now, s->again.fit, overlay);
 }
 
 /* The fit that awaits confirmation. */
