@@ -38,7 +38,7 @@ void bat_svg_draw_use(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
     uint32_t target = href && href[0] == '#' ? bat_svg_tree_find(w->tree, href + 1) : 0;
     for (int i = 0; i < w->depth; i++)
         if (w->active[i] == target) target = 0; /* it would draw itself */
-    if (!target) {
+    if (!target || w->depth == BAT_SVG_DEPTH) {
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         return;
     }
@@ -52,7 +52,6 @@ void bat_svg_draw_use(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         w->draw(w, target, &inner);
         return;
     }
-    if (w->depth == BAT_SVG_DEPTH) return;
     bat_svg_scope own = inner;
     bat_svg_cascade(w, target, &inner, &own.style);
     bat_svg_note_own_style(w, target, &own.style);

@@ -112,15 +112,17 @@ void bat_svg_note_inside(bat_svg_notes *notes, uint32_t element) {
 }
 
 void bat_svg_note_page(bat_svg_notes *notes, const double page[4]) {
-    static const char *const names[] = {"width", "height"};
+    static const char *const names[] = {"width", "height"}, SPACES[] = " \t\n\r\f";
     const char *ratio = bat_svg_tree_attribute(notes->tree, 1, "preserveAspectRatio");
     bool other = ratio && strncmp(ratio, "xMidYMid", 8) != 0;
     for (int i = 0; i < 2; i++) {
         const char *text = bat_svg_tree_attribute(notes->tree, 1, names[i]);
         double value, number;
         if (!text || strcmp(text, "100%") == 0 || !bat_svg_length(text, 0, &value)) continue;
+        text += strspn(text, SPACES);
         const char *unit = bat_number_scan(text, text + strlen(text), &number);
-        bool plain = unit && (!*unit || strcmp(unit, "px") == 0);
+        const size_t size = strcspn(unit, SPACES);
+        bool plain = size == 0 || (size == 2 && strncmp(unit, "px", 2) == 0);
         other = other || !plain || !(fabs(value - page[2 + i]) <= 1e-9 * fabs(value));
     }
     if (other) notes->lost->count[BAT_LOSS_PAGE] = 1;
