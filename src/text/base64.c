@@ -44,7 +44,7 @@ bat_status bat_base64_read(const char *text, size_t size, unsigned char *into, s
         if (++digits % 4 == 0)
             for (int k = 16; k >= 0; k -= 8) into[(*made)++] = (unsigned char)(bits >> k);
     }
-    if ((digits + padding) % 4 != 0 || digits % 4 == 1) return BAT_SYNTAX;
+    if ((digits + padding) % 4 != 0) return BAT_SYNTAX; /* so one digit is never left over */
     if (digits % 4 > 1) into[(*made)++] = (unsigned char)(bits >> (digits % 4 == 2 ? 4 : 10));
     if (digits % 4 > 2) into[(*made)++] = (unsigned char)(bits >> 2);
     return BAT_OK;

@@ -43,6 +43,104 @@ static void sides_of_every_kind(void **unused) {
     expect(b, head_webp(b, 'X', 65535, 2), "image/webp", 65535, 2);
 }
 
+/* What may stand before the frame of a JPEG file, and what ends the search. */
+static void markers_of_jpeg(void **unused) {
+    (void)unused;
+    static const struct {
+        const char *bytes;
+        size_t size;
+        bool good;
+    } before[] = {
+        {"\xff\x01", 2, true},         /* alone */
+        {"\xff\xd0\xff\xd7", 4, true}, /* likewise */
+        {"\xff\xc8\0\x02", 4, true},   /* an extension: no frame */
+        {"\xff\xcc\0\x02", 4, true},   /* arithmetic coding: no frame */
+        {"\xff\xe1\0\x06"
+         "Exif",
+         8, true}, /* says nothing */
+        {"\xff\xe1\0\x10"
+         "Exif\0\0MM\0*\xff\0\0\0",
+         18, true}, /* lies beyond its end */
+        {"\xff\xe1\0\x12"
+         "Exif\0\0MM\0*\0\0\0\x08\0\x09",
+         20, true},                   /* with fewer entries than it says */
+        {"\xff\xd9", 2, false},       /* the end */
+        {"\xff\xda\0\x02", 4, false}, /* pixels */
+        {"\xff\xe0\0\x01", 4, false}, /* shorter than its own length */
+        {"\0", 1, false},
+    };
+    for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
+        unsigned char plain[HEAD_ROOM], b[2 * HEAD_ROOM];
+        const size_t size = head_jpeg(plain, 640, 480, 0, false);
+        memcpy(b, plain, 2);
+        memcpy(b + 2, before[i].bytes, before[i].size);
+        memcpy(b + 2 + before[i].size, plain + 2, size - 2);
+        bat_picture *picture = NULL;
+        if (before[i].good)
+            expect(b, size + before[i].size, "image/jpeg", 640, 480);
+        else
+            assert_int_equal(bat_picture_create(b, size + before[i].size, &picture), BAT_UNSUPPORTED);
+        assert_null(picture);
+    }
+}
+
+/* Pictures of one digest are one picture, or the second is refused; a reference to none is none. */
+static void pictures_of_one_digest(void **unused) {
+    (void)unused;
+    unsigned char b[HEAD_ROOM];
+    bat_picture *one = NULL, *same = NULL;
+    bat_pictures set = {0};
+    size_t size = head_png(b, 640, 480), told = 0;
+    assert_int_equal(bat_picture_create(b, size, &one), BAT_OK);
+    assert_int_equal(bat_picture_create(b, size, &same), BAT_OK);
+    assert_int_equal(bat_pictures_add(&set, one), BAT_OK);
+    assert_int_equal(bat_pictures_add(&set, same), BAT_OK);
+    assert_int_equal(set.count, 1);
+    unsigned char *bytes = (unsigned char *)bat_picture_bytes(same, NULL);
+    bytes[size - 1] ^= 1; /* other bytes of the same digest */
+    assert_int_equal(bat_pictures_add(&set, same), BAT_ARGUMENT);
+    bytes[size - 1] ^= 1;
+    assert_memory_equal(bat_picture_bytes(one, &told), b, size);
+    assert_int_equal(told, size);
+    assert_null(bat_picture_retain(NULL));
+    bat_picture_release(NULL);
+    bat_pictures_free(&set);
+    bat_picture_release(one);
+    bat_picture_release(same);
+}
+
+/* Images as objects: what they refuse, and what they are not. */
+static void refused_images(void **unused) {
+    (void)unused;
+    unsigned char b[HEAD_ROOM];
+    const double matrix[6] = {1, 0, 0, 1, 0, 0};
+    double corners[8] = {7, 7, 7, 7, 7, 7, 7, 7};
+    bat_picture *picture = NULL;
+    bat_object *made = NULL, *image = NULL, *guide = NULL;
+    assert_int_equal(bat_picture_create(b, head_png(b, 640, 480), &picture), BAT_OK);
+    assert_int_equal(bat_object_create_image(1, "", NULL, matrix, 1, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_image(1, "", picture, NULL, 1, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_image(1, "", picture, matrix, 1.5, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_image(1, "", picture, matrix, -1, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_image(1, "", picture, matrix, NAN, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_image(1, "", picture, matrix, 1, &image), BAT_OK);
+    assert_int_equal(bat_object_create_guide(2, 0, 5, &guide), BAT_OK);
+    assert_int_equal(bat_object_with_matrix(NULL, matrix, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_with_matrix(guide, matrix, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_with_matrix(image, NULL, &made), BAT_ARGUMENT);
+    assert_int_equal(bat_object_with_matrix(image, matrix, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_object_with_guide(guide, 1, NULL), BAT_ARGUMENT);
+    assert_null(made);
+    assert_null(bat_object_picture(guide));
+    assert_null(bat_object_matrix(guide));
+    assert_null(bat_object_plane(guide));
+    bat_object_corners(guide, corners);
+    for (int i = 0; i < 8; i++) assert_true(corners[i] == 0);
+    bat_object_release(image);
+    bat_object_release(guide);
+    bat_picture_release(picture);
+}
+
 /* Every cut of every head, and every byte changed, is a picture of sane sides or is refused; nothing is read
  * beyond its end. */
 static void broken_heads(void **unused) {
@@ -395,6 +493,9 @@ static void failing_allocations(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sides_of_every_kind),
+        cmocka_unit_test(markers_of_jpeg),
+        cmocka_unit_test(pictures_of_one_digest),
+        cmocka_unit_test(refused_images),
         cmocka_unit_test(broken_heads),
         cmocka_unit_test(base_64),
         cmocka_unit_test(images_are_objects),

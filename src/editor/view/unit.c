@@ -22,7 +22,6 @@ void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {
     char *end = out + strlen(out);
     while (end[-1] == '0') *--end = 0;
     if (end[-1] == '.') end[-1] = 0;
-    if (!strcmp(out, "-0")) strcpy(out, "0");
 }
 
 void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]) {

@@ -27,7 +27,12 @@ static void units_are_read_and_written(void **state) {
                 {"--4", 0, 4},
                 {"1/4in", 0, 24},
                 {"1in - 1/4in", 1, 72},
-                {"10mm - 1", 1, 9 * 96 / 25.4}};
+                {"10mm - 1", 1, 9 * 96 / 25.4},
+                {"+4", 0, 4},
+                {"\t5px\t", 0, 5},
+                {"-+-4", 0, 4},
+                {"1in*3", 0, 288},
+                {"1 + 1in", 0, 97}};
     static const char *const bad[] = {"",
                                       " ",
                                       "mm",

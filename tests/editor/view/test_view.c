@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "editor/view/view.h"
+#include "editor/view/stage.h"
 #include "support/pen.h"
 #include <batten/editor.h>
 
@@ -85,8 +85,61 @@ static void fit_of_odd_boxes(void **state) {
     assert_true(bat_view_fit(&view, point, 10) && view.zoom == 1 && view.x == 7 - 500 && view.y == 9 - 300);
     assert_false(bat_view_fit(&view, empty, 10));
     assert_true(bat_view_fit(&view, line, 0) && view.zoom == 10);
+    const double upright[4] = {5, 0, 5, 60};
+    assert_true(bat_view_fit(&view, upright, 0) && view.zoom == 10);
+    const bat_view before = view;
+    static const double endless[][4] = {{0, 0, 5, NAN}, {0, 0, NAN, 5},      {0, 5, 5, 0},
+                                        {5, 0, 0, 5},   {0, 0, INFINITY, 5}, {0, 0, 5, INFINITY}};
+    for (size_t i = 0; i < sizeof endless / sizeof *endless; i++)
+        assert_false(bat_view_fit(&view, endless[i], 10));
+    assert_memory_equal(&view, &before, sizeof view);
     view.width = 0;
     assert_false(bat_view_fit(&view, line, 0));
+}
+
+/* Two stages are the same when nothing about them differs. */
+static void stages_compare_all(void **state) {
+    (void)state;
+    const bat_stage stage = {.view = window(), .ground = bat_ground_page()};
+    bat_stage other = stage;
+    assert_true(bat_stage_same(&stage, &other));
+    double *const members[] = {&other.view.x,     &other.view.y,      &other.view.zoom, &other.view.angle,
+                               &other.view.width, &other.view.height, &other.view.ratio};
+    for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
+        const double kept = *members[i];
+        *members[i] = kept + 0.5;
+        assert_false(bat_stage_same(&stage, &other));
+        *members[i] = kept;
+    }
+    const double plane[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    assert_true(bat_ground_named("plane", 9, plane, &other.ground));
+    assert_false(bat_stage_same(&stage, &other));
+}
+
+/* What is not a ground. */
+static void grounds_by_name(void **state) {
+    (void)state;
+    static const double good[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    bat_ground ground = bat_ground_page();
+    assert_string_equal(bat_ground_name(0), "page");
+    assert_string_equal(bat_ground_name(1), "plane");
+    assert_null(bat_ground_name(2));
+    assert_null(bat_ground_name(-1));
+    assert_false(bat_ground_named("lake", 0, NULL, &ground));
+    assert_false(bat_ground_named("plane", 8, good, &ground));
+    static const struct {
+        int at;
+        double value;
+    } spoilt[] = {{0, NAN}, {2, 1e300}, {3, 1.1}, {7, 0.9}, {6, 1e-3}, {8, INFINITY}};
+    for (size_t i = 0; i < sizeof spoilt / sizeof *spoilt; i++) {
+        double numbers[9];
+        memcpy(numbers, good, sizeof numbers);
+        numbers[spoilt[i].at] = spoilt[i].value;
+        assert_false(bat_ground_named("plane", 9, numbers, &ground));
+    }
+    assert_string_equal(ground.type->name, "page");
+    assert_true(bat_ground_named("plane", 9, good, &ground));
+    assert_string_equal(ground.type->name, "plane");
 }
 
 /* A large drawing far from the origin is painted precisely where one looks closely. */
@@ -117,6 +170,7 @@ int main(void) {
         cmocka_unit_test(pan_moves_by_pixels),       cmocka_unit_test(zoom_keeps_the_point),
         cmocka_unit_test(zoom_has_limits),           cmocka_unit_test(there_and_back),
         cmocka_unit_test(fit_shows_the_box_centred), cmocka_unit_test(fit_of_odd_boxes),
+        cmocka_unit_test(stages_compare_all),        cmocka_unit_test(grounds_by_name),
         cmocka_unit_test(far_away_is_precise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
