@@ -143,7 +143,8 @@ typedef struct bat_surface_redraw_report {
  * crosses the line; how far each row moves relative to the line, 0 for those that stay. report may be NULL.
  * BAT_DIMENSION, BAT_DEGREE: those of the line do not fit; BAT_ARGUMENT: the line is closed and the direction
  * open or vice versa, reach is negative or not finite, or a held row does not exist; BAT_KNOTS: not a superset;
- * BAT_NUMBER: `at` is NaN, or points lie too far out; BAT_DOT: the line is a point (a collapsed edge); BAT_FAR:
+ * BAT_NUMBER: `at` is NaN, or points lie too far out; BAT_DOT: the line is a point (a collapsed edge); BAT_SINGULAR:
+ * the line ends in a collapsed edge and moves it, which would open (rows that are a point are held, too); BAT_FAR:
  * the line cannot move, as no row beside it may or the gain would be above 4 (weights and report are filled in).
  * O(points).
  */

@@ -10,6 +10,7 @@
 enum { MOST = BAT_DEGREE_MAX + 1 };
 static const double gain_max = 4, spans_reached = 2.5;
 static const double point_size = 1e-12; /* of the surface's size: an iso-curve this short is a point */
+static const bat_direction directions[2] = {BAT_U, BAT_V};
 
 static const bat_surface_redraw_options DEFAULTS = {.size = sizeof DEFAULTS};
 enum { LEAST = sizeof DEFAULTS }; /* size in version 0.2: the first member added later begins there */
@@ -43,6 +44,43 @@ static void bump(const bat_curve *axis, double u, const bat_surface_redraw_optio
         weights[i] = fabs(x) < 1 ? (x * x - 1) * (x * x - 1) : 0;
     }
     for (size_t k = 0; k < options->hold_count; k++) weights[options->hold[k]] = 0;
+}
+
+/* Rows that are a single point stay: moved by different amounts along the line, they would open. */
+static void hold_points(const bat_surface *surface, double *weights) {
+    const int count = surface->axis[1].count;
+    for (int i = 0; i < surface->axis[0].count; i++) {
+        const double *row = bat_surface_row(surface, i);
+        int same = 0;
+        while (same < count && bat_distance(row, row + 3 * same, 3) <= point_size * surface->size) same++;
+        if (same == count) weights[i] = 0;
+    }
+}
+
+/* Whether an edge is a point of a surface; size: what its length is compared with. */
+static bat_status is_pole(const bat_surface *surface, bat_direction across, int end, double size, bool *out) {
+    double domain[2];
+    bat_curve *edge;
+    *out = false;
+    if (bat_surface_is_closed(surface, across)) return BAT_OK;
+    bat_surface_domain(surface, across, domain);
+    bat_status status = bat_surface_isocurve(surface, across, domain[end], &edge);
+    if (status != BAT_OK) return status;
+    *out = bat_curve_size(edge) <= point_size * size;
+    bat_curve_free(edge);
+    return BAT_OK;
+}
+
+/* BAT_SINGULAR: an edge that was a point is none any more. */
+static bat_status check_poles(const bat_surface *before, const bat_surface *after) {
+    bat_status status = BAT_OK;
+    for (int k = 0; k < 4 && status == BAT_OK; k++) {
+        bool was, is = true;
+        status = is_pole(before, directions[k / 2], k % 2, before->size, &was);
+        if (status == BAT_OK && was) status = is_pole(after, directions[k / 2], k % 2, before->size, &is);
+        if (status == BAT_OK && was && !is) status = BAT_SINGULAR;
+    }
+    return status;
 }
 
 /* Scales the bump so that the line moves by 1; false: the line cannot move. */
@@ -147,11 +185,13 @@ static bat_status redraw(const bat_surface *surface, double at, const bat_curve 
     }
     bat_curve_greville(axis, greville);
     bump(axis, u, options, report->reach, greville, weights);
+    hold_points(surface, weights);
     const bool moves = scale(axis, u, weights, &report->gain);
     support(axis, u, weights, greville, report->moved);
     status = moves ? carry(fine, u, line, weights, out) : BAT_FAR;
     if (status == BAT_OK) {
         status = compare(*out, u, line, &report->line_error);
+        if (status == BAT_OK) status = check_poles(surface, *out);
         if (status != BAT_OK) bat_surface_free(*out);
     }
     bat_surface_free(fine);

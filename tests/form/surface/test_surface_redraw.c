@@ -252,6 +252,69 @@ static void what_is_refused(void **state) {
     bat_surface_free(s);
 }
 
+/* A dome, closed in u, whose lines along v run from a pole (v = 0) to the rim; turned: u and v exchanged. */
+static bat_surface *dome(bool turned) {
+    enum { ROUND = 12, UP = 7 };
+    double knots[2][ROWS], points[ROUND * UP * 3];
+    for (int i = 0; i <= ROUND; i++) knots[0][i] = i;
+    for (int j = 0; j < UP + 4; j++) knots[1][j] = fmin(fmax(j - 3, 0), UP - 3);
+    for (int i = 0; i < ROUND; i++)
+        for (int j = 0; j < UP; j++) {
+            const double a = i * 6.283185307179586 / ROUND;
+            const double p[3] = {3 + 2 * j * cos(a), 2 * j * sin(a), 5 - 0.2 * j * j};
+            memcpy(points + 3 * (turned ? ROUND * j + i : UP * i + j), p, sizeof p);
+        }
+    bat_surface *s = NULL;
+    const int a = turned, b = !turned, sizes[2] = {ROUND, UP}, counts[2] = {ROUND + 1, UP + 4};
+    assert_int_equal(bat_surface_create((const int[2]){3, 3}, (const bool[2]){!turned, turned},
+                                        (const size_t[2]){(size_t)sizes[a], (size_t)sizes[b]}, points,
+                                        (const int[2]){counts[a], counts[b]}, knots[a], knots[b], &s),
+                     BAT_OK);
+    return s;
+}
+
+/* The greatest extent of the dome's pole, over its control points. */
+static double opening(const bat_surface *s, bool turned) {
+    double most = 0;
+    for (int i = 0; i < 12; i++)
+        most = fmax(most, apart(point_at(s, turned ? BAT_V : BAT_U, i, 0), bat_surface_row(s, 0), 3));
+    return most;
+}
+
+/* A pole stays closed: a line that ends there is redrawn where it leaves the pole alone, and refused where it moves it;
+ * a line round the pole leaves the pole's row alone. */
+static void poles_stay_closed(void **state) {
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        bat_surface *s = dome(turned), *made = NULL;
+        const bat_direction to_pole = turned ? BAT_V : BAT_U, round = turned ? BAT_U : BAT_V;
+        double points[ROWS * 3], weights[ROWS];
+        bat_curve *line = NULL, *other = NULL;
+        assert_true(opening(s, turned) == 0);
+        assert_int_equal(bat_surface_isocurve(s, to_pole, 4.3, &line), BAT_OK);
+        for (int moved = 6; moved >= 0; moved -= 6) { /* the rim's point, or the pole */
+            memcpy(points, bat_curve_points(line), 7 * 3 * sizeof *points);
+            points[3 * moved + 2] += 1;
+            assert_int_equal(bat_curve_create(3, 3, false, 7, points, 11, bat_curve_knots(line), &other),
+                             BAT_OK);
+            assert_int_equal(bat_surface_redraw(s, to_pole, 4.3, other, NULL, &made, weights, NULL),
+                             moved == 0 ? BAT_SINGULAR : BAT_OK);
+            assert_true(moved == 0 ? made == NULL : opening(made, turned) == 0);
+            bat_surface_free(made), bat_curve_free(other);
+            made = NULL, other = NULL;
+        }
+        bat_curve_free(line);
+        line = NULL;
+        assert_int_equal(bat_surface_isocurve(s, round, 0.7, &line), BAT_OK);
+        memcpy(points, bat_curve_points(line), 12 * 3 * sizeof *points);
+        for (int i = 0; i < 12; i++) points[3 * i + 2] += 0.2 * (i % 3);
+        assert_int_equal(bat_curve_create(3, 3, true, 12, points, 13, bat_curve_knots(line), &other), BAT_OK);
+        assert_int_equal(bat_surface_redraw(s, round, 0.7, other, NULL, &made, weights, NULL), BAT_OK);
+        assert_true(opening(made, turned) == 0 && weights[0] == 0 && weights[1] > 0);
+        bat_curve_free(line), bat_curve_free(other), bat_surface_free(made), bat_surface_free(s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_line_is_the_new_one),
@@ -259,6 +322,7 @@ int main(void) {
         cmocka_unit_test(holding),
         cmocka_unit_test(across_the_seam),
         cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(poles_stay_closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
