@@ -44,6 +44,17 @@ static void check_cast(const bat_viewpoint *view, const bat_canvas *canvas) {
     if (found != landed) abort();
 }
 
+static void check_pick(const bat_viewpoint *view, const bat_surface *surface) {
+    const double pixels[6] = {view->size[0] / 2, view->size[1] / 2, view->size[0] / 3, view->size[1] / 2, 0,
+                              view->size[1]};
+    const bat_stroke stroke = {.dimension = 2, .count = 3, .points = pixels};
+    bat_surface_pick pick;
+    double domain[2];
+    if (bat_surface_pick_line(view, &stroke, surface, &pick) != BAT_OK) return;
+    bat_surface_domain(surface, pick.direction, domain);
+    if (!(pick.value >= domain[0] && pick.value <= domain[1]) || pick.used + pick.dropped != 3) abort();
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *text = (const char *)data, *zero = size ? memchr(text, 0, size) : NULL;
     const size_t first = zero ? (size_t)(zero - text) : size;
@@ -65,6 +76,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                                      bat_surface_count(canvas.surface, BAT_V)
                                                : 1;
         if (points <= 100) check_cast(&view, &canvas);
+        if (points <= 100 && canvas.surface) check_pick(&view, canvas.surface);
     }
     bat_canvas_clear(&canvas);
     return 0;

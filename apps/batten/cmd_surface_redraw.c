@@ -61,9 +61,10 @@ static int fail_redraw(const cli_arguments *arguments, bat_status status, const 
     case BAT_DOT:
         return fail_data(arguments->operands[0], place, "expected a line, found a point (a collapsed edge)");
     case BAT_SINGULAR:
-        return fail_data(line, "points",
-                         "expected a line that leaves the pole (a collapsed edge) where it is, found one that "
-                         "moves it");
+        return fail_data(
+            line, "points",
+            "expected a line that leaves the pole (a collapsed edge) where it is, found one that "
+            "moves it");
     case BAT_ARGUMENT: /* its other causes have been ruled out already */
         for (size_t i = 0; i < w->options.hold_count; i++)
             if (w->options.hold[i] >= rows)

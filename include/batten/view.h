@@ -75,6 +75,21 @@ typedef struct bat_cast_point {
 BAT_API bat_status bat_cast(const bat_viewpoint *view, const bat_stroke *stroke, const bat_canvas *canvas,
                             bat_cast_point *out, size_t *landed);
 
+/* The line of a surface that a marking means. */
+typedef struct bat_surface_pick {
+    bat_direction direction; /* BAT_U: the line at u = value */
+    double value;
+    bool boundary; /* the marking is within 2 % of the domain's width of an edge: the line is that edge */
+    size_t used, dropped; /* samples on the surface, and beside it */
+    double
+        residual[2]; /* how far the marking deviates from the best line at u, at v: a length on the surface */
+} bat_surface_pick;
+
+/* Finds the line that a marking (a stroke in pixels of the view) means: at its mean u or v, whichever it deviates from
+ * less. Statuses as bat_cast; BAT_FAR: no sample is on the surface. */
+BAT_API bat_status bat_surface_pick_line(const bat_viewpoint *view, const bat_stroke *marking,
+                                         const bat_surface *surface, bat_surface_pick *out);
+
 #ifdef __cplusplus
 }
 #endif

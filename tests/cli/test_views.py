@@ -165,5 +165,29 @@ class Cast(ProgramTest):
         self.assertEqual(self.json("cast", stroke, "-", plane, stdin=json.dumps(view))["points"], [[0, 0, 1], [2, 0, 1]])
 
 
+class Pick(ProgramTest):
+    SHEET = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0], [0, 2]], [[4, 0], [4, 2]]]}
+    ABOVE = {"eye": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "size": [1000, 1000], "height": 10}
+
+    def pick(self, *marking):
+        return self.json("surface", "pick", self.file("s", self.SHEET), self.file("m", {"points": marking}),
+                         self.file("v", self.ABOVE))
+
+    def test_the_line_meant(self):
+        found = self.pick([600, 450], [620, 400], [640, 350], [499, 400])
+        self.assertEqual(list(found), ["direction", "value", "boundary", "used", "dropped", "residuals"])
+        self.assertEqual((found["direction"], found["boundary"], found["used"], found["dropped"]), ("u", False, 3, 1))
+        self.assertAlmostEqual(found["value"], 0.3, 12)
+        self.assertAlmostEqual(found["residuals"]["u"], 0.2 * math.sqrt(2 / 3), 12)
+        self.assertAlmostEqual(found["residuals"]["v"], 0.5 * math.sqrt(2 / 3), 12)
+        edge = self.pick([540, 499], [800, 499])
+        self.assertEqual((edge["direction"], edge["value"], edge["boundary"]), ("v", 0, True))
+
+    def test_beside_the_surface(self):
+        line = self.refused(1, "surface", "pick", self.file("s", self.SHEET), self.file("m", {"points": [[1, 1], [2, 2]]}),
+                            self.file("v", self.ABOVE))
+        self.assertIn("points: expected samples on the surface, found none of 2", line)
+
+
 if __name__ == "__main__":
     unittest.main()

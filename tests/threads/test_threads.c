@@ -302,7 +302,9 @@ static uint64_t add_cast(uint64_t digest, const bat_surface *surface, int seed) 
         digest = add_doubles(add(digest, out[0].fate), out[0].point, 3);
     }
     bat_curve_free(canvas.curve);
-    return digest;
+    bat_surface_pick pick = {.value = 0};
+    digest = add(digest, (uint64_t)bat_surface_pick_line(&view, &stroke, surface, &pick));
+    return bat_digest_double(digest, pick.value);
 }
 
 static uint64_t look_at_surface(const void *shared, int seed) {

@@ -392,11 +392,23 @@ static void put_cast(parity_sink *sink, random_source *r, int number, const bat_
     }
 }
 
+static void put_pick(parity_sink *sink, random_source *r, int number, const bat_surface *surface) {
+    const double middle[3] = {0, 0, 0};
+    const bat_viewpoint view = some_view(r, number, middle, 40);
+    double pixels[8];
+    bat_surface_pick pick = {.value = 0};
+    for (int i = 0; i < 8; i++) pixels[i] = view.size[i % 2] * random_between(r, 0.3, 0.7);
+    const bat_stroke stroke = {.dimension = 2, .count = 4, .points = pixels};
+    put(sink, bat_surface_pick_line(&view, &stroke, surface, &pick));
+    put(sink, pick.direction), put(sink, pick.value), put_many(sink, 2, pick.residual);
+}
+
 static void space(parity_sink *sink) {
     random_source r = {14};
     for (int number = 0; number < 30; number++) {
         bat_surface *surface = some_surface(&r, number);
         put_cast(sink, &r, number, &(bat_canvas){.surface = surface});
+        put_pick(sink, &r, number, surface);
         put_cast(sink, &r, number, &(bat_canvas){.normal = {0, number, 1}});
         bat_canvas ruled = {.along = {1, 0, number}};
         const bat_status status = bat_surface_isocurve(surface, BAT_U, random_parameter(&r, surface, BAT_U),

@@ -142,17 +142,12 @@ static void on_surface(casting *c, const bat_sight *ray, bat_cast_point *out) {
 
 /* ---- the stroke ---- */
 
-static bool is_finite(const double *numbers, size_t count) {
-    for (size_t i = 0; i < count; i++)
-        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
 static bat_status prepare(const bat_canvas *canvas, casting *out) {
     *out = (casting){.canvas = canvas, .s = NAN};
     if (canvas->surface && !canvas->curve) return BAT_OK;
     const double *way = canvas->curve ? canvas->along : canvas->normal;
-    if (!is_finite(way, 3) || (!canvas->curve && !is_finite(canvas->origin, 3))) return BAT_NUMBER;
+    if (!bat_gaze_finite(way, 3) || (!canvas->curve && !bat_gaze_finite(canvas->origin, 3)))
+        return BAT_NUMBER;
     out->direction = vec_unit(vec_load(way, 3));
     if (!(vec_norm(out->direction) > 0)) return BAT_ARGUMENT;
     out->origin = vec_load(canvas->origin, 3);
@@ -175,13 +170,10 @@ static void release(casting *c) {
 
 bat_status bat_cast(const bat_viewpoint *view, const bat_stroke *stroke, const bat_canvas *canvas,
                     bat_cast_point *out, size_t *landed) {
-    if (!view || !stroke || !canvas || (stroke->count > 0 && (!stroke->points || !out))) return BAT_ARGUMENT;
+    if (!stroke || !canvas || (stroke->count > 0 && !out)) return BAT_ARGUMENT;
     bat_gaze gaze;
-    bat_status status = bat_gaze_of(view, &gaze);
+    bat_status status = bat_gaze_through(view, stroke, &gaze);
     if (status != BAT_OK) return status;
-    if (stroke->dimension != 2) return BAT_DIMENSION;
-    if (stroke->count > BAT_POINTS_MAX) return BAT_COUNT;
-    if (!is_finite(stroke->points, 2 * stroke->count)) return BAT_NUMBER;
     casting c;
     status = prepare(canvas, &c);
     size_t kept = 0;

@@ -4,16 +4,17 @@
 
 static const double parallel = 1e-9; /* sine of the least angle between up and the gaze */
 
-static bool finite(const double *numbers, int count) {
-    for (int i = 0; i < count; i++)
+bool bat_gaze_finite(const double *numbers, size_t count) {
+    for (size_t i = 0; i < count; i++)
         if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
     return true;
 }
 
 bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
     if (!view || !out) return BAT_ARGUMENT;
-    if (!finite(view->eye, 3) || !finite(view->target, 3) || !finite(view->up, 3) || !finite(view->size, 2) ||
-        !finite(&view->fov, 1) || !finite(&view->height, 1))
+    if (!bat_gaze_finite(view->eye, 3) || !bat_gaze_finite(view->target, 3) ||
+        !bat_gaze_finite(view->up, 3) || !bat_gaze_finite(view->size, 2) || !bat_gaze_finite(&view->fov, 1) ||
+        !bat_gaze_finite(&view->height, 1))
         return BAT_NUMBER;
     if (!(view->size[0] > 0 && view->size[1] > 0)) return BAT_ARGUMENT;
     if (!(view->fov >= 0 && view->fov < 180 && view->height >= 0)) return BAT_ARGUMENT;
@@ -33,6 +34,15 @@ bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
     if (!(scale >= 1 / BAT_COORDINATE_MAX && scale <= BAT_COORDINATE_MAX)) return BAT_ARGUMENT;
     *out = gaze;
     return BAT_OK;
+}
+
+bat_status bat_gaze_through(const bat_viewpoint *view, const bat_stroke *stroke, bat_gaze *out) {
+    if (!stroke || (stroke->count > 0 && !stroke->points)) return BAT_ARGUMENT;
+    bat_status status = bat_gaze_of(view, out);
+    if (status != BAT_OK) return status;
+    if (stroke->dimension != 2) return BAT_DIMENSION;
+    if (stroke->count > BAT_POINTS_MAX) return BAT_COUNT;
+    return bat_gaze_finite(stroke->points, 2 * stroke->count) ? BAT_OK : BAT_NUMBER;
 }
 
 bat_status bat_viewpoint_check(const bat_viewpoint *view) {
@@ -63,7 +73,7 @@ bat_status bat_viewpoint_ray(const bat_viewpoint *view, const double pixel[2], d
     bat_gaze gaze;
     bat_status status = bat_gaze_of(view, &gaze);
     if (status != BAT_OK) return status;
-    if (!finite(pixel, 2)) return BAT_NUMBER;
+    if (!bat_gaze_finite(pixel, 2)) return BAT_NUMBER;
     const bat_sight ray = bat_gaze_ray(&gaze, pixel);
     vec_store(ray.from, origin);
     vec_store(ray.along, direction);
@@ -76,7 +86,7 @@ bat_status bat_viewpoint_project(const bat_viewpoint *view, const double point[3
     bat_gaze gaze;
     bat_status status = bat_gaze_of(view, &gaze);
     if (status != BAT_OK) return status;
-    if (!finite(point, 3)) return BAT_NUMBER;
+    if (!bat_gaze_finite(point, 3)) return BAT_NUMBER;
     const vec way = vec_sub(vec_load(point, 3), gaze.eye);
     const double far = vec_dot(way, gaze.ahead);
     if (gaze.focus > 0 && !(far > 0)) return BAT_FAR;

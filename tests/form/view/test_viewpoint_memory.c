@@ -26,6 +26,10 @@ static bat_status on_surface(void) {
     bat_cast_point out[3];
     return bat_cast(&view, &stroke, &canvas, out, NULL);
 }
+static bat_status pick(void) {
+    bat_surface_pick out;
+    return bat_surface_pick_line(&view, &stroke, sheet, &out);
+}
 static bat_status write_view(void) {
     char *text = NULL;
     size_t size;
@@ -49,8 +53,8 @@ static bat_status read_canvas(void) {
 
 static void each_allocation(void **state) {
     (void)state;
-    static bat_status (*const operations[])(void) = {on_ruled, on_surface, write_view, read_view,
-                                                     read_canvas};
+    static bat_status (*const operations[])(void) = {on_ruled,   on_surface, pick,
+                                                     write_view, read_view,  read_canvas};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     line = random_curve(&r, 3, 2, 0, 4);
