@@ -18,8 +18,6 @@ void bat_fair_range(const bat_curve *curve, double u, double reach, double range
     }
     range[0] = bat_curve_at_length(curve, u, -reach, 1e-4);
     range[1] = bat_curve_at_length(curve, u, reach, 1e-4);
-    if (closed && range[0] > u) range[0] -= period;
-    if (closed && range[1] < u) range[1] += period;
 }
 
 bat_status bat_fair_curve(const bat_curve *curve, const double range[2], double limit, double pixel,
@@ -33,13 +31,6 @@ bat_status bat_fair_curve(const bat_curve *curve, const double range[2], double 
     options.pixel = pixel;
     options.tolerance = fmin(limit, pixel);
     options.smooth_limit = limit;
-    bat_curve *faired = NULL;
-    bat_status status = bat_sketch_smooth(curve, &stroke, &options, &faired, &report);
-    if (status == BAT_TOLERANCE && faired) status = BAT_OK;
-    if (status == BAT_OK && !faired) status = BAT_SINGULAR;
-    if (status == BAT_OK)
-        *out = faired;
-    else
-        bat_curve_free(faired);
-    return status;
+    const bat_status status = bat_sketch_smooth(curve, &stroke, &options, out, &report);
+    return status == BAT_TOLERANCE ? BAT_OK : status;
 }
