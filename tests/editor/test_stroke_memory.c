@@ -10,9 +10,9 @@
 #include "support/editing.h"
 
 /* What a hand does, a line each:
- * draw x0 y0 x1 y1 bulge, round x y radius, zigzag x y step height: strokes; hold x0 y0 x1 y1 bulge: one that rests
- * before it is lifted; taps x y count; command name; set property number; keys modifiers; read reading; refit amount.
- * Everything before the word "then" has the memory that it needs. */
+ * draw x0 y0 x1 y1 bulge, round x y radius, zigzag x y step height, tremble x y: strokes; hold x0 y0 x1 y1 bulge: one
+ * that rests before it is lifted; taps x y count; command name; set property number; keys modifiers; read reading; refit
+ * amount. Everything before the word "then" has the memory that it needs. */
 typedef struct act {
     const char *name, *script;
 } act;
@@ -90,6 +90,15 @@ static const act acts[] = {
     {"a level redrawn freely",
      "command tool-levels;taps 150 300 1;command take-apart;command accept;command tool-sketch;"
      "set level-sketch 1;then;draw 150 300 330 300 12;set level-sketch 2;draw 150 300 330 300 -12"},
+    {"accepted although it misses", "set tolerance 0.1;tremble 100 650;then;command accept"},
+    {"a spline closed",
+     "command tool-tangents;taps 100 700 1;taps 200 640 1;taps 300 700 1;then;taps 100 700 1"},
+    {"a spline taken away", "command tool-tangents;taps 100 700 1;taps 200 640 2;then;command point-delete;"
+                            "command point-delete"},
+    {"rubbed out on both sides",
+     "command symmetry;draw 100 700 400 650 30;command tool-eraser;then;draw 250 630 260 700 0"},
+    {"rubbed out of what is its own image",
+     "command symmetry;draw 380 650 620 640 25;command tool-eraser;then;draw 560 600 570 700 0"},
     {"simplified and calmed",
      "command tool-select;command select-all;then;command curve-simplify;command calm"},
 };
@@ -139,6 +148,14 @@ static void zigzag_path(double t, const double *n, double out[2]) {
     out[1] = n[1] - n[3] * (1 - fabs(at - foot - 1));
 }
 
+/* x y: trembling that no curve follows within a tenth of a pixel */
+static void tremble_path(double t, const double *n, double out[2]) {
+    uint32_t noise = (uint32_t)(150 * t + 1) * 1664525;
+    noise ^= noise >> 13, noise *= 1013904223;
+    out[0] = n[0] + 450 * t + (noise >> 24) / 20.0;
+    out[1] = n[1] + (noise >> 16 & 255) / 20.0;
+}
+
 static void draw(pen *p, pen_path *path, const double *n, bool rests) {
     double at[2];
     p->time += 400;
@@ -177,6 +194,8 @@ static void perform(pen *p, const char *word, const char *rest) {
         draw(p, pen_arch, n, true);
     else if (!strcmp(word, "round"))
         draw(p, round_path, n, false);
+    else if (!strcmp(word, "tremble"))
+        pen_stroke(p, tremble_path, n, 150);
     else if (!strcmp(word, "zigzag"))
         draw(p, zigzag_path, n, false);
     else if (!strcmp(word, "taps"))

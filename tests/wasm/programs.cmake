@@ -7,7 +7,8 @@ file(GLOB FUZZERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/fuzz_*.c)
 list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
   ${PROJECT_SOURCE_DIR}/tests/format/write_documents.c)
 # Excluded: programs driven by a Python script (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and those that
-# need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have.
+# need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have, or that make
+# solves fail.
 set(NATIVE_ONLY test_threads test_svg_file test_options)
 set(files /) # the path of the repository for tests
 if(NOT BATTEN_WASM)
@@ -19,8 +20,8 @@ set(declared)
 set(programs)
 foreach(source ${UNITS})
   get_filename_component(name ${source} NAME_WE)
-  file(STRINGS ${source} reads_stack REGEX "support/alloc_paths\\.h" LIMIT_COUNT 1)
-  if(name IN_LIST NATIVE_ONLY OR reads_stack)
+  file(STRINGS ${source} native REGEX "support/(alloc_paths|solve_fail)\\.h" LIMIT_COUNT 1)
+  if(name IN_LIST NATIVE_ONLY OR native)
     list(REMOVE_ITEM UNITS ${source})
     continue()
   endif()

@@ -8,7 +8,9 @@
 #include <string.h>
 #include <cmocka.h>
 #include "format/svg/losses.h"
+#include "support/pictures.h"
 #include "support/xml.h"
+#include "text/base64.h"
 #include "text/text.h"
 #include <batten/bezier.h>
 
@@ -296,6 +298,58 @@ static void depths(void **state) {
     bat_document_free(document);
 }
 
+/* A picture of 40 x 20 pixels: its matrix by what the element says of its size. */
+static void images(void **state) {
+    (void)state;
+    static const struct {
+        const char *attributes;
+        double matrix[6];
+        const char *lost;
+    } cases[] = {
+        {"", {1, 0, 0, 1, 0, 0}, "{}"},
+        {"x='3' y='4' width='80' height='40'", {2, 0, 0, 2, 3, 4}, "{}"},
+        {"width='80'", {2, 0, 0, 2, 0, 0}, "{}"},
+        {"height='40'", {2, 0, 0, 2, 0, 0}, "{}"},
+        {"width='auto' height='10'", {.5, 0, 0, .5, 0, 0}, "{}"},
+        {"width='80' height='80'", {2, 0, 0, 2, 0, 20}, "{}"},
+        {"width='80' height='80' preserveAspectRatio='none'", {2, 0, 0, 4, 0, 0}, "{}"},
+        {"width='80' height='80' preserveAspectRatio='xMinYMin'", {2, 0, 0, 2, 0, 0}, "{}"},
+        {"width='80' height='80' preserveAspectRatio='xMaxYMax meet'", {2, 0, 0, 2, 0, 40}, "{}"},
+        {"width='80' height='80' preserveAspectRatio='xMidYMid slice'",
+         {4, 0, 0, 4, -40, 0},
+         "{\"clips\":1}"},
+        {"transform='translate(5 7)'", {1, 0, 0, 1, 5, 7}, "{}"},
+    };
+    unsigned char bytes[HEAD_ROOM];
+    bat_text data = {0};
+    bat_base64_write(&data, bytes, head_png(bytes, 40, 20));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1000];
+        bat_svg_report report;
+        bat_text found = {0};
+        snprintf(text, sizeof text, "<image %s href='data:image/png;base64,%.*s'/>", cases[i].attributes,
+                 (int)data.size, data.data);
+        bat_document *document = read_svg(text, &report);
+        assert_int_equal(bat_document_count(document), 1);
+        const double *matrix = bat_object_matrix(bat_document_at(document, 0));
+        for (int k = 0; k < 6; k++)
+            if (matrix[k] != cases[i].matrix[k]) fail_msg("%s: %d: %g", cases[i].attributes, k, matrix[k]);
+        bat_losses_to_json(&report.lost, &found);
+        bat_text_add(&found, "", 1);
+        assert_string_equal(found.data, cases[i].lost);
+        bat_text_free(&found);
+        bat_document_free(document);
+    }
+    bat_text_free(&data);
+    static const pair pairs[] = {
+        {"<image visibility='hidden' href='data:image/png;base64,AAAA'/>", NOTHING, "{\"hidden\":1}"},
+        {"<image/>", NOTHING, "{\"images\":1}"},
+        {"<image href='data:,'/>", NOTHING, "{\"images\":1}"},
+        {"<image href='data:image/png,AAAA'/>", NOTHING, "{\"images\":1}"},
+    };
+    ALL(pairs);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(paths_and_shapes),
                                        cmocka_unit_test(transforms),
@@ -305,6 +359,7 @@ int main(void) {
                                        cmocka_unit_test(references),
                                        cmocka_unit_test(names),
                                        cmocka_unit_test(style_sheets),
-                                       cmocka_unit_test(depths)};
+                                       cmocka_unit_test(depths),
+                                       cmocka_unit_test(images)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

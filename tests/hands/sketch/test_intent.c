@@ -9,8 +9,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "hands/sketch/intent.h"
+#include "hands/sketch/intent_parts.h"
 #include "support/alloc_fail.h"
+#include "support/random_curve.h"
 
 enum { SAMPLES = 160 };
 static const double UPRIGHT[6] = {1, 0, 0, 0, 1, 0};
@@ -194,6 +195,32 @@ static void bad_samples(void **state) {
     bat_intent_free(NULL);
 }
 
+/* However many readings are offered, the cheapest are kept, in order; of equal ones the first. */
+static void the_cheapest_are_kept(void **state) {
+    (void)state;
+    random_source r = {17};
+    for (int round = 0; round < 50; round++) {
+        enum { MANY = 90 };
+        bat_reading room[BAT_INTENT_READINGS];
+        bat_intent_list list = {.reading = room};
+        double costs[MANY];
+        for (int i = 0; i < MANY; i++) {
+            costs[i] = i % 9 == 0 ? (double)INFINITY : random_int(&r, 0, 60);
+            const bat_reading reading = {.cost = costs[i], .onto = i};
+            bat_intent_offer(&list, &reading);
+        }
+        assert_int_equal(list.count, BAT_INTENT_READINGS);
+        for (int k = 0; k < list.count; k++) {
+            int before = 0; /* how many are cheaper, or as cheap and earlier */
+            const int own = list.reading[k].onto;
+            assert_true(list.reading[k].cost == costs[own]);
+            for (int i = 0; i < MANY; i++)
+                before += costs[i] < costs[own] || (costs[i] == costs[own] && i < own);
+            assert_int_equal(before, k);
+        }
+    }
+}
+
 static void memory(void **state) {
     (void)state;
     const scene s = cases[11].scene;
@@ -222,13 +249,10 @@ static void memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_relations),
-        cmocka_unit_test(asked_any_time),
-        cmocka_unit_test(moved_turned_mirrored),
-        cmocka_unit_test(parts_of_several),
-        cmocka_unit_test(short_part_in_a_crowd),
-        cmocka_unit_test(bad_samples),
-        cmocka_unit_test(memory),
+        cmocka_unit_test(known_relations),       cmocka_unit_test(asked_any_time),
+        cmocka_unit_test(moved_turned_mirrored), cmocka_unit_test(parts_of_several),
+        cmocka_unit_test(short_part_in_a_crowd), cmocka_unit_test(bad_samples),
+        cmocka_unit_test(the_cheapest_are_kept), cmocka_unit_test(memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

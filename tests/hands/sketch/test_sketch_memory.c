@@ -7,111 +7,20 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "support/sketch_cases.h"
+#include "support/sketch_scenes.h"
 #include "support/alloc_fail.h"
-
-enum { SAMPLES = 60 };
-static const double pi = 3.14159265358979324;
-
-typedef struct scene {
-    bat_curve *open, *ring, *right;
-    double bump[2 * SAMPLES], round[2 * SAMPLES], bridge[2 * SAMPLES];
-    bat_sketch_options options;
-} scene;
-
-static bat_stroke stroke_of(const double *points, size_t count) {
-    return (bat_stroke){.dimension = 2, .count = count, .points = points};
-}
-
-/* Degree 3 clamped, or degree 2 closed; even knots. */
-static bat_curve *even(bool closed, int count, const double *points) {
-    double knots[32];
-    const int p = closed ? 2 : 3;
-    for (int i = 0; i <= count + p; i++) knots[i] = closed ? i : fmin(fmax(i - p, 0), count - p);
-    bat_curve *curve;
-    assert_int_equal(bat_curve_create(2, p, closed, (size_t)count, points, closed ? count + 1 : count + p + 1,
-                                      knots, &curve),
-                     BAT_OK);
-    return curve;
-}
-
-static bat_curve *wave(double x0, double y0) {
-    double points[20];
-    for (int i = 0; i < 10; i++) points[2 * i] = x0 + 30 * i, points[2 * i + 1] = y0 + 12 * sin(i);
-    return even(false, 10, points);
-}
-
-static void make(scene *s) {
-    double points[20];
-    s->options = bat_sketch_defaults();
-    s->open = wave(0, 0), s->right = wave(330, 20);
-    for (int i = 0; i < 10; i++)
-        points[2 * i] = 100 * cos(i * pi / 5), points[2 * i + 1] = 100 * sin(i * pi / 5);
-    s->ring = even(true, 10, points); /* is raised to degree 3 */
-    for (int i = 0; i < SAMPLES; i++) {
-        const double t = (double)i / (SAMPLES - 1), a = 2 * pi * t, noise = 0.3 * sin(71.0 * i);
-        s->bump[2 * i] = 80 + 100 * t, s->bump[2 * i + 1] = 14 * sin(pi * t) + noise;
-        s->round[2 * i] = 112 * cos(a), s->round[2 * i + 1] = 108 * sin(a) + noise;
-        s->bridge[2 * i] = 240 + 120 * t, s->bridge[2 * i + 1] = 15 * sin(2 * pi * t) + noise;
-    }
-}
-
-static void drop(scene *s) { bat_curve_free(s->open), bat_curve_free(s->ring), bat_curve_free(s->right); }
-
-static bat_status redraw(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->bump, SAMPLES);
-    return bat_sketch(s->open, &stroke, &s->options, out, NULL);
-}
-static bat_status redraw_arc(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->round, SAMPLES / 3);
-    return bat_sketch(s->ring, &stroke, &s->options, out, NULL);
-}
-static bat_status redraw_most(const scene *s, bat_curve **out) { /* the kept arc is given knots */
-    const bat_stroke stroke = stroke_of(s->round, SAMPLES - 9);
-    return bat_sketch(s->ring, &stroke, &s->options, out, NULL);
-}
-static bat_status redraw_all(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->round, SAMPLES);
-    return bat_sketch(s->ring, &stroke, &s->options, out, NULL);
-}
-static bat_status fresh(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->bump, SAMPLES);
-    return bat_sketch_new(&stroke, false, &s->options, out, NULL);
-}
-static bat_status fresh_cornered(const scene *s, bat_curve **out) {
-    double points[2 * SAMPLES];
-    for (int i = 0; i < SAMPLES; i++)
-        points[2 * i] = 3 * i, points[2 * i + 1] = 3 * fabs(i - SAMPLES / 2.0) + 0.3 * sin(71.0 * i);
-    const bat_stroke stroke = stroke_of(points, SAMPLES);
-    return bat_sketch_new(&stroke, false, &s->options, out, NULL);
-}
-static bat_status fresh_ring(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->round, SAMPLES);
-    return bat_sketch_new(&stroke, true, &s->options, out, NULL);
-}
-static bat_status smooth(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->bump, SAMPLES);
-    return bat_sketch_smooth(s->open, &stroke, &s->options, out, NULL);
-}
-static bat_status join(const scene *s, bat_curve **out) {
-    const bat_stroke stroke = stroke_of(s->bridge, SAMPLES);
-    return bat_sketch_join(s->open, s->right, &stroke, &s->options, out, NULL);
-}
 
 static void calls(void **state) {
     (void)state;
-    bat_status (*const all[])(const scene *, bat_curve **) = {
-        redraw, redraw_arc, redraw_most, redraw_all, fresh, fresh_cornered, fresh_ring, smooth, join};
-    scene s;
-    make(&s);
+    sketch_scene s;
+    scene_make(&s);
     const long live = alloc_live();
-    const size_t count = sizeof all / sizeof all[0];
-    for (size_t i = 0; i < 2 * count; i++) {
-        s.options.degree = i < count ? 3 : 5;
+    for (int i = 0; i < 2 * SKETCH_CALLS; i++) {
+        s.options.degree = i < SKETCH_CALLS ? 3 : 5;
         for (long n = 1;; n++) {
             bat_curve *out = NULL;
             alloc_fail_at(n);
-            const bat_status status = all[i % count](&s, &out);
+            const bat_status status = sketch_calls[i % SKETCH_CALLS](&s, &out);
             if (!alloc_fail_reached()) {
                 assert_int_equal(status, BAT_OK);
                 assert_non_null(out);
@@ -125,11 +34,11 @@ static void calls(void **state) {
         }
         assert_true(alloc_live() == live);
     }
-    drop(&s);
+    scene_drop(&s);
 }
 
 /* The same stroke through a session in which the nth allocation fails; the call that failed is made again. */
-static bool session_with_failure(const scene *s, bat_sketch_kind kind, long n, bat_curve **committed) {
+static bool session_with_failure(const sketch_scene *s, bat_sketch_kind kind, long n, bat_curve **committed) {
     enum { BATCH = 12 };
     bat_sketch_live *live = NULL;
     bool hit = false;
@@ -143,7 +52,7 @@ static bool session_with_failure(const scene *s, bat_sketch_kind kind, long n, b
     }
     assert_int_equal(status, BAT_OK);
     for (size_t i = 0; i < SAMPLES; i += BATCH) {
-        const bat_stroke part = stroke_of(s->bump + 2 * i, BATCH);
+        const bat_stroke part = scene_stroke_of(s->bump + 2 * i, BATCH);
         status = bat_sketch_live_add(live, &part);
         if (status == BAT_MEMORY) {
             hit = true;
@@ -176,15 +85,15 @@ static bool session_with_failure(const scene *s, bat_sketch_kind kind, long n, b
 
 static void sessions(void **state) {
     (void)state;
-    scene s;
-    make(&s);
+    sketch_scene s;
+    scene_make(&s);
     const long live = alloc_live();
     for (int kind = BAT_SKETCH_REDRAW; kind <= BAT_SKETCH_SMOOTH; kind++) {
         bat_curve *expected = NULL;
-        const bat_stroke whole = stroke_of(s.bump, SAMPLES);
-        bat_status status = kind == BAT_SKETCH_REDRAW ? redraw(&s, &expected)
+        const bat_stroke whole = scene_stroke_of(s.bump, SAMPLES);
+        bat_status status = kind == BAT_SKETCH_REDRAW ? scene_redraw(&s, &expected)
                             : kind == BAT_SKETCH_NEW
-                                ? fresh(&s, &expected)
+                                ? scene_fresh(&s, &expected)
                                 : bat_sketch_smooth(s.open, &whole, &s.options, &expected, NULL);
         assert_int_equal(status, BAT_OK);
         bool reached = true;
@@ -198,7 +107,7 @@ static void sessions(void **state) {
         bat_curve_free(expected);
         assert_true(alloc_live() == live);
     }
-    drop(&s);
+    scene_drop(&s);
 }
 
 int main(void) {
