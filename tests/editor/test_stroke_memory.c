@@ -45,6 +45,8 @@ static const act acts[] = {
     {"refitted", "draw 150 300 330 300 12;then;refit 0;refit 1"},
     {"refitted, new", "draw 100 700 400 650 30;then;refit 0.9"},
     {"again over the same", "draw 150 300 330 300 12;then;draw 152 303 328 303 14;draw 158 300 335 301 13"},
+    {"one of several read alone, and all of them again",
+     "draw 600 700 800 700 12;draw 602 703 798 703 14;then;read 0;read 2;refit 1"},
     {"smoothed", "keys 4;draw 150 300 330 300 2"},
     {"rubbed out within", "command tool-eraser;then;draw 220 300 260 300 0"},
     {"rubbed out, a ring", "command tool-eraser;then;draw 880 240 900 330 0"},

@@ -8,7 +8,10 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 #include <cmocka.h>
+#include "editor/editor.h"
+#include "editor/tools/sketch/sketching.h"
 #include "support/editing.h"
 
 enum { STROKES = 8, SCENES = 12 };
@@ -251,8 +254,105 @@ static void a_stretch_is_redrawn(void **state) {
     bat_editor_free(editor);
 }
 
+static bool is_near(const bat_curve *a, const bat_curve *b, double most) {
+    double domain[2], p[2];
+    bat_near near;
+    bat_curve_domain(a, domain);
+    for (int i = 0; i <= 200; i++) {
+        bat_curve_eval(a, domain[0] + (domain[1] - domain[0]) * i / 200, 0, p);
+        assert_int_equal(bat_curve_nearest(b, p, &near), BAT_OK);
+        if (near.distance > most) return false;
+    }
+    return true;
+}
+
+/* What is shown last while the pen is down is what is committed, over a line of their own and over a stretch. */
+static void what_is_shown_is_what_will_be(void **state) {
+    (void)state;
+    for (int over = 0; over < 2; over++) {
+        bat_editor *editor = over ? pen_editor() : empty(0);
+        bat_editor_set(editor, "stabiliser", 0);
+        const bat_sketching *s = bat_sketching_of(&editor->context);
+        pen p = pen_for(editor);
+        for (int i = 0; i < 6; i++) {
+            const double y = (over ? 203 : 400) - 5 * i % 7, from = i % 2 ? 630 : 370, to = i % 2 ? 370 : 630;
+            const double at[5] = {from, y, to, y + 2, i % 2 ? -16 : 16};
+            bat_curve *shown = NULL;
+            pen_begin(&p, pen_arch, at, 60);
+            pen_event(&p, BAT_POINTER_MOVE, to, y + 2);
+            bat_editor_frame(editor);
+            check(editor);
+            assert_true(s->preview.converges == (i > 0));
+            assert_int_equal(bat_curve_copy(s->preview.curve, &shown), BAT_OK);
+            pen_event(&p, BAT_POINTER_UP, to, y + 2);
+            bat_editor_frame(editor);
+            check(editor);
+            const bat_curve *now = bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0);
+            if (i > 0) assert_true(bat_curve_is_equal(now, shown));
+            bat_curve_free(shown);
+            p.time += 300;
+        }
+        replays(editor, 0);
+        bat_editor_free(editor);
+    }
+}
+
+/* The chips: all the strokes together, or what this one means by itself. */
+static void each_can_be_read_alone(void **state) {
+    (void)state;
+    bat_editor *editor = empty(0);
+    const bat_sketching *s = bat_sketching_of(&editor->context);
+    pen p = pen_for(editor);
+    bat_curve *both = NULL;
+    pen_line(&p, 200, 300, 700, 300, 20);
+    const uint64_t first = digest(editor);
+    pen_line(&p, 700, 306, 200, 306, -20);
+    assert_int_equal(bat_curve_copy(newest(editor), &both), BAT_OK);
+    assert_non_null(strstr(bat_editor_readings(editor), "All strokes"));
+    assert_true(s->again.count >= 3 && s->again.at == s->again.converged);
+    const int all = s->again.converged;
+    int alone = -1, fresh = -1;
+    for (int i = 0; i < s->again.count; i++) {
+        if (i != all && s->again.edit[i].kind == BAT_EDIT_REDRAW) alone = i;
+        if (s->again.edit[i].kind == BAT_EDIT_NEW) fresh = i;
+    }
+    assert_int_equal(bat_editor_read_as(editor, alone), BAT_OK);
+    assert_int_equal(count(editor), 1);
+    assert_true(fabs(height(editor, 0, 450) - 286) < 2);
+    assert_int_equal(bat_editor_read_as(editor, fresh), BAT_OK);
+    assert_int_equal(count(editor), 2);
+    assert_int_equal(bat_editor_read_as(editor, all), BAT_OK);
+    assert_int_equal(count(editor), 1);
+    assert_true(bat_curve_is_equal(newest(editor), both));
+    check(editor);
+    /* Closer to the line or fairer, and more strokes go on from there. */
+    int points[2];
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(bat_editor_refit(editor, i, false), BAT_OK);
+        assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+        assert_int_equal(bat_editor_refit(editor, i, true), BAT_OK);
+        assert_true(is_near(newest(editor), both, 3));
+        points[i] = (int)bat_curve_count(newest(editor));
+        check(editor);
+    }
+    assert_true(points[0] >= points[1]);
+    pen_line(&p, 200, 303, 700, 303, 20);
+    assert_int_equal(count(editor), 1);
+    assert_non_null(strstr(bat_editor_readings(editor), "All strokes"));
+    replays(editor, 0);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == first);
+    bat_curve_free(both);
+    bat_editor_free(editor);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(eight_are_one), cmocka_unit_test(each_is_a_step),
-                                       cmocka_unit_test(others_win), cmocka_unit_test(a_stretch_is_redrawn)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(eight_are_one),
+                                       cmocka_unit_test(each_is_a_step),
+                                       cmocka_unit_test(others_win),
+                                       cmocka_unit_test(a_stretch_is_redrawn),
+                                       cmocka_unit_test(what_is_shown_is_what_will_be),
+                                       cmocka_unit_test(each_can_be_read_alone)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

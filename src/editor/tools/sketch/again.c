@@ -55,7 +55,7 @@ static void take_samples(bat_samples *own, bat_samples *samples) {
 
 /* The stroke as it was drawn. */
 static void keep_drawn(bat_again *again, bat_hold *hold) {
-    again->raw = -1;
+    again->raw = again->converged = -1;
     again->figure = hold->on ? hold->figure.kind : BAT_FIGURE_NONE;
     if (!hold->on) return;
     take_samples(&again->drawn, &hold->drawn.samples);
@@ -85,6 +85,15 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     again->version++;
 }
 
+void bat_again_converged(bat_again *again, bat_together *together) {
+    if (!again->count) return;
+    again->converged = again->count++;
+    again->edit[again->converged] = again->edit[again->at];
+    again->at = again->converged;
+    again->together = *together;
+    *together = (bat_together){0};
+}
+
 static void drop_fit(bat_again *again) {
     bat_curve_free(again->fit);
     again->fit = NULL;
@@ -92,11 +101,12 @@ static void drop_fit(bat_again *again) {
 
 void bat_again_drop(bat_again *again) {
     drop_fit(again);
+    bat_together_drop(&again->together);
     again->count = 0;
 }
 
 void bat_again_free(bat_again *again) {
-    drop_fit(again);
+    bat_again_drop(again);
     bat_curve_free(again->before);
     again->before = NULL;
     bat_samples_free(&again->samples);
@@ -107,10 +117,24 @@ bool bat_again_holds(const bat_context *c, const bat_again *again) {
     return again->count > 0 && again->revision == c->session->revision;
 }
 
-static bat_status carry_out(bat_context *c, bat_again *again, bat_edit *edit) {
+/* What the strokes together mean, with the edit's tolerance. */
+static bat_status converge(const bat_again *again, const bat_edit *edit, bat_curve **out) {
+    bat_sketch_report report;
+    if (!again->before) return BAT_STATE;
+    return bat_together_shape(&again->together, edit, edit->options.tolerance / again->tolerance,
+                              again->before, out, &report);
+}
+
+/* at: the reading. */
+static bat_status carry_out(bat_context *c, bat_again *again, bat_edit *edit, int at) {
     bat_curve *curve = NULL;
     bat_sketch_report report;
     note_before(c, again, edit);
+    if (at == again->converged) {
+        bat_status status = converge(again, edit, &curve);
+        if (status != BAT_OK) return status;
+        return bat_commit_curve(c, edit->object, edit->curve, curve, BAT_STRING_STEP_CONVERGE);
+    }
     bat_status status = bat_edit_compute(c, edit, NULL, &curve, &report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     edit->accepted = status == BAT_TOLERANCE; /* it was asked for by name */
@@ -127,7 +151,7 @@ bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
     drop_fit(again);
     bat_status status = bat_session_step(c, true);
     if (status != BAT_OK) return status;
-    status = carry_out(c, again, &again->edit[at]);
+    status = carry_out(c, again, &again->edit[at], at);
     if (status == BAT_OK) {
         again->at = at;
         again->amount = 0.5;
@@ -144,7 +168,9 @@ static bat_status preview(bat_again *again, const bat_edit *edit) {
     const bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     bat_curve *fit = NULL;
     bat_status status = BAT_STATE;
-    if (edit->kind == BAT_EDIT_NEW)
+    if (again->at == again->converged)
+        status = converge(again, edit, &fit);
+    else if (edit->kind == BAT_EDIT_NEW)
         status = bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, &fit, NULL);
     else if (again->before)
         status = bat_sketch_meant(again->before, &stroke, &edit->options, &edit->meaning, &fit, NULL);
@@ -164,7 +190,7 @@ bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool
     if (amount == again->amount) return BAT_OK;
     bat_status status = bat_session_step(c, true);
     if (status != BAT_OK) return status;
-    status = carry_out(c, again, &edit);
+    status = carry_out(c, again, &edit, again->at);
     if (status == BAT_OK) {
         *now = edit;
         again->amount = amount;
@@ -183,6 +209,7 @@ bat_string bat_again_word(const bat_again *again, int reading) {
         [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,   [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
     const bat_edit_kind kind = again->edit[reading].kind;
     if (reading == again->raw) return BAT_STRING_READ_DRAWN;
+    if (reading == again->converged) return BAT_STRING_READ_CONVERGED;
     if (kind == BAT_EDIT_NEW && again->figure) return bat_hold_word(again->figure);
     return words[kind];
 }

@@ -7,6 +7,7 @@
 #define BATTEN_EDITOR_TOOLS_SKETCH_AGAIN_H
 
 #include "editor/edit/stroke.h"
+#include "editor/tools/sketch/hairs.h"
 #include "editor/tools/sketch/hold.h"
 #include "editor/tools/sketch/meaning.h"
 
@@ -17,10 +18,12 @@ typedef struct bat_again {
     bat_edit edit[BAT_AGAIN_MOST + 1]; /* all share the samples below */
     bat_samples samples;               /* owned */
     bat_figure_kind figure;            /* the figure that the samples represent, or none */
-    int raw;           /* the reading as the original stroke instead of the figure; -1: none */
-    bat_samples drawn; /* its samples, owned */
-    double amount;     /* from raw, 0, to fair, 1; as drawn: 1/2 */
-    double tolerance;  /* of the stroke as drawn, document units */
+    int raw;               /* the reading as the original stroke instead of the figure; -1: none */
+    bat_samples drawn;     /* its samples, owned */
+    int converged;         /* the reading as one of several careless strokes; -1: none */
+    bat_together together; /* what they mean, owned */
+    double amount;         /* from raw, 0, to fair, 1; as drawn: 1/2 */
+    double tolerance;      /* of the stroke as drawn, document units */
     bat_curve *before; /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
     bat_curve *fit;    /* preview while the amount is being chosen; owned */
     uint64_t revision; /* of the document after the stroke */
@@ -35,6 +38,9 @@ void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit
  * and, when the stroke was held, also of the samples that it was drawn with. */
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
                     bat_hold *hold);
+/* After bat_again_keep: the stroke has been committed as one of several, which takes the first place among its readings.
+ * Takes over what they mean. */
+void bat_again_converged(bat_again *again, bat_together *together);
 void bat_again_drop(bat_again *again);
 /* Whether the stroke is still the last thing that was done. */
 bool bat_again_holds(const bat_context *c, const bat_again *again);

@@ -45,17 +45,25 @@ static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_
     return status;
 }
 
-/* Handles one of several careless strokes over a line: the line becomes what all of them together mean. */
+/* Handles one of several careless strokes over a line: the line becomes what all of them together mean, and the
+ * readings of the stroke by itself are kept. */
 static bool converge(bat_context *c, bat_sketching *s) {
     bat_curve *curve = NULL;
-    if (s->forced || s->smoothing || s->hold.on) return false;
-    if (bat_hairs_join(c, &s->hairs, &s->edit, &curve) != BAT_OK) return false;
+    bat_sketch_report report;
+    bat_together together = {0};
+    if (!bat_sketching_converged(c, s, &together, &curve, &report)) return false;
+    bat_again_gather(c, &s->meaning, &s->edit, &s->again);
     bat_status status = bat_commit_curve(c, s->edit.object, s->edit.curve, curve, BAT_STRING_STEP_CONVERGE);
-    if (status == BAT_OK) bat_hairs_note(c, &s->hairs, &s->edit, true);
-    if (status == BAT_OK)
+    if (status == BAT_OK) {
+        bat_hairs_note(c, &s->hairs, &s->edit, true);
+        bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
+        bat_again_converged(&s->again, &together);
         bat_notice(c, BAT_STRING_COUNT);
-    else
+    } else {
+        bat_again_drop(&s->again);
         bat_notice_failure(c, status);
+    }
+    bat_together_drop(&together);
     return true;
 }
 
@@ -66,6 +74,7 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
     if (choice) bat_again_gather(c, &s->meaning, &s->edit, &s->again);
     bat_status status = bat_edit_commit(c, &s->edit, curve);
     if (status != BAT_OK) {
+        bat_again_drop(&s->again);
         bat_notice_failure(c, status);
         return;
     }

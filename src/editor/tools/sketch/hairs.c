@@ -2,7 +2,6 @@
 #include "editor/edit/curves_of.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
-#include "hands/sketch/converge.h"
 #include "base/real.h"
 #include <batten/fit.h>
 #include <math.h>
@@ -86,25 +85,41 @@ static double farthest(const bat_samples *samples, const bat_average *line, doub
     return worst;
 }
 
-/* The line as a curve of its own, or as a stretch of one. */
-static bat_status shape(const bat_context *c, const bat_hairs *h, const bat_edit *edit,
-                        const bat_average *line, bat_curve **out) {
+/* The line as a curve of its own. */
+static bat_status shape_fresh(const bat_together *t, const bat_edit *edit, double closeness,
+                              const bat_curve *target, bat_curve **out, bat_sketch_report *report) {
     const double pixel = edit->options.pixel;
-    if (h->fresh) {
-        bat_fit_options options = bat_fit_defaults();
-        options.tolerance = fmax(fmax(LEAST * pixel, SLACK * line->scatter), 0.5 * edit->options.tolerance);
-        options.smoothing = WAVE * pixel;
-        options.degree = edit->options.degree;
-        return bat_fit(2, line->count, line->points, &options, out, NULL);
-    }
-    const bat_stroke stroke = {.dimension = 2, .count = line->count, .points = line->points};
-    const bat_curve *target = bat_edit_target(c->session->document, h->object, h->curve);
-    bat_sketch_options options = edit->options;
-    options.tolerance = fmax(options.tolerance, SLACK * line->scatter);
-    return bat_sketch(target, &stroke, &options, out, NULL);
+    bat_fit_options options = bat_fit_defaults();
+    bat_fit_report facts;
+    options.tolerance = closeness *
+                        fmax(fmax(LEAST * pixel, SLACK * t->line.scatter), 0.5 * edit->options.tolerance);
+    options.smoothing = WAVE * pixel;
+    options.degree = edit->options.degree;
+    bat_status status = bat_fit(2, t->line.count, t->line.points, &options, out, &facts);
+    if (status != BAT_OK) return status;
+    *report = (bat_sketch_report){.max_error = facts.max_error, .replaced = true};
+    report->knots_before = bat_curve_knot_count(target);
+    report->knots_after = bat_curve_knot_count(*out);
+    bat_curve_domain(target, report->changed);
+    bat_curve_domain(*out, report->changed_new);
+    return BAT_OK;
 }
 
-bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_edit *edit, bat_curve **out) {
+bat_status bat_together_shape(const bat_together *t, const bat_edit *edit, double closeness,
+                              const bat_curve *target, bat_curve **out, bat_sketch_report *report) {
+    if (t->fresh) return shape_fresh(t, edit, closeness, target, out, report);
+    const bat_stroke stroke = {.dimension = 2, .count = t->line.count, .points = t->line.points};
+    bat_sketch_options options = edit->options;
+    options.tolerance = closeness * fmax(options.tolerance, SLACK * t->line.scatter);
+    return bat_sketch(target, &stroke, &options, out, report);
+}
+
+void bat_together_drop(bat_together *t) {
+    free(t->line.points);
+    *t = (bat_together){0};
+}
+
+bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_edit *edit, bat_together *out) {
     bat_stroke strokes[BAT_HAIRS_MOST];
     const double pixel = edit->options.pixel;
     bat_average line;
@@ -113,10 +128,12 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_ed
     strokes[h->count] = bat_samples_stroke(&edit->samples, 0);
     bat_status status = bat_converge((size_t)h->count + 1, strokes, pixel, &line);
     if (status != BAT_OK) return status;
-    const bool near = farthest(&edit->samples, &line, pixel) <= fmax(NEAR * pixel, SPREAD * line.scatter);
-    status = near ? shape(c, h, edit, &line, out) : BAT_STATE;
+    if (farthest(&edit->samples, &line, pixel) <= fmax(NEAR * pixel, SPREAD * line.scatter)) {
+        *out = (bat_together){line, h->fresh};
+        return BAT_OK;
+    }
     free(line.points);
-    return status;
+    return BAT_STATE;
 }
 
 static bat_status copy(bat_samples *to, const bat_samples *from, const bat_stage *stage) {

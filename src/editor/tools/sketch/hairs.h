@@ -6,6 +6,7 @@
 #define BATTEN_EDITOR_TOOLS_SKETCH_HAIRS_H
 
 #include "editor/edit/stroke.h"
+#include "hands/sketch/converge.h"
 
 enum { BAT_HAIRS_MOST = 16 };
 
@@ -19,9 +20,21 @@ typedef struct bat_hairs {
     double time;       /* when that stroke ended, ms */
 } bat_hairs;
 
-/* The curve that all of them together mean, including the edit's stroke. BAT_STATE: that stroke is not one of them. */
+/* The line that some strokes together mean. */
+typedef struct bat_together {
+    bat_average line; /* owned; no points: there is none */
+    bool fresh;       /* as in bat_hairs */
+} bat_together;
+
+/* What all of them together mean, including the edit's stroke, which may still be under way. BAT_STATE: that stroke is
+ * not one of them. */
 bat_status bat_hairs_join(const bat_context *c, const bat_hairs *hairs, const bat_edit *edit,
-                          bat_curve **out);
+                          bat_together *out);
+/* The line as a curve that takes the place of `target`, or of a stretch of it. closeness: factor on the distance from
+ * the line that is allowed. report: what bat_sketch says, as far as it is known. */
+bat_status bat_together_shape(const bat_together *together, const bat_edit *edit, double closeness,
+                              const bat_curve *target, bat_curve **out, bat_sketch_report *report);
+void bat_together_drop(bat_together *together);
 /* The edit is done: its stroke becomes one more of them if it has joined, otherwise the first of a new series, if it
  * can be. */
 void bat_hairs_note(const bat_context *c, bat_hairs *hairs, const bat_edit *edit, bool joined);

@@ -22,6 +22,7 @@ bat_string bat_sketching_hint(const bat_context *c, const void *state) {
         if (s->hold.on) return BAT_STRING_HINT_HELD;
         if (bat_sketching_smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
         if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
+        if (s->preview.converges) return BAT_STRING_HINT_CONVERGING;
         if (s->preview.status == BAT_FAR) return BAT_STRING_HINT_STRAYED;
         return doing(&s->edit);
     }

@@ -41,6 +41,10 @@ bool bat_sketching_one_changes(const bat_edit *edit);
 /* Feeds new samples to the session; starts it when needed. */
 bat_status bat_sketching_feed(bat_context *c, bat_sketching *s);
 void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s);
+/* Whether the stroke is one of several careless ones: what they mean together, and the curve that it makes of the
+ * edit's. */
+bool bat_sketching_converged(const bat_context *c, const bat_sketching *s, bat_together *together,
+                             bat_curve **curve, bat_sketch_report *report);
 
 /* ---- finish.c: the pen is lifted ---- */
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event);

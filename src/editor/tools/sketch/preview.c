@@ -49,9 +49,30 @@ static void keep_blends(bat_sketching_preview *preview, int dimension, const bat
     memcpy(preview->blend_counts, counts, sizeof counts);
 }
 
+bool bat_sketching_converged(const bat_context *c, const bat_sketching *s, bat_together *together,
+                             bat_curve **curve, bat_sketch_report *report) {
+    const bat_edit *edit = &s->edit;
+    if (s->forced || s->smoothing || s->hold.on) return false;
+    if (bat_hairs_join(c, &s->hairs, edit, together) != BAT_OK) return false;
+    const bat_curve *target = bat_edit_target(c->session->document, edit->object, edit->curve);
+    if (bat_together_shape(together, edit, 1, target, curve, report) == BAT_OK) return true;
+    bat_together_drop(together);
+    return false;
+}
+
+/* Shows what careless strokes make of their line. */
+static bool preview_converged(const bat_context *c, bat_sketching *s) {
+    bat_together together = {0};
+    bat_sketching_preview *preview = &s->preview;
+    preview->converges = bat_sketching_converged(c, s, &together, &preview->curve, &preview->report);
+    bat_together_drop(&together);
+    return preview->converges;
+}
+
 void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
     s->preview_due = false;
     bat_sketching_drop_preview(s);
+    if (preview_converged(c, s)) return;
     bat_sketch_live_info info = {0};
     bat_curve *curve = NULL;
     bat_status status;

@@ -21,6 +21,7 @@ typedef enum bat_sketching_state {
 typedef struct bat_sketching_preview {
     bat_status status;
     bat_curve *curve; /* owned; NULL: nothing to show */
+    bool converges;   /* it is what several careless strokes mean together */
     bat_sketch_report report;
     double *blends; /* points of the two transitions, x y, owned */
     size_t blend_counts[2];
