@@ -474,6 +474,31 @@ static void sketch(unsigned seed) {
     bat_curve_free(base);
 }
 
+/* Straight legs with random turns, some thousand corners, as long as they like: more knots to begin with than can be
+ * solved for often. */
+static void scribble(unsigned seed) {
+    enum { SAMPLES = 12000 };
+    static double x[2 * SAMPLES];
+    uint64_t state = seed + 1;
+    const int each = 2 + (int)(seed % 3) * 3; /* samples of a leg */
+    const double size = seed % 2 ? 8 : 50;
+    double to[2] = {500, 400}, from[2] = {500, 400};
+    for (int i = 0; i < SAMPLES; i++) {
+        for (int k = 0; k < 2 && i % each == 0; k++) {
+            from[k] = to[k];
+            to[k] += size * (1e-3 * (double)(next_random(&state) % 2000) - 1);
+        }
+        for (int k = 0; k < 2; k++)
+            x[2 * i + k] = from[k] + (double)(i % each + 1) / each * (to[k] - from[k]);
+    }
+    bat_stroke samples = {.dimension = 2, .count = SAMPLES, .points = x};
+    bat_sketch_options options = bat_sketch_defaults();
+    options.tolerance = 1e-3;
+    bat_curve *made = NULL;
+    if (bat_sketch_new(&samples, false, &options, &made, NULL) != BAT_TOLERANCE) abort();
+    bat_curve_free(made);
+}
+
 typedef struct bound {
     const char *name;
     void (*perform)(unsigned seed);
@@ -486,6 +511,7 @@ static const bound bounds[] = {
     {"a use of 10^40 shapes", bomb_of_40, 1, 1200},
     {"odd curves measured", measure, 3000, 1},
     {"a stroke that no tolerance can meet", sketch, 12, 60},
+    {"a scribble of thousands of corners", scribble, 12, 60},
 };
 
 static bool judge_bound(const bound *b) {

@@ -110,9 +110,10 @@ static double corner_at(const bat_path *path, double s, double chord, double lea
     return half > 0.65 * turn && half > 0.79 * least ? turn : 0;
 }
 
-size_t bat_corners(const bat_path *path, double sigma, double grain, size_t *corners) {
+size_t bat_corners(const bat_path *path, double sigma, double grain, size_t most, size_t *corners) {
     const double total = path->arc[path->count - 1], step = total / (double)(path->count - 1);
-    const double chord = fmax(fmin(8, 0.16 * grain), fmax(fmax(3, 3 * step), 10 * sigma));
+    double chord = fmax(fmin(8, 0.16 * grain), fmax(fmax(3, 3 * step), 10 * sigma));
+    chord = fmax(chord, total / (double)most); /* no two lie nearer to each other */
     /* A turn that is due to noise, or that the stroke makes anyway, is no corner. */
     const double least = fmax((30 + 15 * fmin(1, sigma)) * degree, 1.35 * BAT_PI * chord / grain);
     size_t found = 0, best = 0;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 static const double softer = 1.0 / 64, shortest_span = 0.5;
-static const double work_dense = 4e5; /* some 8 ms: what is not met by then counts as missed */
+static const double work_dense = 3e5; /* some 8 ms: what is not met by then counts as missed */
 
 static const double finest = 0.4; /* spans shorter than this share of the waves followed are not split */
 
@@ -18,7 +18,7 @@ static bool set_add(bat_knot_set *set, int room, double w, bool fixed) {
     return true;
 }
 
-/* Even spans between the ends and the corners. */
+/* Even spans between the ends and the corners, no more than there are samples for. */
 static void start_knots(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int p = q->degree;
@@ -26,7 +26,9 @@ static void start_knots(bat_local_machine *k) {
     set->count = 0;
     for (int c = 0; c <= q->fixed_count; c++) {
         const double from = c == 0 ? 0 : q->fixed[c - 1], to = c == q->fixed_count ? q->end : q->fixed[c];
-        int pieces = (int)fmin(ceil((to - from) / q->span), (double)q->count / 3 + 2);
+        const double samples = (double)q->count * (to - from) / q->end; /* about */
+        int pieces = (int)fmin(ceil((to - from) / q->span),
+                               q->fixed_count > 0 ? samples + 2 : samples / 3 + 2);
         if (pieces < 1) pieces = 1;
         if (q->fixed_count == 0 && pieces < bat_local_fewest(q) + 2) pieces = bat_local_fewest(q) + 2;
         for (int i = 1; i < pieces; i++) set_add(set, k->room - p, from + (to - from) * i / pieces, false);
@@ -261,6 +263,7 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
         const bool met = ratio <= 1; /* the speed law binds the removal only */
         if (ratio < least) least = ratio, bat_knots_copy(&k->spare, &k->best);
         if (met || bat_local_enough(k, work_dense) || !split_failing(k)) break;
+        if (k->work + bat_local_cost(k, k->trial.count) > work_dense) break;
         bat_knots_copy(&k->best, &k->trial);
     }
     if (status == BAT_OK || least < INFINITY) { /* a later round may fail where an earlier one did not */

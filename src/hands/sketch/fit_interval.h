@@ -136,6 +136,10 @@ void bat_local_read(bat_local_machine *machine, double *points);
 void bat_local_curvature(bat_local_machine *machine);
 /* Adds the penalty on the change of curvature to the normal equations. */
 void bat_local_energy(bat_local_machine *machine, double mu);
+/* The work of a solve for so many unknowns. */
+static inline double bat_local_cost(const bat_local_machine *m, int unknowns) {
+    return (double)m->problem->count + (m->bent ? 20.0 : 8.0) * unknowns;
+}
 /* Whether more than `most` work was spent on a stroke that misses its tolerance. */
 static inline bool bat_local_enough(const bat_local_machine *m, double most) {
     return m->work + 4 * m->sought > most;

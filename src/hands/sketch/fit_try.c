@@ -225,7 +225,7 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     k->slow_count = 0;
     assemble(k, set);
     k->solves++;
-    k->work += (double)q->count + (k->bent ? 20.0 : 8.0) * k->space.count;
+    k->work += bat_local_cost(k, k->space.count);
     *status = solve(k, set);
     if (*status != BAT_OK) return false;
     memcpy(k->points, k->b, (size_t)k->space.count * (size_t)m * sizeof *k->points);

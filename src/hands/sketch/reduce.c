@@ -9,8 +9,8 @@
 
 enum { KEEP = 0, GONE = 1, MERGED = 2 }; /* MERGED: this knot and the next become their middle */
 enum { REPAIRS = 8 };
-static const double work_most = 2e6;   /* some 40 ms; ordinary strokes need a tenth of it */
-static const double work_missed = 5e5; /* some 10 ms */
+static const double work_most = 2e6;     /* some 40 ms; ordinary strokes need a tenth of it */
+static const double work_missed = 2.5e5; /* less than the dense fit may take: then nothing is removed */
 
 typedef struct reduction {
     bat_local_machine *machine;
@@ -148,7 +148,7 @@ static void sort_by_rank(const double *rank, int *order, int *spare, int count) 
 static bool remove_batch(reduction *r, double share, int apart, bat_status *status) {
     bat_local_machine *k = r->machine;
     const int n = k->best.count;
-    if (n <= bat_local_fewest(k->problem) || !rank_best(r, status)) return false;
+    if (n <= bat_local_fewest(k->problem) || !affordable(r) || !rank_best(r, status)) return false;
     int candidates = 0;
     for (int i = 0; i < n; i++)
         if (!k->best.fixed[i] && !r->tried[i]) r->order[candidates++] = i;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES_MAX = 6000, SMOOTH_MAX = 16384 };
+enum { SAMPLES_MAX = 6000, CORNERS_MAX = 1500, SMOOTH_MAX = 16384 };
 /* While the pen is down: samples that are smoothed again before those that are not settled, samples that the
  * noise is judged by, and how finely the whole is resampled. */
 enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
@@ -260,7 +260,8 @@ static bat_status keep_corners(cleaning *k) {
     const size_t m = k->m, count = k->count;
     const double *light = k->light + k->first * m;
     bat_path_measure(light, count, m, k->arc);
-    k->corner_count = bat_corners(&(bat_path){light, k->arc, count, m}, k->sigma, k->grain, k->corners);
+    k->corner_count = bat_corners(&(bat_path){light, k->arc, count, m}, k->sigma, k->grain, CORNERS_MAX,
+                                  k->corners);
     bat_status status = BAT_OK;
     if (k->corner_count > 0 && k->lambda > 0)
         status = smooth_pieces(k->y + k->first * m, count, m, k->lambda, k->corners, k->corner_count, k->work,

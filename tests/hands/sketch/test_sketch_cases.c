@@ -313,6 +313,37 @@ static void corners_kept_or_not(void **state) {
     bat_curve_free(curve);
 }
 
+/* More corners than a curve can be found for in time: it may miss the tolerance, but not the drawing. */
+static void scribbles_stay_near(void **state) {
+    (void)state;
+    enum { SAMPLES = 2400 };
+    static double x[2 * SAMPLES];
+    const double sizes[] = {6, 25, 60};
+    random_source r = {203};
+    for (int n = 0; n < 6; n++) {
+        const int each = n % 2 ? 5 : 2; /* samples of a leg */
+        double from[2] = {500, 400}, to[2] = {500, 400};
+        for (int i = 0; i < SAMPLES; i++) {
+            const double turn = random_between(&r, 0, 6.28), way[2] = {cos(turn), sin(turn)};
+            for (int k = 0; k < 2; k++) {
+                if (i % each == 0) from[k] = to[k], to[k] += sizes[n / 2] * way[k];
+                x[2 * i + k] = from[k] + (double)(i % each + 1) / each * (to[k] - from[k]);
+            }
+        }
+        const bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = x};
+        for (int t = 0; t < 2; t++) {
+            bat_sketch_options options = bat_sketch_defaults();
+            bat_sketch_report report;
+            bat_curve *made = NULL;
+            options.tolerance = t ? 0.5 : 0.05;
+            const bat_status status = bat_sketch_new(&stroke, false, &options, &made, &report);
+            assert_true(status == BAT_OK || status == BAT_TOLERANCE);
+            assert_true(report.max_error < 3);
+            bat_curve_free(made);
+        }
+    }
+}
+
 /* Knots of multiplicity 2 and 3 under the stroke go, beside it they stay. */
 static void multiple_knots(void **state) {
     (void)state;
@@ -564,6 +595,7 @@ int main(void) {
                                        cmocka_unit_test(closed_curves_have_no_seam),
                                        cmocka_unit_test(closed_curves_lose_no_arc),
                                        cmocka_unit_test(corners_kept_or_not),
+                                       cmocka_unit_test(scribbles_stay_near),
                                        cmocka_unit_test(multiple_knots),
                                        cmocka_unit_test(a_tolerance_that_cannot_be_met),
                                        cmocka_unit_test(joined_by_a_stroke),
