@@ -18,7 +18,7 @@ static bat_editor *editor_with_sheet(const bat_surface *surface) {
     assert_int_equal(bat_document_create(&document), BAT_OK);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     pen_add(document, pen_curve(200, 400, 60, 5, 11));
-    sheet_add(document, SHEET, surface);
+    assert_int_equal(sheet_add(document, SHEET, surface), BAT_OK);
     return editor_of(document);
 }
 

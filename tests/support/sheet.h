@@ -5,9 +5,8 @@
 #include <batten/document.h>
 #include <batten/surface.h>
 #include <math.h>
-#include <stdlib.h>
 
-/* A sheet of 4 x 3 patches over 300..700 x 200..600, with hills. Exits on failure. */
+/* A sheet of 4 x 3 patches over 300..700 x 200..600, with hills. NULL: out of memory. */
 static inline bat_surface *sheet_create(void) {
     enum { U = 7, V = 6 };
     double points[U * V * 3], u[U + 4], v[V + 4];
@@ -20,20 +19,19 @@ static inline bat_surface *sheet_create(void) {
             p[2] = 10.0 * ((3 * i + 5 * j) % 9 - 4);
         }
     bat_surface *surface = NULL;
-    if (bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false}, (const size_t[2]){U, V},
-                           points, (const int[2]){U + 4, V + 4}, u, v, &surface) != BAT_OK)
-        abort();
+    (void)bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false}, (const size_t[2]){U, V},
+                             points, (const int[2]){U + 4, V + 4}, u, v, &surface);
     return surface;
 }
 
-/* Puts the surface on top of everything. Exits on failure. */
-static inline void sheet_add(bat_document *document, bat_id id, const bat_surface *surface) {
+/* Puts the surface on top of everything. */
+static inline bat_status sheet_add(bat_document *document, bat_id id, const bat_surface *surface) {
     const bat_style style = bat_style_defaults();
     bat_object *object = NULL;
-    if (bat_object_create_surface(id, "sheet", &style, surface, &object) != BAT_OK ||
-        bat_document_insert(document, bat_document_count(document), object) != BAT_OK)
-        abort();
+    bat_status status = bat_object_create_surface(id, "sheet", &style, surface, &object);
+    if (status == BAT_OK) status = bat_document_insert(document, bat_document_count(document), object);
     bat_object_release(object);
+    return status;
 }
 
 #endif

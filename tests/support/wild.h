@@ -26,7 +26,7 @@ static inline void wild_paste(bat_editor *editor, session_bytes *bytes) {
     if (xml_read(text, NULL, &document, &report, &problem) == BAT_OK) {
         if (n[7] & 8) {
             bat_surface *surface = sheet_create();
-            sheet_add(document, bat_document_new_id(document), surface);
+            if (surface) sheet_add(document, bat_document_new_id(document), surface);
             bat_surface_free(surface);
         }
         bat_editor_paste(editor, document, n[0] & 8);
