@@ -55,6 +55,27 @@ static void check_pick(const bat_viewpoint *view, const bat_surface *surface) {
     if (!(pick.value >= domain[0] && pick.value <= domain[1]) || pick.used + pick.dropped != 3) abort();
 }
 
+static void check_sketch(const bat_viewpoint *view, const bat_surface *surface, bat_direction direction) {
+    enum { COUNT = 24 };
+    double pixels[2 * COUNT], domain[2];
+    for (int i = 0; i < COUNT; i++) {
+        pixels[2 * i] = view->size[0] * (0.25 + 0.02 * i);
+        pixels[2 * i + 1] = view->size[1] * (0.45 + 0.001 * i * i);
+    }
+    const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = pixels};
+    bat_surface_sketch_options options;
+    bat_surface_sketch_options_init(&options, sizeof options);
+    bat_surface_sketch_report report;
+    bat_surface *made = NULL;
+    options.tolerance = 1e-3 * bat_surface_size(surface);
+    bat_surface_domain(surface, direction, domain);
+    if (bat_surface_sketch(surface, direction, 0.5 * (domain[0] + domain[1]), view, &stroke, &options, &made,
+                           NULL, &report) != BAT_OK)
+        return;
+    if (!(report.max_error <= options.tolerance) || 3 * report.dropped > COUNT) abort();
+    bat_surface_free(made);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *text = (const char *)data, *zero = size ? memchr(text, 0, size) : NULL;
     const size_t first = zero ? (size_t)(zero - text) : size;
@@ -76,7 +97,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                                      bat_surface_count(canvas.surface, BAT_V)
                                                : 1;
         if (points <= 100) check_cast(&view, &canvas);
-        if (points <= 100 && canvas.surface) check_pick(&view, canvas.surface);
+        if (points <= 100 && canvas.surface) {
+            check_pick(&view, canvas.surface);
+            check_sketch(&view, canvas.surface, BAT_U);
+            check_sketch(&view, canvas.surface, BAT_V);
+        }
     }
     bat_canvas_clear(&canvas);
     return 0;

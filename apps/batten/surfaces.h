@@ -23,6 +23,28 @@ int check_line(const cli_arguments *arguments, const bat_surface *surface, bat_d
 int check_parameter(const cli_arguments *arguments, const char *option, const bat_surface *surface,
                     bat_direction direction, double at);
 
+/* How a line is to be redrawn: the iso-curve, and --reach and --hold. Free hold. */
+typedef struct wish {
+    bat_direction direction;
+    double at;
+    bat_surface_redraw_options options;
+    int *hold;
+} wish;
+
+#define OPTION_REACH                                                                                         \
+    { "--reach", "R", "radius of what comes along, in parameters; 2.5 mean spans by default" }
+#define OPTION_HOLD                                                                                          \
+    { "--hold", "I,I,...", "rows that stay, counted from 0 along the direction that is crossed" }
+
+/* Reports wrong usage, before any file is read. */
+int read_wish(const cli_arguments *arguments, wish *out);
+/* Says why a line cannot be redrawn; the second operand is the file with the line. */
+int fail_redraw(const cli_arguments *arguments, bat_status status, const bat_surface *surface, const wish *w,
+                const bat_surface_redraw_report *report);
+/* {"direction", "value", ...} */
+void put_redraw_report(bat_text *text, const bat_surface *surface, const wish *w,
+                       const bat_surface_redraw_report *report, const double *weights);
+
 /* {"u","v","distance","point"} */
 void put_surface_point(bat_text *text, const bat_surface_point *point);
 

@@ -90,6 +90,45 @@ typedef struct bat_surface_pick {
 BAT_API bat_status bat_surface_pick_line(const bat_viewpoint *view, const bat_stroke *marking,
                                          const bat_surface *surface, bat_surface_pick *out);
 
+/* How a line of a surface is redrawn by a stroke. */
+typedef struct bat_surface_sketch_options {
+    size_t size;      /* of this struct, as base.h says */
+    double along[3];  /* the direction of the ruled surface on which the stroke is cast; zero: as below */
+    double tolerance; /* greatest distance of the new line from the stroke; 0: 1e-4 of the surface's size */
+    const bat_surface_redraw_options *redraw; /* how the surface follows; NULL: the defaults */
+} bat_surface_sketch_options;
+
+BAT_API void bat_surface_sketch_options_init(bat_surface_sketch_options *options, size_t size);
+static inline bat_surface_sketch_options bat_surface_sketch_defaults(void) {
+    bat_surface_sketch_options options;
+    bat_surface_sketch_options_init(&options, sizeof options);
+    return options;
+}
+
+typedef struct bat_surface_sketch_report {
+    bat_surface_redraw_report redraw; /* gain 0: the surface was not reached */
+    size_t landed, dropped;           /* samples of the stroke */
+    double along[3];                  /* the direction of the ruled surface, of length 1 */
+    bool turned;                      /* it is not the surface's own, which would be seen from its edge */
+    double max_error;                 /* the line's distance from the stroke, before knots are removed */
+} bat_surface_sketch_report;
+
+/*
+ * Redraws the line of the surface at u (BAT_U) or v (BAT_V) with a stroke in pixels of the view: it is cast on the line's
+ * ruled surface (bat_cast), the sketch hand redraws the line in space (bat_sketch), the line is put on the surface's knots,
+ * and more of them only where these cannot meet the tolerance, the surface follows (bat_surface_redraw), and knots along
+ * the line that can go within the tolerance are removed. Degrees 1 and 2 along the line are first raised to 3. The ruled
+ * surface runs along the surface's mean normal; where normals cancel, as round a rim, along the normal of the line's loop;
+ * where it would be seen at less than 15 degrees, across the gaze. options may be NULL: the defaults; weights
+ * and report: as in bat_surface_redraw. Statuses
+ * of these calls; BAT_FAR: over a third of the samples is dropped, or the stroke is too far from the line, or the line
+ * cannot move; BAT_TOLERANCE: the tolerance cannot be met. The report is filled in as far as the call came.
+ */
+BAT_API bat_status bat_surface_sketch(const bat_surface *surface, bat_direction direction, double at,
+                                      const bat_viewpoint *view, const bat_stroke *stroke,
+                                      const bat_surface_sketch_options *options, bat_surface **out,
+                                      double *weights, bat_surface_sketch_report *report);
+
 #ifdef __cplusplus
 }
 #endif

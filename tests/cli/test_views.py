@@ -189,5 +189,68 @@ class Pick(ProgramTest):
         self.assertIn("points: expected samples on the surface, found none of 2", line)
 
 
+class Sketch(ProgramTest):
+    SIDE, KNOTS = 9, [0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6]
+    SHEET = {"degree": [3, 3], "knots": [KNOTS, KNOTS],
+             "points": [[[2 * i, 2 * j, math.sin(i) * math.cos(j)] for j in range(9)] for i in range(9)]}
+    VIEW = {"eye": [-30, -40, 35], "target": [8, 8, 0], "up": [0, 0, 1], "size": [1000, 800], "fov": 30}
+
+    def hump(self, option, at, d, height=2.0):
+        """Places over the line, raised along d, and the stroke that shows them."""
+        line = spline(self.json("surface", "isocurve", self.file("s", self.SHEET), option, repr(at)))
+        x = numpy.linspace(0, 1, 150)
+        places = line(1 + 4 * x) + height * (numpy.sin(math.pi * x) ** 3)[:, None] * unit(d)
+        return places, [pixel(self.VIEW, p) for p in places]
+
+    def sketch(self, stroke, *words):
+        return self.json("surface", "sketch", self.file("s", self.SHEET), self.file("t", {"points": stroke}),
+                         self.file("v", self.VIEW), *words)
+
+    def test_the_line_passes_by_the_stroke(self):
+        for option, d, words in (("--u", [0, 0, 1], ["--tolerance", "0.01"]), ("--v", [0.2, 0.3, 1], []), ("--u", [1, 0, 1], [])):
+            places, stroke = self.hump(option, 2.6, d)
+            made = self.sketch(stroke, option, "2.6", f"--along={','.join(map(str, d))}", *words)
+            self.assertEqual(list(made["report"]), ["direction", "value", "reach", "moved", "rows", "gain", "line_error",
+                                                    "knots_before", "knots_after"])
+            line = spline(self.json("surface", "isocurve", self.file("m", made), option, "2.6"))
+            fine = line(numpy.linspace(0, 6, 20001))
+            tolerance = 0.01 if words else 1e-4 * 22.7
+            off = max(numpy.linalg.norm(fine - p, axis=1).min() for p in places[20:-20])
+            self.assertLess(off, 1.3 * tolerance)
+            self.assertLess(made["report"]["line_error"], 1e-9)
+            k = int(option == "--v")
+            self.assertEqual(made["knots"][k], self.KNOTS)
+            self.assertEqual(numpy.shape(made["points"])[k], self.SIDE)
+            still = [i for i in range(self.SIDE) if i not in made["report"]["rows"]]
+            self.assertTrue(still)
+            before, after = (numpy.moveaxis(numpy.array(s["points"]), k, 0) for s in (self.SHEET, made))
+            for i in still:  # the row, a curve, has the same shape
+                rows = [spline({"degree": 3, "closed": False, "knots": s["knots"][1 - k], "points": p[i]})
+                        for s, p in ((self.SHEET, before), (made, after))]
+                x = numpy.linspace(0, 6, 101)
+                self.assertLess(numpy.abs(rows[0](x) - rows[1](x)).max(), 1e-8)
+
+    def test_reach_and_hold(self):
+        _, stroke = self.hump("--u", 2.6, [0, 0, 1])
+        made = self.sketch(stroke, "--u", "2.6", "--hold", "0,8", "--reach", "9", "--tolerance", "0.02")
+        self.assertEqual(made["report"]["rows"], list(range(1, 8)))
+
+    def test_bad_data(self):
+        _, stroke = self.hump("--u", 2.6, [0, 0, 1])
+        surface, view = self.file("s", self.SHEET), self.file("v", self.VIEW)
+
+        def refused(code, points, *words):
+            return self.refused(code, "surface", "sketch", surface, self.file("t", {"points": points}), view, *words)
+        self.assertIn("expected at most a third of the samples dropped, found 60 of 150",
+                      refused(1, [[9999, 9999]] * 60 + stroke[60:], "--u", "2.6"))
+        self.assertIn("expected a line that can move",
+                      refused(1, stroke, "--u", "2.6", "--hold", "0,1,2,3,4,5,6,7,8", "--tolerance", ".02"))
+        self.assertIn("expected rows 0 to 8, found 9", refused(1, stroke, "--u", "2.6", "--hold", "9", "--tolerance", ".02"))
+        self.assertIn("expected u in the domain", refused(1, stroke, "--u", "7"))
+        self.assertIn("too short", refused(1, [[500, 400]], "--u", "2.6"))
+        self.assertIn("--along", refused(2, stroke, "--u", "2.6", "--along", "0,0,0"))
+        self.assertIn("either --u or --v", refused(2, stroke))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -304,7 +304,12 @@ static uint64_t add_cast(uint64_t digest, const bat_surface *surface, int seed) 
     bat_curve_free(canvas.curve);
     bat_surface_pick pick = {.value = 0};
     digest = add(digest, (uint64_t)bat_surface_pick_line(&view, &stroke, surface, &pick));
-    return bat_digest_double(digest, pick.value);
+    digest = bat_digest_double(digest, pick.value);
+    bat_surface *made = NULL;
+    digest = add(digest,
+                 (uint64_t)bat_surface_sketch(surface, BAT_U, 0.5, &view, &stroke, NULL, &made, NULL, NULL));
+    bat_surface_free(made);
+    return digest;
 }
 
 static uint64_t look_at_surface(const void *shared, int seed) {

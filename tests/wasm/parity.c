@@ -403,12 +403,44 @@ static void put_pick(parity_sink *sink, random_source *r, int number, const bat_
     put(sink, pick.direction), put(sink, pick.value), put_many(sink, 2, pick.residual);
 }
 
+/* A stroke along a line of a sheet that is nearly flat. */
+static void put_line(parity_sink *sink, random_source *r, int number) {
+    enum { COUNT = 40, SIDE = 8 };
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5};
+    double points[SIDE * SIDE * 3], pixels[2 * COUNT];
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        points[3 * i] = 4.0 * (i / SIDE), points[3 * i + 1] = 4.0 * (i % SIDE);
+        points[3 * i + 2] = random_between(r, -0.2, 0.2);
+    }
+    bat_surface *sheet, *made = NULL;
+    put(sink,
+        bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false}, (const size_t[2]){SIDE, SIDE},
+                           points, (const int[2]){12, 12}, knots, knots, &sheet));
+    const bat_viewpoint view = {
+        .eye = {-40, -30, 30}, .target = {14, 14, 0}, .up = {0, 0, 1}, .size = {900, 700}, .height = 40};
+    for (int i = 0; i < COUNT; i++) {
+        const double x = i / (COUNT - 1.0);
+        double at[3];
+        bat_surface_eval(sheet, 2.5, 1 + 3 * x, 0, at);
+        at[2] += random_between(r, 2, 2.02) * x * (1 - x);
+        put(sink, bat_viewpoint_project(&view, at, pixels + 2 * i, NULL));
+    }
+    const bat_stroke stroke = {.dimension = 2, .count = COUNT, .points = pixels};
+    bat_surface_sketch_options options = bat_surface_sketch_defaults();
+    options.tolerance = 0.05 * (1 + number % 3);
+    put(sink, bat_surface_sketch(sheet, BAT_U, 2.5, &view, &stroke, &options, &made, NULL, NULL));
+    for (int i = 0; made && i < SIDE; i++)
+        put_many(sink, 3 * bat_surface_count(made, BAT_V), bat_surface_row(made, i));
+    bat_surface_free(made), bat_surface_free(sheet);
+}
+
 static void space(parity_sink *sink) {
     random_source r = {14};
     for (int number = 0; number < 30; number++) {
         bat_surface *surface = some_surface(&r, number);
         put_cast(sink, &r, number, &(bat_canvas){.surface = surface});
         put_pick(sink, &r, number, surface);
+        put_line(sink, &r, number);
         put_cast(sink, &r, number, &(bat_canvas){.normal = {0, number, 1}});
         bat_canvas ruled = {.along = {1, 0, number}};
         const bat_status status = bat_surface_isocurve(surface, BAT_U, random_parameter(&r, surface, BAT_U),

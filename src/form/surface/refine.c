@@ -1,9 +1,10 @@
-/* Inserts knots into a surface, by inserting them into each of its rows, which are curves. For the other
+/* Knots and degrees of a surface change row by row, as its rows are curves. For the other
  * direction, u and v are exchanged before and after, which keeps every bit. */
 #include "form/surface/surface.h"
 
 #include <batten/refine.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -88,4 +89,37 @@ bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction di
 bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
                               const double *knots, bat_surface **out) {
     return change(surface, direction, bat_curve_refine, knot_count, knots, out);
+}
+
+static bat_status raise_row(const bat_curve *row, int degree, const double *unused, bat_curve **out) {
+    (void)unused;
+    return bat_curve_elevate(row, degree, out);
+}
+
+bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
+                             bat_surface **out) {
+    return change(surface, direction, raise_row, degree, NULL, out);
+}
+
+static bat_status drop_from_row(const bat_curve *row, int unused, const double *knot, bat_curve **out) {
+    (void)unused;
+    return bat_curve_remove_knot(row, *knot, 1, BAT_COORDINATE_MAX, out, NULL, NULL);
+}
+
+bat_status bat_surface_drop_knot(const bat_surface *surface, double v, const double *allowed,
+                                 bat_surface **out, double *error) {
+    const int lead = surface->axis[0].closed ? surface->axis[0].degree : 0;
+    *error = 0;
+    for (int i = 0; i < surface->axis[0].count; i++) {
+        const bat_curve row = bat_surface_stored_row(surface, lead + i);
+        bat_curve *fewer = NULL;
+        int removed = 0;
+        double moved = 0;
+        const bat_status status = bat_curve_remove_knot(&row, v, 1, allowed[i], &fewer, &removed, &moved);
+        bat_curve_free(fewer);
+        if (status == BAT_MEMORY) return status;
+        if (status != BAT_OK || removed == 0) return BAT_OK;
+        *error = fmax(*error, moved);
+    }
+    return change_rows(surface, drop_from_row, 0, &v, out);
 }

@@ -26,6 +26,14 @@ bat_curve bat_surface_whole(const bat_surface *surface);
 /* Exchanges u and v; keeps every bit. */
 bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out);
 
+/* To a higher degree in a direction; exact. */
+bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
+                             bat_surface **out);
+/* Removes one copy of the knot v if no row moves by more than allowed[row] (a proven bound); *out stays as it is when
+ * one would. *error: the most by which a row moved. */
+bat_status bat_surface_drop_knot(const bat_surface *surface, double v, const double *allowed,
+                                 bat_surface **out, double *error);
+
 /* Position and derivatives in given spans, as bat_surface_eval gives them; u and v may lie outside the span
  * (the polynomial is extended). */
 void bat_surface_eval_spans(const bat_surface *surface, const int span[2], double u, double v, int order,

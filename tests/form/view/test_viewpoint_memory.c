@@ -13,7 +13,7 @@
 static const bat_viewpoint view = {.eye = {0, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
 static const double pixels[] = {50, 50, 52, 51, 55, 53};
 static const bat_stroke stroke = {.dimension = 2, .count = 3, .points = pixels};
-static bat_surface *sheet;
+static bat_surface *sheet, *flat;
 static bat_curve *line;
 
 static bat_status on_ruled(void) {
@@ -29,6 +29,21 @@ static bat_status on_surface(void) {
 static bat_status pick(void) {
     bat_surface_pick out;
     return bat_surface_pick_line(&view, &stroke, sheet, &out);
+}
+static bat_status sketch_line(void) {
+    enum { COUNT = 40 };
+    double places[2 * COUNT];
+    for (int i = 0; i < COUNT; i++)
+        places[2 * i] = 300 + 10 * i, places[2 * i + 1] = 500 - 0.1 * (400 - (i - 20) * (i - 20));
+    const bat_viewpoint above = {.eye = {0, -4, 9}, .up = {0, 1, 0}, .size = {1000, 1000}, .height = 10};
+    const bat_stroke drawn = {.dimension = 2, .count = COUNT, .points = places};
+    bat_surface_sketch_options options = bat_surface_sketch_defaults();
+    options.tolerance = 0.02;
+    bat_surface *out = NULL;
+    const bat_status status = bat_surface_sketch(flat, BAT_V, 0.5, &above, &drawn, &options, &out, NULL,
+                                                 NULL);
+    bat_surface_free(out);
+    return status;
 }
 static bat_status write_view(void) {
     char *text = NULL;
@@ -53,10 +68,15 @@ static bat_status read_canvas(void) {
 
 static void each_allocation(void **state) {
     (void)state;
-    static bat_status (*const operations[])(void) = {on_ruled,   on_surface, pick,
+    static bat_status (*const operations[])(void) = {on_ruled,   on_surface, pick,       sketch_line,
                                                      write_view, read_view,  read_canvas};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
+    const double square[] = {-5, -2, 0, -5, 2, 0, 5, -2, 0, 5, 2, 0}, ends[] = {0, 0, 1, 1};
+    assert_int_equal(bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false},
+                                        (const size_t[2]){2, 2}, square, (const int[2]){4, 4}, ends, ends,
+                                        &flat),
+                     BAT_OK);
     line = random_curve(&r, 3, 2, 0, 4);
     for (size_t i = 0; i < sizeof operations / sizeof *operations; i++) {
         const long before = alloc_live();
@@ -73,7 +93,7 @@ static void each_allocation(void **state) {
         }
     }
     bat_curve_free(line);
-    bat_surface_free(sheet);
+    bat_surface_free(sheet), bat_surface_free(flat);
 }
 
 int main(void) {
