@@ -558,27 +558,60 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     return used;
 }
 
-/* Points sampled from a cubic spline at even parameters show its knots. These are tried first, for no search
- * finds them. */
-static bool start_hidden(fitting *f) {
-    const double close = 0.05, noise = 1e-3; /* of the tolerance */
-    const bat_fit_options *o = f->options;
+static void reverse(double *x, size_t m, size_t from, size_t to) {
+    for (; from + 1 < to; from++, to--)
+        for (size_t c = 0; c < m; c++) {
+            const double kept = x[from * m + c];
+            x[from * m + c] = x[(to - 1) * m + c], x[(to - 1) * m + c] = kept;
+        }
+}
+
+/* Even parameters for a closed curve whose domain begins at this knot, `at` samples from the first point. */
+static void begin_at(fitting *f, double at, double step) {
+    const size_t n = f->count, m = (size_t)f->dimension, first = (size_t)ceil(at);
+    reverse(f->x, m, 0, first % n);
+    reverse(f->x, m, first % n, n);
+    reverse(f->x, m, 0, n);
+    for (size_t i = 0; i < n; i++) f->u[i] = ((double)i + ((double)first - at)) * step;
+}
+
+/* Solves with these knots, in units of samples, and even parameters; false: that is not what the points are. Closed: the
+ * points are turned round. */
+static bool try_hidden(fitting *f, const double *knots, size_t found) {
+    const double close = 0.05; /* of the tolerance */
     const size_t n = f->count;
-    if (f->degree != 3 || f->closed || o->corner_count > 0 || o->smoothing > 0) return false;
-    const size_t found = bat_hidden_knots(f->dimension, n, f->x, noise * f->tolerance, f->distance, f->spare);
-    if (found == 0 || found + 2 > (size_t)f->room) return false;
-    const double step = f->u[n - 1] / (double)(n - 1);
-    for (size_t i = 0; i < n; i++) f->u[i] = (double)i * step;
+    if ((f->closed && found < 4) || found + 2 > (size_t)f->room) return false;
+    const double step = f->u[n - 1] / (double)(n - 1), start = f->closed ? knots[0] : 0;
+    if (f->closed)
+        begin_at(f, start, step);
+    else
+        for (size_t i = 0; i < n; i++) f->u[i] = (double)i * step;
     mesh *t = &f->trial;
-    t->count = (int)found + 2;
+    const int inner = (int)found - f->closed;
+    t->count = inner + 2;
     for (int k = 0; k < t->count; k++) {
-        t->at[k] = k == 0 ? 0 : k + 1 == t->count ? f->u[n - 1] : f->spare[k - 1] * step;
+        t->at[k] = k == 0 ? 0 : (knots[k - 1 + f->closed] - start) * step;
         t->corner[k] = t->firm[k] = false, t->kept[k] = k + 1 == t->count;
     }
+    t->at[inner + 1] = f->closed ? (double)n * step : f->u[n - 1];
     const double worst = attempt(f);
     if (!(worst <= close * f->tolerance)) return false;
     accept(f, worst);
     return true;
+}
+
+/* Points sampled from a spline at even parameters show its knots. These are tried first, for no search finds them. */
+static bool start_hidden(fitting *f, size_t count, const double *points, const double *origin) {
+    const double noise = 1e-3; /* of the tolerance */
+    const bat_fit_options *o = f->options;
+    if (f->degree < 2 || o->corner_count > 0 || o->smoothing > 0) return false;
+    bat_hidden h = {f->degree, f->dimension, f->closed, f->count, 1, f->x};
+    for (size_t found; bat_hidden_knots(&h, noise * f->tolerance, f->distance, f->spare, &found);
+         h.stride *= 2) {
+        if (try_hidden(f, f->spare, found)) return true;
+        if (take_points(f, count, points, origin) != BAT_OK) return false;
+    }
+    return false;
 }
 
 static bat_status fit_points(fitting *f, size_t count, const double *points, bat_curve **out,
@@ -588,7 +621,7 @@ static bat_status fit_points(fitting *f, size_t count, const double *points, bat
     bat_curve *first = NULL;
     bat_fit_report reports[2];
     bat_status status = take_points(f, count, points, origin);
-    if (status == BAT_OK && start_hidden(f)) {
+    if (status == BAT_OK && start_hidden(f, count, points, origin)) {
         thin(f);
         status = hand_over(f, origin, &first, &reports[0]);
     }

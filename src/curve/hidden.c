@@ -1,14 +1,21 @@
 #include "curve/hidden.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
-enum { LONGEST = 5, CLOSE = 4 };     /* samples that one knot affects; samples per knot, where several meet */
 static const double stands_out = 12; /* medians */
 
-static void fourth(const double *x, size_t m, double *d) {
-    for (size_t c = 0; c < m; c++)
-        d[c] = x[c] - 4 * x[m + c] + 6 * x[2 * m + c] - 4 * x[3 * m + c] + x[4 * m + c];
+/* The difference of order degree + 1 that begins at sample i. */
+static void difference(const bat_hidden *h, size_t i, double *d) {
+    const size_t m = (size_t)h->dimension, order = (size_t)h->degree + 1;
+    double factor = order % 2 ? -1 : 1;
+    memset(d, 0, m * sizeof *d);
+    for (size_t k = 0; k <= order; k++) {
+        const double *x = h->points + (i + k * h->stride) % h->count * m;
+        for (size_t c = 0; c < m; c++) d[c] += factor * x[c];
+        factor *= -(double)(order - k) / (double)(k + 1);
+    }
 }
 
 static double size_of(const double *d, size_t m) {
@@ -33,50 +40,60 @@ static double median(const double *values, size_t count) {
     return high;
 }
 
-/* The first moment of the jump's B-spline is the knot. */
-static double place(const double *points, size_t m, size_t from, size_t to, const double *size) {
+/* The first moment of the jump's B-spline is the knot. size: by difference, `n` of them. */
+static double place(const bat_hidden *h, size_t from, size_t to, const double *size, size_t n) {
+    const size_t m = (size_t)h->dimension;
     size_t top = from;
     for (size_t i = from; i < to; i++)
-        if (size[i] > size[top]) top = i;
+        if (size[i % n] > size[top % n]) top = i;
     double way[BAT_DIMENSION_MAX], d[BAT_DIMENSION_MAX], sum = 0, moment = 0;
-    fourth(points + top * m, m, way);
+    difference(h, top, way);
     for (size_t i = from; i < to; i++) {
         double part = 0;
-        fourth(points + i * m, m, d);
+        difference(h, i, d);
         for (size_t c = 0; c < m; c++) part += d[c] * way[c];
         sum += part, moment += part * (double)i;
     }
-    return moment / sum + 2;
+    return moment / sum + 0.5 * (double)(h->stride * (size_t)(h->degree + 1));
 }
 
-size_t bat_hidden_knots(int dimension, size_t count, const double *points, double noise, double *work,
-                        double *knots) {
-    const size_t m = (size_t)dimension;
-    if (count < 16) return 0;
-    const size_t n = count - 4;
+/* What rounding of the points makes of a difference, at most. */
+static double rounding(const bat_hidden *h) {
+    double most = 0;
+    for (size_t i = 0; i < h->count * (size_t)h->dimension; i++) most = fmax(most, fabs(h->points[i]));
+    return ldexp(32 * DBL_EPSILON * most, h->degree + 1);
+}
+
+bool bat_hidden_knots(const bat_hidden *h, double noise, double *work, double *knots, size_t *found) {
+    const size_t reach = h->stride * ((size_t)h->degree + 1); /* samples that one knot affects */
+    *found = 0;
+    if (h->count < 4 * reach) return false;
+    const size_t n = h->closed ? h->count : h->count - reach;
     double d[BAT_DIMENSION_MAX];
     for (size_t i = 0; i < n; i++) {
-        fourth(points + i * m, m, d);
-        work[i] = size_of(d, m);
+        difference(h, i, d);
+        work[i] = size_of(d, (size_t)h->dimension);
     }
-    const double usual = median(work, n);
-    if (!(usual <= noise)) return 0;
-    size_t found = 0;
-    double last = 0;
-    for (size_t i = 0; i < n;) {
-        if (!(work[i] > stands_out * usual)) {
+    const double usual = median(work, n), least = fmax(stands_out * usual, rounding(h));
+    if (!(usual <= noise)) return false;
+    size_t start = 0;
+    while (h->closed && start < n && work[start] > least) start++; /* not in the midst of a knot */
+    double last = 0, end = h->closed ? INFINITY : (double)h->count - 1;
+    for (size_t i = start; i < start + n;) {
+        if (!(work[i % n] > least)) {
             i++;
             continue;
         }
         const size_t from = i;
-        while (i < n && work[i] > stands_out * usual) i++;
-        const size_t parts = i - from > LONGEST ? (i - from + CLOSE - 1) / CLOSE : 1;
+        while (i < start + n && work[i % n] > least) i++;
+        const size_t parts = i - from > reach + h->stride ? (i - from + reach - 1) / reach : 1;
         for (size_t k = 0; k < parts; k++) {
             const size_t a = from + k * (i - from) / parts, b = from + (k + 1) * (i - from) / parts;
-            const double knot = place(points, m, a, b, work);
-            if (!(knot > last + 0.01 && knot < (double)count - 1.01)) continue;
-            knots[found++] = last = knot;
+            const double knot = place(h, a, b, work, n);
+            if (!(knot > last + 0.01 && knot < end - 0.01)) continue;
+            if (h->closed && *found == 0) end = knot + (double)h->count;
+            knots[(*found)++] = last = knot;
         }
     }
-    return found;
+    return true;
 }
