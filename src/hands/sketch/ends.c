@@ -5,7 +5,8 @@
 #include <math.h>
 
 static const double shortest_stub = 2, corner_reach = 8;
-static const double generous = 1.1; /* the few knots of a blend need this much more room than a quintic */
+static const double seen_turn = 0.06; /* radians; a smaller one is not seen */
+static const double generous = 1.1;   /* the few knots of a blend need this much more room than a quintic */
 
 static double angle_between(const double *a, const double *b, size_t m) {
     double dot = 0;
@@ -48,7 +49,14 @@ bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
     return BAT_OK;
 }
 
-/* The knot of full multiplicity nearest to the stroke within the transition, or -1. */
+/* A knot of full multiplicity, given by its first copy, where the tangent turns: files also have such knots where an
+ * outline is smooth. */
+static bool is_corner(const bat_curve *curve, int first) {
+    const int last = first + curve->degree - 1;
+    return curve->knots[last] == curve->knots[first] && bat_curve_corner_at(curve, last, seen_turn);
+}
+
+/* The corner nearest to the stroke within the transition, or -1. */
 static int corner_in(const bat_end *e, int side, double reach) {
     const bat_curve *curve = e->curve;
     const int p = curve->degree;
@@ -57,7 +65,7 @@ static int corner_in(const bat_end *e, int side, double reach) {
     int best = -1;
     double nearest = reach;
     for (int i = p + (closed ? 0 : 1); i < curve->spread; i++) {
-        if (t[i] == t[i - 1] || i + p - 1 >= curve->spread + (closed ? p : 0) || t[i + p - 1] != t[i])
+        if (t[i] == t[i - 1] || i + p - 1 >= curve->spread + (closed ? p : 0) || !is_corner(curve, i))
             continue;
         if (!closed && (t[i] <= e->track->start || t[i] >= e->track->end)) continue;
         double away = (e->s - bat_track_s(e->track, t[i])) * (side == 0 ? 1 : -1);
@@ -101,7 +109,7 @@ static void choose_cut(bat_end *e, int side, double room) {
             if (i > p && curve->knots[i] == curve->knots[i - 1]) continue;
             if (!curve->closed && (knot <= k->start || knot >= k->end)) continue;
             const double beyond = (bat_track_s(k, knot) - e->joint) * sign; /* > 0: on the kept side */
-            const bool corner = curve->knots[i + p - 1] == curve->knots[i];
+            const bool corner = is_corner(curve, i);
             const bool near = fabs(beyond) <= snap && e->lead + beyond >= 0.5 * e->lead && beyond <= room;
             if (!near && (beyond <= snap || beyond > reach || corner)) continue;
             if (fabs(beyond) >= best) continue;

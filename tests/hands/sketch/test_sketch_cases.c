@@ -344,6 +344,34 @@ static void scribbles_stay_near(void **state) {
     }
 }
 
+/* A joint of full multiplicity, as files have it, where the outline turns by less than is seen, is no corner: the blend
+ * goes past it as if it were not there. */
+static void smooth_joints_are_no_corners(void **state) {
+    (void)state;
+    random_source r = {8};
+    for (int n = 0; n < 12; n++) {
+        const double y = 100 + random_between(&r, -20, 20), turn = n % 3 * 0.01;
+        double points[2 * 7] = {0, 0, 100, 0, 200, 0, 300, 0, 400, 100 * turn, 500, y - 80, 600, y};
+        const double many[11] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, few[10] = {0, 0, 0, 0, 1, 1, 2, 2, 2, 2};
+        bat_curve *joined = NULL, *smooth = NULL, *now[2] = {NULL};
+        bat_sketch_options options = bat_sketch_defaults();
+        bat_sketch_report report;
+        options.keep_corners = true;
+        assert_int_equal(bat_curve_create(2, 3, false, 7, points, 11, many, &joined), BAT_OK);
+        points[9] = 0;
+        memmove(points + 6, points + 8,
+                6 * sizeof *points); /* the joint lies in the middle of its neighbours */
+        assert_int_equal(bat_curve_create(2, 3, false, 6, points, 10, few, &smooth), BAT_OK);
+        assert_int_equal(draw(joined, before_corner, &options, &now[0], &report), BAT_OK);
+        assert_int_equal(draw(smooth, before_corner, &options, &now[1], &report), BAT_OK);
+        assert_int_equal(corners_of(now[0]), 0);
+        double there, back;
+        assert_int_equal(bat_curve_distance(now[0], now[1], 40, &there, &back), BAT_OK);
+        assert_true(fmax(there, back) <= 1 + 100 * turn);
+        bat_curve_free(joined), bat_curve_free(smooth), bat_curve_free(now[0]), bat_curve_free(now[1]);
+    }
+}
+
 /* Knots of multiplicity 2 and 3 under the stroke go, beside it they stay. */
 static void multiple_knots(void **state) {
     (void)state;
@@ -596,6 +624,7 @@ int main(void) {
                                        cmocka_unit_test(closed_curves_lose_no_arc),
                                        cmocka_unit_test(corners_kept_or_not),
                                        cmocka_unit_test(scribbles_stay_near),
+                                       cmocka_unit_test(smooth_joints_are_no_corners),
                                        cmocka_unit_test(multiple_knots),
                                        cmocka_unit_test(a_tolerance_that_cannot_be_met),
                                        cmocka_unit_test(joined_by_a_stroke),
