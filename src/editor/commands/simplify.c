@@ -1,7 +1,6 @@
 #include "editor/commands/simplify.h"
 #include "base/real.h"
 #include "document/document.h"
-#include "document/kind.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
@@ -58,11 +57,11 @@ static void mark(bat_context *c, bool stepped) {
     s->version++;
 }
 
-/* Planar curves, neither locked nor hidden in a group that is selected. */
+/* Planar curves that others can take the place of, neither locked nor hidden in a group that is selected. */
 static bool is_possible(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
     const bat_nesting_level level = bat_document_level(document, index);
-    return bat_object_is(object, BAT_CURVES) && !level.hidden && !level.locked &&
+    return bat_object_is_made_of_curves(object) && !level.hidden && !level.locked &&
            bat_curve_dimension(bat_object_curve(object, 0)) == 2;
 }
 

@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "support/random_surface.h"
 #include "support/selecting.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
@@ -251,12 +252,41 @@ static void locked_and_hidden_stay(void **state) {
     bat_editor_free(editor);
 }
 
+/* A surface is more than the curves that show it: those stay, and what is selected with it is simplified. */
+static void surfaces_stay(void **state) {
+    (void)state;
+    random_source r = {5};
+    bat_surface *surface = random_surface(&r, (const int[2]){3, 3}, (const int[2]){0, 0},
+                                          (const int[2]){2, 2});
+    bat_editor *editor = selecting(1, (bat_curve *[]){wave(300)});
+    const bat_style style = bat_style_defaults();
+    bat_object *added = NULL;
+    assert_int_equal(bat_object_create_surface(7, "sheet", &style, surface, &added), BAT_OK);
+    assert_int_equal(bat_transaction_begin(&editor->context), BAT_OK);
+    assert_int_equal(bat_transaction_insert(&editor->context, 1, added), BAT_OK);
+    assert_int_equal(bat_transaction_commit(&editor->context, BAT_STRING_STEP_CHANGE, NULL), BAT_OK);
+    bat_object_release(added);
+    only(editor, 7, 0);
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE);
+    says(editor, "Not possible");
+    const int points = (int)bat_curve_count(curve(editor, 1));
+    only(editor, 1, 7);
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_OK);
+    assert_int_equal(bat_editor_refit(editor, 0.8, true), BAT_OK);
+    assert_true((int)bat_curve_count(curve(editor, 1)) < points);
+    assert_true(bat_surface_is_equal(bat_object_surface(object(editor, 7)), surface));
+    check(editor);
+    bat_surface_free(surface);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_slider_shows_and_replaces),
                                        cmocka_unit_test(esc_gives_back_and_enter_keeps),
                                        cmocka_unit_test(not_for_ever),
                                        cmocka_unit_test(corners_and_closed_curves),
                                        cmocka_unit_test(what_cannot_be_simplified),
-                                       cmocka_unit_test(locked_and_hidden_stay)};
+                                       cmocka_unit_test(locked_and_hidden_stay),
+                                       cmocka_unit_test(surfaces_stay)};
     return cmocka_run_group_tests_name("simplify", tests, NULL, NULL);
 }
