@@ -9,20 +9,23 @@
 
 enum { MEASURED = 64 }; /* samples used to decide whether a level can follow the stroke */
 
-static double miss(const bat_shape *shape, const bat_samples *samples) {
+/* Whether the stroke's samples lie within the tolerance of the shape. */
+static bat_status meets(const bat_shape *shape, const bat_edit *edit, bool *near_enough) {
     bat_finder *finder = NULL;
+    const bat_samples *samples = &edit->samples;
     const bat_stroke stroke = bat_samples_stroke(samples, 0);
     double worst = 0;
     size_t step = samples->count / MEASURED + 1;
-    if (bat_finder_create(bat_shape_curve(shape, bat_shape_levels(shape)), &finder) != BAT_OK)
-        return INFINITY;
+    bat_status status = bat_finder_create(bat_shape_curve(shape, bat_shape_levels(shape)), &finder);
+    if (status != BAT_OK) return status;
     for (size_t i = 0; i < samples->count; i += step) {
         bat_near near;
         bat_finder_nearest(finder, stroke.points + i * (size_t)stroke.dimension, &near);
         worst = fmax(worst, near.distance);
     }
     bat_finder_free(finder);
-    return worst;
+    *near_enough = worst <= edit->options.tolerance;
+    return BAT_OK;
 }
 
 static bat_status at_level(const bat_shape *from, const bat_edit *edit, int level, bat_shape **out,
@@ -72,13 +75,12 @@ bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape 
         bat_shape *shape = NULL;
         bat_status now = at_level(from, edit, level, &shape, report);
         if (now == BAT_STATE) continue; /* skip it */
-        status = now;
-        if (now != BAT_OK) break;
-        bool near = report->spans >= BAT_LEVEL_SPANS_LEAST &&
-                    miss(shape, &edit->samples) <= edit->options.tolerance;
+        bool near = false;
+        if (now == BAT_OK && report->spans >= BAT_LEVEL_SPANS_LEAST) now = meets(shape, edit, &near);
         bat_shape_free(best);
         best = shape;
-        if (near) break;
+        status = now;
+        if (status != BAT_OK || near) break;
     }
     if (status == BAT_OK)
         *out = best;

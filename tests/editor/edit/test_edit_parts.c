@@ -6,13 +6,18 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <cmocka.h>
+#include "curve/curve.h"
+#include "editor/edit/affine.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/fair.h"
+#include "editor/edit/stroke_record.h"
 #include "editor/editor.h"
 #include "editor/session/transaction.h"
 #include "editor/tools/tangents/draft.h"
+#include "support/alloc_fail.h"
 #include "support/editing.h"
 #include "support/random_curve.h"
+#include "support/sheet.h"
 #include <batten/measure.h>
 #include <batten/nearest.h>
 
@@ -39,6 +44,75 @@ static void curves_of_objects(void **state) {
     assert_true(digest(editor) == before);
     check(editor);
     bat_editor_free(editor);
+}
+
+/* A curve taken out of three, with each allocation failing: as before, or without it. */
+static void taken_out_of_three(void **state) {
+    (void)state;
+    const bat_style style = bat_style_defaults();
+    bat_curve *curves[3];
+    bat_object *object = NULL;
+    for (int i = 0; i < 3; i++) curves[i] = pen_curve(100 * i, 300, 10, 5, 7);
+    assert_int_equal(bat_object_create_path(1, "", &style, 3, curves, &object), BAT_OK);
+    const long held = alloc_live();
+    bool reached = true;
+    for (long n = 1; reached; n++) {
+        bat_object *after = NULL;
+        alloc_fail_at(n);
+        const bat_status status = bat_without_curve(object, 1, &after);
+        reached = alloc_fail_reached();
+        assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+        assert_true((after == NULL) == reached);
+        if (after) {
+            assert_int_equal(bat_object_curve_count(after), 2);
+            assert_true(bat_curve_is_equal(bat_object_curve(after, 0), bat_object_curve(object, 0)));
+            assert_true(bat_curve_is_equal(bat_object_curve(after, 1), bat_object_curve(object, 2)));
+        }
+        bat_object_release(after);
+        assert_true(alloc_live() == held);
+    }
+    bat_object_release(object);
+    bat_editor *editor = pen_editor();
+    bat_context *c = &editor->context;
+    const uint64_t before = digest(editor);
+    for (long n = 1; digest(editor) == before; n++) { /* the last curve of an object goes with the object */
+        assert_int_equal(bat_transaction_begin(c), BAT_OK);
+        alloc_fail_at(n);
+        bat_status status = bat_transaction_end(c, bat_remove_curve(c, 1, 0), BAT_STRING_STEP_REMOVE);
+        assert_int_equal(status, alloc_fail_reached() ? BAT_MEMORY : BAT_OK);
+        check(editor);
+    }
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    bat_editor_free(editor);
+}
+
+/* An affine image: strokes grow by the root of the area, or stay. */
+static void images(void **state) {
+    (void)state;
+    const bat_style style = bat_style_defaults(); /* 2 wide */
+    bat_curve *curve = pen_curve(0, 0, 10, 5, 7);
+    bat_object *object = NULL, *made = NULL, *stays = NULL;
+    assert_int_equal(bat_object_create_path(1, "", &style, 1, &curve, &object), BAT_OK);
+    static const struct {
+        double matrix[6], width;
+    } cases[] = {
+        {{3, 0, 0, 3, 0, 0}, 6}, {{4, 0, 0, 1, 5, 5}, 4}, {{0, 1, -1, 0, 9, 9}, 2}, {{-1, 0, 0, 1, 0, 0}, 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(bat_affine_object(object, cases[i].matrix, true, &made), BAT_OK);
+        assert_int_equal(bat_affine_object(object, cases[i].matrix, false, &stays), BAT_OK);
+        assert_true(bat_object_style(made)->width == cases[i].width && bat_object_style(stays)->width == 2);
+        bat_object_release(made);
+        bat_object_release(stays);
+    }
+    bat_object_release(object);
+    bat_surface *sheet = sheet_create();
+    made = object = NULL;
+    assert_int_equal(bat_object_create_surface(1, "", &style, sheet, &object), BAT_OK);
+    bat_status status = bat_affine_object(object, cases[0].matrix, true, &made);
+    assert_true(status == BAT_OK ? made != NULL : status == BAT_ARGUMENT && !made);
+    bat_object_release(made);
+    bat_object_release(object);
+    bat_surface_free(sheet);
 }
 
 /* The stretch around u holds u, and its ends lie `reach` along the curve away, or at its ends. */
@@ -183,9 +257,75 @@ static void the_coarsest_level(void **state) {
     }
 }
 
+/* The edit of a line like that, without a journal. */
+static bat_edit edit_of(const char *members, double x0, double x1, double rise) {
+    char text[8000], *at = text;
+    bat_json json;
+    bat_edit edit = {0};
+    at += sprintf(at, "{\"do\":\"sketch-level\",\"curve\":0,\"view\":[0,0,1],%s,\"stroke\":{\"points\":[",
+                  members);
+    for (int i = 0; i <= STROKE; i++) {
+        double on[2];
+        place(i, x0, x1, rise, on);
+        at += sprintf(at, "%s[%.3f,%.3f]", i ? "," : "", on[0], on[1]);
+    }
+    at += sprintf(at, "]}}");
+    assert_int_equal(bat_json_parse(text, (size_t)(at - text), &json, NULL), BAT_OK);
+    assert_int_equal(bat_edit_read(&json, &edit, NULL), BAT_OK);
+    bat_json_free(&json);
+    return edit;
+}
+
+/* A level that memory does not suffice to look at is not taken for one that is too far off: the same shape as with
+ * memory, or none. */
+static void levels_without_memory(void **state) {
+    (void)state;
+    for (int muted = 0; muted < 2; muted++) {
+        bat_editor *editor = with_levels(muted);
+        bat_edit edit = edit_of("\"object\":1,\"level\":-1", 230, 770, 30);
+        bat_sketch_report report;
+        bat_shape *wanted = NULL;
+        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_OK);
+        const long held = alloc_live();
+        bool reached = true;
+        for (long n = 1; reached; n++) {
+            bat_shape *shape = NULL;
+            alloc_fail_at(n);
+            const bat_status status = bat_edit_shape(&editor->context, &edit, &shape, &report);
+            reached = alloc_fail_reached();
+            assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+            assert_true((shape == NULL) == reached);
+            if (shape) assert_true(bat_curve_is_equal(bat_shape_curve(shape, 1), bat_shape_curve(wanted, 1)));
+            bat_shape_free(shape);
+            assert_true(alloc_live() == held);
+        }
+        bat_shape_free(wanted);
+        edit.object = 99;
+        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_ARGUMENT);
+        edit.object = 1;
+        const double plane[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+        assert_true(bat_ground_named("plane", 9, plane, &edit.stage.ground));
+        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_ARGUMENT);
+        bat_samples_free(&edit.samples);
+        /* A stroke too short for the base, the finer level silent: the base follows as well as it can. */
+        edit = edit_of("\"object\":1,\"level\":-1", 480, 520, 3);
+        wanted = NULL;
+        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_OK);
+        assert_non_null(wanted);
+        bat_shape_free(wanted);
+        bat_samples_free(&edit.samples);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(curves_of_objects), cmocka_unit_test(stretches),
-                                       cmocka_unit_test(drafts), cmocka_unit_test(wrong_levels),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(curves_of_objects),
+                                       cmocka_unit_test(taken_out_of_three),
+                                       cmocka_unit_test(images),
+                                       cmocka_unit_test(levels_without_memory),
+                                       cmocka_unit_test(stretches),
+                                       cmocka_unit_test(drafts),
+                                       cmocka_unit_test(wrong_levels),
                                        cmocka_unit_test(the_coarsest_level)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
