@@ -107,7 +107,7 @@ static inline int bat_intent_mirror(const bat_intent *intent, int i, int side) {
 
 /* Whether the line has a length: nothing is asked of a dot. */
 static inline bool bat_intent_long(const bat_intent_near *near) {
-    return near->line.count > 1 && bat_polyline_length(&near->line) > 0;
+    return bat_polyline_length(&near->line) > 0;
 }
 
 /* intent_ask.c: feet are sought, and evaluated, of the lines that may explain something; they become `usable`. whole:

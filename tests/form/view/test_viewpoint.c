@@ -75,6 +75,12 @@ static void bad_views(void **state) {
         {{.eye = {0, NAN, 1}, .up = {0, 1, 0}, .size = {8, 6}, .height = 1}, BAT_NUMBER},
         {{.eye = {0, 0, 1}, .up = {0, 1, INFINITY}, .size = {8, 6}, .height = 1}, BAT_NUMBER},
         {{.eye = {0, 0, 1}, .up = {0, 1, 0}, .size = {8, 6}, .fov = NAN}, BAT_NUMBER},
+        {{.eye = {0, 0, 1}, .up = {0, 1, 0}, .size = {8, 6}, .height = NAN}, BAT_NUMBER},
+        {{.eye = {0, 0, 1}, .up = {0, 1, 0}, .size = {8, INFINITY}, .height = 1}, BAT_NUMBER},
+        {{.eye = {0, 0, 1}, .target = {1e300, 0, 0}, .up = {0, 1, 0}, .size = {8, 6}, .height = 1},
+         BAT_NUMBER},
+        {{.eye = {0, 0, 1}, .up = {0, 1, 0}, .size = {8, 6}, .fov = -1}, BAT_ARGUMENT},
+        {{.eye = {0, 0, 1}, .up = {0, 1, 0}, .size = {8, 1e-9}, .height = 1e70}, BAT_ARGUMENT},
     };
     double a[3], b[3], pixel[2] = {7, 7};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -88,6 +94,10 @@ static void bad_views(void **state) {
                      BAT_NUMBER);
     assert_int_equal(bat_viewpoint_check(NULL), BAT_ARGUMENT);
     assert_int_equal(bat_viewpoint_ray(&good, NULL, a, b), BAT_ARGUMENT);
+    assert_int_equal(bat_viewpoint_ray(&good, pixel, NULL, b), BAT_ARGUMENT);
+    assert_int_equal(bat_viewpoint_ray(&good, pixel, a, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_viewpoint_project(&good, NULL, pixel, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_viewpoint_project(&good, origin, NULL, NULL), BAT_ARGUMENT);
     assert_true(pixel[0] == 7 && pixel[1] == 7);
 }
 

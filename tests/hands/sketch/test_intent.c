@@ -105,6 +105,23 @@ static void known_relations(void **state) {
     }
 }
 
+/* A curve of no length that a stroke passes over is no part of any reading. */
+static void dots_mean_nothing(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        scene with = cases[i].scene;
+        bat_reading best, again;
+        if (with.lines == 4) continue;
+        for (int k = 0; k < 4; k++)
+            with.ends[with.lines][k] = 0.4 * with.stroke[0][k % 2] + 0.6 * with.stroke[1][k % 2];
+        with.lines++;
+        assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &best), BAT_OK);
+        assert_int_equal(read_at(&with, UPRIGHT, 1, &again), BAT_OK);
+        if (again.kind != best.kind) fail_msg("case %d: kind %d", (int)i, (int)again.kind);
+        for (int k = 0; k < again.count; k++) assert_int_not_equal(again.part[k].line, with.lines - 1);
+    }
+}
+
 /* Bit for bit the same, however often it was asked before. */
 static void asked_any_time(void **state) {
     (void)state;
@@ -249,10 +266,15 @@ static void memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_relations),       cmocka_unit_test(asked_any_time),
-        cmocka_unit_test(moved_turned_mirrored), cmocka_unit_test(parts_of_several),
-        cmocka_unit_test(short_part_in_a_crowd), cmocka_unit_test(bad_samples),
-        cmocka_unit_test(the_cheapest_are_kept), cmocka_unit_test(memory),
+        cmocka_unit_test(known_relations),
+        cmocka_unit_test(asked_any_time),
+        cmocka_unit_test(moved_turned_mirrored),
+        cmocka_unit_test(parts_of_several),
+        cmocka_unit_test(short_part_in_a_crowd),
+        cmocka_unit_test(bad_samples),
+        cmocka_unit_test(dots_mean_nothing),
+        cmocka_unit_test(the_cheapest_are_kept),
+        cmocka_unit_test(memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
