@@ -136,9 +136,9 @@ static bat_status assemble(const bat_mirror *m, const bat_curve *piece, const do
     const int last = total - 1, count = 2 * own + (ring ? 2 : 1);
     const double *t = bat_curve_knots(piece), *points = bat_curve_points(piece);
     const double length = t[last] - t[0];
-    double *made = malloc(((size_t)count * 3 + (size_t)p + 2) * sizeof *made),
-           *knots = made + 2 * (size_t)count;
+    double *made = malloc(((size_t)count * 3 + (size_t)p + 2) * sizeof *made);
     if (!made) return BAT_MEMORY;
+    double *knots = made + 2 * (size_t)count;
     /* Open: the image backwards, the centre, the piece. Closed: the centre, the piece, the far centre, the image. */
     double *before = made, *mid = made + (ring ? 0 : 2 * own), *after = mid + 2, *far = after + 2 * own;
     double *image = ring ? far + 2 : before;
