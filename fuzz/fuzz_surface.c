@@ -40,6 +40,12 @@ static void check_search(const bat_surface *s, double u, double v) {
         from[c] = at[c] + size * (c == 2 ? 1.5 : 0.25), way[c] = at[c] - from[c];
         far = fmax(far, fabs(at[c]));
     }
+    bat_surface_finder *finder = NULL;
+    if (bat_surface_finder_create(s, &finder) == BAT_OK) {
+        bat_surface_finder_nearest(finder, from, &near);
+        bat_surface_finder_hits(finder, from, way, 16, hit, &count);
+    }
+    bat_surface_finder_free(finder);
     if (bat_surface_nearest(s, from, &near) != BAT_OK) return; /* beyond the range of numbers */
     const double distance = hypot(hypot(way[0], way[1]), way[2]);
     if (!(near.distance <= distance + 1e-9 * far)) abort();

@@ -104,6 +104,17 @@ BAT_API bat_status bat_surface_hits(const bat_surface *surface, const double ori
                                     const double direction[3], size_t room, bat_surface_point *out,
                                     size_t *count);
 
+/* A finder computes the boxes of all spans once for many queries, O(points). It borrows the surface, which must outlive
+ * it. The calls give what those above give, without their O(points). */
+typedef struct bat_surface_finder bat_surface_finder;
+BAT_API bat_status bat_surface_finder_create(const bat_surface *surface, bat_surface_finder **out);
+BAT_API void bat_surface_finder_free(bat_surface_finder *finder); /* NULL is fine */
+BAT_API bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const double point[3],
+                                              bat_surface_point *out);
+BAT_API bat_status bat_surface_finder_hits(const bat_surface_finder *finder, const double origin[3],
+                                           const double direction[3], size_t room, bat_surface_point *out,
+                                           size_t *count);
+
 /* Knot insertion in one direction, and refinement to a superset of its knots, as in bat_curve_insert_knots and
  * bat_curve_refine, with the same statuses: the shape does not change, and untouched points keep every bit. */
 BAT_API bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction,

@@ -334,6 +334,11 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_surface_nearest(s, from, at));
     d = bat_digest_double(bat_digest_double(d, at[0].distance), at[0].u);
     d = add(d, (uint64_t)bat_surface_hits(s, from, way, 8, at, &count));
+    bat_surface_finder *finder = NULL;
+    d = add(d, (uint64_t)bat_surface_finder_create(s, &finder));
+    d = add(d, (uint64_t)bat_surface_finder_nearest(finder, from, at));
+    d = add(d, (uint64_t)bat_surface_finder_hits(finder, from, way, 8, at, &count));
+    bat_surface_finder_free(finder);
     d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
     d = add_cast(d, s, seed);
     bat_curve *line = NULL;

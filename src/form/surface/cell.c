@@ -31,19 +31,6 @@ void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out) {
     out->halvings = 0;
 }
 
-void bat_span_box(const bat_surface *surface, const int span[2], double low[3], double high[3]) {
-    const int p = surface->axis[0].degree, q = surface->axis[1].degree;
-    for (int c = 0; c < 3; c++) low[c] = INFINITY, high[c] = -INFINITY;
-    for (int k = span[0] - p; k <= span[0]; k++) {
-        const double *point = bat_surface_stored_row(surface, k).points + (size_t)(span[1] - q) * 3;
-        for (int l = 0; l <= q; l++, point += 3)
-            for (int c = 0; c < 3; c++) { /* no NaN: plain comparisons, which are faster than fmin */
-                low[c] = point[c] < low[c] ? point[c] : low[c];
-                high[c] = point[c] > high[c] ? point[c] : high[c];
-            }
-    }
-}
-
 /* De Casteljau's algorithm at the middle, for p + 1 points that lie `stride` numbers apart. */
 static void halve_line(int p, int stride, double *lower, double *upper) {
     memcpy(upper + p * stride, lower + p * stride, 3 * sizeof(double));
@@ -66,20 +53,6 @@ void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell
     memcpy(upper->low, cell->low, sizeof cell->low);
     memcpy(upper->high, cell->high, sizeof cell->high);
     upper->low[direction] = cell->high[direction] = 0.5 * (cell->low[direction] + cell->high[direction]);
-}
-
-bat_status bat_surface_seen(const bat_surface *surface, const double *origin, const double *axes,
-                            bat_surface **out) {
-    bat_status status = bat_surface_copy(surface, out);
-    if (status != BAT_OK) return status;
-    const size_t count = (size_t)surface->axis[0].spread * (size_t)surface->axis[1].spread;
-    double *point = (*out)->points;
-    for (size_t i = 0; i < count; i++, point += 3) {
-        const double d[3] = {point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]};
-        for (int c = 0; c < 3; c++)
-            point[c] = axes ? axes[3 * c] * d[0] + axes[3 * c + 1] * d[1] + axes[3 * c + 2] * d[2] : d[c];
-    }
-    return BAT_OK;
 }
 
 double bat_span_parameter(const bat_surface *surface, int direction, int span, double x) {

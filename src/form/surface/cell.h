@@ -17,14 +17,8 @@ typedef struct bat_cell {
 
 /* The whole span as a cell. */
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
-/* The box of the control points of a span. */
-void bat_span_box(const bat_surface *surface, const int span[2], double low[3], double high[3]);
 /* Halves the cell in a direction: `cell` keeps the lower half, `upper` becomes the other one. */
 void bat_cell_halve(const int degree[2], int direction, bat_cell *cell, bat_cell *upper);
-/* The same surface in other coordinates: each stored point becomes axes . (point - origin). axes: 3 rows, or
- * NULL: the identity. */
-bat_status bat_surface_seen(const bat_surface *surface, const double *origin, const double *axes,
-                            bat_surface **out);
 /* The parameter in a direction at x in a span's [0, 1]. */
 double bat_span_parameter(const bat_surface *surface, int direction, int span, double x);
 

@@ -6,7 +6,7 @@
  * Newton's method from the middle finds the only zero. Otherwise the cell is halved; cells that remain at the end
  * are places where the ray touches the surface.
  */
-#include "form/surface/cell.h"
+#include "form/surface/finder.h"
 #include "base/vec.h"
 
 #include <math.h>
@@ -19,8 +19,9 @@ static const double same =
     1e-6; /* of a span: hits this close are one, as rounding separates those of a touching ray */
 
 typedef struct search {
-    const bat_surface *surface, *seen; /* seen: in coordinates with x and y across the ray, z along it */
-    double rounding, behind;           /* what counts as zero across; smaller depths are behind */
+    const bat_surface *surface;
+    bat_surface *seen;       /* seen: in coordinates with x and y across the ray, z along it */
+    double rounding, behind; /* what counts as zero across; smaller depths are behind */
     int degree[2], span[2];
     bat_surface_point *hits;
     size_t count, room;
@@ -241,44 +242,77 @@ static void search_span(search *s, bat_cell *stack) {
 
 /* ---- All spans ---- */
 
-static void search_all(search *s, bat_cell *stack) {
-    const bat_curve *axis = s->seen->axis;
-    const int p = axis[0].degree, q = axis[1].degree;
-    for (int i = p; i < axis[0].spread; i++) {
-        if (!(axis[0].knots[i] < axis[0].knots[i + 1])) continue;
-        for (int j = q; j < axis[1].spread && !s->failed; j++) {
-            if (!(axis[1].knots[j] < axis[1].knots[j + 1])) continue;
-            double low[3], high[3];
-            s->span[0] = i, s->span[1] = j;
-            bat_span_box(s->seen, s->span, low, high);
-            if (has_zero((range){low[0], high[0]}, s->rounding) &&
-                has_zero((range){low[1], high[1]}, s->rounding) && high[2] >= s->behind)
-                search_span(s, stack);
+/* The ray in the surface's own coordinates. */
+typedef struct ray {
+    const double *from, *axes; /* axes: x and y across the ray, z along it */
+    double slack, behind;
+} ray;
+
+/* Whether the ray may meet a box, widened by more than rounding. */
+static bool may_meet(const ray *r, const bat_box *box) {
+    const double *way = r->axes + 6;
+    double first = r->behind, last = INFINITY;
+    for (int c = 0; c < 3; c++) {
+        const double low = box->low[c] - r->slack - r->from[c], high = box->high[c] + r->slack - r->from[c];
+        if (!(fabs(way[c]) > 1e-100)) {
+            if (low > 0 || high < 0) return false;
+            continue;
         }
+        const double a = low / way[c], b = high / way[c];
+        first = fmax(first, fmin(a, b)), last = fmin(last, fmax(a, b));
     }
+    return first <= last;
+}
+
+static void search_block(search *s, const bat_surface_finder *f, const ray *r, int i, int block,
+                         bat_cell *stack) {
+    const int end = (block + 1) * BAT_FINDER_BLOCK;
+    for (int j = block * BAT_FINDER_BLOCK; j < end && j < f->spans[1] && !s->failed; j++) {
+        if (!may_meet(r, &f->span[i * f->spans[1] + j]) || !bat_finder_span(f, i, j, s->span)) continue;
+        bat_finder_see(f, s->span, r->from, r->axes, s->seen);
+        search_span(s, stack);
+    }
+}
+
+/* Row by row, so that spans come in the order of their knots. */
+static void search_all(search *s, const bat_surface_finder *f, const ray *r, bat_cell *stack) {
+    for (int i = 0; i < f->spans[0]; i++)
+        for (int block = 0; block < f->blocks[1] && !s->failed; block++)
+            if (may_meet(r, &f->block[i / BAT_FINDER_BLOCK * f->blocks[1] + block]))
+                search_block(s, f, r, i, block, stack);
 }
 
 static bool is_finite(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
 
-bat_status bat_surface_hits(const bat_surface *surface, const double origin[3], const double direction[3],
-                            size_t room, bat_surface_point *out, size_t *count) {
-    if (!surface || !origin || !direction || !count || (room > 0 && !out)) return BAT_ARGUMENT;
+/* How far the corners of the whole surface's box are from a point, at most, in any direction. */
+static double reach_of(const bat_box *box, const double from[3]) {
+    vec far;
+    double most[3];
+    for (int c = 0; c < 3; c++) most[c] = fmax(fabs(box->low[c] - from[c]), fabs(box->high[c] - from[c]));
+    far = vec_load(most, 3);
+    return vec_norm(far);
+}
+
+bat_status bat_surface_finder_hits(const bat_surface_finder *finder, const double origin[3],
+                                   const double direction[3], size_t room, bat_surface_point *out,
+                                   size_t *count) {
+    if (!finder || !origin || !direction || !count || (room > 0 && !out)) return BAT_ARGUMENT;
     if (!is_finite(origin) || !is_finite(direction)) return BAT_NUMBER;
     const vec z = vec_unit(vec_load(direction, 3));
     if (!(vec_norm(z) > 0)) return BAT_ARGUMENT;
     const vec x = vec_any_normal(z), y = vec_cross(z, x);
     const double axes[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    const bat_surface *surface = finder->surface;
     bat_surface *seen;
-    bat_status status = bat_surface_seen(surface, origin, axes, &seen);
+    bat_status status = bat_finder_seen(finder, &seen);
     if (status != BAT_OK) return status;
     bat_cell *stack = malloc((BAT_CELL_HALVINGS + 2) * sizeof *stack);
     search s = {.surface = surface, .seen = seen, .behind = -1e-10 * surface->size};
-    double low[3], high[3], reach = 0;
-    bat_surface_box(seen, low, high);
-    for (int c = 0; c < 3; c++) reach = fmax(reach, fmax(fabs(low[c]), fabs(high[c])));
+    const double reach = reach_of(&finder->whole, origin);
     s.rounding = 4e-15 * reach;
+    const ray r = {origin, axes, 1e-13 * reach, s.behind - 1e-13 * reach};
     for (int d = 0; d < 2; d++) s.degree[d] = surface->axis[d].degree;
-    if (stack) search_all(&s, stack);
+    if (stack) search_all(&s, finder, &r, stack);
     if (!stack || s.failed) {
         status = BAT_MEMORY;
     } else {
@@ -288,5 +322,16 @@ bat_status bat_surface_hits(const bat_surface *surface, const double origin[3], 
     free(s.hits);
     free(stack);
     bat_surface_free(seen);
+    return status;
+}
+
+bat_status bat_surface_hits(const bat_surface *surface, const double origin[3], const double direction[3],
+                            size_t room, bat_surface_point *out, size_t *count) {
+    bat_surface_finder *finder = NULL;
+    if (!surface || !origin || !direction || !count || (room > 0 && !out)) return BAT_ARGUMENT;
+    bat_status status = bat_surface_finder_create(surface, &finder);
+    if (status != BAT_OK) return status;
+    status = bat_surface_finder_hits(finder, origin, direction, room, out, count);
+    bat_surface_finder_free(finder);
     return status;
 }

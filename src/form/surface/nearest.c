@@ -3,7 +3,7 @@
  * form on each Bézier cell; its least coefficient is a lower bound. A cell that cannot be nearer than the best
  * point so far is dropped; others are halved. Each better point starts a descent by Newton steps within its span.
  */
-#include "form/surface/cell.h"
+#include "form/surface/finder.h"
 #include "base/vec.h"
 
 #include <float.h>
@@ -21,7 +21,7 @@ typedef struct place {
 } place;
 
 typedef struct search {
-    const bat_surface *seen;              /* with the given point as the origin */
+    bat_surface *seen;                    /* with the given point as the origin */
     int degree[2], span[2], best_span[2]; /* best_span: the span of `best` */
     place best;
     double weight[2][MOST],
@@ -176,40 +176,58 @@ static int by_bound(const void *a, const void *b) {
     return (x->span[d] > y->span[d]) - (x->span[d] < y->span[d]);
 }
 
-static double box_bound(const bat_surface *seen, int i, int j) {
-    double low[3], high[3], sum = 0;
-    bat_span_box(seen, (const int[2]){i, j}, low, high);
+/* The squared distances of a point from the nearest and the farthest point of a box. */
+static double near_and_far(const bat_box *box, const double point[3], double *far) {
+    double near = 0;
+    *far = 0;
     for (int c = 0; c < 3; c++) {
-        const double d = fmax(fmax(low[c], -high[c]), 0);
-        sum += d * d;
+        const double low = box->low[c] - point[c], high = box->high[c] - point[c];
+        const double d = fmax(fmax(low, -high), 0), e = fmax(fabs(low), fabs(high));
+        near += d * d, *far += e * e;
     }
-    return sum;
+    return near;
 }
 
-static bat_status search_all(search *s, bat_cell *stack) {
-    const bat_curve *a = &s->seen->axis[0], *b = &s->seen->axis[1];
-    patch *patches = malloc((size_t)a->spread * (size_t)b->spread * sizeof *patches);
-    if (!patches) return BAT_MEMORY;
+/* Spans that can hold the closest point: none is nearer than the farthest point of another's box. */
+static size_t collect(const bat_surface_finder *f, const double point[3], patch *patches) {
+    double least = INFINITY, far;
     size_t count = 0;
-    for (int i = a->degree; i < a->spread; i++)
-        for (int j = b->degree; j < b->spread; j++)
-            if (a->knots[i] < a->knots[i + 1] && b->knots[j] < b->knots[j + 1])
-                patches[count++] = (patch){box_bound(s->seen, i, j), {i, j}};
+    int span[2];
+    for (int i = 0; i < f->spans[0]; i++)
+        for (int j = 0; j < f->spans[1]; j++) {
+            const double bound = near_and_far(&f->span[i * f->spans[1] + j], point, &far);
+            if (!(bound <= least) || !bat_finder_span(f, i, j, span)) continue;
+            least = fmin(least, far * (1 + 1e-14));
+            patches[count++] = (patch){bound, {span[0], span[1]}};
+        }
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++)
+        if (patches[i].bound <= least) patches[kept++] = patches[i];
+    return kept;
+}
+
+static bat_status search_all(search *s, const bat_surface_finder *f, const double point[3], bat_cell *stack) {
+    patch *patches = malloc((size_t)f->spans[0] * (size_t)f->spans[1] * sizeof *patches);
+    if (!patches) return BAT_MEMORY;
+    const size_t count = collect(f, point, patches);
     qsort(patches, count, sizeof *patches, by_bound); /* no ties */
     for (size_t i = 0; i < count && patches[i].bound < s->best.f; i++) {
         memcpy(s->span, patches[i].span, sizeof s->span);
+        bat_finder_see(f, s->span, point, NULL, s->seen);
         search_span(s, stack);
     }
     free(patches);
     return BAT_OK;
 }
 
-bat_status bat_surface_nearest(const bat_surface *surface, const double point[3], bat_surface_point *out) {
-    if (!surface || !point || !out) return BAT_ARGUMENT;
+bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const double point[3],
+                                      bat_surface_point *out) {
+    if (!finder || !point || !out) return BAT_ARGUMENT;
     for (int c = 0; c < 3; c++)
         if (!(fabs(point[c]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    const bat_surface *surface = finder->surface;
     bat_surface *seen;
-    bat_status status = bat_surface_seen(surface, point, NULL, &seen);
+    bat_status status = bat_finder_seen(finder, &seen);
     if (status != BAT_OK) return status;
     search s = {.seen = seen, .best = {.f = INFINITY, .slope = INFINITY}};
     for (int d = 0; d < 2; d++) {
@@ -218,7 +236,7 @@ bat_status bat_surface_nearest(const bat_surface *surface, const double point[3]
         for (int i = 0; i <= 2 * p; i++) s.share[d][i] = 1 / binomial(2 * p, i);
     }
     bat_cell *stack = malloc((BAT_CELL_HALVINGS + 2) * sizeof *stack);
-    status = stack ? search_all(&s, stack) : BAT_MEMORY;
+    status = stack ? search_all(&s, finder, point, stack) : BAT_MEMORY;
     if (status == BAT_OK) {
         bat_surface_eval_spans(surface, s.best_span, s.best.x[0], s.best.x[1], 0, out->point);
         out->u = bat_curve_reduce(&surface->axis[0], s.best.x[0]),
@@ -227,5 +245,15 @@ bat_status bat_surface_nearest(const bat_surface *surface, const double point[3]
     }
     free(stack);
     bat_surface_free(seen);
+    return status;
+}
+
+bat_status bat_surface_nearest(const bat_surface *surface, const double point[3], bat_surface_point *out) {
+    bat_surface_finder *finder = NULL;
+    if (!surface || !point || !out) return BAT_ARGUMENT;
+    bat_status status = bat_surface_finder_create(surface, &finder);
+    if (status != BAT_OK) return status;
+    status = bat_surface_finder_nearest(finder, point, out);
+    bat_surface_finder_free(finder);
     return status;
 }

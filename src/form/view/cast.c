@@ -13,8 +13,9 @@ static const double far_out = 4;                     /* times the curve's size *
 /* A canvas made ready, and where the last sample landed. */
 typedef struct casting {
     const bat_canvas *canvas;
-    vec origin, direction; /* unit: a plane's normal, or the direction in which a curve is ruled */
-    bat_curve *curve;      /* in space */
+    bat_surface_finder *finder; /* of a surface */
+    vec origin, direction;      /* unit: a plane's normal, or the direction in which a curve is ruled */
+    bat_curve *curve;           /* in space */
     double *bezier, *breaks;
     int pieces;
     double domain[2], s; /* s: NaN before the first sample has landed */
@@ -123,11 +124,11 @@ static void on_surface(casting *c, const bat_sight *ray, bat_cast_point *out) {
     vec_store(ray->from, from);
     vec_store(ray->along, along);
     out->fate = BAT_CAST_MISSED;
-    c->failed |= bat_surface_hits(c->canvas->surface, from, along, 1, &hit, &count) != BAT_OK;
+    c->failed |= bat_surface_finder_hits(c->finder, from, along, 1, &hit, &count) != BAT_OK;
     if (c->failed) return;
     if (count == 0) {
         for (int k = 0; k < 3; k++) along[k] = -along[k];
-        c->failed |= bat_surface_hits(c->canvas->surface, from, along, 1, &hit, &count) != BAT_OK;
+        c->failed |= bat_surface_finder_hits(c->finder, from, along, 1, &hit, &count) != BAT_OK;
         if (!c->failed && count > 0) out->fate = BAT_CAST_BEHIND;
         return;
     }
@@ -144,7 +145,7 @@ static void on_surface(casting *c, const bat_sight *ray, bat_cast_point *out) {
 
 static bat_status prepare(const bat_canvas *canvas, casting *out) {
     *out = (casting){.canvas = canvas, .s = NAN};
-    if (canvas->surface && !canvas->curve) return BAT_OK;
+    if (canvas->surface && !canvas->curve) return bat_surface_finder_create(canvas->surface, &out->finder);
     const double *way = canvas->curve ? canvas->along : canvas->normal;
     if (!bat_gaze_finite(way, 3) || (!canvas->curve && !bat_gaze_finite(canvas->origin, 3)))
         return BAT_NUMBER;
@@ -164,6 +165,7 @@ static bat_status prepare(const bat_canvas *canvas, casting *out) {
 }
 
 static void release(casting *c) {
+    bat_surface_finder_free(c->finder);
     free(c->bezier);
     bat_curve_free(c->curve);
 }

@@ -16,20 +16,22 @@ typedef struct marks {
 /* The nearest hit of each sample's ray. */
 static bat_status collect(const bat_gaze *gaze, const bat_stroke *marking, const bat_surface *surface,
                           marks *out) {
-    bat_status status = BAT_OK;
+    bat_surface_finder *finder = NULL;
+    bat_status status = bat_surface_finder_create(surface, &finder);
     for (size_t i = 0; i < marking->count && status == BAT_OK; i++) {
         const bat_sight ray = bat_gaze_ray(gaze, marking->points + 2 * i);
         double from[3], along[3], jet[9];
         bat_surface_point hit;
         size_t found = 0;
         vec_store(ray.from, from), vec_store(ray.along, along);
-        status = bat_surface_hits(surface, from, along, 1, &hit, &found);
+        status = bat_surface_finder_hits(finder, from, along, 1, &hit, &found);
         if (status != BAT_OK || found == 0) continue;
         out->places[2 * out->count] = hit.u, out->places[2 * out->count + 1] = hit.v;
         out->count++;
         bat_surface_eval(surface, hit.u, hit.v, 1, jet);
         for (int d = 0; d < 2; d++) out->speed[d] += vec_norm(vec_load(jet + 3 + 3 * d, 3));
     }
+    bat_surface_finder_free(finder);
     return status;
 }
 

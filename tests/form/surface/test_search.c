@@ -192,7 +192,12 @@ static void hits_are_those_of_subdivision(void **state) {
             const vec z = vec_unit(vec_load(way, 3)), x = vec_any_normal(z), y = vec_cross(z, x);
             const double axes[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
             bat_surface_point hit[32];
-            assert_int_equal(bat_surface_seen(s, from, axes, &seen), BAT_OK);
+            double matrix[12];
+            for (int c = 0; c < 3; c++) {
+                memcpy(matrix + 4 * c, axes + 3 * c, 3 * sizeof *axes);
+                matrix[4 * c + 3] = -vec_dot(vec_load(axes + 3 * c, 3), vec_load(from, 3));
+            }
+            assert_int_equal(bat_surface_transform(s, matrix, &seen), BAT_OK);
             const size_t found = hits_of(s, from, way, hit), want = count_by_boxes(seen, places);
             total += (int)want, differ += found != want;
             bat_surface_free(seen);
@@ -201,6 +206,85 @@ static void hits_are_those_of_subdivision(void **state) {
     }
     assert_true(total > 250);
     assert_int_equal(differ, 0);
+}
+
+/* A finder answers as the one-shot calls do, also for the closest point; it refuses what they refuse. */
+static void finders(void **state) {
+    (void)state;
+    random_source r = {19};
+    for (int number = 0; number < 30; number++) {
+        bat_surface *s = random_surface(&r, (const int[2]){1 + number % 4, 3},
+                                        (const int[2]){number % 3, number / 3 % 3},
+                                        (const int[2]){number, 2 * number});
+        bat_surface_finder *finder = NULL;
+        assert_int_equal(bat_surface_finder_create(s, &finder), BAT_OK);
+        for (int k = 0; k < 10; k++) {
+            double from[3], way[3];
+            bat_surface_point one[32], two[32];
+            size_t ones = 0, twos = 0;
+            for (int c = 0; c < 3; c++)
+                from[c] = random_between(&r, -12, 12), way[c] = k == c ? 0 : random_between(&r, -1, 1);
+            assert_int_equal(bat_surface_hits(s, from, way, 32, one, &ones), BAT_OK);
+            assert_int_equal(bat_surface_finder_hits(finder, from, way, 32, two, &twos), BAT_OK);
+            assert_true(ones == twos);
+            assert_memory_equal(one, two, (ones < 32 ? ones : 32) * sizeof *one);
+            assert_int_equal(bat_surface_nearest(s, from, one), BAT_OK);
+            assert_int_equal(bat_surface_finder_nearest(finder, from, two), BAT_OK);
+            assert_memory_equal(one, two, sizeof *one);
+        }
+        const double bad[3] = {NAN, 0, 0}, none[3] = {0, 0, 0};
+        bat_surface_point out;
+        size_t count;
+        assert_int_equal(bat_surface_finder_nearest(finder, bad, &out), BAT_NUMBER);
+        assert_int_equal(bat_surface_finder_hits(finder, bad, bad, 1, &out, &count), BAT_NUMBER);
+        assert_int_equal(bat_surface_finder_hits(finder, none, none, 1, &out, &count), BAT_ARGUMENT);
+        bat_surface_finder_free(finder), bat_surface_free(s);
+    }
+    bat_surface_finder_free(NULL);
+    assert_int_equal(bat_surface_finder_create(NULL, NULL), BAT_ARGUMENT);
+}
+
+/* A wavy sheet of 40 x 40 spans, more than one block of a finder either way: every ray straight down hits once, below its
+ * origin; the closest point is no farther than any of a grid. */
+static void a_large_sheet(void **state) {
+    (void)state;
+    enum { SIDE = 43, GRID = 120 };
+    static double points[SIDE * SIDE * 3], grid[GRID * GRID * 3];
+    double knots[SIDE + 4], at[GRID];
+    random_source r = {23};
+    for (int i = 0; i < SIDE + 4; i++) knots[i] = i;
+    for (int i = 0; i < SIDE; i++)
+        for (int j = 0; j < SIDE; j++) {
+            double *p = points + 3 * (SIDE * i + j);
+            p[0] = i, p[1] = j, p[2] = random_between(&r, -1, 1);
+        }
+    bat_surface *s = NULL;
+    bat_surface_finder *finder = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false},
+                                        (const size_t[2]){SIDE, SIDE}, points,
+                                        (const int[2]){SIDE + 4, SIDE + 4}, knots, knots, &s),
+                     BAT_OK);
+    assert_int_equal(bat_surface_finder_create(s, &finder), BAT_OK);
+    bat_surface_spread(s, BAT_U, GRID, at);
+    assert_int_equal(bat_surface_eval_grid(s, GRID, at, GRID, at, 0, grid), BAT_OK);
+    for (int k = 0; k < 400; k++) {
+        double from[3] = {random_between(&r, 1, 41), random_between(&r, 1, 41), random_between(&r, 2, 4)};
+        const double down[3] = {0, 0, -2};
+        bat_surface_point hit, near;
+        size_t count = 0;
+        assert_int_equal(bat_surface_finder_hits(finder, from, down, 1, &hit, &count), BAT_OK);
+        assert_true(count == 1 && fabs(hit.point[0] - from[0]) < 1e-12 &&
+                    fabs(hit.point[1] - from[1]) < 1e-12);
+        assert_true(fabs(hit.u - from[0] - 2) < 1e-9 && fabs(hit.v - from[1] - 2) < 1e-9);
+        assert_int_equal(bat_surface_finder_nearest(finder, from, &near), BAT_OK);
+        assert_true(near.distance <= hit.distance + 1e-12);
+        for (int i = 0; i < GRID * GRID; i++) {
+            const double x = grid[3 * i] - from[0], y = grid[3 * i + 1] - from[1],
+                         z = grid[3 * i + 2] - from[2];
+            assert_true(x * x + y * y + z * z >= near.distance * near.distance * (1 - 1e-12));
+        }
+    }
+    bat_surface_finder_free(finder), bat_surface_free(s);
 }
 
 /* ---- Closest points ---- */
@@ -304,6 +388,8 @@ static void bad_data(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(finders),
+        cmocka_unit_test(a_large_sheet),
         cmocka_unit_test(rays_meet_a_bowl),
         cmocka_unit_test(seams_and_poles_count_once),
         cmocka_unit_test(a_ray_in_the_surface_ends),

@@ -1,0 +1,28 @@
+/* Internal: the boxes of a surface's spans, and of blocks of them, made once for many queries. */
+#ifndef BATTEN_FORM_FINDER_H
+#define BATTEN_FORM_FINDER_H
+
+#include "form/surface/cell.h"
+
+enum { BAT_FINDER_BLOCK = 8 }; /* spans to a side of a block */
+
+typedef struct bat_box {
+    double low[3], high[3];
+} bat_box;
+
+struct bat_surface_finder {
+    const bat_surface *surface;
+    int spans[2], blocks[2]; /* counts; spans that are empty have their box, too */
+    bat_box *span, *block;   /* rows along u */
+    bat_box whole;
+};
+
+/* The numbers of a span (from 0) as stored knot intervals; false: the span is empty. */
+bool bat_finder_span(const bat_surface_finder *finder, int i, int j, int span[2]);
+/* Room for the surface in other coordinates: knots, but no points yet. */
+bat_status bat_finder_seen(const bat_surface_finder *finder, bat_surface **out);
+/* Fills in the points of a span: axes . (point - origin); axes: 3 rows, or NULL: the identity. */
+void bat_finder_see(const bat_surface_finder *finder, const int span[2], const double *origin,
+                    const double *axes, bat_surface *seen);
+
+#endif
