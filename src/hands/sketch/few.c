@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2 };
+enum { FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2, CALMER = 1 };
 /* Density of knots: (1 - even) |F''''|^power / its mean + even. */
 static const struct {
     double power, even;
@@ -15,6 +15,9 @@ static const double of_range = 0.04, of_mean = 0.05; /* what counts as an extrem
 static const double near = 1.6;       /* times what is allowed: then moving the knots is tried */
 static const double shift = 0.3;      /* of the gap to the next knot, that a knot is moved by */
 static const double work_few = 1.5e5; /* some 3 ms */
+static const double most_change =
+    1.15;                       /* of the fair curve's change of curvature, or up to CALMER knots more */
+static const double even = 0.2; /* of the greatest curvature, that an arc's may differ by */
 static const double not_fair = 1.01, each_bump = 0.5; /* off, of what is near enough but less fair */
 
 /* Extrema that stand out by more than `least`. */
@@ -42,12 +45,23 @@ static int inflections(const double *x, size_t count, double least) {
     return found;
 }
 
+/* The integral of the squared change of curvature, from sample to sample. */
+static double change_of(const bat_local_machine *k) {
+    const bat_local_problem *q = k->problem;
+    double sum = 0;
+    for (size_t i = 1; i < q->count; i++) {
+        const double d = k->curvature[i] - k->curvature[i - 1], h = q->w[i] - q->w[i - 1];
+        if (h > 0) sum += d * d / h;
+    }
+    return sum;
+}
+
 /* Of the last solve. least: what stands out. */
 static bat_local_bumps bumps_of(bat_local_machine *k, double least) {
     const size_t count = k->problem->count;
     bat_local_curvature(k);
     return (bat_local_bumps){least, extrema(k->curvature, count, least),
-                             inflections(k->curvature, count, 0.25 * least)};
+                             inflections(k->curvature, count, 0.25 * least), change_of(k)};
 }
 
 static double what_stands_out(const double *curvature, size_t count) {
@@ -57,6 +71,13 @@ static double what_stands_out(const double *curvature, size_t count) {
         mean += fabs(curvature[i]) / (double)count;
     }
     return fmax(of_range * (high - low), of_mean * mean);
+}
+
+/* As good as constant: an arc or a line, whose change is noise. */
+static bool is_even(const double *curvature, size_t count) {
+    double low = curvature[0], high = low;
+    for (size_t i = 0; i < count; i++) low = fmin(low, curvature[i]), high = fmax(high, curvature[i]);
+    return high - low <= even * fmax(fabs(low), fabs(high));
 }
 
 /* |F''''| at the samples, its mean 1: the jump of the third derivative from one slot to the next over the way between
@@ -91,6 +112,7 @@ static void find_need(bat_local_machine *k) {
 void bat_local_note(bat_local_machine *k) {
     bat_local_curvature(k);
     k->fair = bumps_of(k, what_stands_out(k->curvature, k->problem->count));
+    if (k->problem->degree > 3 || is_even(k->curvature, k->problem->count)) k->fair.change = INFINITY;
     find_need(k);
     k->spread_count = 0;
 }
@@ -126,7 +148,11 @@ static void place(bat_local_machine *k, int count, int law) {
     }
 }
 
-/* How far the last solve is from what is allowed; 1: just within, and as fair as can be. INFINITY: no less than most. */
+/* Whether the curve ends where the stroke does. */
+static bool is_free(const bat_local_problem *q) { return q->side[0].pins + q->side[1].pins <= 2; }
+
+/* How far the last solve is from what is allowed; 1: just within, and as fair as can be; up to not_fair: within, and its
+ * curvature changes too much. INFINITY: no less than most. */
 static double off(bat_local_machine *k, bool fine, double most) {
     double worst = 0;
     for (size_t i = 0; i < k->problem->count && !k->given_up; i++) {
@@ -137,7 +163,10 @@ static double off(bat_local_machine *k, bool fine, double most) {
     const bat_local_bumps b = bumps_of(k, k->fair.least);
     const int more = (b.extrema > k->fair.extrema ? b.extrema - k->fair.extrema : 0) +
                      (b.inflections > k->fair.inflections ? b.inflections - k->fair.inflections : 0);
-    return fmax(sqrt(worst), more > 0 || !fine ? not_fair + each_bump * more : 0);
+    const double base = fmax(sqrt(worst), more > 0 || !fine ? not_fair + each_bump * more : 0);
+    if (base > 1 || !is_free(k->problem)) return base > 1 ? fmax(base, not_fair) : base;
+    const double excess = b.change / (most_change * k->fair.change);
+    return excess > 1 ? 1 + (not_fair - 1) * (1 - 1 / excess) : base;
 }
 
 static double try_off(bat_local_machine *k, double most, bat_status *status) {
@@ -182,20 +211,25 @@ static double best_places(bat_local_machine *k, int count, double most_work, bat
 bat_status bat_local_few(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int now = k->best.count, fewest = bat_local_fewest(q);
-    const int more = q->side[0].pins + q->side[1].pins > 2 ? MORE_KEPT
-                                                           : MORE; /* a curve redrawn often must not grow */
+    int most = now + (is_free(q) ? MORE : MORE_KEPT); /* a curve redrawn often must not grow */
     const double most_work = k->work + work_few;
     bat_status status = BAT_OK;
     if (q->fixed_count > 0 || now > MOST) return BAT_OK;
-    if (bat_local_try(k, &k->best, &status) && off(k, true, INFINITY) <= 1) return BAT_OK;
+    double least = not_fair;
+    bool found = false;
+    if (bat_local_try(k, &k->best, &status)) least = fmin(least, off(k, true, INFINITY));
+    if (least <= 1) return BAT_OK;
+    if (least < not_fair) most = now + CALMER;
     k->pulled =
         false; /* with few knots the least change of curvature is what is wanted, not that of the fair curve */
-    for (int n = now > fewest + FEWER ? now - FEWER : fewest; n <= now + more; n++) {
+    for (int n = now > fewest + FEWER ? now - FEWER : fewest; n <= most && least > 1; n++) {
         if (status != BAT_OK || k->work > most_work) break;
-        if (!(best_places(k, n, most_work, &status) <= 1)) continue;
+        const double now_off = best_places(k, n, most_work, &status);
+        if (!(now_off < least)) continue;
+        if (!(least < not_fair)) most = n + CALMER < most ? n + CALMER : most;
+        least = now_off, found = true;
         bat_knots_copy(&k->best, &k->spare);
-        return status;
     }
-    k->pulled = true;
+    k->pulled = !found;
     return status;
 }

@@ -57,12 +57,13 @@ typedef struct bat_knot_set {
     unsigned char *fixed; /* corner copies: never moved nor removed */
 } bat_knot_set;
 
-/* What stands out in a curve's curvature by at least so much. */
+/* What stands out in a curve's curvature by at least so much, and how much it changes. */
 enum { BAT_LOCAL_DENSITIES = 3 };
 
 typedef struct bat_local_bumps {
     double least;
     int extrema, inflections;
+    double change; /* integral of the squared change of curvature */
 } bat_local_bumps;
 
 typedef struct bat_local_machine {
