@@ -13,12 +13,12 @@ enum { PROJECTIONS = 3 };
 
 /* Starts at equal fractions of the two lengths and takes the nearest point close by: targets then differ from
  * the curve across it. */
-static void assign(const bat_canvas *canvas, const bat_clean *clean, const bat_correspondence *found,
+static void assign(const bat_workpiece *workpiece, const bat_clean *clean, const bat_correspondence *found,
                    double *u) {
     for (size_t i = 0; i < clean->count; i++) {
         double s = found->start + (found->end - found->start) * clean->arc[i] / clean->length;
-        u[i] = bat_curve_project_near(canvas->pixels, clean->points + i * (size_t)clean->dimension,
-                                      bat_track_u(&canvas->track, s), PROJECTIONS);
+        u[i] = bat_curve_project_near(workpiece->pixels, clean->points + i * (size_t)clean->dimension,
+                                      bat_track_u(&workpiece->track, s), PROJECTIONS);
     }
 }
 
@@ -38,17 +38,17 @@ static double miss(const bat_curve *curve, const bat_clean *clean, const double 
  * document units. */
 static bat_status draw(bat_shape *shape, int level, bat_clean *clean, const double *origin, double pixel,
                        bat_sketch_report *report) {
-    bat_canvas canvas;
-    bat_status status = bat_canvas_make(bat_shape_curve(shape, level), origin, pixel, &canvas);
+    bat_workpiece workpiece;
+    bat_status status = bat_workpiece_make(bat_shape_curve(shape, level), origin, pixel, &workpiece);
     if (status != BAT_OK) return status;
-    bat_correspondence found = bat_correspond(&canvas.track, clean, 0);
+    bat_correspondence found = bat_correspond(&workpiece.track, clean, 0);
     if (found.reversed) bat_clean_reverse(clean);
     double *u = NULL;
-    if (found.loop || bat_ends_far(clean, &found, canvas.pixels->closed ? canvas.track.length : 0))
+    if (found.loop || bat_ends_far(clean, &found, workpiece.pixels->closed ? workpiece.track.length : 0))
         status = BAT_FAR;
     if (status == BAT_OK && !(u = malloc(clean->count * sizeof *u))) status = BAT_MEMORY;
     if (status == BAT_OK) {
-        assign(&canvas, clean, &found, u);
+        assign(&workpiece, clean, &found, u);
         for (size_t i = 0; i < clean->count * (size_t)clean->dimension; i++)
             clean->points[i] = origin[i % (size_t)clean->dimension] + pixel * clean->points[i];
         status = bat_level_fit(shape, level, clean->count, u, clean->points, &report->spans);
@@ -59,7 +59,7 @@ static bat_status draw(bat_shape *shape, int level, bat_clean *clean, const doub
         report->reversed = found.reversed;
     }
     free(u);
-    bat_canvas_free(&canvas);
+    bat_workpiece_free(&workpiece);
     return status;
 }
 

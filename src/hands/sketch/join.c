@@ -64,12 +64,12 @@ typedef struct joining {
     int degree;
     double origin[BAT_DIMENSION_MAX], pixel;
     bat_clean clean;
-    bat_canvas canvas[2];
+    bat_workpiece workpiece[2];
     place found[2];
 } joining;
 
 static void joining_free(joining *j) {
-    for (int side = 0; side < 2; side++) bat_canvas_free(&j->canvas[side]);
+    for (int side = 0; side < 2; side++) bat_workpiece_free(&j->workpiece[side]);
     bat_clean_free(&j->clean);
 }
 
@@ -81,7 +81,7 @@ static bool runs_back(const joining *j) {
         bat_clean_frame(&j->clean, end == 0 ? 0 : j->clean.length, 12, point, direction, NULL);
         for (int side = 0; side < 2; side++) {
             bat_track_near near;
-            bat_track_candidates(&j->canvas[side].track, point, 0, 1, &near);
+            bat_track_candidates(&j->workpiece[side].track, point, 0, 1, &near);
             distance[side][end] = near.distance;
         }
     }
@@ -92,7 +92,7 @@ static bat_status find_places(joining *j) {
     for (int side = 0; side < 2; side++) {
         double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX];
         bat_clean_frame(&j->clean, side == 0 ? 0 : j->clean.length, 12, point, direction, NULL);
-        j->found[side] = find_place(&j->canvas[side].track, point, direction, side);
+        j->found[side] = find_place(&j->workpiece[side].track, point, direction, side);
     }
     const double far = fmax(40, 0.25 * j->clean.length);
     return j->found[0].distance > far || j->found[1].distance > far ? BAT_FAR : BAT_OK;
@@ -101,15 +101,15 @@ static bat_status find_places(joining *j) {
 /* Turned and brought to one degree. own: both keep the parameters they have; else the second is brought to the first
  * one's mean speed (document units). */
 static bat_status bring_together(joining *j, bool own) {
-    const double speed = j->canvas[0].track.mean * j->pixel;
+    const double speed = j->workpiece[0].track.mean * j->pixel;
     for (int side = 0; side < 2; side++) {
         bat_curve *ready;
         bat_status status = prepare(j->given[side], j->degree, j->found[side].turned,
-                                    j->canvas[side].track.length * j->pixel, side == 0 || own ? 0 : speed,
+                                    j->workpiece[side].track.length * j->pixel, side == 0 || own ? 0 : speed,
                                     &ready);
-        bat_canvas_free(&j->canvas[side]);
+        bat_workpiece_free(&j->workpiece[side]);
         if (status != BAT_OK) return status;
-        status = bat_canvas_make(ready, j->origin, j->pixel, &j->canvas[side]);
+        status = bat_workpiece_make(ready, j->origin, j->pixel, &j->workpiece[side]);
         bat_curve_free(ready);
         if (status != BAT_OK) return status;
     }
@@ -117,9 +117,9 @@ static bat_status bring_together(joining *j, bool own) {
 }
 
 static bat_status plan_join(const joining *j, bat_plan *plan, double changed[2]) {
-    bat_canvas_bind(plan, &j->canvas[0]);
-    plan->end[1].curve = j->canvas[1].pixels, plan->end[1].original = j->canvas[1].original;
-    plan->end[1].track = &j->canvas[1].track;
+    bat_workpiece_bind(plan, &j->workpiece[0]);
+    plan->end[1].curve = j->workpiece[1].pixels, plan->end[1].original = j->workpiece[1].original;
+    plan->end[1].track = &j->workpiece[1].track;
     const bat_correspondence meant = {
         .start = j->found[0].s, .end = j->found[1].s, .offset = {j->found[0].distance, j->found[1].distance}};
     bat_status status = bat_plan_ends(plan, &meant);
@@ -149,7 +149,7 @@ static bat_status join(const bat_curve *a, const bat_curve *b, const bat_stroke 
     status = bat_clean_stroke(stroke, &cleaning, &j.clean);
     if (status != BAT_OK) return status;
     for (int side = 0; side < 2 && status == BAT_OK; side++)
-        status = bat_canvas_make(j.given[side], j.origin, o.pixel, &j.canvas[side]);
+        status = bat_workpiece_make(j.given[side], j.origin, o.pixel, &j.workpiece[side]);
     bat_plan plan = {.degree = j.degree,
                      .dimension = stroke->dimension,
                      .pins = o.pins == 2 ? j.degree - 1 : j.degree,

@@ -52,7 +52,8 @@ void bat_stroke_origin(const bat_stroke *stroke, double *origin) {
     for (size_t c = 0; c < m; c++) origin[c] = 0;
 }
 
-bat_status bat_canvas_make(const bat_curve *curve, const double *origin, double pixel, bat_canvas *out) {
+bat_status bat_workpiece_make(const bat_curve *curve, const double *origin, double pixel,
+                              bat_workpiece *out) {
     memset(out, 0, sizeof *out);
     bat_status status = curve->degree < 3 ? bat_curve_elevate(curve, 3, &out->original)
                                           : bat_curve_copy(curve, &out->original);
@@ -67,57 +68,58 @@ bat_status bat_canvas_make(const bat_curve *curve, const double *origin, double 
             }
     }
     if (status == BAT_OK) status = bat_track_create(out->pixels, &out->track);
-    if (status != BAT_OK) bat_canvas_free(out);
+    if (status != BAT_OK) bat_workpiece_free(out);
     return status;
 }
 
-void bat_canvas_free(bat_canvas *canvas) {
-    bat_track_free(&canvas->track);
-    bat_curve_free(canvas->pixels);
-    bat_curve_free(canvas->original);
-    memset(canvas, 0, sizeof *canvas);
+void bat_workpiece_free(bat_workpiece *workpiece) {
+    bat_track_free(&workpiece->track);
+    bat_curve_free(workpiece->pixels);
+    bat_curve_free(workpiece->original);
+    memset(workpiece, 0, sizeof *workpiece);
 }
 
-void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas) {
+void bat_workpiece_bind(bat_plan *plan, const bat_workpiece *workpiece) {
     for (int side = 0; side < 2; side++) {
-        plan->end[side].curve = canvas->pixels;
-        plan->end[side].original = canvas->original;
-        plan->end[side].track = &canvas->track;
+        plan->end[side].curve = workpiece->pixels;
+        plan->end[side].original = workpiece->original;
+        plan->end[side].track = &workpiece->track;
     }
-    plan->speed = canvas->track.mean > 0 ? canvas->track.mean : 1;
+    plan->speed = workpiece->track.mean > 0 ? workpiece->track.mean : 1;
 }
 
 /* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
-bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel) {
+bat_status bat_workpiece_enrich(bat_plan *plan, bat_workpiece *workpiece, const double *origin,
+                                double pixel) {
     const int p = plan->degree;
-    const bat_track *k = &canvas->track;
+    const bat_track *k = &workpiece->track;
     const double period = k->end - k->start, from = plan->end[1].cut, to = plan->end[0].cut + period;
     int inside = 0;
     for (int lap = -1; lap <= 2; lap++)
-        for (int i = 0; i < canvas->original->count; i++) {
-            const double knot = bat_curve_knots(canvas->original)[i] + lap * period;
+        for (int i = 0; i < workpiece->original->count; i++) {
+            const double knot = bat_curve_knots(workpiece->original)[i] + lap * period;
             inside += knot > from && knot < to;
         }
     if (inside >= p - 1) return BAT_OK;
     double more[BAT_DEGREE_MAX];
     int count = 0;
     for (int i = 1; i <= p; i++)
-        more[count++] = bat_curve_reduce(canvas->original, from + (to - from) * i / (p + 1));
+        more[count++] = bat_curve_reduce(workpiece->original, from + (to - from) * i / (p + 1));
     for (int i = 1; i < count; i++)
         for (int j = i; j > 0 && more[j - 1] > more[j]; j--) {
             const double swap = more[j];
             more[j] = more[j - 1], more[j - 1] = swap;
         }
     bat_curve *finer;
-    bat_status status = bat_curve_insert_knots(canvas->original, count, more, &finer);
+    bat_status status = bat_curve_insert_knots(workpiece->original, count, more, &finer);
     if (status != BAT_OK) return status;
-    bat_canvas next;
-    status = bat_canvas_make(finer, origin, pixel, &next);
+    bat_workpiece next;
+    status = bat_workpiece_make(finer, origin, pixel, &next);
     bat_curve_free(finer);
     if (status != BAT_OK) return status;
-    bat_canvas_free(canvas);
-    *canvas = next;
-    bat_canvas_bind(plan, canvas);
+    bat_workpiece_free(workpiece);
+    *workpiece = next;
+    bat_workpiece_bind(plan, workpiece);
     return BAT_OK;
 }
 
@@ -184,11 +186,11 @@ bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, b
 }
 
 /* A stroke all round a closed curve. */
-static bat_status plan_ring(bat_plan *plan, const bat_canvas *canvas, bat_sketch_report *report) {
+static bat_status plan_ring(bat_plan *plan, const bat_workpiece *workpiece, bat_sketch_report *report) {
     double mine[3], theirs[3];
     const size_t m = (size_t)plan->dimension;
     vector_area(m, plan->stroke->count, plan->stroke->points, mine);
-    vector_area(m, (size_t)canvas->track.count - 1, canvas->track.points, theirs);
+    vector_area(m, (size_t)workpiece->track.count - 1, workpiece->track.points, theirs);
     report->reversed = mine[0] * theirs[0] + mine[1] * theirs[1] + mine[2] * theirs[2] < 0;
     if (report->reversed) bat_clean_reverse(plan->stroke);
     plan->periodic = true;
@@ -199,10 +201,10 @@ static bat_status plan_ring(bat_plan *plan, const bat_canvas *canvas, bat_sketch
 static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_sketch_options *o,
                          const double *origin, const bat_sketch_meaning *meaning, bat_sketch_hints *hints,
                          bat_curve **out, bat_sketch_report *report) {
-    bat_canvas canvas;
-    bat_status status = bat_canvas_make(curve, origin, o->pixel, &canvas);
+    bat_workpiece workpiece;
+    bat_status status = bat_workpiece_make(curve, origin, o->pixel, &workpiece);
     if (status != BAT_OK) return status;
-    const int p = canvas.pixels->degree;
+    const int p = workpiece.pixels->degree;
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve)};
     bat_plan plan = {.degree = p,
                      .dimension = clean->dimension,
@@ -213,22 +215,24 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
                      .keep_corners = o->keep_corners,
                      .closed = curve->closed,
                      .stroke = clean};
-    bat_canvas_bind(&plan, &canvas);
-    const bat_correspondence found = bat_correspond(&canvas.track, clean, meaning ? meaning->sense : 0);
-    const bool ring = curve->closed && bat_clean_closes(clean) && clean->length > 0.5 * canvas.track.length;
-    const bool all_round = ring || (curve->closed && found.end - found.start >= 0.98 * canvas.track.length);
+    bat_workpiece_bind(&plan, &workpiece);
+    const bat_correspondence found = bat_correspond(&workpiece.track, clean, meaning ? meaning->sense : 0);
+    const bool ring = curve->closed && bat_clean_closes(clean) &&
+                      clean->length > 0.5 * workpiece.track.length;
+    const bool all_round = ring ||
+                           (curve->closed && found.end - found.start >= 0.98 * workpiece.track.length);
     if (!all_round && found.reversed) bat_clean_reverse(clean);
     facts.reversed = found.reversed;
     for (int side = 0; side < 2 && meaning; side++) plan.end[side].rule = meaning->end[side ^ found.reversed];
-    const double around = curve->closed && !ring ? canvas.track.length : 0;
+    const double around = curve->closed && !ring ? workpiece.track.length : 0;
     status = around > 0 && bat_ends_far(clean, &found, around) ? BAT_FAR : bat_plan_ends(&plan, &found);
-    facts.changed[0] = canvas.track.start, facts.changed[1] = canvas.track.end;
+    facts.changed[0] = workpiece.track.start, facts.changed[1] = workpiece.track.end;
     if (status == BAT_OK && all_round) {
-        status = plan_ring(&plan, &canvas, &facts);
+        status = plan_ring(&plan, &workpiece, &facts);
     } else if (status == BAT_OK) {
         bat_plan_leads(&plan);
         bat_plan_cuts(&plan);
-        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o->pixel);
+        if (plan.closed) status = bat_workpiece_enrich(&plan, &workpiece, origin, o->pixel);
         if (plan.end[0].kind != BAT_END_FREE) facts.changed[0] = plan.end[0].cut;
         if (plan.end[1].kind != BAT_END_FREE) facts.changed[1] = plan.end[1].cut;
         if (status == BAT_OK) status = bat_plan_target(&plan);
@@ -236,7 +240,7 @@ static bat_status redraw(const bat_curve *curve, bat_clean *clean, const bat_ske
     if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o->pixel, hints, out, &facts);
     if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
     bat_plan_free(&plan);
-    bat_canvas_free(&canvas);
+    bat_workpiece_free(&workpiece);
     return status;
 }
 

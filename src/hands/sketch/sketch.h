@@ -6,12 +6,12 @@
 #include "hands/sketch/meant.h"
 
 /* A curve ready for work: degree 3 at least, with its image in pixels and its table. */
-typedef struct bat_canvas {
+typedef struct bat_workpiece {
     bat_curve *original, *pixels;
     bat_track track;
-} bat_canvas;
-bat_status bat_canvas_make(const bat_curve *curve, const double *origin, double pixel, bat_canvas *out);
-void bat_canvas_free(bat_canvas *canvas);
+} bat_workpiece;
+bat_status bat_workpiece_make(const bat_curve *curve, const double *origin, double pixel, bat_workpiece *out);
+void bat_workpiece_free(bat_workpiece *workpiece);
 
 /* Options and stroke in range; fills defaults that 0 stands for. */
 bat_status bat_sketch_check(const bat_stroke *stroke, const bat_sketch_options *given,
@@ -30,9 +30,9 @@ typedef struct bat_sketch_hints {
 bat_status bat_sketch_clean(const bat_stroke *stroke, const bat_sketch_options *options, bool corners,
                             const bat_sketch_hints *hints, double *origin, bat_clean *out);
 
-void bat_canvas_bind(bat_plan *plan, const bat_canvas *canvas);
+void bat_workpiece_bind(bat_plan *plan, const bat_workpiece *workpiece);
 /* The kept arc of a closed curve must hold p - 1 knots for the pins of both ends to be told apart. */
-bat_status bat_canvas_enrich(bat_plan *plan, bat_canvas *canvas, const double *origin, double pixel);
+bat_status bat_workpiece_enrich(bat_plan *plan, bat_workpiece *workpiece, const double *origin, double pixel);
 
 /* The last steps, the same for all: fit, splice, report. */
 bat_status bat_plan_finish(bat_plan *plan, const double *origin, double pixel, bat_sketch_hints *hints,

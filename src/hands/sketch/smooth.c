@@ -104,13 +104,13 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
     bat_clean clean;
     status = bat_sketch_clean(stroke, &o, false, hints, origin, &clean);
     if (status != BAT_OK) return status;
-    bat_canvas canvas;
-    status = bat_canvas_make(curve, origin, o.pixel, &canvas);
+    bat_workpiece workpiece;
+    status = bat_workpiece_make(curve, origin, o.pixel, &workpiece);
     if (status != BAT_OK) {
         bat_clean_free(&clean);
         return status;
     }
-    const int p = canvas.pixels->degree;
+    const int p = workpiece.pixels->degree;
     bat_plan plan = {.degree = p,
                      .dimension = stroke->dimension,
                      .pins = o.pins == 2 ? p - 1 : p,
@@ -119,12 +119,12 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
                      .fairness = o.fairness,
                      .closed = curve->closed,
                      .stroke = &clean};
-    bat_canvas_bind(&plan, &canvas);
-    bat_correspondence found = bat_correspond(&canvas.track, &clean, 0);
+    bat_workpiece_bind(&plan, &workpiece);
+    bat_correspondence found = bat_correspond(&workpiece.track, &clean, 0);
     bat_sketch_report facts = {.knots_before = bat_curve_knot_count(curve), .reversed = found.reversed};
     status = bat_plan_ends(&plan, &found);
     if (status == BAT_OK) {
-        const double L = canvas.track.length;
+        const double L = workpiece.track.length;
         double from = fmin(plan.end[0].s, plan.end[1].s), to = fmax(plan.end[0].s, plan.end[1].s);
         const double widen = fmax(0.5 * (shortest_stretch - (to - from)), 0);
         from -= widen, to += widen;
@@ -133,7 +133,7 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
         plan.end[0].s = from, plan.end[1].s = to;
         for (int side = 0; side < 2; side++) plan.end[side].kind = BAT_END_KEPT;
         bat_plan_cuts(&plan);
-        if (plan.closed) status = bat_canvas_enrich(&plan, &canvas, origin, o.pixel);
+        if (plan.closed) status = bat_workpiece_enrich(&plan, &workpiece, origin, o.pixel);
         for (int side = 0; side < 2; side++) facts.changed[side] = plan.end[side].cut;
         if (status == BAT_OK && !(plan.end[1].joint - plan.end[0].joint > 8)) status = BAT_DOT;
         if (status == BAT_OK) status = smooth_target(&plan, o.smooth_limit / o.pixel);
@@ -141,7 +141,7 @@ bat_status bat_sketch_smooth_with(const bat_curve *curve, const bat_stroke *stro
     if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);
     if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
     bat_plan_free(&plan);
-    bat_canvas_free(&canvas);
+    bat_workpiece_free(&workpiece);
     bat_clean_free(&clean);
     return status;
 }
