@@ -37,28 +37,41 @@ static bool touches_any(const chain *c, int i) {
     return false;
 }
 
+static void drop(chain *c, int i) {
+    const size_t after = (size_t)(--c->count - i);
+    memmove(&c->line[i], &c->line[i + 1], after * sizeof c->line[0]);
+    memmove(&c->end[i], &c->end[i + 1], after * sizeof c->end[0]);
+}
+
+/* Takes the line, the last so far in the drawing's order; of too many, those that come nearest to the stroke stay. */
+static void take(const bat_intent *intent, chain *c, int line) {
+    const bat_intent_near *near = &intent->line[line];
+    if (c->count == CHAIN_MOST) {
+        int farthest = 0;
+        for (int i = 1; i < c->count; i++)
+            if (intent->line[c->line[i]].least >= intent->line[c->line[farthest]].least) farthest = i;
+        if (near->least >= intent->line[c->line[farthest]].least) return;
+        drop(c, farthest);
+    }
+    const double *x = near->line.x;
+    memcpy(c->end[c->count][0], x, 2 * sizeof *x);
+    memcpy(c->end[c->count][1], x + 2 * (size_t)(near->line.count - 1), 2 * sizeof *x);
+    c->line[c->count++] = line;
+}
+
 static bat_status gather(bat_intent *intent, chain *c) {
     c->count = 0;
     c->reach = bat_intent_reach_whole(intent);
     c->least = fmax(part_least, part_share * intent->length);
-    for (int i = 0; i < intent->line_count && c->count < CHAIN_MOST; i++) {
+    for (int i = 0; i < intent->line_count; i++) {
         const bat_intent_near *near = &intent->line[i];
         if (!near->meant || near->line.closed) continue;
         const bat_status status = bat_intent_ask_late(intent, i);
         if (status != BAT_OK) return status;
-        if (!near->usable || near->least > c->reach) continue;
-        const double *x = near->line.x;
-        memcpy(c->end[c->count][0], x, 2 * sizeof *x);
-        memcpy(c->end[c->count][1], x + 2 * (size_t)(near->line.count - 1), 2 * sizeof *x);
-        c->line[c->count++] = i;
+        if (near->usable && near->least <= c->reach) take(intent, c, i);
     }
-    chain all = *c;
-    c->count = 0;
-    for (int i = 0; i < all.count; i++) {
-        if (!touches_any(&all, i)) continue;
-        memcpy(c->end[c->count], all.end[i], sizeof all.end[i]);
-        c->line[c->count++] = all.line[i];
-    }
+    for (int i = c->count - 1; i >= 0; i--)
+        if (!touches_any(c, i)) drop(c, i);
     return BAT_OK;
 }
 

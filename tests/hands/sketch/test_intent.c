@@ -169,9 +169,8 @@ static void parts_of_several(void **state) {
 }
 
 /* A long line and the beginning of the next one are drawn over, beside more lines than there can be readings, all of
- * which lie nearer to the whole stroke than the short part does. */
-static void short_part_in_a_crowd(void **state) {
-    (void)state;
+ * which lie nearer to the whole stroke than the short part does: the first at `away`. */
+static void two_in_a_crowd(double away, double apart) {
     enum { CROWD = 60 };
     const scene s = {.stroke = {{0, 1}, {985, 1}}, .corners = 2};
     double points[2 * SAMPLES];
@@ -181,7 +180,8 @@ static void short_part_in_a_crowd(void **state) {
     samples(&s, points);
     assert_int_equal(bat_intent_create(false, false, &intent), BAT_OK);
     for (int i = 0; i < CROWD + 2; i++) {
-        bat_curve *curve = i < CROWD    ? line(0, 45 + 0.2 * i, 985, 45 + 0.2 * i)
+        const double y = away + apart * i;
+        bat_curve *curve = i < CROWD    ? line(0, y, 985, y)
                            : i == CROWD ? line(0, 0, 900, 0)
                                         : line(900, 0, 1200, 0);
         assert_int_equal(bat_intent_line(intent, curve, UPRIGHT, true), BAT_OK);
@@ -194,6 +194,12 @@ static void short_part_in_a_crowd(void **state) {
     assert_int_equal(all[0].part[0].line, CROWD);
     assert_int_equal(all[0].part[1].line, CROWD + 1);
     bat_intent_free(intent);
+}
+
+static void short_part_in_a_crowd(void **state) {
+    (void)state;
+    two_in_a_crowd(45, 0.2);
+    two_in_a_crowd(9, 0.05); /* within reach, and first in the drawing's order */
 }
 
 static void bad_samples(void **state) {
