@@ -164,9 +164,9 @@ static void knots_do_not_pile_up(void **state) {
         bat_surface *made = NULL;
         bat_surface_sketch_options options = bat_surface_sketch_defaults();
         options.tolerance = 0.01;
-        const double from = random_between(&r, 0.12, 0.4);
-        draw_hump(flat, BAT_U, 4, &tilted, from, from + random_between(&r, 0.3, 0.45),
-                  random_between(&r, -1, 1), up, pixels, places);
+        const double from = random_between(&r, 0.12, 0.4), to = from + random_between(&r, 0.3, 0.45);
+        const double height = random_between(&r, -1, 1);
+        draw_hump(flat, BAT_U, 4, &tilted, from, to, height, up, pixels, places);
         const bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = pixels};
         assert_int_equal(bat_surface_sketch(s, BAT_U, 4, &tilted, &stroke, &options, &made, NULL, NULL),
                          BAT_OK);
