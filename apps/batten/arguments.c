@@ -145,6 +145,13 @@ int arguments_vector(const cli_arguments *arguments, const char *name, size_t si
                : fail_usage(arguments->command, "%s: expected %zu numbers, found %zu", name, size, count);
 }
 
+int arguments_one_input(const cli_arguments *arguments, int count, const char *names) {
+    int inputs = 0;
+    for (int i = 0; i < count; i++) inputs += strcmp(arguments->operands[i], "-") == 0;
+    if (inputs < 2) return EXIT_DONE;
+    return fail_usage(arguments->command, "only one of %s can be standard input", names);
+}
+
 int arguments_product(const cli_arguments *arguments, const char *name, long most, long out[2]) {
     const char *text = arguments_value(arguments, name);
     if (!text) return EXIT_DONE;

@@ -90,7 +90,7 @@ static int run(const cli_arguments *arguments) {
     bat_viewpoint view;
     bat_canvas canvas = {.curve = NULL};
     bat_problem problem;
-    int failed = one_input(arguments, 3);
+    int failed = arguments_one_input(arguments, 3, "the files");
     if (!failed) failed = read_view(arguments->operands[1], &view);
     if (!failed) failed = read_data(arguments->operands[2], canvas_of, &canvas, &problem);
     if (!failed) failed = cast_stroke(arguments->operands[0], &view, &canvas);

@@ -23,10 +23,8 @@ static int sketch(const cli_arguments *arguments, const bat_curve *curve, const 
 static int run(const cli_arguments *arguments) {
     bat_sketch_options options;
     int failed = sketch_options(arguments, &options);
+    if (!failed) failed = arguments_one_input(arguments, 2, "CURVE and STROKE");
     if (failed) return failed;
-    if (strcmp(arguments->operands[0], "-") == 0 && strcmp(arguments->operands[1], "-") == 0) {
-        return fail_usage(arguments->command, "only one of CURVE and STROKE can be standard input");
-    }
     bat_curve *curve = NULL;
     failed = read_curve(arguments->operands[0], &curve);
     if (!failed) failed = sketch(arguments, curve, &options);

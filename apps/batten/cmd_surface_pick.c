@@ -35,7 +35,7 @@ static int pick(const cli_arguments *arguments, const bat_surface *surface, cons
 static int run(const cli_arguments *arguments) {
     bat_surface *surface = NULL;
     bat_viewpoint view;
-    int failed = one_input(arguments, 3);
+    int failed = arguments_one_input(arguments, 3, "the files");
     if (!failed) failed = read_surface(arguments->operands[0], &surface);
     if (!failed) failed = read_view(arguments->operands[2], &view);
     if (!failed) failed = pick(arguments, surface, &view);

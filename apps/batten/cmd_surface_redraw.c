@@ -5,7 +5,6 @@
 
 #include <batten/bezier.h>
 #include <stdlib.h>
-#include <string.h>
 
 static int redraw(const cli_arguments *arguments, const bat_surface *surface, const wish *w) {
     bat_curve *read = NULL, *line = NULL;
@@ -35,8 +34,7 @@ static int run(const cli_arguments *arguments) {
     wish w = {.hold = NULL};
     bat_surface *surface = NULL;
     int failed = read_wish(arguments, &w);
-    if (!failed && strcmp(arguments->operands[0], "-") == 0 && strcmp(arguments->operands[1], "-") == 0)
-        failed = fail_usage(arguments->command, "only one of SURFACE and LINE can be standard input");
+    if (!failed) failed = arguments_one_input(arguments, 2, "SURFACE and LINE");
     if (!failed) failed = read_surface(arguments->operands[0], &surface);
     if (!failed) failed = check_line(arguments, surface, w.direction, w.at);
     if (!failed) failed = redraw(arguments, surface, &w);

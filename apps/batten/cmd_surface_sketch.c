@@ -73,7 +73,7 @@ static int run(const cli_arguments *arguments) {
     bat_viewpoint view;
     int failed = read_wish(arguments, &w);
     if (!failed) failed = read_options(arguments, &options);
-    if (!failed) failed = one_input(arguments, 3);
+    if (!failed) failed = arguments_one_input(arguments, 3, "the files");
     if (!failed) failed = read_surface(arguments->operands[0], &surface);
     if (!failed) failed = check_line(arguments, surface, w.direction, w.at);
     if (!failed) failed = read_view(arguments->operands[2], &view);

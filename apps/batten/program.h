@@ -43,6 +43,8 @@ extern const cli_command command_edit, command_eval, command_nearest, command_fr
 
 /* EXIT_DONE, or EXIT_USAGE after reporting what is wrong. */
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);
+/* Wrong usage when more than one of the first `count` operands, which `names` names, is standard input. */
+int arguments_one_input(const cli_arguments *arguments, int count, const char *names);
 /* The option's value, or NULL when it was not given. */
 const char *arguments_value(const cli_arguments *arguments, const char *name);
 /* The option as one finite number with low <= number <= high; *out is unchanged when it was not given. */

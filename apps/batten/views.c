@@ -4,7 +4,6 @@
 
 #include <batten/bezier.h>
 #include <batten/format.h>
-#include <string.h>
 
 static bat_status view_of(const char *data, size_t size, void *out, bat_problem *problem) {
     return bat_viewpoint_read(data, size, out, problem);
@@ -20,11 +19,4 @@ int read_pixels(const char *name, bat_stroke *out, void **block) {
     if (failed || out->dimension == 2) return failed;
     bat_free(*block);
     return fail_data(name, "points", "expected samples of 2 numbers, in pixels, found 3");
-}
-
-int one_input(const cli_arguments *arguments, int count) {
-    int inputs = 0;
-    for (int i = 0; i < count; i++) inputs += strcmp(arguments->operands[i], "-") == 0;
-    if (inputs < 2) return EXIT_DONE;
-    return fail_usage(arguments->command, "only one of the files can be standard input");
 }

@@ -9,7 +9,5 @@
 int read_view(const char *name, bat_viewpoint *out);
 /* A stroke in pixels: its samples have 2 numbers. Free *block with bat_free. */
 int read_pixels(const char *name, bat_stroke *out, void **block);
-/* Reports wrong usage when more than one of the first `count` operands is standard input. */
-int one_input(const cli_arguments *arguments, int count);
 
 #endif

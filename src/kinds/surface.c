@@ -35,6 +35,10 @@ static void end(void *own) { release(kept_of(own)); }
 
 /* ---- lines ---- */
 
+static bool is_inner(const double *knots, int i, const double domain[2]) {
+    return knots[i] > knots[i - 1] && knots[i] > domain[0] && knots[i] < domain[1];
+}
+
 /* Where the direction has lines: both ends, and knots between them, or as many of these as may be; closed: without the
  * end, which is the start. Ascending; returns how many. */
 static int places(const bat_surface *surface, bat_direction direction, double out[LINES]) {
@@ -43,12 +47,11 @@ static int places(const bat_surface *surface, bat_direction direction, double ou
     double domain[2];
     bat_surface_domain(surface, direction, domain);
     int inner = 0, seen = 0, made = 1;
-    for (int i = 1; i < count; i++)
-        inner += knots[i] > knots[i - 1] && knots[i] > domain[0] && knots[i] < domain[1];
+    for (int i = 1; i < count; i++) inner += is_inner(knots, i, domain);
     const int most = inner < LINES - 2 ? inner : LINES - 2;
     out[0] = domain[0];
     for (int i = 1; i < count; i++) {
-        if (!(knots[i] > knots[i - 1] && knots[i] > domain[0] && knots[i] < domain[1])) continue;
+        if (!is_inner(knots, i, domain)) continue;
         seen++; /* of `inner` knots take `most`, evenly */
         if ((long long)seen * most / inner > (long long)(seen - 1) * most / inner) out[made++] = knots[i];
     }

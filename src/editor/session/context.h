@@ -19,12 +19,11 @@ typedef struct bat_context {
     struct bat_scene *scene;         /* scene/scene.h: what is painted and can be hit */
     struct bat_snap *snap;           /* pick/snap.h: what the last position of a drag snapped to */
     struct bat_insight *insight;     /* show/inspect.h: the curve inspected last */
-    struct bat_simplifying
-        *simplifying;            /* commands/simplify.h: the simplification that can still be adjusted */
-    struct bat_panels *panels;   /* panels/panels.h */
-    struct bat_toolbox *toolbox; /* tools/toolbox.h: the tools, each with its own state */
-    uint32_t modifiers;          /* held at present */
-    double time;                 /* of the event, ms */
+    struct bat_simplifying *simplifying; /* commands/simplify.h: what can still be simplified otherwise */
+    struct bat_panels *panels;           /* panels/panels.h */
+    struct bat_toolbox *toolbox;         /* tools/toolbox.h: the tools, each with its own state */
+    uint32_t modifiers;                  /* held at present */
+    double time;                         /* of the event, ms */
 } bat_context;
 
 #endif
