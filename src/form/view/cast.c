@@ -16,6 +16,7 @@ typedef struct casting {
     bat_surface_finder *finder; /* of a surface */
     vec origin, direction;      /* unit: a plane's normal, or the direction in which a curve is ruled */
     bat_curve *curve;           /* in space */
+    double size;                /* of the curve */
     double *bezier, *breaks;
     int pieces;
     double domain[2], s; /* s: NaN before the first sample has landed */
@@ -52,7 +53,7 @@ static bool place_at(const casting *c, const bat_sight *ray, double s, bat_cast_
     double jet[6];
     bat_curve_eval(c->curve, s, 1, jet);
     const vec on = vec_load(jet, 3), d = c->direction, r = ray->along, way = vec_sub(on, ray->from);
-    const double slope = vec_dot(d, r), across = 1 - slope * slope, size = bat_curve_size(c->curve);
+    const double slope = vec_dot(d, r), across = 1 - slope * slope;
     const double sine = fabs(vec_dot(vec_unit(vec_load(jet + 3, 3)), vec_cross(d, r)));
     *out = (bat_cast_point){.fate = BAT_CAST_EDGE_ON, .own = {s, 0}};
     if (!(sine >= edge_on)) return true;
@@ -61,11 +62,11 @@ static bool place_at(const casting *c, const bat_sight *ray, double s, bat_cast_
     out->distance = (vec_dot(r, way) - slope * vec_dot(d, way)) / across;
     const vec at = vec_add(on, vec_scale(d, out->own[1]));
     const vec seen = vec_add(ray->from, vec_scale(r, out->distance));
-    if (vec_norm(vec_sub(at, seen)) > 1e-6 * size + 1e-12 * vec_norm(way)) return false;
+    if (vec_norm(vec_sub(at, seen)) > 1e-6 * c->size + 1e-12 * vec_norm(way)) return false;
     vec_store(at, out->point);
-    out->fate = out->distance < 0                    ? BAT_CAST_BEHIND
-                : fabs(out->own[1]) > far_out * size ? BAT_CAST_FAR
-                                                     : BAT_CAST_LANDED;
+    out->fate = out->distance < 0                       ? BAT_CAST_BEHIND
+                : fabs(out->own[1]) > far_out * c->size ? BAT_CAST_FAR
+                                                        : BAT_CAST_LANDED;
     return true;
 }
 
@@ -79,12 +80,11 @@ static void consider(casting *c, const bat_sight *ray, double s, bat_cast_point 
 
 /* The ends of an open curve, whose sign rounding decides. */
 static void consider_ends(casting *c, const bat_sight *ray, vec across, bat_cast_point *best) {
-    const double size = bat_curve_size(c->curve);
     for (int k = 0; k < 2; k++) {
         double at[3];
         bat_curve_eval(c->curve, c->domain[k], 0, at);
         const vec way = vec_sub(vec_load(at, 3), ray->from);
-        if (fabs(vec_dot(way, across)) <= (1e-10 * size + 1e-15 * vec_norm(way)) * vec_norm(across))
+        if (fabs(vec_dot(way, across)) <= (1e-10 * c->size + 1e-15 * vec_norm(way)) * vec_norm(across))
             consider(c, ray, c->domain[k], best);
     }
 }
@@ -155,6 +155,7 @@ static bat_status prepare(const bat_canvas *canvas, casting *out) {
     if (!canvas->curve) return BAT_OK;
     bat_status status = bat_curve_to_dimension(canvas->curve, 3, &out->curve);
     if (status != BAT_OK) return status;
+    out->size = bat_curve_size(out->curve);
     bat_curve_domain(out->curve, out->domain);
     out->pieces = bat_curve_segment_count(out->curve);
     const size_t points = (size_t)out->pieces * (size_t)(out->curve->degree + 1) * 3;
