@@ -54,7 +54,7 @@ TABLE = re.compile(r"^(?!static|extern|typedef|#)(?:const )?[A-Za-z_][\w \*]*?\b
 USED = re.compile(r"\bbat_\w+")
 KIND = re.compile(r"\bBAT_KIND_\w+")
 TOOL = re.compile(r"\bBAT_TOOL_(?!COUNT\b)\w+")
-VIEW = re.compile(r"\bbat_view\w*|->view\b|\.view\b")  # tools ask the stage
+VIEW = re.compile(r"\bbat_view(?!point)\w*|->view\b|\.view\b")  # tools ask the stage
 
 
 def bare(text):

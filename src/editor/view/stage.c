@@ -1,6 +1,8 @@
 #include "editor/view/stage.h"
 #include <string.h>
 
+static const double AWAY = 1000; /* of the eye from the page, in windows */
+
 bat_stage bat_stage_defaults(void) { return (bat_stage){bat_view_defaults(), bat_ground_page()}; }
 
 int bat_stage_dimension(const bat_stage *stage) { return stage->ground.type->dimension; }
@@ -35,6 +37,21 @@ double bat_stage_angle(const bat_stage *stage) { return stage->view.angle; }
 void bat_stage_up(const bat_stage *stage, double up[2]) {
     up[0] = stage->view.sine;
     up[1] = -stage->view.cosine;
+}
+
+bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out) {
+    const bat_view *view = &stage->view;
+    if (!(view->width > 0 && view->height > 0)) return BAT_STATE;
+    bat_viewpoint seen = {.size = {view->width, view->height}, .height = view->height / view->zoom};
+    double middle[2];
+    bat_stage_middle(stage, middle);
+    bat_view_to_document(view, middle, seen.target);
+    memcpy(seen.eye, seen.target, sizeof seen.eye);
+    seen.eye[2] = -AWAY * (view->width + view->height) / view->zoom;
+    seen.up[0] = -view->sine;
+    seen.up[1] = -view->cosine;
+    *out = seen;
+    return BAT_OK;
 }
 
 void bat_stage_window(const bat_stage *stage, double size[2]) {

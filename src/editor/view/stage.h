@@ -6,6 +6,7 @@
 
 #include "editor/view/ground.h"
 #include "editor/view/view.h"
+#include <batten/view.h>
 
 typedef struct bat_stage {
     bat_view view;
@@ -28,6 +29,9 @@ double bat_stage_scale(const bat_stage *stage);
 /* The upward direction of the drawing in pixels, of length 1; the rotation of the view in degrees. */
 void bat_stage_up(const bat_stage *stage, double up[2]);
 double bat_stage_angle(const bat_stage *stage);
+/* The view as the calls of view.h take it: parallel, from before the page, y downwards and z away from the eye. Points
+ * are seen at the pixels of bat_stage_project. BAT_STATE: the window has no size. */
+bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out);
 /* Width and height of the window in pixels; its middle; the axis-aligned box around what it shows, in drawing
  * coordinates. */
 void bat_stage_window(const bat_stage *stage, double size[2]);

@@ -36,7 +36,7 @@ void bat_view_to_document(const bat_view *view, const double screen[2], double d
 }
 
 bat_ray bat_view_ray(const bat_view *view, const double pixel[2]) {
-    bat_ray ray = {.along = {0, 0, -1}};
+    bat_ray ray = {.along = {0, 0, 1}};
     bat_view_to_document(view, pixel, ray.from);
     return ray;
 }

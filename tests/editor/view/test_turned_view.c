@@ -69,6 +69,34 @@ static void there_and_back_and_the_point_stays(void **state) {
     }
 }
 
+/* The view as a viewpoint in space shows every point of the page, and whatever lies before or behind it, at the pixel
+ * of the page's view; its rays run down onto the page. */
+static void a_viewpoint_sees_the_same_pixels(void **state) {
+    (void)state;
+    for (int i = -17; i <= 18; i++) {
+        bat_stage stage = bat_stage_defaults();
+        bat_viewpoint seen;
+        stage.view = turned(10.01 * i);
+        assert_int_equal(bat_stage_viewpoint(&stage, &seen), BAT_OK);
+        assert_int_equal(bat_viewpoint_check(&seen), BAT_OK);
+        for (int k = -3; k <= 3; k++) {
+            const double at[3] = {100.3 * k, 77.7 + 31 * k * k, 500.5 * k};
+            double flat[2], pixel[2], from[3], along[3], depth;
+            bat_stage_project(&stage, at, flat);
+            assert_int_equal(bat_viewpoint_project(&seen, at, pixel, &depth), BAT_OK);
+            assert_true(near(pixel, flat[0], flat[1], 1e-9) && depth > 0);
+            assert_int_equal(bat_viewpoint_ray(&seen, flat, from, along), BAT_OK);
+            assert_true(near(from, at[0], at[1], 1e-9) && from[2] < at[2]);
+            assert_true(along[0] == 0 && along[1] == 0 && along[2] == 1);
+            bat_ray ray = bat_view_ray(&stage.view, flat); /* looks the same way */
+            for (int d = 0; d < 3; d++) assert_true(ray.along[d] == along[d]);
+        }
+    }
+    bat_stage stage = bat_stage_defaults();
+    bat_viewpoint seen;
+    assert_int_equal(bat_stage_viewpoint(&stage, &seen), BAT_STATE);
+}
+
 /* All corners are in the room, and the tightest of them touches it. */
 static void fit_shows_all_of_a_turned_box(void **state) {
     (void)state;
@@ -282,6 +310,7 @@ int main(void) {
         cmocka_unit_test(angles_have_a_range_and_steps),
         cmocka_unit_test(a_quarter_turns_clockwise),
         cmocka_unit_test(there_and_back_and_the_point_stays),
+        cmocka_unit_test(a_viewpoint_sees_the_same_pixels),
         cmocka_unit_test(fit_shows_all_of_a_turned_box),
         cmocka_unit_test(upright_is_a_detent),
         cmocka_unit_test(strokes_lie_where_the_pen_was),
