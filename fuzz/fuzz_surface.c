@@ -2,6 +2,7 @@
  * on it, and the same surface when written and read again. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/sweep.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -84,6 +85,34 @@ static void check_redraw(const bat_surface *s, bat_direction d, double at, doubl
     bat_surface_free(made);
 }
 
+/* Surfaces from some of its lines: what is made is valid, and within reach of them. */
+static void check_made(const bat_surface *s, const double *u, double v, const double low[3],
+                       const double high[3]) {
+    const double origin[3] = {1, 0, 0}, axis[3] = {0, 0, 1};
+    bat_curve *line[3] = {NULL};
+    bat_surface *made[3] = {NULL};
+    double error = 0, apart[4], places[2];
+    for (int k = 0; k < 3; k++)
+        if (bat_surface_isocurve(s, k < 2 ? BAT_U : BAT_V, k < 2 ? u[k] : v, &line[k]) != BAT_OK)
+            line[k] = NULL;
+    if (line[0] && line[1] && line[2]) {
+        const double size = bat_surface_size(s);
+        double fine = 1e-2 * size + 1e-3; /* no more than a few hundred spans */
+        for (int c = 0; c < 3; c++) fine += 1e-3 * (fabs(low[c]) + fabs(high[c]));
+        const bat_curve *const sides[4] = {line[0], line[1], line[2], line[2]};
+        if (bat_surface_revolve(line[0], origin, axis, 5, fine, &made[0], &error) == BAT_OK &&
+            !(error <= fine))
+            abort();
+        if (bat_surface_loft(2, sides, &made[1], places) == BAT_OK && (places[0] != 0 || places[1] != 1))
+            abort();
+        bat_surface_coons(sides, 2 * size, &made[2], apart);
+    }
+    for (int k = 0; k < 3; k++) {
+        bat_curve_free(line[k]);
+        bat_surface_free(made[k]);
+    }
+}
+
 static void check(const bat_surface *s) {
     double low[3], high[3], domain[2][2], at[2][3];
     bat_surface_box(s, low, high);
@@ -97,6 +126,7 @@ static void check(const bat_surface *s) {
     for (int k = 0; k < 9; k++) check_place(s, at[BAT_U][k / 3], at[BAT_V][k % 3], low, high);
     if (bat_surface_count(s, BAT_U) * bat_surface_count(s, BAT_V) <= 40)
         check_search(s, at[BAT_U][1], at[BAT_V][1]);
+    check_made(s, at[BAT_U], at[BAT_V][1], low, high);
     const double matrix[12] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0};
     bat_surface *other = NULL;
     if (bat_surface_transform(s, matrix, &other) != BAT_OK) abort();

@@ -5,7 +5,7 @@
 #include <batten/format.h>
 
 enum { EXIT_DONE = 0, EXIT_DATA = 1, EXIT_USAGE = 2 };
-enum { OPTIONS_MAX = 8, OPERANDS_MAX = 3 };
+enum { OPTIONS_MAX = 8, OPERANDS_MAX = 256 };
 
 typedef struct cli_option {
     const char *name;  /* "--at" */
@@ -37,7 +37,8 @@ struct cli_arguments {
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
     command_sketch, command_tangents, command_levels, command_convert, command_render, command_simplify,
     command_info, command_replay, command_surface_eval, command_surface_isocurve, command_surface_closest,
-    command_surface_hit, command_surface_pick, command_surface_redraw, command_surface_sketch, command_cast;
+    command_surface_hit, command_surface_pick, command_surface_redraw, command_surface_sketch, command_cast,
+    command_revolve, command_coons, command_loft;
 
 /* ---- arguments ---- */
 

@@ -120,9 +120,14 @@ static void put_report(bat_text *text, const bat_sketch_report *report) {
     bat_text_string(text, "}");
 }
 
-/* Writes an object with the report as its last member. Releases both. */
+/* Writes an object with the report as its last member (NULL: without one). Releases both. */
 static int write_reported(char *data, size_t size, bat_text *report) {
     bat_text text = {0};
+    if (!report) {
+        bat_text_add(&text, data, size - (data[size - 1] == '\n'));
+        bat_free(data);
+        return write_text(&text);
+    }
     while (size && data[size - 1] != '}') size--;
     while (size > 1 && (data[size - 2] == '\n' || data[size - 2] == ' ')) size--;
     bat_text_add(&text, data, size - 1);
@@ -157,7 +162,7 @@ int write_surface(const bat_surface *surface, bat_text *report) {
     char *data;
     size_t size;
     if (bat_surface_write(surface, &data, &size) == BAT_OK) return write_reported(data, size, report);
-    bat_text_free(report);
+    if (report) bat_text_free(report);
     return fail_memory();
 }
 

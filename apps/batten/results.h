@@ -26,7 +26,7 @@ void put_points(bat_text *text, const double *numbers, size_t count, int dimensi
 /* Adds a line end to the text, writes it to standard output, and releases it. */
 int write_text(bat_text *text);
 int write_curve(const bat_curve *curve);
-/* Writes the surface with its report (JSON), which is released. */
+/* Writes the surface with its report (JSON), which is released; NULL: without one. */
 int write_surface(const bat_surface *surface, bat_text *report);
 /* Writes the curve with its report (JSON), which is released. */
 int write_curve_reported(const bat_curve *curve, bat_text *report);

@@ -15,6 +15,7 @@
 #include <batten/tangents.h>
 #include <batten/levels.h>
 #include <batten/surface.h>
+#include <batten/sweep.h>
 #include <batten/view.h>
 #include <batten/document.h>
 #include <batten/format.h>

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include <pthread.h>
 #include <stdatomic.h>
+#include <batten/sweep.h>
 #include "document/digest.h"
 #include "support/pictures.h"
 #include "support/random_surface.h"
@@ -312,6 +313,29 @@ static uint64_t add_cast(uint64_t digest, const bat_surface *surface, int seed) 
     return digest;
 }
 
+/* Surfaces from its edges, on all threads at once. */
+static uint64_t add_made(uint64_t digest, const bat_surface *s, int seed) {
+    static const double origin[3] = {50, 0, 0}, axis[3] = {0, 1, 0};
+    bat_curve *line[4] = {NULL};
+    double domain[2];
+    bat_surface *made = NULL;
+    bat_status status = BAT_OK;
+    for (int k = 0; k < 4 && status == BAT_OK; k++) {
+        bat_surface_domain(s, BAT_U, domain);
+        status = bat_surface_isocurve(s, BAT_U, domain[0] + (domain[1] - domain[0]) * (k + 1) / 6, &line[k]);
+    }
+    const bat_curve *given[4] = {line[0], line[1], line[2], line[3]};
+    if (status == BAT_OK) {
+        status = bat_surface_revolve(line[seed % 4], origin, axis, 1 + seed, 0.1, &made, NULL);
+        digest = add_surface(digest, status, &made);
+        status = bat_surface_loft(4, given, &made, NULL);
+        digest = add_surface(digest, status, &made);
+        status = bat_surface_coons(given, 100, &made, NULL);
+        digest = add_surface(digest, status, &made);
+    }
+    for (int k = 0; k < 4; k++) bat_curve_free(line[k]);
+    return digest;
+}
 static uint64_t look_at_surface(const void *shared, int seed) {
     const bat_surface *s = shared;
     double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
@@ -340,7 +364,7 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_surface_finder_hits(finder, from, way, 8, at, &count));
     bat_surface_finder_free(finder);
     d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
-    d = add_cast(d, s, seed);
+    d = add_made(add_cast(d, s, seed), s, seed);
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
-#include <batten/surface.h>
+#include <batten/sweep.h>
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
 
@@ -70,6 +70,32 @@ static bat_status redraw(made *out) {
     bat_curve_free(line);
     return status;
 }
+static bat_status revolve(made *out) {
+    bat_curve *line = NULL;
+    bat_status status = bat_surface_isocurve(sheet, BAT_U, 0.5, &line);
+    if (status == BAT_OK)
+        status = bat_surface_revolve(line, (const double[3]){90, 0, 0}, (const double[3]){0, 1, 0}, 1, 0.1,
+                                     &out->surface, NULL);
+    bat_curve_free(line);
+    return status;
+}
+static bat_status from_lines(bool lofted, bat_direction d, made *out) {
+    bat_curve *line[2] = {NULL, NULL};
+    double domain[2];
+    bat_surface_domain(sheet, d, domain);
+    const double width = domain[1] - domain[0];
+    bat_status status = bat_surface_isocurve(sheet, d, domain[0] + 0.2 * width, &line[0]);
+    if (status == BAT_OK) status = bat_surface_isocurve(sheet, d, domain[0] + 0.8 * width, &line[1]);
+    const bat_curve *const sides[4] = {line[0], line[1], line[0], line[1]};
+    if (status == BAT_OK)
+        status = lofted ? bat_surface_loft(2, sides, &out->surface, NULL)
+                        : bat_surface_coons(sides, 1e9, &out->surface, NULL);
+    bat_curve_free(line[0]), bat_curve_free(line[1]);
+    return status;
+}
+static bat_status loft_closed(made *out) { return from_lines(true, BAT_V, out); }
+static bat_status loft_open(made *out) { return from_lines(true, BAT_U, out); }
+static bat_status coons(made *out) { return from_lines(false, BAT_U, out); }
 static bat_status write_text(made *out) {
     size_t size;
     return bat_surface_write(sheet, &out->text, &size);
@@ -78,9 +104,9 @@ static bat_status read_text(made *out) { return bat_surface_read(text, text_size
 
 static void each_allocation(void **state) {
     (void)state;
-    static operation *const operations[] = {redraw,    nearest,    hits,     copy,     transform,
-                                            line_at_u, line_at_v,  insert_u, insert_v, refine,
-                                            grid,      write_text, read_text};
+    static operation *const operations[] = {
+        redraw, nearest, hits,       copy,      transform, line_at_u,   line_at_v, insert_u, insert_v,
+        refine, grid,    write_text, read_text, revolve,   loft_closed, loft_open, coons};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);
