@@ -49,7 +49,7 @@ static inline void session_stroke(bat_editor *editor, session_bytes *bytes, doub
     p.device = (bat_device)(kind % 3);
     p.modifiers = kind & 8 ? BAT_ALT : 0;
     double y = rows[kind >> 4 & 3] + session_byte(bytes) % 10, x = 150 + 3 * session_byte(bytes);
-    double length = 20 + 3 * session_byte(bytes), bulge = session_byte(bytes) - 128;
+    double length = 20 + session_byte(bytes), bulge = session_byte(bytes) - 128;
     double rise = kind & 64 ? session_byte(bytes) - 128 : 0;
     pen_begin(&p, pen_arch, (double[]){x, y, x + length, y + rise, bulge / 2}, 12 + session_byte(bytes) % 40);
     if (kind & 128) { /* held until it becomes a figure, and dragged */
