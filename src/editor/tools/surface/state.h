@@ -1,0 +1,76 @@
+/*
+ * The state of the surface tool: the parameter line that is lit, and what the pen is doing to it. The lit line runs
+ * through a place of the surface, where its grip is; the line in the other direction through the same place is shown,
+ * too.
+ */
+#ifndef BATTEN_EDITOR_TOOLS_SURFACE_STATE_H
+#define BATTEN_EDITOR_TOOLS_SURFACE_STATE_H
+
+#include "editor/session/context.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/tables.h"
+#include "editor/view/stage.h"
+#include <batten/editor.h>
+#include <batten/view.h>
+
+enum { BAT_LINE_SAMPLES = 193 }; /* of a line, where its picture is measured or shown */
+
+/* A line of a surface in the document; object 0: none. */
+typedef struct bat_line {
+    bat_id object;
+    bat_direction direction; /* BAT_U: the line at u */
+    double at[2];            /* u and v of the grip; the line is at at[direction] */
+} bat_line;
+
+typedef enum bat_lining {
+    BAT_LINING_NOT,    /* the pen is up */
+    BAT_LINING_STROKE, /* it draws a marking */
+    BAT_LINING_SLIDE   /* it drags the grip */
+} bat_lining;
+
+/* What decides how far an edit of the lit line reaches, and what was found. */
+typedef struct bat_line_reach {
+    bat_line line;
+    uint64_t revision;
+    bool known;
+    double moved[2]; /* of the crossing parameter: where movement ends */
+} bat_line_reach;
+
+typedef struct bat_surfacing {
+    bat_line lit;
+    bat_lining doing;
+    bat_device device;
+    bool hovering;
+    double hover[2], start[2]; /* view pixels */
+    bat_line before;           /* as it was when the grip was taken */
+    bat_viewpoint view;        /* at pen down */
+    double *pixels;            /* of the stroke, owned */
+    size_t count, room;
+    bat_line_reach reach;
+} bat_surfacing;
+
+/* The surface of the lit line as it is in the document; NULL: there is none, and no line is lit. */
+const bat_surface *bat_surfacing_surface(bat_context *c, bat_surfacing *s);
+/* How the view shows a surface: as bat_stage_viewpoint, with the eye before the whole surface. */
+bat_status bat_surfacing_view(const bat_context *c, const bat_surface *surface, bat_viewpoint *out);
+/* Where a point of a surface is seen, view pixels; where it is to be drawn, drawing coordinates. */
+bool bat_surfacing_pixel(const bat_viewpoint *view, const double point[3], double pixel[2]);
+bool bat_surfacing_seen(const bat_context *c, const bat_viewpoint *view, const double point[3], double at[2]);
+/* `count` points of the line at `value`, evenly from `from` to `to` of the parameter along it. */
+void bat_surfacing_trace(const bat_surface *surface, bat_direction direction, double value, double from,
+                         double to, int count, double *points);
+/* The distance in view pixels of a pixel from the line at `value`, as it is seen. */
+double bat_surfacing_distance(const bat_viewpoint *view, const bat_surface *surface, bat_direction direction,
+                              double value, const double pixel[2]);
+
+/* The line that a marking means, or a tap chooses; object 0: the stroke is on no surface. BAT_MEMORY. */
+bat_status bat_surfacing_pick(bat_context *c, const bat_stroke *marking, bool tap, bat_line *out);
+/* Moves the line to the place under the pixel; it stops at the edges, the middle and knots unless it is `loose`. */
+void bat_surfacing_slide(bat_context *c, const bat_surface *surface, const double pixel[2], bool loose,
+                         bat_line *line);
+/* Finds where an edit of the lit line would end; false: the line cannot move. */
+bool bat_surfacing_reach(bat_context *c, bat_surfacing *s);
+
+void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list);
+
+#endif

@@ -1,0 +1,295 @@
+/*
+ * The surface tool. A short stroke over a surface lights the parameter line that it means; a tap shows both lines
+ * through the point and lights the nearer one. A tap on the other line lights that one; the grip slides the lit line; a
+ * tap elsewhere lets go.
+ *
+ * NOT --down--> STROKE or, on the grip, SLIDE --up--> NOT. cancel: the line slides back; else it is let go.
+ */
+#include "editor/tools/surface/state.h"
+#include "base/real.h"
+#include "editor/input/contacts.h"
+#include "editor/input/input.h"
+#include "editor/input/samples.h"
+#include "editor/scene/seen.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/show/overlay.h"
+#include "editor/tools/tool.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double TAP = 4, LINE_REACH = 10, GRIP_REACH = 12; /* px */
+static const double TOUCH = 2.2;                               /* factor on the reach for fingers */
+enum { PIXELS_MAX = 1 << 16 };
+
+static double reach(const bat_surfacing *s, double pixels) {
+    return pixels * (s->device == BAT_DEVICE_TOUCH ? TOUCH : 1);
+}
+
+/* ---- the stroke ---- */
+
+static bat_status add_pixel(bat_surfacing *s, const bat_pointer *event) {
+    if (s->count == PIXELS_MAX) return BAT_COUNT;
+    if (s->count == s->room) {
+        const size_t room = s->room ? 2 * s->room : 128;
+        double *more = realloc(s->pixels, 2 * room * sizeof *more);
+        if (!more) return BAT_MEMORY;
+        s->pixels = more, s->room = room;
+    }
+    s->pixels[2 * s->count] = bat_samples_round(event->x, 100);
+    s->pixels[2 * s->count + 1] = bat_samples_round(event->y, 100);
+    s->count++;
+    return BAT_OK;
+}
+
+static bool is_tap(const bat_surfacing *s) {
+    for (size_t i = 1; i < s->count; i++)
+        if (bat_hypot(s->pixels[2 * i] - s->pixels[0], s->pixels[2 * i + 1] - s->pixels[1]) > TAP)
+            return false;
+    return true;
+}
+
+/* Whether the grip of the lit line is there. */
+static bool on_grip(bat_context *c, bat_surfacing *s, const double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    bat_viewpoint view;
+    double point[3], at[2];
+    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return false;
+    bat_surface_eval(surface, s->lit.at[0], s->lit.at[1], 0, point);
+    return bat_surfacing_pixel(&view, point, at) &&
+           bat_hypot(at[0] - pixel[0], at[1] - pixel[1]) <= reach(s, GRIP_REACH);
+}
+
+/* Which of the two lines through the grip is there: the lit one first; 0: neither, 1: the lit one, 2: the other. */
+static int line_there(bat_context *c, bat_surfacing *s, const double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    bat_viewpoint view;
+    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return 0;
+    const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
+    if (bat_surfacing_distance(&view, surface, d, s->lit.at[d], pixel) <= reach(s, LINE_REACH)) return 1;
+    return bat_surfacing_distance(&view, surface, other, s->lit.at[other], pixel) <= reach(s, LINE_REACH) ? 2
+                                                                                                          : 0;
+}
+
+/* ---- the pointer ---- */
+
+static void hover(bat_context *c, void *state, const bat_pointer *event) {
+    bat_surfacing *s = state;
+    (void)c;
+    s->hovering = true;
+    s->device = event->device;
+    s->hover[0] = event->x, s->hover[1] = event->y;
+}
+
+static void leave(bat_context *c, void *state) {
+    (void)c;
+    ((bat_surfacing *)state)->hovering = false;
+}
+
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_surfacing *s = state;
+    hover(c, s, event);
+    bat_seen_sync(c);
+    bat_notice(c, BAT_STRING_COUNT);
+    memcpy(s->start, s->hover, sizeof s->start);
+    s->count = 0;
+    s->before = s->lit;
+    s->doing = on_grip(c, s, s->start) ? BAT_LINING_SLIDE : BAT_LINING_STROKE;
+    if (add_pixel(s, event) != BAT_OK) {
+        s->doing = BAT_LINING_NOT;
+        bat_notice_failure(c, BAT_MEMORY);
+    }
+}
+
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_surfacing *s = state;
+    if (s->doing == BAT_LINING_NOT || event->predicted) return;
+    hover(c, s, event);
+    if (s->doing == BAT_LINING_STROKE && add_pixel(s, event) != BAT_OK) {
+        s->doing = BAT_LINING_NOT;
+        bat_notice_failure(c, BAT_MEMORY);
+    }
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    if (s->doing == BAT_LINING_SLIDE && surface)
+        bat_surfacing_slide(c, surface, s->hover, (c->modifiers & BAT_SHIFT) != 0, &s->lit);
+}
+
+/* Lights what the marking or the tap means. */
+static void choose(bat_context *c, bat_surfacing *s, bool tap) {
+    const bat_stroke marking = {.dimension = 2, .count = s->count, .points = s->pixels};
+    bat_line line;
+    bat_status status = bat_surfacing_pick(c, &marking, tap, &line);
+    if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+        return;
+    }
+    s->lit = line;
+    if (!line.object && !tap) bat_notice(c, BAT_STRING_NOTICE_NO_SURFACE);
+}
+
+static void tap(bat_context *c, bat_surfacing *s) {
+    if (!s->lit.object) {
+        choose(c, s, true);
+        return;
+    }
+    const int there = line_there(c, s, s->start);
+    if (there == 2)
+        s->lit.direction = s->lit.direction == BAT_U ? BAT_V : BAT_U;
+    else if (there == 0)
+        s->lit.object = 0;
+}
+
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_surfacing *s = state;
+    (void)event;
+    const bat_lining doing = s->doing;
+    s->doing = BAT_LINING_NOT;
+    if (doing != BAT_LINING_STROKE) return;
+    if (is_tap(s))
+        tap(c, s);
+    else
+        choose(c, s, false);
+}
+
+/* First what the pen is doing, then the line. */
+static bool cancel(bat_context *c, void *state) {
+    bat_surfacing *s = state;
+    (void)c;
+    if (s->doing != BAT_LINING_NOT) {
+        s->lit = s->before;
+        s->doing = BAT_LINING_NOT;
+        return true;
+    }
+    const bool any = s->lit.object != 0;
+    s->lit.object = 0;
+    return any;
+}
+
+/* Before undo: only what the pen is doing. */
+static bool undo(bat_context *c, void *state) {
+    return ((bat_surfacing *)state)->doing != BAT_LINING_NOT && cancel(c, state);
+}
+
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    return ((const bat_surfacing *)state)->doing != BAT_LINING_NOT;
+}
+
+/* ---- the keyboard ---- */
+
+/* Lights the middle line of the next surface, or the other line through the grip. */
+static bat_status step(bat_context *c, bat_surfacing *s, int way) {
+    const bat_document *document = c->session->document;
+    const int count = bat_document_count(document);
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    if (surface && s->lit.direction == (way > 0 ? BAT_U : BAT_V)) {
+        s->lit.direction = way > 0 ? BAT_V : BAT_U;
+        return BAT_OK;
+    }
+    int i = surface ? bat_document_find(document, s->lit.object) : way > 0 ? -1 : count;
+    for (i += way; i >= 0 && i < count; i += way) {
+        surface = bat_object_surface(bat_document_at(document, i));
+        if (!surface || bat_seen_out_of_reach(c, i)) continue;
+        s->lit = (bat_line){bat_object_id(bat_document_at(document, i)), way > 0 ? BAT_U : BAT_V, {0}};
+        for (int d = 0; d < 2; d++) {
+            double domain[2];
+            bat_surface_domain(surface, (bat_direction)d, domain);
+            s->lit.at[d] = 0.5 * (domain[0] + domain[1]);
+        }
+        return BAT_OK;
+    }
+    s->lit.object = 0; /* the keyboard focus moves on to what follows the drawing */
+    return BAT_STATE;
+}
+
+/* Moves the lit line by a hundredth of the width, with Shift a tenth; round where it is closed. */
+static bat_status slide(bat_context *c, bat_surfacing *s, int way) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    double domain[2], *at = &s->lit.at[s->lit.direction];
+    if (!surface) return BAT_STATE;
+    bat_surface_domain(surface, s->lit.direction, domain);
+    const double width = domain[1] - domain[0];
+    *at += way * width * (c->modifiers & BAT_SHIFT ? 0.1 : 0.01);
+    if (bat_surface_is_closed(surface, s->lit.direction))
+        *at = domain[0] + (*at - domain[0]) - width * floor((*at - domain[0]) / width);
+    else
+        *at = fmin(fmax(*at, domain[0]), domain[1]);
+    return BAT_OK;
+}
+
+/* To the next knot, or an edge. */
+static bat_status to_knot(bat_context *c, bat_surfacing *s, int way) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    if (!surface) return BAT_STATE;
+    const double *knots = bat_surface_knots(surface, s->lit.direction), at = s->lit.at[s->lit.direction];
+    const int count = bat_surface_knot_count(surface, s->lit.direction);
+    double domain[2], best = way > 0 ? INFINITY : -INFINITY;
+    bat_surface_domain(surface, s->lit.direction, domain);
+    for (int i = 0; i < count; i++) {
+        if (knots[i] < domain[0] || knots[i] > domain[1]) continue;
+        if (way > 0 ? knots[i] > at && knots[i] < best : knots[i] < at && knots[i] > best) best = knots[i];
+    }
+    if (isfinite(best)) s->lit.at[s->lit.direction] = best;
+    return BAT_OK;
+}
+
+static bat_status command(bat_context *c, void *state, bat_command_id id) {
+    bat_seen_sync(c);
+    switch (id) {
+    case BAT_COMMAND_POINT_NEXT: return step(c, state, 1);
+    case BAT_COMMAND_POINT_PREVIOUS: return step(c, state, -1);
+    case BAT_COMMAND_KNOT_NEXT: return to_knot(c, state, 1);
+    case BAT_COMMAND_KNOT_PREVIOUS: return to_knot(c, state, -1);
+    case BAT_COMMAND_NUDGE_LEFT:
+    case BAT_COMMAND_NUDGE_DOWN: return slide(c, state, -1);
+    case BAT_COMMAND_NUDGE_RIGHT:
+    case BAT_COMMAND_NUDGE_UP: return slide(c, state, 1);
+    default: return BAT_STATE;
+    }
+}
+
+/* ---- what is shown ---- */
+
+static void overlay(bat_context *c, void *state, bat_overlay *list) { bat_surfacing_show(c, state, list); }
+
+static bat_string hint(const bat_context *c, const void *state) {
+    const bat_surfacing *s = state;
+    (void)c;
+    if (s->doing == BAT_LINING_SLIDE) return BAT_STRING_HINT_LINE_SLIDE;
+    return s->lit.object ? BAT_STRING_HINT_LINE_LIT : BAT_STRING_HINT_SURFACE;
+}
+
+static bat_cursor cursor(const bat_context *c, const void *state) {
+    (void)c;
+    return ((const bat_surfacing *)state)->doing == BAT_LINING_SLIDE ? BAT_CURSOR_MOVE : BAT_CURSOR_PEN;
+}
+
+static void end(void *state) { free(((bat_surfacing *)state)->pixels); }
+
+static const char *check(const bat_context *c, const void *state) {
+    const bat_surfacing *s = state;
+    if (s->count > s->room) return "a marking is longer than its memory";
+    if (s->doing != BAT_LINING_NOT && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
+        return "a line is marked or slides without a pointer";
+    return s->doing == BAT_LINING_SLIDE && !s->before.object ? "a line slides that was not lit" : NULL;
+}
+
+const bat_tool *bat_tool_surface(void) {
+    static const bat_tool tool = {.size = sizeof(bat_surfacing),
+                                  .end = end,
+                                  .hover = hover,
+                                  .leave = leave,
+                                  .down = down,
+                                  .move = move,
+                                  .up = up,
+                                  .cancel = cancel,
+                                  .undo = undo,
+                                  .command = command,
+                                  .busy = busy,
+                                  .overlay = overlay,
+                                  .hint = hint,
+                                  .cursor = cursor,
+                                  .check = check};
+    return &tool;
+}
