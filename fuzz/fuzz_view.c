@@ -2,6 +2,7 @@
  * back to their pixels; what lands does so on its ray. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/trace.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -76,6 +77,36 @@ static void check_sketch(const bat_viewpoint *view, const bat_surface *surface, 
     bat_surface_free(made);
 }
 
+/* Every point of a track lies on the surface. */
+static void check_tracks(const bat_surface *surface, bat_tracks *tracks) {
+    const double size = bat_surface_size(surface);
+    if (bat_tracks_is_given_up(tracks) && bat_tracks_count(tracks) > 0) abort();
+    for (size_t i = 0; i < bat_tracks_count(tracks); i++) {
+        const bat_track_point *points;
+        const size_t count = bat_tracks_points(tracks, i, &points);
+        if (count < 2 || (bat_tracks_is_closed(tracks, i) && count < 3)) abort();
+        for (size_t k = 0; k < count; k++) {
+            double at[3];
+            bat_surface_eval(surface, points[k].uv[0], points[k].uv[1], 0, at);
+            for (int c = 0; c < 3; c++) at[c] -= points[k].point[c];
+            if (!(length(at) <= 1e-6 * size)) abort();
+        }
+    }
+    for (size_t i = 0; i < bat_tracks_crossing_count(tracks); i++)
+        if (!isfinite(bat_tracks_crossing(tracks, i)->point[0])) abort();
+    bat_tracks_free(tracks);
+}
+
+static void check_traces(const bat_viewpoint *view, const bat_surface *surface) {
+    bat_tracks *tracks = NULL;
+    double low[3], high[3];
+    if (bat_surface_silhouettes(surface, view, &tracks) == BAT_OK) check_tracks(surface, tracks);
+    bat_surface_box(surface, low, high);
+    for (int c = 0; c < 3; c++) low[c] = 0.5 * (low[c] + high[c]);
+    if (bat_surface_section(surface, low, view->up, 1e-2 * bat_surface_size(surface), &tracks) == BAT_OK)
+        check_tracks(surface, tracks);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *text = (const char *)data, *zero = size ? memchr(text, 0, size) : NULL;
     const size_t first = zero ? (size_t)(zero - text) : size;
@@ -101,6 +132,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             check_pick(&view, canvas.surface);
             check_sketch(&view, canvas.surface, BAT_U);
             check_sketch(&view, canvas.surface, BAT_V);
+            check_traces(&view, canvas.surface);
         }
     }
     bat_canvas_clear(&canvas);

@@ -17,6 +17,7 @@
 #include <batten/surface.h>
 #include <batten/sweep.h>
 #include <batten/view.h>
+#include <batten/trace.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/input.h>

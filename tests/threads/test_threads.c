@@ -336,6 +336,34 @@ static uint64_t add_made(uint64_t digest, const bat_surface *s, int seed) {
     for (int k = 0; k < 4; k++) bat_curve_free(line[k]);
     return digest;
 }
+
+static uint64_t add_tracks(uint64_t digest, bat_status status, bat_tracks *tracks) {
+    digest = add(digest, (uint64_t)status);
+    if (!tracks) return digest;
+    digest = add(add(digest, (uint64_t)bat_tracks_count(tracks)), bat_tracks_is_given_up(tracks));
+    for (size_t i = 0; i < bat_tracks_count(tracks); i++) {
+        const bat_track_point *points;
+        const size_t count = bat_tracks_points(tracks, i, &points);
+        digest = add(add(digest, (uint64_t)count), bat_tracks_is_closed(tracks, i));
+        digest = add_doubles(digest, points[count / 2].point, 3);
+    }
+    for (size_t i = 0; i < bat_tracks_crossing_count(tracks); i++)
+        digest = add_doubles(digest, bat_tracks_crossing(tracks, i)->point, 3);
+    bat_tracks_free(tracks);
+    return digest;
+}
+
+static uint64_t add_traces(uint64_t digest, const bat_surface *surface, int seed) {
+    const bat_viewpoint view = {.eye = {seed, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
+    const double at[3] = {0, 0, 1}, normal[3] = {0.1, 0, 1};
+    bat_tracks *tracks = NULL;
+    bat_status status = bat_surface_silhouettes(surface, &view, &tracks);
+    digest = add_tracks(digest, status, tracks);
+    tracks = NULL;
+    status = bat_surface_section(surface, at, normal, 0.01, &tracks);
+    return add_tracks(digest, status, tracks);
+}
+
 static uint64_t look_at_surface(const void *shared, int seed) {
     const bat_surface *s = shared;
     double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
@@ -364,7 +392,7 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_surface_finder_hits(finder, from, way, 8, at, &count));
     bat_surface_finder_free(finder);
     d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
-    d = add_made(add_cast(d, s, seed), s, seed);
+    d = add_traces(add_made(add_cast(d, s, seed), s, seed), s, seed);
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);

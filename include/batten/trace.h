@@ -1,0 +1,54 @@
+/*
+ * Batten: curves that surfaces have in a view or with each other: silhouettes, and sections by a plane. They are traced
+ * as polylines, each point with its parameters on the surface (docs/math/surfaces.md).
+ */
+#ifndef BATTEN_TRACE_H
+#define BATTEN_TRACE_H
+
+#include <batten/view.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A point of a track, and where it lies on the surface. */
+typedef struct bat_track_point {
+    double point[3];
+    double uv[2];       /* in the domain; from one point to the next it may jump by a period */
+    double other_uv[2]; /* on the other surface, where there is one; else 0 */
+} bat_track_point;
+
+/* A list of tracks. A track is a polyline without branches; a closed one ends at its first point, given again. */
+typedef struct bat_tracks bat_tracks;
+
+BAT_API void bat_tracks_free(bat_tracks *tracks); /* NULL is fine */
+BAT_API size_t bat_tracks_count(const bat_tracks *tracks);
+/* The points of track i, owned by the list; returns how many there are, at least 2. */
+BAT_API size_t bat_tracks_points(const bat_tracks *tracks, size_t i, const bat_track_point **points);
+BAT_API bool bat_tracks_is_closed(const bat_tracks *tracks, size_t i);
+/* Places where tracks cross or touch; they end there. */
+BAT_API size_t bat_tracks_crossing_count(const bat_tracks *tracks);
+BAT_API const bat_track_point *bat_tracks_crossing(const bat_tracks *tracks, size_t i);
+/* Whether tracing was given up: there are more than 64 crossings, as where a surface is touched along a curve. There are
+ * no tracks then. */
+BAT_API bool bat_tracks_is_given_up(const bat_tracks *tracks);
+
+/*
+ * The silhouettes of a surface in a view: where it turns from facing the eye to facing away. The polylines' chords are
+ * within 3e-3 pixels of them in the image. Their topology is exact for the polynomials det(S_u, S_v, gaze); poles
+ * and patches that are seen exactly from their edge have none. Creases (knots where the surface is not smooth) end
+ * a silhouette. In perspective, what lies behind the eye is traced, too, with chords as long as they happen to be.
+ * Statuses as bat_viewpoint_check. O(spans), and more where silhouettes nearly cross.
+ */
+BAT_API bat_status bat_surface_silhouettes(const bat_surface *surface, const bat_viewpoint *view,
+                                           bat_tracks **out);
+/* Where a plane cuts a surface, with chords within `tolerance` (0: 1e-6 of the surface's size). A part of the surface
+ * that lies in the plane has no tracks. BAT_ARGUMENT: normal is zero, or the tolerance below 0; BAT_NUMBER: a number is
+ * not finite or too large. */
+BAT_API bat_status bat_surface_section(const bat_surface *surface, const double origin[3],
+                                       const double normal[3], double tolerance, bat_tracks **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,30 @@
+/* Internal: tracks while they are made. */
+#ifndef BATTEN_FORM_TRACKS_H
+#define BATTEN_FORM_TRACKS_H
+
+#include <batten/trace.h>
+
+typedef struct bat_track {
+    bat_track_point *points;
+    size_t count, room;
+    bool closed;
+} bat_track;
+
+struct bat_tracks {
+    bat_track *list;
+    size_t count, room;
+    bat_track_point *crossings;
+    size_t crossing_count, crossing_room;
+    bool given_up;
+};
+
+bat_status bat_track_add(bat_track *track, const bat_track_point *point);
+/* Begins a track; NULL: no memory. It stays where it is until the next one is begun. */
+bat_track *bat_tracks_begin(bat_tracks *tracks);
+bat_status bat_tracks_cross(bat_tracks *tracks, const bat_track_point *point);
+/* Frees the tracks and crossings, not the list itself. */
+void bat_tracks_clear(bat_tracks *tracks);
+/* Hands over a list on the heap; frees its contents when that fails. */
+bat_status bat_tracks_finish(bat_tracks *made, bat_tracks **out);
+
+#endif
