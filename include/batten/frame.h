@@ -44,8 +44,10 @@ typedef enum bat_role {
     BAT_ROLE_IMAGE,      /* a picture: the path goes round its corners, from its top left on clockwise */
     BAT_ROLE_GRID,       /* the grid, and its stronger lines */
     BAT_ROLE_GRID_STRONG,
-    BAT_ROLE_RULER,    /* the rulers: filled, their ticks, their labels */
-    BAT_ROLE_GUIDELINE /* the drawing's guides */
+    BAT_ROLE_RULER,     /* the rulers: filled, their ticks, their labels */
+    BAT_ROLE_GUIDELINE, /* the drawing's guides */
+    BAT_ROLE_PAGE_BACK, /* instead of PAGE: seen from behind */
+    BAT_ROLE_PIVOT      /* what the view turns about */
 } bat_role;
 
 enum {
@@ -114,8 +116,10 @@ enum {
 };
 
 typedef struct bat_frame {
-    double view[4];   /* screen = R (document - (view[0], view[1])) * view[2]; R turns by view[3] degrees,
-                       * clockwise as it is seen, (-180, 180] */
+    double view[4];   /* screen = R (drawing - (view[0], view[1])) * view[2]; R turns by view[3] degrees,
+                       * clockwise as it is seen, (-180, 180]; paths and labels are in these drawing coordinates,
+                       * which are the page's as long as tilt is 0 */
+    double tilt;      /* how far the page lies back, degrees: 0 face-on, 90 edge-on, 180 its back */
     double origin[2]; /* added to every path coordinate */
     uint32_t still_version; /* grows with every change of the static list */
     uint32_t still_count;
@@ -137,6 +141,7 @@ typedef struct bat_frame {
     const char *hint;   /* one line on what the pen would do; UTF-8 */
     const char *notice; /* something just happened that the user should know; "" when it has passed */
     uint32_t notice_version; /* grows with every notice, so that the same words twice are two notices */
+    const char *offer;       /* the command that the notice offers; "": none */
     const char *name;        /* of the document */
     uint32_t revision;       /* grows with every change of the document */
     uint32_t selection;      /* grows with every change of the selection */

@@ -12,6 +12,7 @@ static void wire(bat_editor *editor) {
                                     .session = &editor->session,
                                     .notices = &editor->notices,
                                     .stage = &editor->stage,
+                                    .views = &editor->views,
                                     .input = &editor->input,
                                     .choice = &editor->choice,
                                     .clipboard = &editor->clipboard,
@@ -83,6 +84,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);
     bat_view_look_afresh(&c->stage->view);
+    *c->views = (bat_views){0};
     c->stage->ground = bat_ground_page();
     c->stage->view.fit_wanted = !bat_seen_fit(c);
     bat_toolbox_settle(c);
@@ -119,6 +121,12 @@ const char *bat_editor_journal(const bat_editor *editor, size_t *size) {
 bat_status bat_editor_compact(bat_editor *editor) {
     if (!editor) return BAT_ARGUMENT;
     return bat_toolbox_busy(&editor->context) ? BAT_STATE : bat_session_compact(&editor->session);
+}
+
+/* Whether places in the window are places on the page; if not, the way home is offered. */
+static bool face_on(bat_context *c) {
+    if (bat_stage_tilted(c->stage)) bat_notice_tilted(c);
+    return !bat_stage_tilted(c->stage);
 }
 
 /* ---- calls passed on ---- */
@@ -201,6 +209,7 @@ bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point) {
 const char *bat_editor_said(bat_editor *editor) { return bat_panel_said(&editor->context); }
 
 bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {
+    if (!face_on(&editor->context)) return BAT_STATE;
     return settled(editor, bat_picture_place(&editor->context, bytes, size, name));
 }
 
@@ -213,6 +222,7 @@ bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, size_t *si
 }
 
 bat_status bat_editor_paste(bat_editor *editor, const bat_document *document, bool own) {
+    if (!face_on(&editor->context)) return BAT_STATE;
     return settled(editor, bat_clipboard_paste(&editor->context, document, own));
 }
 

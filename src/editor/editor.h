@@ -17,6 +17,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/views.h"
 
 struct bat_editor {
     bat_context context; /* points to all the members that follow */
@@ -24,6 +25,7 @@ struct bat_editor {
     bat_session session;
     bat_notices notices;
     bat_stage stage;
+    bat_views views;
     bat_input input;
     bat_choice choice;
     bat_clipboard clipboard;

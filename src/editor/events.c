@@ -6,6 +6,7 @@
 #include "editor/show/ruler.h"
 #include "base/real.h"
 #include "editor/input/samples.h"
+#include "editor/pick/pivot.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/modes/guides.h"
 #include <math.h>
@@ -81,12 +82,59 @@ static void turn(bat_context *c, unsigned trait) {
     c->input->brush = trait;
 }
 
+/* Of a contact that comes down while no other is at work. */
+static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only_pens) {
+    const bool tilted = bat_stage_tilted(c->stage), pen = event->device == BAT_DEVICE_PEN;
+    const bool middle = event->buttons & BAT_BUTTON_MIDDLE, alt = event->modifiers & BAT_ALT;
+    const bool second = event->buttons & BAT_BUTTON_SECONDARY;
+    if ((event->device == BAT_DEVICE_MOUSE && second) || (middle && alt) || (pen && second && tilted))
+        return BAT_DUTY_ORBIT;
+    if (event->device == BAT_DEVICE_TOUCH && only_pens) return tilted ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
+    if (c->session->read_only) return BAT_DUTY_NAVIGATE;
+    if (!tilted && (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS))) {
+        turn(c, event->buttons & BAT_BUTTON_ERASER ? BAT_ERASES : BAT_SMOOTHS);
+        return BAT_DUTY_TOOL;
+    }
+    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
+        return BAT_DUTY_TOOL;
+    if (c->input->holding_pan || middle || barrel_is(c, event, BARREL_PANS) ||
+        bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)
+        return BAT_DUTY_NAVIGATE;
+    if (!(event->buttons & (tilted ? BAT_BUTTON_PRIMARY | BAT_BUTTON_ERASER : BAT_BUTTON_PRIMARY)))
+        return BAT_DUTY_IGNORED;
+    if (bat_toolbox_faces(c) && !(event->buttons & BAT_BUTTON_ERASER && tilted)) return BAT_DUTY_TOOL;
+    bat_notice_tilted(c);
+    return BAT_DUTY_IGNORED;
+}
+
+/* Of a finger that joins others which move the view: two pinch, three turn. Whatever has begun goes on alone. */
+static bat_duty assign_finger(bat_context *c) {
+    bat_contacts *contacts = &c->input->contacts;
+    int moving = 0;
+    bool begun = c->input->orbit.on;
+    for (int i = 0; i < contacts->count; i++) {
+        const bat_contact *contact = &contacts->list[i];
+        if (contact->duty != BAT_DUTY_NAVIGATE && contact->duty != BAT_DUTY_ORBIT) continue;
+        if (contact->device != BAT_DEVICE_TOUCH) return BAT_DUTY_IGNORED;
+        moving++;
+        begun = begun || (contact->far > AT_REST && contact->duty == BAT_DUTY_NAVIGATE);
+    }
+    if (moving > 2 || (begun && (moving == 2 || c->input->orbit.on))) return BAT_DUTY_IGNORED;
+    const bat_duty duty = moving == 2 ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
+    for (int i = 0; i < contacts->count; i++)
+        if (contacts->list[i].duty == BAT_DUTY_NAVIGATE || contacts->list[i].duty == BAT_DUTY_ORBIT)
+            contacts->list[i].duty = duty;
+    if (duty == BAT_DUTY_NAVIGATE) bat_contacts_pinch(c);
+    return duty;
+}
+
 /* Decides the duty of a contact that comes down; may end what the tool is doing. */
 static bat_duty assign(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
-    int at_work = -1, moving = -1;
+    int at_work = -1;
     bool working = bat_contacts_count(contacts, BAT_DUTY_TOOL, &at_work) > 0;
-    int navigating = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, &moving);
+    bool moving = bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL) > 0 ||
+                  bat_contacts_count(contacts, BAT_DUTY_ORBIT, NULL) > 0;
     bool only_pens = c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
 
     if (bat_contact_is_palm(event)) return BAT_DUTY_IGNORED;
@@ -103,23 +151,8 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
         return BAT_DUTY_NAVIGATE;
     }
     if (c->session->transaction.open) return BAT_DUTY_IGNORED;
-    if (navigating > 0) {
-        bool finger = event->device == BAT_DEVICE_TOUCH && contacts->list[moving].device == BAT_DEVICE_TOUCH;
-        if (!finger || navigating > 1) return BAT_DUTY_IGNORED;
-        bat_contacts_pinch(c);
-        return BAT_DUTY_NAVIGATE;
-    }
-    if (c->session->read_only || (event->device == BAT_DEVICE_TOUCH && only_pens)) return BAT_DUTY_NAVIGATE;
-    if (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS)) {
-        turn(c, event->buttons & BAT_BUTTON_ERASER ? BAT_ERASES : BAT_SMOOTHS);
-        return BAT_DUTY_TOOL;
-    }
-    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
-        return BAT_DUTY_TOOL;
-    if (c->input->holding_pan || event->buttons & BAT_BUTTON_MIDDLE || barrel_is(c, event, BARREL_PANS) ||
-        bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)
-        return BAT_DUTY_NAVIGATE;
-    return event->buttons & BAT_BUTTON_PRIMARY ? BAT_DUTY_TOOL : BAT_DUTY_IGNORED;
+    if (moving) return event->device == BAT_DEVICE_TOUCH ? assign_finger(c) : BAT_DUTY_IGNORED;
+    return assign_first(c, event, only_pens);
 }
 
 /* Records where the pointer is, for parts that ask between events. */
@@ -136,9 +169,10 @@ static void down(bat_context *c, const bat_pointer *event) {
     if (!finger) bat_fingers_yield(c);
     if (!bat_contacts_room(contacts, event->device)) return;
     bat_taps_down(c, event, bat_toolbox_readout(c).waits);
-    bool first = !bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL);
+    bool first = !bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL) &&
+                 !bat_contacts_count(contacts, BAT_DUTY_ORBIT, NULL);
     bat_duty duty = assign(c, event);
-    if (duty == BAT_DUTY_NAVIGATE && first) bat_fingers_rest(c);
+    if ((duty == BAT_DUTY_NAVIGATE || duty == BAT_DUTY_ORBIT) && first) bat_fingers_rest(c);
     if (duty == BAT_DUTY_TOOL) bat_range_end(c); /* the pointer takes over from the keys */
     if (duty == BAT_DUTY_TOOL || !finger) point(c, event);
     contacts->list[contacts->count++] = (bat_contact){.id = event->contact,
@@ -147,12 +181,27 @@ static void down(bat_context *c, const bat_pointer *event) {
                                                       .at = {event->x, event->y},
                                                       .start = {event->x, event->y},
                                                       .start_time = event->time};
+    if (duty == BAT_DUTY_ORBIT) bat_orbit_begin(c);
     const bat_slot *tool = bat_toolbox_tool(c);
     if (duty != BAT_DUTY_TOOL) return;
     c->input->trail.count = 0;
     bat_trail_add(&c->input->trail, c->input->pen, event->time);
     if (finger) c->input->fingers.before = c->input->fingers.after = c->session->history.state;
     if (tool->is->down) tool->is->down(c, tool->state, event);
+}
+
+/* The contact turns the view, about what lies under the contacts. */
+static void orbit(bat_context *c, int index, const double to[2]) {
+    const bool finger = c->input->contacts.list[index].device == BAT_DEVICE_TOUCH;
+    if (bat_orbit_starts(c, index, to)) {
+        if (finger) bat_fingers_before(c);
+        bat_pivot_set(c, c->input->orbit.middle);
+        bat_orbit_start(c);
+    } else {
+        if (finger && c->input->orbit.on) bat_fingers_before(c);
+        bat_orbit_move(c, index, to);
+    }
+    if (finger && c->input->orbit.on) bat_fingers_after(c);
 }
 
 static void move(bat_context *c, const bat_pointer *event, int index) {
@@ -171,6 +220,8 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
         if (finger) bat_fingers_before(c);
         bat_contacts_navigate(c, index, (double[]){event->x, event->y});
         if (finger) bat_fingers_after(c);
+    } else if (contact->duty == BAT_DUTY_ORBIT) {
+        orbit(c, index, (double[]){event->x, event->y});
     }
     contact->at[0] = event->x;
     contact->at[1] = event->y;
@@ -199,6 +250,10 @@ static void turn_back(bat_context *c) {
 static void end(bat_context *c, const bat_pointer *event, int index) {
     if (event->phase == BAT_POINTER_UP) move(c, event, index);
     const bat_contact contact = c->input->contacts.list[index];
+    if (contact.duty == BAT_DUTY_ORBIT && event->phase == BAT_POINTER_CANCEL)
+        bat_orbit_cancel(c);
+    else if (contact.duty == BAT_DUTY_ORBIT)
+        bat_orbit_end(c);
     bat_contacts_remove(&c->input->contacts, index);
     const bat_slot *tool = bat_toolbox_tool(c);
     if (contact.duty == BAT_DUTY_TOOL) {
@@ -252,7 +307,7 @@ static void one(bat_context *c, bat_pointer event) {
         else if (event.device != BAT_DEVICE_TOUCH) {
             point(c, &event);
             if (!bat_contacts_clear(c)) break;
-            if (bat_ruler_at(c, c->input->pen) < 0 && tool->is->hover)
+            if (bat_ruler_at(c, c->input->pen) < 0 && tool->is->hover && bat_toolbox_faces(c))
                 tool->is->hover(c, tool->state, &event);
             else if (tool->is->leave)
                 tool->is->leave(c, tool->state);
@@ -300,7 +355,7 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
     if (!key) return false;
     c->time = bounded(time, 0, 1e13, c->time);
     set_modifiers(c, modifiers);
-    bool known = false;
+    bool known = false, face_on = false;
     for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
         bat_command_id id = (bat_command_id)i;
         bool hold = bat_command_at(id)->hold;
@@ -311,8 +366,10 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
         bat_status status = bat_command_run(c, id, pressed);
         bat_toolbox_settle(c);
         if (status == BAT_OK) return true;
+        face_on = face_on || (bat_command_at(id)->when == BAT_WHEN_FACE_ON && bat_stage_tilted(c->stage));
         known = true; /* it found nothing to do: the next command with this key may */
     }
+    if (face_on && strcmp(key, "Tab") != 0 && strcmp(key, "Enter") != 0) bat_notice_tilted(c);
     /* Enter, Escape and Tab go to the host when unused; shortcuts with Ctrl must not reach the browser. */
     return known && modifiers & (BAT_CTRL | BAT_META);
 }

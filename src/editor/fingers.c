@@ -26,10 +26,11 @@ void bat_finger_stop(bat_context *c, int index) {
         tool->is->cancel(c, tool->state);
         bat_notice(c, BAT_STRING_COUNT); /* a resting hand needs no notice */
     }
-    if (contact->duty == BAT_DUTY_NAVIGATE && untouched(c)) {
+    if ((contact->duty == BAT_DUTY_NAVIGATE || contact->duty == BAT_DUTY_ORBIT) && untouched(c)) {
         *c->stage = c->input->fingers.rest;
         bat_fingers_after(c);
     }
+    if (contact->duty == BAT_DUTY_ORBIT) bat_orbit_end(c);
     contact->duty = BAT_DUTY_IGNORED;
 }
 

@@ -12,10 +12,12 @@
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than this, only the first ones are outlined */
 
 static bat_cursor cursor(bat_context *c) {
-    if (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL))
+    if (c->input->orbit.on ||
+        (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL)))
         return BAT_CURSOR_GRABBING;
     if (c->input->holding_pan || c->session->read_only) return BAT_CURSOR_GRAB;
     const bat_slot *tool = bat_toolbox_tool(c);
+    if (!bat_toolbox_faces(c)) return BAT_CURSOR_ARROW;
     int guide = bat_guides_hot(c);
     if (guide >= 0) return guide ? BAT_CURSOR_RESIZE_NS : BAT_CURSOR_RESIZE_EW;
     return tool->is->cursor ? tool->is->cursor(c, tool->state) : BAT_CURSOR_CROSS;
@@ -28,6 +30,7 @@ static const char *hint(bat_context *c) {
         return bat_word(c, bat_ruler_at(c, c->input->pen) < 0 ? BAT_STRING_HINT_GUIDE
                                                               : BAT_STRING_HINT_GUIDE_NEW);
     if (c->input->holding_pan && !bat_toolbox_busy(c)) return bat_word(c, BAT_STRING_HINT_PAN);
+    if (!bat_toolbox_faces(c)) return bat_word(c, BAT_STRING_HINT_TILTED);
     return tool->is->hint ? bat_word(c, tool->is->hint(c, tool->state)) : "";
 }
 
@@ -56,20 +59,29 @@ static void show_selection(bat_context *c, bat_overlay *overlay) {
     }
 }
 
+/* The point that the view turns about. */
+static void show_pivot(const bat_context *c, bat_overlay *overlay) {
+    if (!c->input->orbit.on) return;
+    bat_overlay_item(overlay, BAT_ROLE_PIVOT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
+    bat_overlay_circle(overlay, c->stage->view.pivot, 4 * bat_stage_pixel(c->stage));
+}
+
 /* Builds the overlay: guide lines, the selection, the tool's display. */
 static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout *made,
                          bat_overlay *overlay) {
-    bat_overlay_begin(overlay, c->scene->origin);
+    const bool faces = bat_toolbox_faces(c);
+    bat_overlay_begin(overlay, c->scene->origin, c->scene->tilted ? c->scene->map : NULL);
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
     show_selection(c, overlay);
-    bat_insight_show(c, made->curve, overlay);
+    if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
     bat_simplify_show(c, overlay);
-    if (tool->is->overlay) tool->is->overlay(c, tool->state, overlay);
+    if (tool->is->overlay && faces) tool->is->overlay(c, tool->state, overlay);
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
+    show_pivot(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }
 
@@ -94,6 +106,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_frame *frame = &editor->frame;
     *frame = (bat_frame){
         .view = {c->stage->view.x, c->stage->view.y, c->stage->view.zoom, c->stage->view.angle},
+        .tilt = c->stage->view.tilt,
         .origin = {scene->origin[0], scene->origin[1]},
         .still_version = scene->still_version,
         .still_count = (uint32_t)scene->item_count,
@@ -112,6 +125,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .hint = hint(c),
         .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
         .notice_version = c->notices->notice_version,
+        .offer = c->notices->offer == BAT_COMMAND_COUNT ? "" : bat_command_at(c->notices->offer)->name,
         .name = c->session->name,
         .revision = (uint32_t)c->session->revision,
         .selection = c->choice->selection.version,

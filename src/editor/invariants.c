@@ -13,6 +13,10 @@ static const char *check_view(const bat_stage *stage) {
     if (!(stage->view.angle > -180 && stage->view.angle <= 180) ||
         !(fabs(stage->view.cosine * stage->view.cosine + stage->view.sine * stage->view.sine - 1) < 1e-12))
         return "the view's angle is out of range";
+    const double cosine = stage->view.tilt_cosine, sine = stage->view.tilt_sine;
+    if (!(stage->view.tilt >= 0 && stage->view.tilt <= 180) ||
+        !(fabs(cosine * cosine + sine * sine - 1) < 1e-12))
+        return "the view's tilt is out of range";
     if (!(stage->view.width >= 0 && stage->view.width <= BAT_PIXELS_MAX && stage->view.height >= 0 &&
           stage->view.height <= BAT_PIXELS_MAX))
         return "the window's size is out of range";
@@ -36,6 +40,8 @@ static const char *check_scene(const bat_context *c) {
 static const char *check_contacts(const bat_contacts *contacts) {
     if (bat_contacts_count(contacts, BAT_DUTY_TOOL, NULL) > 1) return "two contacts drive the tool";
     if (bat_contacts_count(contacts, BAT_DUTY_NAVIGATE, NULL) > 2) return "more than two contacts navigate";
+    if (bat_contacts_count(contacts, BAT_DUTY_ORBIT, NULL) > 3)
+        return "more than three contacts turn the view";
     for (int i = 0; i < contacts->count; i++)
         for (int j = 0; j < i; j++)
             if (contacts->list[i].id == contacts->list[j].id &&

@@ -84,6 +84,8 @@ const module_field *module_layout(void) {
         {"frame.hint", offsetof(bat_frame, hint)},
         {"frame.notice", offsetof(bat_frame, notice)},
         {"frame.notice_version", offsetof(bat_frame, notice_version)},
+        {"frame.tilt", offsetof(bat_frame, tilt)},
+        {"frame.offer", offsetof(bat_frame, offer)},
         {"frame.name", offsetof(bat_frame, name)},
         {"frame.revision", offsetof(bat_frame, revision)},
         {"frame.selection", offsetof(bat_frame, selection)},

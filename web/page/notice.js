@@ -16,12 +16,32 @@ export class Notices {
     this.timer = 0;
   }
 
-  /** Shows a passing notice. @param {string} text */
-  say(text) {
+  /**
+   * Shows a passing notice.
+   * @param {string} text
+   * @param {Answer | null} [offer] what it offers to do about it
+   */
+  say(text, offer = null) {
     clearTimeout(this.timer);
     this.text.textContent = text;
+    this.box.querySelector('button')?.remove();
+    if (offer) {
+      this.box.append(this.#button(offer.label, () => {
+        this.pass();
+        offer.run();
+      }));
+    }
     this.box.hidden = false;
     this.timer = setTimeout(() => this.pass(), SHORT);
+  }
+
+  /** @param {string} label @param {() => void} run */
+  #button(label, run) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = label;
+    button.addEventListener('click', run);
+    return button;
   }
 
   /** Removes the passing notice. */
@@ -45,14 +65,10 @@ export class Notices {
     said.textContent = text;
     const close = { label: '×', run: () => {} };
     const buttons = [...answers, ...(fixed ? [] : [close])].map(({ label, run }) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.textContent = label;
-      button.addEventListener('click', () => {
+      return this.#button(label, () => {
         this.over(about);
         run();
       });
-      return button;
     });
     if (!fixed) {
       buttons[answers.length].ariaLabel = word('step.close');

@@ -87,9 +87,19 @@ export class Loop {
       keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !empty);
     }
     if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
-      notices.say(frame.notice);
+      notices.say(frame.notice, this.#offer(frame.offer));
     }
     this.noticeVersion = frame.noticeVersion;
+  }
+
+  /** What a notice offers to do. @param {string} name of a command */
+  #offer(name) {
+    const { engine } = this.shell;
+    const run = () => {
+      engine.command(name);
+      this.wake();
+    };
+    return name ? { label: word(`command.${name}`), run } : null;
   }
 
   /** Offers a list of what cannot be kept of the file. @param {number} lost */

@@ -71,6 +71,9 @@ function around(matrix, [x0, y0, x1, y1]) {
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
+/** @param {Item | undefined} item */
+const isPage = (item) => item?.role === Role.PAGE || item?.role === Role.PAGE_BACK;
+
 export class Painter {
   /**
    * @param {HTMLCanvasElement} still
@@ -297,7 +300,7 @@ export class Painter {
    * @param {number} zoom
    */
   #fade(context, item, shape, zoom) {
-    const paged = this.list[0]?.item.role === Role.PAGE;
+    const paged = isPage(this.list[0]?.item);
     context.setLineDash([]);
     context.lineJoin = 'round';
     context.lineCap = 'butt';
@@ -349,7 +352,7 @@ export class Painter {
     const look = this.theme.roles[item.role] ?? this.theme.roles[1];
     context.globalAlpha = item.opacity;
     // The page is always filled, whatever the engine's flags for its border say.
-    if (item.flags & Flag.FILLED || item.role === Role.PAGE) {
+    if (item.flags & Flag.FILLED || isPage(item)) {
       context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
       context.fill(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
     }

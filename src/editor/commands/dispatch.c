@@ -1,9 +1,11 @@
 /* The dispatcher: calls the function of each command in the table. */
 #include "editor/commands/dispatch.h"
 #include "editor/tables/commands.h"
+#include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/keys.h"
 #include "editor/tools/toolbox.h"
+#include "editor/view/stage.h"
 #include <string.h>
 
 typedef struct row {
@@ -20,6 +22,7 @@ static const row functions[BAT_COMMAND_COUNT] = {
 bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
     if (bat_command_at(id)->when != BAT_WHEN_ANYTIME && (bat_toolbox_busy(c) || c->session->transaction.open))
         return BAT_STATE;
+    if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && bat_stage_tilted(c->stage)) return BAT_STATE;
     c->session->freed = c->session->refused = false;
     return functions[id].held ? functions[id].held(c, down) : functions[id].function(c, id);
 }
@@ -28,6 +31,7 @@ bat_status bat_command_do(bat_context *c, const char *name) {
     bat_command_id id = bat_command_named(name);
     if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
     bat_status status = bat_command_run(c, id, true);
+    if (status == BAT_STATE && bat_command_at(id)->when == BAT_WHEN_FACE_ON) bat_notice_tilted(c);
     /* Called by name, the command acts at once; while its key is held, its reach is shown. */
     return id == BAT_COMMAND_CALM && status == BAT_OK ? bat_command_run(c, id, false) : status;
 }

@@ -3,6 +3,7 @@
 #include "editor/commands/simplify.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
+#include "editor/input/orbit.h"
 #include "editor/session/notice.h"
 #include "editor/tools/toolbox.h"
 
@@ -25,7 +26,8 @@ bat_status bat_command_accept(bat_context *c, bat_command_id id) {
 }
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
-    if (bat_toolbox_drop(c) || bat_simplify_cancel(c) || bat_isolate_end(c) || bat_arrange_leave(c))
+    if (bat_orbit_cancel(c) || bat_toolbox_drop(c) || bat_simplify_cancel(c) || bat_isolate_end(c) ||
+        bat_arrange_leave(c))
         return BAT_OK;
     return bat_command_deselect(c, id);
 }

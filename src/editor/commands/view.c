@@ -1,10 +1,12 @@
 /* Commands that change the view, not the drawing. */
 #include "editor/tables/commands.h"
 #include "editor/input/input.h"
+#include "editor/pick/pivot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include "editor/view/views.h"
 #include <math.h>
 
 static const double TURN = 15; /* degrees per step */
@@ -28,8 +30,41 @@ bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
+/* Home from a tilted view: the last face-on page, as it was. */
+static bat_status go_home(bat_context *c) {
+    bat_views_leave(c->views, &c->stage->view);
+    return bat_views_home(c->views, &c->stage->view) ? BAT_OK : BAT_STATE;
+}
+
+static void orbit(bat_context *c, double angle, double tilt) {
+    bat_pivot_set(c, NULL);
+    bat_views_leave(c->views, &c->stage->view);
+    bat_view_orbit(&c->stage->view, angle, tilt);
+}
+
+bat_status bat_command_orbit(bat_context *c, bat_command_id id) {
+    const bat_view *view = &c->stage->view;
+    const double across = (id == BAT_COMMAND_ORBIT_LEFT) - (id == BAT_COMMAND_ORBIT_RIGHT);
+    const double up = (id == BAT_COMMAND_ORBIT_UP) - (id == BAT_COMMAND_ORBIT_DOWN);
+    if ((up < 0 && view->tilt == 0) || (up > 0 && view->tilt == 180)) return BAT_STATE;
+    orbit(c, view->angle + TURN * across, view->tilt + TURN * up);
+    return BAT_OK;
+}
+
+/* The ends of the dial's axes. */
+bat_status bat_command_view_named(bat_context *c, bat_command_id id) {
+    orbit(c, id == BAT_COMMAND_VIEW_SIDE ? 90 : 0, id == BAT_COMMAND_VIEW_TOP ? 0 : 90);
+    return BAT_OK;
+}
+
+bat_status bat_command_view_back(bat_context *c, bat_command_id id) {
+    (void)id;
+    return bat_views_back(c->views, &c->stage->view) ? BAT_OK : BAT_STATE;
+}
+
 bat_status bat_command_turn(bat_context *c, bat_command_id id) {
     double middle[2], angle = c->stage->view.angle;
+    if (id == BAT_COMMAND_VIEW_UPRIGHT && bat_stage_tilted(c->stage)) return go_home(c);
     if (id == BAT_COMMAND_VIEW_UPRIGHT && angle == 0) return BAT_STATE;
     middle_of(c->stage, middle);
     bat_stage_rotate(c->stage, middle,

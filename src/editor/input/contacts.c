@@ -45,7 +45,8 @@ bool bat_contacts_clear(const bat_context *c) {
     const bat_contacts *contacts = &c->input->contacts;
     for (int i = 0; i < contacts->count; i++)
         if (contacts->list[i].device != BAT_DEVICE_TOUCH || contacts->list[i].duty == BAT_DUTY_TOOL ||
-            (contacts->list[i].duty == BAT_DUTY_NAVIGATE && c->input->points != BAT_DEVICE_PEN))
+            ((contacts->list[i].duty == BAT_DUTY_NAVIGATE || contacts->list[i].duty == BAT_DUTY_ORBIT) &&
+             c->input->points != BAT_DEVICE_PEN))
             return false;
     return true;
 }
@@ -59,6 +60,7 @@ void bat_contacts_pinch(bat_context *c) {
 
 static void turn(bat_context *c, const double about[2], double radians) {
     double *fingers = &c->input->contacts.turn;
+    if (bat_stage_tilted(c->stage)) return; /* the horizon stays level */
     *fingers = remainder(*fingers + radians * (180 / BAT_PI), 360 + 2 * DETENT);
     double angle = fabs(*fingers) <= DETENT ? 0 : *fingers - copysign(DETENT, *fingers);
     bat_stage_rotate(c->stage, about, angle - c->stage->view.angle);

@@ -11,6 +11,7 @@ enum { BAT_CONTACTS_MAX = 16 };
 typedef enum bat_duty {
     BAT_DUTY_TOOL,     /* drives the tool; at most one */
     BAT_DUTY_NAVIGATE, /* one pans; two pinch */
+    BAT_DUTY_ORBIT,    /* turns the view (orbit.h) */
     BAT_DUTY_IGNORED   /* a palm, a second contact, a button without a function */
 } bat_duty;
 

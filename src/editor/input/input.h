@@ -3,12 +3,14 @@
 #define BATTEN_EDITOR_INPUT_INPUT_H
 
 #include "editor/input/contacts.h"
+#include "editor/input/orbit.h"
 #include "editor/input/taps.h"
 #include "editor/input/trail.h"
 
 typedef struct bat_input {
     bat_contacts contacts;
     bat_fingers fingers;
+    bat_orbit orbit;
     bat_taps taps;
     bat_trail trail; /* of the pointer that drives the tool */
     bool holding_pan, pen_seen;

@@ -17,6 +17,7 @@
 
 static const double REACH = 8;                /* px */
 static const double CROWDED = 8;              /* px: least distance between grid lines */
+static const double LEAST_SLANT = 0.1;        /* of the page: the grid gets no coarser beyond */
 static const double STEP = 15 * BAT_PI / 180; /* radians */
 enum { BRANCHES = 12, TURNS = 4, NEWTON = 16 };
 
@@ -271,6 +272,7 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
 double bat_grid_step(const bat_context *c) {
     if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
     double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
-    for (int i = 0; step * c->stage->view.zoom < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
+    const double scale = c->stage->view.zoom * fmax(fabs(c->stage->view.tilt_cosine), LEAST_SLANT);
+    for (int i = 0; step * scale < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
     return step;
 }

@@ -1,4 +1,5 @@
 #include "editor/scene/path.h"
+#include "editor/view/stage.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdlib.h>
@@ -56,10 +57,7 @@ void bat_path_curve(bat_path *path, const bat_curve *curve) {
     for (int i = 0; i < count; i++) {
         const double *p = points + (size_t)i * 4 * (size_t)dimension;
         double planar[8];
-        for (int j = 0; j < 4; j++) {
-            planar[2 * j] = p[j * dimension];
-            planar[2 * j + 1] = p[j * dimension + 1];
-        }
+        for (int j = 0; j < 4; j++) bat_map_look(path->map, dimension, p + j * dimension, planar + 2 * j);
         if (i == 0) bat_path_move(path, planar[0], planar[1]);
         bat_path_cubic(path, planar + 2);
     }

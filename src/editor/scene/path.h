@@ -7,17 +7,19 @@
 
 typedef struct bat_path {
     double origin[2];
+    const double
+        *map; /* of curves, from the document to drawing coordinates: bat_stage_space_map; NULL: face-on */
     float *data;
     size_t count, room;
     bool failed; /* an allocation failed; the earlier contents are still good */
 } bat_path;
 
-/* Each adds one command, in document coordinates. After a failure they do nothing. */
+/* Each adds one command, in drawing coordinates (editor/view/stage.h). After a failure they do nothing. */
 void bat_path_move(bat_path *path, double x, double y);
 void bat_path_line(bat_path *path, double x, double y);
 void bat_path_cubic(bat_path *path, const double *three_points);
 void bat_path_close(bat_path *path);
-/* Adds the whole curve (in space: its x, y) as cubic segments; closed curves are closed. Exact up to degree 3,
+/* Adds the whole curve, as it is seen, as cubic segments; closed curves are closed. Exact up to degree 3,
  * otherwise to float precision. */
 void bat_path_curve(bat_path *path, const bat_curve *curve);
 /* Bounds of the commands path[first..count) with their coordinates as stored: the box of the control points. */

@@ -1,4 +1,5 @@
 #include "editor/scene/scene.h"
+#include "curve/curve.h"
 #include "document/nesting.h"
 #include <math.h>
 #include <stdlib.h>
@@ -12,12 +13,17 @@ void bat_scene_init(bat_scene *scene) {
     bat_box_clear(scene->dirty);
 }
 
-static void free_entry(bat_scene_entry *entry) {
+static void free_lines(bat_scene_entry *entry) {
     for (int i = 0; entry->lines && i < bat_object_curve_count(entry->object); i++) {
         bat_finder_free(entry->lines[i].finder);
         bat_curve_free(entry->lines[i].picture);
     }
     free(entry->lines);
+    entry->lines = NULL;
+}
+
+static void free_entry(bat_scene_entry *entry) {
+    free_lines(entry);
     free(entry->path);
     bat_object_release(entry->object);
 }
@@ -37,14 +43,42 @@ static double reach(const bat_style *style) {
     return style->width / 2 * factor;
 }
 
+static const double *map_of(const bat_scene *scene) { return scene->tilted ? scene->map : NULL; }
+
+/* The entry's box: tilted, that of its control points. */
+static void find_box(const bat_scene *scene, bat_scene_entry *entry) {
+    const bat_object *object = entry->object;
+    double *box = entry->box, at[2], corners[8];
+    bat_object_bounds(object, box);
+    if (!scene->tilted || !(box[0] <= box[2])) return;
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    const int curves = bat_object_curve_count(object);
+    const bool picture = bat_object_picture(object) != NULL;
+    if (picture) bat_object_corners(object, corners);
+    for (int i = 0; i < curves + picture; i++) {
+        const bat_curve *curve = i < curves ? bat_object_curve(object, i) : NULL;
+        const int count = curve ? bat_point_count(curve) : 4, size = curve ? bat_curve_dimension(curve) : 2;
+        const double *points = curve ? bat_curve_points(curve) : corners;
+        for (int j = 0; j < count; j++, points += size) {
+            bat_map_look(scene->map, size, points, at);
+            for (int k = 0; k < 2; k++) {
+                box[k] = fmin(box[k], at[k]);
+                box[k + 2] = fmax(box[k + 2], at[k]);
+            }
+        }
+    }
+}
+
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
-    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}};
+    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene)};
     for (int i = 0; i < bat_object_curve_count(entry->object); i++)
         bat_path_curve(&path, bat_object_curve(entry->object, i));
     const bat_picture *picture = bat_object_picture(entry->object);
     if (picture) {
         double corners[8];
         bat_object_corners(entry->object, corners);
+        for (int i = 0; i < 8; i += 2)
+            bat_map_look(path.map, 2, (double[]){corners[i], corners[i + 1]}, corners + i);
         bat_path_move(&path, corners[0], corners[1]);
         for (int i = 2; i < 8; i += 2) bat_path_line(&path, corners[i], corners[i + 1]);
         bat_path_close(&path);
@@ -86,14 +120,15 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
 static bat_item page_item(bat_scene *scene) {
     const double *page = scene->page;
     bat_path path = {.origin = {scene->origin[0], scene->origin[1]}, .data = scene->page_path, .room = 13};
-    bat_path_move(&path, page[0], page[1]);
-    bat_path_line(&path, page[0] + page[2], page[1]);
-    bat_path_line(&path, page[0] + page[2], page[1] + page[3]);
-    bat_path_line(&path, page[0], page[1] + page[3]);
+    for (int i = 0; i < 4; i++) {
+        double at[2] = {page[0] + (i == 1 || i == 2 ? page[2] : 0), page[1] + (i > 1 ? page[3] : 0)};
+        bat_map_look(map_of(scene), 2, (double[]){at[0], at[1]}, at);
+        (i ? bat_path_line : bat_path_move)(&path, at[0], at[1]);
+    }
     bat_path_close(&path);
     bat_item item = {.id = ITEM_PAGE,
                      .version = ++scene->versions,
-                     .role = BAT_ROLE_PAGE,
+                     .role = scene->behind ? BAT_ROLE_PAGE_BACK : BAT_ROLE_PAGE,
                      .flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH,
                      .width = 1,
                      .opacity = 1,
@@ -131,7 +166,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
             old = found + 1;
         } else {
             entries[i].object = bat_object_retain(object);
-            bat_object_bounds(object, entries[i].box);
+            find_box(scene, &entries[i]);
             found = former(scene, old, object, false); /* replaced: keeps the two walks in step */
             if (found >= 0) old = found + 1;
         }
@@ -247,12 +282,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     return status;
 }
 
-void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
-    double middle[2];
-    bat_stage_seen(stage, (double[]){stage->view.width / 2, stage->view.height / 2}, middle);
-    double away = fmax(fabs(middle[0] - scene->origin[0]), fabs(middle[1] - scene->origin[1]));
-    if (away * stage->view.zoom * 0x1p-24 <= 0.25) return;
-    memcpy(scene->origin, middle, sizeof middle);
+/* All paths have to be made anew. */
+static void lose_paths(bat_scene *scene) {
     for (int i = 0; i < scene->count; i++) {
         free(scene->entries[i].path);
         scene->entries[i].path = NULL;
@@ -261,6 +292,43 @@ void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
     scene->item_count = 0;
     scene->stale = true;
     dirty_all(scene);
+}
+
+void bat_scene_face(bat_scene *scene, const bat_stage *stage) {
+    const bool tilted = bat_stage_tilted(stage);
+    double map[8];
+    bat_stage_space_map(stage, map);
+    if (tilted == scene->tilted && (!tilted || !memcmp(map, scene->map, sizeof map))) return;
+    scene->tilted = tilted;
+    scene->behind = stage->view.tilt > 90;
+    memcpy(scene->map, map, sizeof map);
+    lose_paths(scene);
+    for (int i = 0; i < scene->count; i++) {
+        free_lines(&scene->entries[i]);
+        find_box(scene, &scene->entries[i]);
+    }
+}
+
+void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
+    double middle[2];
+    bat_stage_seen(stage, (double[]){stage->view.width / 2, stage->view.height / 2}, middle);
+    double away = fmax(fabs(middle[0] - scene->origin[0]), fabs(middle[1] - scene->origin[1]));
+    if (away * stage->view.zoom * 0x1p-24 <= 0.25) return;
+    memcpy(scene->origin, middle, sizeof middle);
+    lose_paths(scene);
+}
+
+/* The curve as it is seen in a tilted view, in the plane. */
+static bat_status image_of(const bat_curve *curve, const double map[8], bat_curve **out) {
+    const bool space = bat_curve_dimension(curve) == 3;
+    const double flat[6] = {map[0], map[1], map[3], map[4], map[5], map[7]};
+    double deep[12] = {0};
+    bat_curve *image = NULL;
+    memcpy(deep, map, 8 * sizeof *map);
+    bat_status status = bat_curve_transform(curve, space ? deep : flat, space ? &image : out);
+    if (status == BAT_OK && space) status = bat_curve_to_dimension(image, 2, out);
+    bat_curve_free(image);
+    return status;
 }
 
 const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
@@ -272,8 +340,11 @@ const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
     bat_scene_line *line = &entry->lines[curve];
     const bat_curve *seen = bat_object_curve(entry->object, curve);
     if (line->finder) return line->finder;
-    if (bat_curve_dimension(seen) != 2) {
-        if (!line->picture && bat_curve_to_dimension(seen, 2, &line->picture) != BAT_OK) return NULL;
+    if (scene->tilted || bat_curve_dimension(seen) != 2) {
+        bat_status status = line->picture   ? BAT_OK
+                            : scene->tilted ? image_of(seen, scene->map, &line->picture)
+                                            : bat_curve_to_dimension(seen, 2, &line->picture);
+        if (status != BAT_OK) return NULL;
         seen = line->picture;
     }
     bat_finder_create(seen, &line->finder);

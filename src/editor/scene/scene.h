@@ -14,12 +14,13 @@
 /* Finds the nearest point of a curve. */
 typedef struct bat_scene_line {
     bat_finder *finder; /* NULL until requested */
-    bat_curve *picture; /* of a space curve: its x y, which the finder searches */
+    bat_curve
+        *picture; /* the curve as it is seen, which the finder searches; NULL: a planar curve seen face-on */
 } bat_scene_line;
 
 typedef struct bat_scene_entry {
     bat_object *object; /* retained */
-    double box[4];      /* of the outline, document units */
+    double box[4];      /* of the outline, drawing coordinates (editor/view/stage.h) */
     float *path;        /* NULL until made */
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
@@ -31,7 +32,9 @@ typedef struct bat_scene {
     bat_scene_entry *entries;
     int count;
     double origin[2];
-    bat_item *items; /* the static list: the page's border if there is a page, then the objects */
+    bool tilted, behind; /* the view is tilted; so far that the page's back is seen */
+    double map[8];       /* tilted: bat_stage_space_map */
+    bat_item *items;     /* the static list: the page's border if there is a page, then the objects */
     int item_count;
     double page[4];
     float page_path[13];
@@ -51,9 +54,11 @@ void bat_scene_free(bat_scene *scene);
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
 /* Mirrors the document. BAT_MEMORY: the scene is unchanged, or lacks some paths until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
+/* Sees the drawing as the stage does: when it has turned, paths, boxes and finders are made anew. */
+void bat_scene_face(bat_scene *scene, const bat_stage *stage);
 /* Moves the origin to the view's middle when float rounding would become visible (a quarter of a pixel). */
 void bat_scene_rebase(bat_scene *scene, const bat_stage *stage);
-/* The finder of a curve of an entry; for a space curve that of its picture (x y, at the same parameters). Made on
+/* The finder of a curve of an entry as it is seen (drawing coordinates, at the same parameters). Made on
  * first use; NULL when out of memory. */
 const bat_finder *bat_scene_finder(bat_scene *scene, int entry, int curve);
 

@@ -13,6 +13,7 @@ typedef struct bat_context {
     struct bat_session *session;     /* session/session.h: document, history, journal, the open transaction */
     struct bat_notices *notices;     /* session/notice.h: notices for the user, requests to the host */
     struct bat_stage *stage;         /* view/stage.h: the view, and the ground that the pen draws on */
+    struct bat_views *views;         /* view/views.h: views that were left, the way home */
     struct bat_input *input;         /* input/input.h: contacts, the pen, keys held */
     struct bat_choice *choice;       /* choice/choice.h: selection, active layer, isolation, requested tool */
     struct bat_clipboard *clipboard; /* edit/clipboard.h */

@@ -11,6 +11,7 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value) {
     if (c->session->refused) text = BAT_STRING_NOTICE_READ_ONLY;
     c->session->freed = c->session->refused = false;
     c->notices->notice = text;
+    c->notices->offer = BAT_COMMAND_COUNT;
     if (text == BAT_STRING_COUNT) return;
     const char *words = bat_word(c, text), *hole = value ? strchr(words, '%') : NULL;
     if (hole)
@@ -22,6 +23,11 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value) {
 }
 
 void bat_notice(bat_context *c, bat_string text) { bat_notice_value(c, text, NULL); }
+
+void bat_notice_tilted(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_TILTED);
+    c->notices->offer = BAT_COMMAND_VIEW_UPRIGHT;
+}
 
 void bat_notice_failure(bat_context *c, bat_status status) {
     bat_notice(c, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);

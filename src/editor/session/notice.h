@@ -11,7 +11,8 @@ typedef struct bat_notices {
     bat_string notice; /* BAT_STRING_COUNT: none */
     char notice_text[BAT_NOTICE_ROOM];
     uint32_t notice_version;
-    uint32_t requests; /* to the host, BAT_ASK_ bits */
+    bat_command_id offer; /* that the notice offers to do; BAT_COMMAND_COUNT: nothing */
+    uint32_t requests;    /* to the host, BAT_ASK_ bits */
 } bat_notices;
 
 /* In the language in force. */
@@ -19,6 +20,8 @@ const char *bat_word(const bat_context *c, bat_string text);
 void bat_notice(bat_context *c, bat_string text);
 /* Sets the notice to the text with its first "%" replaced by the value. */
 void bat_notice_value(bat_context *c, bat_string text, const char *value);
+/* Refuses what cannot be done in a tilted view, and offers the way home. */
+void bat_notice_tilted(bat_context *c);
 void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif

@@ -9,8 +9,7 @@ static const float WIDTH = 1, GHOST_WIDTH = 1.5F;
 void bat_axis_show(bat_context *c, bat_overlay *overlay) {
     const bat_mirror axis = bat_symmetry(c);
     double box[4];
-    if (!axis.on) return;
-    bat_stage_box(c->stage, box);
+    if (!axis.on || !bat_stage_page_box(c->stage, box)) return;
     const double middle[2] = {(box[0] + box[2]) / 2, (box[1] + box[3]) / 2};
     double from[2], to[2];
     /* From the point nearest to the window's middle, as far as the window reaches. */
@@ -19,8 +18,7 @@ void bat_axis_show(bat_context *c, bat_overlay *overlay) {
     bat_mirror_place(&axis, s - far, from);
     bat_mirror_place(&axis, s + far, to);
     bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, WIDTH);
-    bat_path_move(&overlay->path, from[0], from[1]);
-    bat_path_line(&overlay->path, to[0], to[1]);
+    bat_overlay_page_line(overlay, from[0], from[1], to[0], to[1]);
 }
 
 void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t count, const double *points,

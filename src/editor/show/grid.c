@@ -16,7 +16,7 @@ void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
     double step = bat_grid_step(c), zero[2], box[4];
     if (!(step > 0)) return;
     bat_unit_origin(c, zero);
-    bat_stage_box(c->stage, box);
+    if (!bat_stage_page_box(c->stage, box)) return;
     for (int strong = 0; strong < 2; strong++) {
         bat_overlay_item(overlay, strong ? BAT_ROLE_GRID_STRONG : BAT_ROLE_GRID, BAT_ITEM_STROKED, 1);
         for (int k = 0; k < 2; k++) {
@@ -24,8 +24,8 @@ void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
             for (double i = first; i <= last && i - first < LINES_MAX; i++) {
                 if ((fmod(i, STRONG) == 0) != strong) continue;
                 double at = zero[k] + i * step;
-                bat_path_move(&overlay->path, k ? box[0] : at, k ? at : box[1]);
-                bat_path_line(&overlay->path, k ? box[2] : at, k ? at : box[3]);
+                bat_overlay_page_line(overlay, k ? box[0] : at, k ? at : box[1], k ? box[2] : at,
+                                      k ? at : box[3]);
             }
         }
     }

@@ -1,6 +1,7 @@
 #include <stdlib.h>
 #include "editor/show/overlay.h"
 #include "base/real.h"
+#include "editor/view/stage.h"
 #include <batten/refine.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,11 +9,12 @@
 
 void bat_overlay_free(bat_overlay *overlay) { free(overlay->path.data); }
 
-void bat_overlay_begin(bat_overlay *overlay, const double origin[2]) {
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map) {
     overlay->count = overlay->label_count = 0;
     overlay->path.count = 0;
     overlay->path.failed = false;
     memcpy(overlay->path.origin, origin, sizeof overlay->path.origin);
+    overlay->path.map = map;
 }
 
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width) {
@@ -30,6 +32,14 @@ void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *poin
     if (count < 2) return;
     bat_path_move(&overlay->path, points[0], points[1]);
     for (size_t i = 1; i < count; i++) bat_path_line(&overlay->path, points[2 * i], points[2 * i + 1]);
+}
+
+void bat_overlay_page_line(bat_overlay *overlay, double x0, double y0, double x1, double y1) {
+    double at[4];
+    bat_map_look(overlay->path.map, 2, (double[]){x0, y0}, at);
+    bat_map_look(overlay->path.map, 2, (double[]){x1, y1}, at + 2);
+    bat_path_move(&overlay->path, at[0], at[1]);
+    bat_path_line(&overlay->path, at[2], at[3]);
 }
 
 void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1) {

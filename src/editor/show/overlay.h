@@ -17,11 +17,13 @@ typedef struct bat_overlay {
 } bat_overlay;
 
 void bat_overlay_free(bat_overlay *overlay);
-/* Empties the list, keeps the memory. */
-void bat_overlay_begin(bat_overlay *overlay, const double origin[2]);
+/* Empties the list, keeps the memory. map: as of bat_path, and as long as the overlay. */
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map);
 /* Starts a new item; what is added to overlay->path from now on is its path. width: view pixels. */
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width);
 void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points);
+/* Adds the straight line between two points of the page. */
+void bat_overlay_page_line(bat_overlay *overlay, double x0, double y0, double x1, double y1);
 /* Adds the stretch u0..u1 of the curve; nothing if it cannot be cut out. */
 void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1);
 /* Adds a small diamond around a point; radius in document units. */

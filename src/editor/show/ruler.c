@@ -15,7 +15,8 @@ static const double TICK = 4, MIDDLE = 8;             /* px: lengths */
 enum { TICKS_MAX = 4000 };
 
 bool bat_rulers_on(const bat_context *c) {
-    return c->settings->values[BAT_PROPERTY_SHOW_RULERS] != 0 && c->stage->view.angle == 0;
+    return c->settings->values[BAT_PROPERTY_SHOW_RULERS] != 0 && c->stage->view.angle == 0 &&
+           !bat_stage_tilted(c->stage);
 }
 
 int bat_ruler_at(const bat_context *c, const double pixel[2]) {

@@ -68,10 +68,11 @@ enum {
     BAT_EDITS_POINTS = 16, /* edits the points of a curve, also by numbers */
     BAT_EDITS_SPLINES = 32,
     BAT_EDITS_LEVELS = 64,
-    BAT_SMOOTHS = 128 /* smooths what it passes over */
+    BAT_SMOOTHS = 128, /* smooths what it passes over */
+    BAT_TILTS = 256    /* works in a tilted view, too */
 };
 
-typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST } bat_when;
+typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST, BAT_WHEN_FACE_ON } bat_when;
 
 typedef struct bat_command_row {
     const char *name, *keys;

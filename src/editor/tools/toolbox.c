@@ -3,6 +3,7 @@
 #include "editor/input/input.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
+#include "editor/view/stage.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,6 +57,12 @@ void *bat_toolbox_state(const bat_context *c, const bat_tool *tool) {
 
 bool bat_toolbox_has(const bat_context *c, unsigned trait) {
     return bat_tool_at(c->choice->tool)->traits & trait;
+}
+
+bool bat_toolbox_faces(const bat_context *c) {
+    const bat_slot *tool = bat_toolbox_tool(c);
+    const bool chosen = tool == bat_toolbox_chosen(c);
+    return !bat_stage_tilted(c->stage) || (chosen && bat_toolbox_has(c, BAT_TILTS));
 }
 
 /* The tool that a panel control is dragging something of; NULL: none. */

@@ -31,6 +31,8 @@ const bat_slot *bat_toolbox_that(const bat_context *c, unsigned trait);
 void *bat_toolbox_state(const bat_context *c, const bat_tool *tool);
 /* Whether the chosen tool has the trait. */
 bool bat_toolbox_has(const bat_context *c, unsigned trait);
+/* Whether the tool in force can work in the view as it is. */
+bool bat_toolbox_faces(const bat_context *c);
 /* The tool in force has the pointer down, or a panel control is being dragged. */
 bool bat_toolbox_busy(const bat_context *c);
 /* What the tool in force is making; all zero: nothing. */

@@ -11,8 +11,16 @@ static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] 
 
 static bat_status hit_page(const bat_ground *ground, const bat_ray *ray, bat_hit *out) {
     (void)ground;
-    /* Rays of a page's view begin on the page, so the point is taken over unchanged, however far away. */
-    for (int k = 0; k < 2; k++) out->at[k] = out->own[k] = ray->from[k];
+    double far = 0;
+    /* Face-on, rays begin on the page, so the point is taken over unchanged, however far away. */
+    const bool across = ray->along[0] == 0 && ray->along[1] == 0;
+    if (!(fabs(ray->along[2]) >= EDGE_ON)) return BAT_SINGULAR;
+    if (!across) far = -ray->from[2] / ray->along[2];
+    for (int k = 0; k < 2; k++) {
+        const double at = across ? ray->from[k] : ray->from[k] + far * ray->along[k];
+        if (!across && !(fabs(at) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+        out->at[k] = out->own[k] = at;
+    }
     out->at[2] = 0;
     return BAT_OK;
 }

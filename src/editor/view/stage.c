@@ -1,4 +1,5 @@
 #include "editor/view/stage.h"
+#include <math.h>
 #include <string.h>
 
 static const double AWAY = 1000; /* of the eye from the page, in windows */
@@ -23,6 +24,25 @@ void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[
     bat_view_to_screen(&stage->view, at, pixel);
 }
 
+bool bat_stage_tilted(const bat_stage *stage) { return stage->view.tilt != 0; }
+
+void bat_stage_space_map(const bat_stage *stage, double map[8]) { bat_view_map(&stage->view, map); }
+
+void bat_map_look(const double *map, int dimension, const double *point, double at[2]) {
+    if (!map) {
+        memcpy(at, point, 2 * sizeof *point);
+        return;
+    }
+    const double x = point[0], y = point[1], z = dimension > 2 ? point[2] : 0;
+    for (int k = 0; k < 2; k++, map += 4) at[k] = map[0] * x + map[1] * y + map[2] * z + map[3];
+}
+
+void bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]) {
+    double map[8];
+    bat_view_map(&stage->view, map);
+    bat_map_look(bat_stage_tilted(stage) ? map : NULL, dimension, point, at);
+}
+
 void bat_stage_map(const bat_stage *stage, double map[6]) {
     const bat_view *view = &stage->view;
     const double z = view->zoom, c = view->cosine * z, s = view->sine * z;
@@ -43,13 +63,16 @@ bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out) {
     const bat_view *view = &stage->view;
     if (!(view->width > 0 && view->height > 0)) return BAT_STATE;
     bat_viewpoint seen = {.size = {view->width, view->height}, .height = view->height / view->zoom};
-    double middle[2];
+    double middle[2], right[3], down[3], ahead[3];
     bat_stage_middle(stage, middle);
-    bat_view_to_document(view, middle, seen.target);
-    memcpy(seen.eye, seen.target, sizeof seen.eye);
-    seen.eye[2] = -AWAY * (view->width + view->height) / view->zoom;
-    seen.up[0] = -view->sine;
-    seen.up[1] = -view->cosine;
+    const bat_ray ray = bat_view_ray(view, middle);
+    const double away = AWAY * (view->width + view->height) / view->zoom;
+    bat_view_axes(view, right, down, ahead);
+    for (int k = 0; k < 3; k++) {
+        seen.target[k] = ray.from[k];
+        seen.eye[k] = ray.from[k] - away * ray.along[k];
+        seen.up[k] = -down[k];
+    }
     *out = seen;
     return BAT_OK;
 }
@@ -66,11 +89,30 @@ void bat_stage_middle(const bat_stage *stage, double pixel[2]) {
 
 void bat_stage_box(const bat_stage *stage, double box[4]) { bat_view_box(&stage->view, box); }
 
+bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
+    const bat_view *view = &stage->view;
+    const bat_stage on_page = {*view, bat_ground_page()};
+    if (!bat_stage_tilted(stage)) {
+        bat_view_box(view, box);
+        return true;
+    }
+    for (int i = 0; i < 4; i++) {
+        bat_hit hit;
+        const double corner[2] = {i & 1 ? view->width : 0, i & 2 ? view->height : 0};
+        if (bat_stage_place(&on_page, corner, &hit) != BAT_OK) return false;
+        for (int k = 0; k < 2; k++) {
+            box[k] = i ? fmin(box[k], hit.at[k]) : hit.at[k];
+            box[k + 2] = i ? fmax(box[k + 2], hit.at[k]) : hit.at[k];
+        }
+    }
+    return true;
+}
+
 bool bat_stage_same(const bat_stage *a, const bat_stage *b) {
     const bat_view *v = &a->view, *w = &b->view;
-    return v->x == w->x && v->y == w->y && v->zoom == w->zoom && v->angle == w->angle &&
-           v->width == w->width && v->height == w->height && v->ratio == w->ratio &&
-           bat_ground_same(&a->ground, &b->ground);
+    return v->x == w->x && v->y == w->y && v->zoom == w->zoom && v->angle == w->angle && v->tilt == w->tilt &&
+           !memcmp(v->pivot, w->pivot, sizeof v->pivot) && v->width == w->width && v->height == w->height &&
+           v->ratio == w->ratio && bat_ground_same(&a->ground, &b->ground);
 }
 
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]) {
@@ -86,5 +128,9 @@ void bat_stage_zoom(bat_stage *stage, const double about[2], double factor) {
 }
 
 void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees) {
-    bat_view_rotate(&stage->view, about, degrees);
+    bat_view *view = &stage->view;
+    if (view->tilt == 0)
+        bat_view_rotate(view, about, degrees);
+    else
+        bat_view_orbit(view, view->angle + degrees, view->tilt);
 }

@@ -1,6 +1,7 @@
 /* The stage: the view, and the ground that the pen draws on. Tools ask it where the pen is and what is there; only
- * this room knows how a pixel becomes a point. "Drawing coordinates" are the x y of a point as the window shows it; a
- * point in space has a third coordinate, along which the view of a page looks. */
+ * this room knows how a pixel becomes a point. "Drawing coordinates" are two coordinates of a point as the window shows
+ * it, in document units (view.h): what lies near the pen is found in them. Face-on they are the x y of the page; in
+ * a tilted view they are not, and only bat_stage_place tells where the pen is on the page. */
 #ifndef BATTEN_EDITOR_VIEW_STAGE_H
 #define BATTEN_EDITOR_VIEW_STAGE_H
 
@@ -21,7 +22,13 @@ bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hi
 /* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]);
 void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[2]);
-/* The same as an affine map: x' = map[0] x + map[1] y + map[2], y' = map[3] x + map[4] y + map[5] in pixels. */
+/* Whether the view is tilted; if so, drawing coordinates are map (two rows of four numbers) applied to x y z 1. */
+bool bat_stage_tilted(const bat_stage *stage);
+void bat_stage_space_map(const bat_stage *stage, double map[8]);
+/* Drawing coordinates of a point of the document; dimension: of the point, 2 or 3. The second by a map; NULL: face-on. */
+void bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]);
+void bat_map_look(const double *map, int dimension, const double *point, double at[2]);
+/* bat_stage_seen as an affine map: x' = map[0] x + map[1] y + map[2], y' = map[3] x + map[4] y + map[5] in pixels. */
 void bat_stage_map(const bat_stage *stage, double map[6]);
 /* The length of a view pixel in document units; pixels per document unit. */
 double bat_stage_pixel(const bat_stage *stage);
@@ -29,14 +36,17 @@ double bat_stage_scale(const bat_stage *stage);
 /* The upward direction of the drawing in pixels, of length 1; the rotation of the view in degrees. */
 void bat_stage_up(const bat_stage *stage, double up[2]);
 double bat_stage_angle(const bat_stage *stage);
-/* The view as the calls of view.h take it: parallel, from before the page, y downwards and z away from the eye. Points
- * are seen at the pixels of bat_stage_project. BAT_STATE: the window has no size. */
+/* The view as the calls of view.h take it: parallel, the page's y downwards and its z away from the eye. Points are
+ * seen at the pixels of bat_stage_project. BAT_STATE: the window has no size. */
 bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out);
 /* Width and height of the window in pixels; its middle; the axis-aligned box around what it shows, in drawing
  * coordinates. */
 void bat_stage_window(const bat_stage *stage, double size[2]);
 void bat_stage_middle(const bat_stage *stage, double pixel[2]);
 void bat_stage_box(const bat_stage *stage, double box[4]);
+/* The axis-aligned box on the page around what the window shows of it; face-on that of bat_stage_box. False: the page is
+ * seen edge-on. */
+bool bat_stage_page_box(const bat_stage *stage, double box[4]);
 /* Whether both show the same, in the same way. */
 bool bat_stage_same(const bat_stage *a, const bat_stage *b);
 
@@ -44,6 +54,6 @@ bool bat_stage_same(const bat_stage *a, const bat_stage *b);
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]);
 void bat_stage_bring(bat_stage *stage, const double at[2], double margin);
 void bat_stage_zoom(bat_stage *stage, const double about[2], double factor);
-void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees);
+void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees); /* tilted: about the pivot */
 
 #endif

@@ -1,6 +1,7 @@
 #include "editor/view/view.h"
 #include "base/real.h"
 #include <math.h>
+#include <string.h>
 
 static double clamp(double value, double low, double high) { return fmin(fmax(value, low), high); }
 
@@ -9,7 +10,7 @@ static void keep_in_reach(bat_view *view) {
     view->y = clamp(view->y, -BAT_VIEW_REACH, BAT_VIEW_REACH);
 }
 
-bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1}; }
+bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1, .tilt_cosine = 1}; }
 
 void bat_view_look_afresh(bat_view *view) {
     bat_view afresh = bat_view_defaults();
@@ -35,10 +36,63 @@ void bat_view_to_document(const bat_view *view, const double screen[2], double d
     document[1] = view->y + (view->cosine * screen[1] - view->sine * screen[0]) / view->zoom;
 }
 
+void bat_view_axes(const bat_view *view, double right[3], double down[3], double ahead[3]) {
+    const double c = view->cosine, s = view->sine, k = view->tilt_cosine, h = view->tilt_sine;
+    const double axes[3][3] = {{c, -s, 0}, {s * k, c * k, h}, {-s * h, -c * h, k}};
+    memcpy(right, axes[0], sizeof axes[0]);
+    memcpy(down, axes[1], sizeof axes[1]);
+    memcpy(ahead, axes[2], sizeof axes[2]);
+}
+
 bat_ray bat_view_ray(const bat_view *view, const double pixel[2]) {
     bat_ray ray = {.along = {0, 0, 1}};
     bat_view_to_document(view, pixel, ray.from);
+    if (view->tilt == 0) return ray;
+    double right[3], down[3], x = ray.from[0] - view->pivot[0], y = ray.from[1] - view->pivot[1];
+    bat_view_axes(view, right, down, ray.along);
+    const double across = view->cosine * x - view->sine * y, below = view->sine * x + view->cosine * y;
+    for (int k = 0; k < 3; k++) ray.from[k] = view->pivot[k] + across * right[k] + below * down[k];
     return ray;
+}
+
+void bat_view_map(const bat_view *view, double map[8]) {
+    const double c = view->cosine, s = view->sine, k = view->tilt_cosine, h = view->tilt_sine;
+    const double flat[8] = {1, 0, 0, 0, 0, 1, 0, 0}, less = view->tilt == 0 ? 0 : 1 - k;
+    memcpy(map, flat, sizeof flat);
+    if (view->tilt == 0) return;
+    /* The page's own downward direction (s, c) is shortened, and what lies deeper is seen further down. */
+    const double low[2] = {s, c};
+    for (int row = 0; row < 2; row++) {
+        for (int d = 0; d < 2; d++) map[4 * row + d] -= low[row] * low[d] * less;
+        map[4 * row + 2] = low[row] * h;
+        map[4 * row + 3] = view->pivot[row];
+        for (int d = 0; d < 3; d++) map[4 * row + 3] -= map[4 * row + d] * view->pivot[d];
+    }
+}
+
+void bat_view_orbit(bat_view *view, double angle, double tilt) {
+    double at[2];
+    if (!isfinite(angle) || !isfinite(tilt)) return;
+    bat_view_to_screen(view, view->pivot, at);
+    bat_view_turn(view, angle);
+    view->tilt = round(clamp(tilt, 0, 180) * 100) / 100;
+    view->tilt_cosine = view->tilt == 90 ? 0 : bat_cos(view->tilt * (BAT_PI / 180));
+    view->tilt_sine = view->tilt == 180 ? 0 : bat_sin(view->tilt * (BAT_PI / 180));
+    bat_view_hold(view, view->pivot, at);
+}
+
+void bat_view_set_pivot(bat_view *view, const double at[3]) {
+    double map[8];
+    bat_view_map(view, map);
+    for (int k = 0; k < 3; k++)
+        if (!(fabs(at[k]) <= BAT_COORDINATE_MAX)) return;
+    for (int k = 0; k < 2 && view->tilt != 0; k++) {
+        const double *row = map + 4 * k;
+        const double seen = row[0] * at[0] + row[1] * at[1] + row[2] * at[2] + row[3];
+        (k ? &view->y : &view->x)[0] += at[k] - seen;
+    }
+    memcpy(view->pivot, at, sizeof view->pivot);
+    keep_in_reach(view);
 }
 
 void bat_view_to_screen(const bat_view *view, const double document[2], double screen[2]) {

@@ -119,7 +119,7 @@ static bat_id guide_at(const bat_context *c, const double pixel[2], bat_device d
 int bat_guides_hot(bat_context *c) {
     bat_guiding *g = bat_guiding_of(c);
     if (g->on) return g->axis;
-    if (!c->input->pen_near || bat_toolbox_busy(c)) return -1;
+    if (!c->input->pen_near || bat_toolbox_busy(c) || bat_stage_tilted(c->stage)) return -1;
     int axis = bat_ruler_at(c, c->input->pen);
     if (axis >= 0 || !(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES)) return axis;
     const bat_slot *tool = bat_toolbox_chosen(c);
@@ -139,6 +139,7 @@ bool bat_guides_take(bat_context *c, const bat_pointer *event) {
     int axis = bat_ruler_at(c, pixel);
     bat_id id = 0;
     g->chosen = 0;
+    if (bat_stage_tilted(c->stage)) return false;
     if (axis < 0) {
         if (!(bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES) ||
             bat_toolbox_tool(c) != bat_toolbox_chosen(c))
@@ -249,14 +250,14 @@ const bat_tool *bat_tool_guides(void) {
 /* ---- picture ---- */
 
 static void line(bat_overlay *overlay, const double box[4], int axis, double at) {
-    bat_path_move(&overlay->path, axis ? box[0] : at, axis ? at : box[1]);
-    bat_path_line(&overlay->path, axis ? box[2] : at, axis ? at : box[3]);
+    bat_overlay_page_line(overlay, axis ? box[0] : at, axis ? at : box[1], axis ? box[2] : at,
+                          axis ? at : box[3]);
 }
 
 void bat_guides_show(const bat_context *c, bat_overlay *overlay) {
     const bat_guiding *g = bat_guiding_of(c);
     double box[4];
-    bat_stage_box(c->stage, box);
+    if (!bat_stage_page_box(c->stage, box)) return;
     for (int chosen = 0; chosen < 2; chosen++) {
         bat_overlay_item(overlay, BAT_ROLE_GUIDELINE, BAT_ITEM_STROKED, chosen ? 2 : 1);
         for (int i = 0; i < bat_document_count(c->session->document); i++) {

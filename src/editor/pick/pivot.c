@@ -1,0 +1,77 @@
+#include "editor/pick/pivot.h"
+#include "curve/curve.h"
+#include "document/kind.h"
+#include "editor/choice/choice.h"
+#include "editor/scene/seen.h"
+#include "editor/session/session.h"
+#include <math.h>
+
+static const double REACH = 24; /* px */
+
+/* The point in space of a curve at the pixel. */
+static bool under(bat_context *c, const double pixel[2], double out[3]) {
+    const bat_scene_entry *entries = c->scene->entries;
+    double at[2], within = REACH * bat_stage_pixel(c->stage), place[BAT_DIMENSION_MAX] = {0};
+    bool found = false;
+    bat_stage_seen(c->stage, pixel, at);
+    for (int i = 0; i < c->scene->count; i++) {
+        const double *box = entries[i].box;
+        if (entries[i].hidden || at[0] < box[0] - within || at[0] > box[2] + within ||
+            at[1] < box[1] - within || at[1] > box[3] + within)
+            continue;
+        for (int j = 0; j < bat_object_curve_count(entries[i].object); j++) {
+            const bat_finder *finder = bat_scene_finder(c->scene, i, j);
+            bat_near near = {.distance = INFINITY};
+            if (finder) bat_finder_nearest(finder, at, &near);
+            if (!(near.distance <= within)) continue;
+            within = near.distance;
+            found = true;
+            place[2] = 0;
+            bat_curve_eval(bat_object_curve(entries[i].object, j), near.u, 0, place);
+        }
+    }
+    for (int k = 0; k < 3 && found; k++) out[k] = place[k];
+    return found;
+}
+
+static void hold(double low[3], double high[3], const double *point, int dimension) {
+    for (int k = 0; k < 3; k++) {
+        low[k] = fmin(low[k], k < dimension ? point[k] : 0);
+        high[k] = fmax(high[k], k < dimension ? point[k] : 0);
+    }
+}
+
+/* The middle of the box around the control points of what is selected, or of everything and the page. */
+static bool middle(bat_context *c, bool selected, double out[3]) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, page[4];
+    bat_document_page(c->session->document, page);
+    for (int i = 0, end = 0; i < c->scene->count; i++) {
+        const bat_scene_entry *entry = &c->scene->entries[i];
+        if (i >= end && bat_selection_has(&c->choice->selection, bat_object_id(entry->object)))
+            end = bat_document_end(c->session->document, i);
+        if (entry->hidden || (selected && i >= end)) continue;
+        for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
+            const bat_curve *curve = bat_object_curve(entry->object, j);
+            const int size = bat_curve_dimension(curve);
+            for (int k = 0; k < bat_point_count(curve); k++)
+                hold(low, high, bat_curve_points(curve) + (size_t)k * (size_t)size, size);
+        }
+    }
+    for (int i = 0; i < 2 && !selected && page[2] > 0; i++)
+        hold(low, high, (double[]){page[0] + i * page[2], page[1] + i * page[3]}, 2);
+    for (int k = 0; k < 3; k++) out[k] = low[k] / 2 + high[k] / 2;
+    return low[0] <= high[0];
+}
+
+void bat_pivot_set(bat_context *c, const double *pixel) {
+    double at[3], centre[2];
+    bat_hit hit;
+    bat_seen_sync(c);
+    if ((pixel && under(c, pixel, at)) || middle(c, true, at) || middle(c, false, at)) {
+        bat_view_set_pivot(&c->stage->view, at);
+        return;
+    }
+    bat_stage_middle(c->stage, centre); /* nothing is there */
+    const bat_stage page = {c->stage->view, bat_ground_page()};
+    if (bat_stage_place(&page, centre, &hit) == BAT_OK) bat_view_set_pivot(&c->stage->view, hit.at);
+}

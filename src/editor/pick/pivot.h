@@ -1,0 +1,11 @@
+/* What an orbit turns about. */
+#ifndef BATTEN_EDITOR_PICK_PIVOT_H
+#define BATTEN_EDITOR_PICK_PIVOT_H
+
+#include "editor/session/context.h"
+
+/* Sets the view's pivot: the point of a curve at the pixel, if one is there (pixel may be NULL); else the middle of the
+ * selection; else of all that is seen, the page included. */
+void bat_pivot_set(bat_context *c, const double *pixel);
+
+#endif

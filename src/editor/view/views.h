@@ -1,0 +1,24 @@
+/* Views that were left: the face-on page to return to, and the way back through them. They belong to the window, not to
+ * the document: neither the history nor the journal knows them. */
+#ifndef BATTEN_EDITOR_VIEW_VIEWS_H
+#define BATTEN_EDITOR_VIEW_VIEWS_H
+
+#include "editor/view/view.h"
+
+enum { BAT_VIEWS_KEPT = 50 };
+
+typedef struct bat_views {
+    bat_view left[BAT_VIEWS_KEPT]; /* oldest first; the oldest gives way */
+    int count;
+    bat_view home; /* the last face-on view, once `away` */
+    bool away;
+} bat_views;
+
+/* Before the view turns away: keeps it. */
+void bat_views_leave(bat_views *views, const bat_view *view);
+/* Steps back to the view that was left last; the window keeps its size. False: there is none. */
+bool bat_views_back(bat_views *views, bat_view *view);
+/* Returns to the last face-on view. False: none has been left. */
+bool bat_views_home(bat_views *views, bat_view *view);
+
+#endif

@@ -1,0 +1,316 @@
+/* The tilted view: its camera against the public one, orbits by hand and by keys, the way home, and what it refuses. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "support/editing.h"
+#include <stdio.h>
+
+static uint32_t seed;
+
+static double any(double low, double high) {
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * ((double)(seed >> 8) / 16777216);
+}
+
+static bat_stage any_stage(void) {
+    bat_stage stage = bat_stage_defaults();
+    bat_view *view = &stage.view;
+    view->width = 1000;
+    view->height = 800;
+    view->x = any(-500, 500);
+    view->y = any(-500, 500);
+    view->zoom = any(0.2, 5);
+    const double x = any(-300, 300), y = any(-300, 300), z = any(-300, 300);
+    bat_view_set_pivot(view, (double[]){x, y, z});
+    const double angle = any(-180, 180), tilt = any(1, 179);
+    bat_view_orbit(view, angle, tilt);
+    return stage;
+}
+
+static double apart(const double *a, const double *b, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    return sqrt(sum);
+}
+
+static void it_is_the_camera_of_the_library(void **state) {
+    (void)state;
+    seed = 7;
+    for (int i = 0; i < 400; i++) {
+        const bat_stage stage = any_stage();
+        bat_viewpoint camera;
+        double at[3], seen[2], pixel[2], other[2], from[3], along[3];
+        for (int k = 0; k < 3; k++) at[k] = any(-400, 400);
+        assert_int_equal(bat_stage_viewpoint(&stage, &camera), BAT_OK);
+        bat_stage_look(&stage, 3, at, seen);
+        bat_stage_project(&stage, seen, pixel);
+        assert_int_equal(bat_viewpoint_project(&camera, at, other, NULL), BAT_OK);
+        assert_true(apart(pixel, other, 2) < 1e-6);
+        /* Its ray runs as the library's does, and meets the page where it is seen. */
+        const bat_ray ray = bat_view_ray(&stage.view, pixel);
+        assert_int_equal(bat_viewpoint_ray(&camera, pixel, from, along), BAT_OK);
+        assert_true(apart(ray.along, along, 3) < 1e-9);
+        bat_hit hit;
+        const double flat[3] = {at[0], at[1], 0};
+        bat_stage_look(&stage, 2, flat, seen);
+        bat_stage_project(&stage, seen, pixel);
+        const double slant = fabs(stage.view.tilt - 90);
+        bat_status status = bat_stage_place(&stage, pixel, &hit);
+        if (slant > 5.01) {
+            assert_int_equal(status, BAT_OK);
+            assert_true(apart(hit.at, flat, 3) < 1e-7);
+        } else if (slant < 4.99) {
+            assert_int_equal(status, BAT_SINGULAR);
+        }
+    }
+}
+
+static void the_pivot_stays_where_it_is_seen(void **state) {
+    (void)state;
+    seed = 11;
+    for (int i = 0; i < 200; i++) {
+        bat_stage stage = any_stage();
+        double at[3], seen[2], before[2], after[2];
+        for (int k = 0; k < 3; k++) at[k] = any(-400, 400);
+        const double point[3] = {any(-9, 9), 3, 4};
+        bat_stage_look(&stage, 3, point, seen);
+        bat_stage_project(&stage, seen, before);
+        bat_view_set_pivot(&stage.view, at); /* the picture stays */
+        bat_stage_look(&stage, 3, point, seen);
+        bat_stage_project(&stage, seen, after);
+        assert_true(apart(before, after, 2) < 1e-8);
+        bat_stage_look(&stage, 3, at, seen);
+        assert_true(apart(seen, at, 2) < 1e-9);
+        bat_stage_project(&stage, seen, before);
+        const double angle = any(-180, 180), tilt = any(-50, 300);
+        bat_view_orbit(&stage.view, angle, tilt);
+        assert_true(stage.view.tilt >= 0 && stage.view.tilt <= 180);
+        bat_stage_look(&stage, 3, at, seen);
+        bat_stage_project(&stage, seen, after);
+        assert_true(apart(before, after, 2) < 1e-8);
+    }
+}
+
+/* ---- the editor ---- */
+
+static bat_editor *drawing(void) {
+    bat_curve *curves[2] = {pen_curve(200, 300, 60, 40, 8), pen_curve(300, 500, 60, 40, 8)};
+    return editor_with(2, curves);
+}
+
+/* All numbers that are painted of the drawing. */
+static uint64_t picture(bat_editor *editor) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    uint64_t sum = 1469598103934665603u;
+    const unsigned char *bytes = (const unsigned char *)frame->view;
+    for (size_t i = 0; i < sizeof frame->view; i++) sum = (sum ^ bytes[i]) * 1099511628211u;
+    bytes = (const unsigned char *)frame->origin;
+    for (size_t i = 0; i < sizeof frame->origin; i++) sum = (sum ^ bytes[i]) * 1099511628211u;
+    for (uint32_t i = 0; i < frame->still_count; i++) {
+        bytes = (const unsigned char *)frame->still[i].path;
+        for (size_t k = 0; k < frame->still[i].path_count * sizeof(float); k++)
+            sum = (sum ^ bytes[k]) * 1099511628211u;
+        bytes = (const unsigned char *)frame->still[i].bounds;
+        for (size_t k = 0; k < sizeof frame->still[i].bounds; k++) sum = (sum ^ bytes[k]) * 1099511628211u;
+        sum = (sum ^ frame->still[i].role) * 1099511628211u;
+    }
+    return sum;
+}
+
+static double tilt_of(bat_editor *editor) { return bat_editor_frame(editor)->tilt; }
+
+static pen right_button(bat_editor *editor) {
+    pen p = mouse(editor);
+    p.buttons = BAT_BUTTON_SECONDARY;
+    return p;
+}
+
+static void a_right_drag_orbits_and_home_is_exact(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    bat_editor_command(editor, "view-left");
+    bat_editor_command(editor, "zoom-in");
+    const uint64_t first = digest(editor), before = picture(editor);
+    pen p = right_button(editor);
+    pen_event(&p, BAT_POINTER_DOWN, 500, 400); /* a click turns nothing */
+    pen_event(&p, BAT_POINTER_MOVE, 502, 401);
+    pen_event(&p, BAT_POINTER_UP, 502, 401);
+    assert_true(picture(editor) == before);
+    assert_int_equal(bat_editor_command(editor, "view-back"), BAT_STATE);
+    for (int i = 0; i < 10; i++) {
+        drag(&p, 500, 400, 500 + 13 * i, 300 - 7 * i);
+        assert_true(tilt_of(editor) > 10);
+        assert_true(picture(editor) != before);
+    }
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_STATE); /* never in the history */
+    assert_int_equal(bat_editor_command(editor, "view-upright"), BAT_OK);
+    assert_true(tilt_of(editor) == 0);
+    assert_true(picture(editor) == before);
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_command(editor, "view-back"), BAT_OK); /* where home was called */
+    assert_true(tilt_of(editor) > 10);
+    for (int i = 0; i < 10; i++) assert_int_equal(bat_editor_command(editor, "view-back"), BAT_OK);
+    assert_true(picture(editor) == before);
+    assert_int_equal(bat_editor_command(editor, "view-back"), BAT_STATE);
+    bat_editor_free(editor);
+}
+
+static void escape_returns_to_before(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    const uint64_t before = picture(editor);
+    pen p = right_button(editor);
+    drag_to(&p, 500, 400, 560, 250);
+    assert_true(tilt_of(editor) > 30);
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_PIVOT));
+    bat_editor_command(editor, "cancel");
+    assert_true(picture(editor) == before);
+    pen_event(&p, BAT_POINTER_MOVE, 600, 200); /* until it is lifted it does nothing */
+    pen_event(&p, BAT_POINTER_UP, 600, 200);
+    assert_true(picture(editor) == before);
+    assert_int_equal(bat_editor_command(editor, "view-back"), BAT_STATE);
+    bat_editor_free(editor);
+}
+
+static void keys_turn_in_steps_and_name_views(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    for (int i = 0; i < 3; i++) assert_true(bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT | BAT_ALT, 0));
+    assert_true(tilt_of(editor) == 45);
+    assert_true(bat_editor_key(editor, "ArrowLeft", true, BAT_SHIFT | BAT_ALT, 0));
+    assert_true(bat_editor_frame(editor)->view[3] == 15);
+    assert_true(bat_editor_key(editor, "7", true, 0, 0));
+    assert_true(tilt_of(editor) == 90 && bat_editor_frame(editor)->view[3] == 0);
+    assert_true(bat_editor_key(editor, "8", true, 0, 0));
+    assert_true(tilt_of(editor) == 90 && bat_editor_frame(editor)->view[3] == 90);
+    assert_true(bat_editor_key(editor, "9", true, 0, 0));
+    assert_true(tilt_of(editor) == 0 && bat_editor_frame(editor)->view[3] == 0);
+    assert_true(bat_editor_key(editor, "Z", true, BAT_SHIFT, 0));
+    assert_true(tilt_of(editor) == 90);
+    for (int i = 0; i < 20; i++) bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT | BAT_ALT, 0);
+    assert_true(tilt_of(editor) == 180); /* there is no upside down */
+    assert_int_equal(bat_editor_frame(editor)->still[0].role, BAT_ROLE_PAGE_BACK);
+    assert_true(bat_editor_key(editor, "5", true, 0, 0));
+    assert_int_equal(bat_editor_frame(editor)->still[0].role, BAT_ROLE_PAGE);
+    check(editor);
+    bat_editor_free(editor);
+}
+
+/* Fingers come down beside each other, move together, and are lifted. */
+static void swipe(bat_editor *editor, int count, double dx, double dy) {
+    pen fingers[3];
+    for (int i = 0; i < count; i++) {
+        fingers[i] = pen_for(editor);
+        fingers[i].device = BAT_DEVICE_TOUCH;
+        fingers[i].contact = (uint32_t)i + 1;
+        pen_event(&fingers[i], BAT_POINTER_DOWN, 400 + 80 * i, 400);
+        check(editor);
+    }
+    for (int k = 1; k <= 8; k++)
+        for (int i = 0; i < count; i++) {
+            pen_event(&fingers[i], BAT_POINTER_MOVE, 400 + 80 * i + dx * k / 8, 400 + dy * k / 8);
+            check(editor);
+        }
+    for (int i = 0; i < count; i++) {
+        pen_event(&fingers[i], BAT_POINTER_UP, NAN, NAN);
+        check(editor);
+    }
+}
+
+static void three_fingers_turn_and_two_never_do(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    swipe(editor, 2, 50, -120);
+    assert_true(tilt_of(editor) == 0);
+    swipe(editor, 3, 20, -120);
+    const double tilt = tilt_of(editor);
+    assert_true(tilt > 30 && tilt < 60);
+    const double angle = bat_editor_frame(editor)->view[3];
+    swipe(editor, 2, 50, -120);
+    assert_true(tilt_of(editor) == tilt && bat_editor_frame(editor)->view[3] == angle);
+    swipe(editor, 3, 3, 3); /* a tap */
+    assert_true(tilt_of(editor) == tilt);
+    bat_editor_free(editor);
+}
+
+static void with_a_pen_one_finger_turns_a_tilted_view(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    pen p = pen_for(editor);
+    pen_event(&p, BAT_POINTER_HOVER, 700, 700);
+    swipe(editor, 1, 0, -100);
+    assert_true(tilt_of(editor) == 0); /* face-on it pans */
+    bat_editor_command(editor, "orbit-up");
+    swipe(editor, 1, 0, -100);
+    assert_true(tilt_of(editor) > 40);
+    const double tilt = tilt_of(editor);
+    p.buttons = BAT_BUTTON_SECONDARY | BAT_BUTTON_PRIMARY;
+    drag(&p, 500, 400, 500, 350);
+    assert_true(tilt_of(editor) > tilt + 15);
+    bat_editor_free(editor);
+}
+
+static void what_is_not_ready_for_it_is_refused_and_home_offered(void **state) {
+    (void)state;
+    static const char *const tools[] = {"tool-points", "tool-smooth", "tool-eraser", "tool-tangents",
+                                        "tool-line",   "tool-levels", "tool-span"};
+    bat_editor *editor = drawing();
+    const uint64_t first = digest(editor);
+    for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {
+        bat_editor_command(editor, "view-upright");
+        bat_editor_command(editor, tools[i]);
+        bat_editor_command(editor, "orbit-up");
+        pen p = pen_for(editor);
+        const uint32_t said = bat_editor_frame(editor)->notice_version;
+        drag(&p, 210, 300, 500, 420);
+        assert_true(digest(editor) == first);
+        assert_true(bat_editor_frame(editor)->notice_version > said);
+        assert_string_equal(bat_editor_frame(editor)->offer, "view-upright");
+    }
+    assert_int_equal(bat_editor_command(editor, "nudge-left"), BAT_STATE);
+    assert_string_equal(bat_editor_frame(editor)->offer, "view-upright");
+    assert_int_equal(bat_editor_command(editor, bat_editor_frame(editor)->offer), BAT_OK);
+    assert_true(tilt_of(editor) == 0);
+    bat_editor_free(editor);
+}
+
+static void fit_finds_everything(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    seed = 3;
+    for (int i = 0; i < 10; i++) {
+        pen p = right_button(editor);
+        const double x = any(-300, 300), y = any(-400, 100);
+        drag(&p, 500, 400, 500 + x, 400 + y);
+        bat_editor_wheel(editor, 100, 100, 900, 5000, 0, p.time);
+        assert_int_equal(bat_editor_command(editor, "view-fit"), BAT_OK);
+        const bat_frame *frame = bat_editor_frame(editor);
+        const bat_context *c = &editor->context;
+        for (uint32_t k = 0; k < frame->still_count; k++) {
+            const float *path = frame->still[k].path;
+            double pixel[2];
+            bat_stage_project(c->stage, (double[]){path[1] + frame->origin[0], path[2] + frame->origin[1]},
+                              pixel);
+            assert_true(pixel[0] > 0 && pixel[0] < 1000 && pixel[1] > 0 && pixel[1] < 800);
+        }
+    }
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_is_the_camera_of_the_library),
+        cmocka_unit_test(the_pivot_stays_where_it_is_seen),
+        cmocka_unit_test(a_right_drag_orbits_and_home_is_exact),
+        cmocka_unit_test(escape_returns_to_before),
+        cmocka_unit_test(keys_turn_in_steps_and_name_views),
+        cmocka_unit_test(three_fingers_turn_and_two_never_do),
+        cmocka_unit_test(with_a_pen_one_finger_turns_a_tilted_view),
+        cmocka_unit_test(what_is_not_ready_for_it_is_refused_and_home_offered),
+        cmocka_unit_test(fit_finds_everything),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
