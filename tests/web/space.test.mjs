@@ -1,0 +1,70 @@
+// The tilted view: a right drag and three fingers turn it, home brings back the very same pixels, and what is not ready
+// for it says so and offers the way home.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { fileURLToPath } from 'node:url';
+import { serve } from './server.mjs';
+
+const CAR = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/car.svg'));
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** What is painted of the drawing. */
+const pixels = (page) => page.evaluate(() => document.getElementById('still').toDataURL());
+const tilt = (page) => page.evaluate(() => batten.engine.frame().tilt);
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a right drag tilts the page, 5 brings it home, ${colorScheme}`, async (t) => {
+    const server = await serve({ name: 'car.svg', bytes: CAR });
+    t.after(() => server.close());
+    const { page, hand } = await open(browser, server.address, { colorScheme });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
+    await page.keyboard.press('Shift+G');
+    await quiet(page);
+    const first = await state(page);
+    const before = await pixels(page);
+    const orbit = (to, during) => hand.stroke([[600, 400], to], { pointerType: 'mouse', button: 'right', during });
+    await orbit([640, 290], () => shot('orbit'));
+    assert.ok(await tilt(page) > 40);
+    await shot('tilted');
+    await orbit([560, 150]);
+    assert.ok(await tilt(page) > 100);
+    await shot('behind');
+    await hand.stroke([[500, 300], [700, 330]]);
+    const now = await state(page);
+    assert.equal(now.digest, first.digest, 'nothing is drawn where it was not shown');
+    await page.keyboard.press('5');
+    await quiet(page);
+    assert.equal(await tilt(page), 0);
+    assert.equal(await pixels(page), before, 'the page is as it was, to the pixel');
+    await page.keyboard.press('Shift+Z');
+    await quiet(page);
+    assert.ok(await tilt(page) > 100, 'a step back');
+    assert.equal((await state(page)).digest, first.digest);
+    assert.equal((await state(page)).check, '');
+  });
+}
+
+test('three fingers turn the view, a tap of three does not', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address, { hasTouch: true });
+  const before = await pixels(page);
+  const at = (dx, dy) => [[500, 420], [570, 430], [640, 420]].map(([x, y]) => [x + dx, y + dy]);
+  const down = [at(0, 0).slice(0, 1), at(0, 0).slice(0, 2), at(0, 0)];
+  await hand.fingers([...down, at(3, 4)]);
+  assert.equal(await tilt(page), 0);
+  hand.rest(2);
+  await hand.fingers([...down, ...Array.from({ length: 10 }, (_, i) => at(3 * i, -10 * i))]);
+  assert.ok(await tilt(page) > 20);
+  await page.keyboard.press('5');
+  await settle(page);
+  assert.equal(await pixels(page), before);
+});
