@@ -57,6 +57,17 @@ const char *arguments_value(const cli_arguments *arguments, const char *name) {
     return index < 0 ? NULL : arguments->values[index];
 }
 
+int arguments_choice(const cli_arguments *arguments, const char *name, const char *const *words, int count,
+                     int *out) {
+    const char *word = arguments_value(arguments, name);
+    for (int i = 0; i < count && word; i++)
+        if (strcmp(word, words[i]) == 0) {
+            *out = i;
+            return EXIT_DONE;
+        }
+    return word ? fail_usage(arguments->command, "%s: '%s' is none of its words", name, word) : EXIT_DONE;
+}
+
 /* Whether the text up to `end` is exactly one finite number. */
 static bool number_between(const char *text, const char *end, double *out) {
     double value;

@@ -5,6 +5,7 @@
 #include "progress.h"
 #include "results.h"
 
+#include <batten/bezier.h>
 #include <batten/fit.h>
 #include <batten/measure.h>
 
@@ -13,8 +14,13 @@
 static const double SHARE = 1e-3;  /* of the size: the tolerance when none is given */
 static const double CORNER = 0.05; /* radians: larger turns stay corners, as in the editor */
 
+/* What joins the spans of a result. */
+enum continuity { C2, G1 };
+static const char *const words[] = {"C2", "G1"};
+
 typedef struct tally {
-    double max_error;
+    int continuity;
+    double tolerance, max_error;
     uint64_t before, after; /* control points */
 } tally;
 
@@ -38,19 +44,31 @@ static double size_of(const bat_document *document) {
     return side;
 }
 
-/* Replaces one curve if fewer points will do. What is generated from other data, a spline or levels, becomes a
+static bat_status refit(const bat_curve *curve, const tally *sum, bat_curve **out, double *error) {
+    return (sum->continuity == G1 ? bat_curve_refit_g1 : bat_curve_refit)(curve, sum->tolerance, CORNER, out,
+                                                                          error);
+}
+
+/* Whether the curve has fewer points, or, for G1, fewer cubics: a curve of a degree above 3 has become cubics. */
+static bool is_simpler(const bat_curve *curve, const bat_curve *than, int continuity) {
+    return continuity == G1 && (bat_curve_degree(curve) != bat_curve_degree(than) ||
+                                bat_curve_segment_count(curve) != bat_curve_segment_count(than))
+               ? true
+               : bat_curve_count(curve) < bat_curve_count(than);
+}
+
+/* Replaces one curve by what is simpler. What is generated from other data, a spline or levels, becomes a
  * path by this. */
-static bat_status simplify_curve(bat_document *document, int object, int index, double tolerance,
-                                 tally *sum) {
+static bat_status simplify_curve(bat_document *document, int object, int index, tally *sum) {
     const bat_curve *curve = curve_of(document, object, index);
     const uint64_t before = (uint64_t)bat_curve_count(curve);
     bat_curve *fewer = NULL;
     double error = 0;
-    bat_status status = bat_curve_refit(curve, tolerance, CORNER, &fewer, &error);
+    bat_status status = refit(curve, sum, &fewer, &error);
     if (status != BAT_OK) return status;
     const uint64_t after = (uint64_t)bat_curve_count(fewer);
     sum->before += before;
-    if (after >= before) {
+    if (!is_simpler(fewer, curve, sum->continuity)) {
         bat_curve_free(fewer);
         sum->after += before;
         return BAT_OK;
@@ -64,12 +82,12 @@ static bat_status simplify_curve(bat_document *document, int object, int index, 
     return status;
 }
 
-static bat_status simplify_all(bat_document *document, double tolerance, tally *sum) {
+static bat_status simplify_all(bat_document *document, tally *sum) {
     bat_status status = BAT_OK;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         if (!bat_object_is_made_of_curves(bat_document_at(document, i))) continue;
         for (int k = 0; k < bat_object_curve_count(bat_document_at(document, i)) && status == BAT_OK; k++)
-            status = simplify_curve(document, i, k, tolerance, sum);
+            status = simplify_curve(document, i, k, sum);
     }
     return status;
 }
@@ -112,14 +130,14 @@ static int run(const cli_arguments *arguments) {
     const char *name = arguments->operands[0];
     const bat_svg_options options = bat_svg_merging();
     drawing_file drawing;
-    double tolerance = -1;
-    int failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
+    tally sum = {.tolerance = -1};
+    int failed = arguments_number(arguments, "--tolerance", 0, 1e30, &sum.tolerance);
+    if (!failed) failed = arguments_choice(arguments, "--continuity", words, 2, &sum.continuity);
     if (!failed) failed = drawing_read(name, &options, &drawing);
     if (failed) return failed;
-    if (tolerance < 0) tolerance = SHARE * size_of(drawing.document);
-    tally sum = {0};
+    if (sum.tolerance < 0) sum.tolerance = SHARE * size_of(drawing.document);
     progress_begin("simplify");
-    bat_status status = simplify_all(drawing.document, tolerance, &sum);
+    bat_status status = simplify_all(drawing.document, &sum);
     progress_end();
     if (status == BAT_MEMORY)
         failed = fail_memory();
@@ -133,7 +151,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_simplify = {
     .name = "simplify",
-    .usage = "CURVE|DRAWING [--tolerance T]",
+    .usage = "CURVE|DRAWING [--tolerance T] [--continuity C2|G1]",
     .summary = "A curve, or every curve of a drawing, with as few points as keep it within a tolerance.",
     .details = "Corners and ends stay. The result has the format of the input. A CURVE gets a \"report\":\n"
                "\"max_error\", \"points_before\", \"points_after\"; of a drawing the report is a line on "
@@ -143,6 +161,8 @@ const cli_command command_simplify = {
     .operands = 1,
     .options =
         {{"--tolerance", "T",
-          "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"}},
+          "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"},
+         {"--continuity", "C2|G1",
+          "C2, by default: fewest points; G1: fewest cubics, which meet with one tangent, for path editors"}},
     .run = run,
 };

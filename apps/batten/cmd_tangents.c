@@ -12,17 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int choose(const cli_arguments *arguments, const char *name, const char *const *words, int count,
-                  int *out) {
-    const char *word = arguments_value(arguments, name);
-    for (int i = 0; i < count && word; i++)
-        if (strcmp(word, words[i]) == 0) {
-            *out = i;
-            return EXIT_DONE;
-        }
-    return word ? fail_usage(arguments->command, "%s: '%s' is none of its words", name, word) : EXIT_DONE;
-}
-
 static int print(const bat_curve *curve, const bat_joint *joints, int count, const double *bezier,
                  int segments) {
     int dimension = bat_curve_dimension(curve);
@@ -54,8 +43,8 @@ static int run(const cli_arguments *arguments) {
     static const char *const modes[] = {"faithful", "paper"}, *const defaults[] = {"centripetal", "uniform",
                                                                                    "chordal"};
     int mode = 0, missing = 0;
-    int failed = choose(arguments, "--mode", modes, 2, &mode);
-    if (!failed) failed = choose(arguments, "--default", defaults, 3, &missing);
+    int failed = arguments_choice(arguments, "--mode", modes, 2, &mode);
+    if (!failed) failed = arguments_choice(arguments, "--default", defaults, 3, &missing);
     char *data;
     size_t size;
     const char *name = arguments->operands[0];

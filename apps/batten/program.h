@@ -48,6 +48,9 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
 int arguments_one_input(const cli_arguments *arguments, int count, const char *names);
 /* The option's value, or NULL when it was not given. */
 const char *arguments_value(const cli_arguments *arguments, const char *name);
+/* Which of the words the option is, in the order given; *out is unchanged when it was not given. */
+int arguments_choice(const cli_arguments *arguments, const char *name, const char *const *words, int count,
+                     int *out);
 /* The option as one finite number with low <= number <= high; *out is unchanged when it was not given. */
 int arguments_number(const cli_arguments *arguments, const char *name, double low, double high, double *out);
 int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out);

@@ -49,6 +49,16 @@ BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, co
  */
 BAT_API bat_status bat_curve_refit(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
                                    double *error);
+/*
+ * Covers the curve with as few cubics as keep it within tolerance, as path editors count: their joints lie on the curve
+ * and have its tangent, and no more than that (G1). The result is cubic, with knots of multiplicity two: about two
+ * points a cubic (of multiplicity three where the speed would change too much, as in bat_curve_from_bezier). Corners
+ * (joints at which the tangent turns by more than corner radians) and ends stay. *error (may be NULL): the distance,
+ * measured both ways. A curve of degree 3 or less that bat_curve_simplify gives as few spans becomes what that gives;
+ * with tolerance 0 every curve does.
+ */
+BAT_API bat_status bat_curve_refit_g1(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
+                                      double *error);
 
 #ifdef __cplusplus
 }

@@ -83,6 +83,11 @@ bat_status bat_curve_unwind(const bat_curve *curve, int first, int last, bat_cur
 bat_status bat_curve_rotate(const bat_curve *curve, int shift, bat_curve **out);
 /* Closed: the same curve with all copies of the seam at the start of the period. Open: a copy. */
 bat_status bat_curve_gather_seam(const bat_curve *curve, bat_curve **out);
+/* bat_curve_from_bezier with a range of its own: the speed leaves 1/range..range times that of the segments' lengths
+ * nowhere, at the price of joints of multiplicity p. */
+bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segments, const double *points,
+                                double corner, double range, double tolerance, bat_curve **out,
+                                double *error);
 /* Euclidean distance of two points. */
 double bat_distance(const double *a, const double *b, int size);
 /* Angle by which a polygon turns at a point, 0..pi; 4 when a side has no length. */

@@ -13,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SPEED_RANGE = 100000 }; /* a run is broken where its speed leaves 1/range..range of its first one */
+static const double SPEED_RANGE =
+    1e5; /* a run is broken where its speed leaves 1/range..range of its first one */
 
 static const double SPAN_LEAST = 1e-10; /* of the mean span */
 
@@ -25,7 +26,7 @@ static double polygon(const double *points, int degree, int size) {
 
 /* Length of span i's parameter, when the one before (`last`, of handle length `in`) is joined smoothly. */
 static void choose_spans(int degree, int size, int count, const double *points, bool closed, double corner,
-                         double *spans) {
+                         double range, double *spans) {
     int first = 0, step = degree * size;
     double mean = 0;
     for (int i = 0; i < count; i++) mean += polygon(points + (size_t)i * (size_t)step, degree, size) / count;
@@ -50,7 +51,7 @@ static void choose_spans(int degree, int size, int count, const double *points, 
             double h = spans[before] *
                        (bat_distance(here, here + size, size) / bat_distance(inner, here, size));
             double slow = h / natural / begun;
-            if (slow > 1.0 / SPEED_RANGE && slow < SPEED_RANGE) spans[i] = h;
+            if (slow > 1 / range && slow < range) spans[i] = h;
         }
         if (spans[i] == natural) begun = 1;
         spans[i] = fmax(spans[i], SPAN_LEAST);
@@ -96,6 +97,13 @@ static bat_status assemble(int degree, int size, int count, const double *points
 
 bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments, const double *points,
                                  double corner, double tolerance, bat_curve **out, double *error) {
+    return bat_curve_from_chain(dimension, degree, closed, segments, points, corner, SPEED_RANGE, tolerance,
+                                out, error);
+}
+
+bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segments, const double *points,
+                                double corner, double range, double tolerance, bat_curve **out,
+                                double *error) {
     if (!points || !out || !(corner >= 0) || !(tolerance >= 0)) return BAT_ARGUMENT;
     if (degree < 1 || degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (dimension < 2 || dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
@@ -117,7 +125,7 @@ bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int seg
     if (kept < 1 || (closed && kept * degree < 2)) status = BAT_COUNT;
     bat_curve *exact, *simple;
     if (status == BAT_OK) {
-        choose_spans(degree, dimension, kept, copy, closed, corner, spans);
+        choose_spans(degree, dimension, kept, copy, closed, corner, range, spans);
         status = assemble(degree, dimension, kept, copy, closed, spans, &exact);
     }
     free(copy);

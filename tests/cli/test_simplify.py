@@ -59,6 +59,23 @@ class Simplify(ProgramTest):
                                 ends = sampled(curve, 2), sampled(result, 2)
                                 self.assertLess(numpy.abs(ends[0] - ends[1]).max(), 1e-9)
 
+    def test_cubics_that_share_a_tangent(self):
+        """G1: cubics, about half as many as C2 takes, smooth where they meet, within the tolerance."""
+        for degree in (2, 3, 5):
+            for closed in (False, True):
+                with self.subTest(degree=degree, closed=closed):
+                    curve = dense(degree, closed)
+                    name = self.file("c.json", curve)
+                    words = "simplify", name, "--tolerance", "0.1"
+                    smooth, cubics = self.json(*words, "--continuity", "C2"), self.json(*words, "--continuity", "G1")
+                    self.assertEqual(smooth, self.json(*words))
+                    self.assertEqual((cubics["degree"], cubics["closed"]), (3, closed))
+                    spans = [len(set(c["knots"])) - 1 for c in (smooth, cubics)]
+                    self.assertLess(spans[1], spans[0] if degree > 2 else len(curve["points"]) / 4)
+                    self.assertEqual(cubics["report"]["points_after"], len(cubics["points"]))
+                    self.assertLessEqual(cubics["report"]["max_error"], 0.1)
+                    self.assertLess(apart(curve, cubics), 0.1 + 0.04)
+
     def test_the_default_is_a_thousandth_of_the_longer_side(self):
         for scale in (1e-6, 1, 1e6):
             curve = dense(3, False)

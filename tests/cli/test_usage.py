@@ -54,6 +54,7 @@ class Usage(ProgramTest):
             ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
             ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],
             ["simplify"], ["simplify", curve, "--tolerance", "-1"], ["simplify", curve, "--tolerance", "nan"],
+            ["simplify", curve, "--continuity", "C1"], ["simplify", curve, "--continuity"],
             ["simplify", curve, curve], ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
             ["surface"], ["surface", "frobnicate"], ["surface", "eval"], ["surface", "eval", curve],
             ["surface", "eval", curve, "--samples", "3"], ["surface", "eval", curve, "--samples", "3x0"],

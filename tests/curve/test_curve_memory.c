@@ -68,6 +68,9 @@ static bat_status simplify_nothing(bat_curve **a, bat_curve **b) {
 static bat_status refit(bat_curve **a, bat_curve **b) {
     return (void)b, bat_curve_refit(open_curve, 2, 4, a, NULL);
 }
+static bat_status refit_g1(bat_curve **a, bat_curve **b) {
+    return (void)b, bat_curve_refit_g1(open_curve, 2, 4, a, NULL);
+}
 static bat_status elevate(bat_curve **a, bat_curve **b) {
     return (void)b, bat_curve_elevate(closed_curve, 5, a);
 }
@@ -108,9 +111,9 @@ static bat_status from_bezier(bat_curve **a, bat_curve **b) {
 static void every_allocation(void **state) {
     (void)state;
     operation *const operations[] = {
-        create,     copy,          transform, dimension, insert,    refine,      remove_seam,
-        simplify,   refit,         elevate,   clamp,     reverse,   split,       piece,
-        close_ring, reparametrise, move_seam, join,      to_cubics, from_bezier, simplify_nothing};
+        create,        copy,      transform, dimension, insert,      refine,          remove_seam, simplify,
+        refit,         refit_g1,  elevate,   clamp,     reverse,     split,           piece,       close_ring,
+        reparametrise, move_seam, join,      to_cubics, from_bezier, simplify_nothing};
     make_curves();
     for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
         bat_curve *mark = (bat_curve *)(void *)&marker;

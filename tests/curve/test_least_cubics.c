@@ -165,16 +165,18 @@ static bat_curve *wandering(random_source *r, double bend) {
     return curve;
 }
 
+/* Six curves that wander, two waves and two rings. */
+static bat_curve *example(random_source *r, int n) {
+    return n < 6 ? wandering(r, n < 3 ? 1.2 : 0.4) : n < 8 ? wavy_curve(r, 60, 3) : ring_curve(r, 60, 4);
+}
+
 /* A C2 joint has two freedoms fewer than a G1 joint, so there are more of them. */
 static void refitting_against_the_least(void **state) {
     (void)state;
     random_source r = {97};
     int spans = 0, cubics = 0, points = 0;
     for (int n = 0; n < 10; n++) {
-        bat_curve *curve = n < 6   ? wandering(&r, n < 3 ? 1.2 : 0.4)
-                           : n < 8 ? wavy_curve(&r, 60, 3)
-                                   : ring_curve(&r, 60, 4),
-                  *again = NULL;
+        bat_curve *curve = example(&r, n), *again = NULL;
         double there, back;
         assert_int_equal(bat_curve_refit(curve, n % 2 ? 0.45 : 1, 0.05, &again, NULL), BAT_OK);
         assert_int_equal(bat_curve_distance(curve, again, 40, &there, &back), BAT_OK);
@@ -191,8 +193,31 @@ static void refitting_against_the_least(void **state) {
     assert_true(spans <= 2.75 * cubics && points <= 1.4 * stored);
 }
 
+/* Refitting with G1 joints takes at most a tenth more than the least, on each curve. */
+static void g1_refitting_comes_near_the_least(void **state) {
+    (void)state;
+    int refitted = 0, cubics = 0, points = 0;
+    for (uint64_t seed = 97; seed < 99; seed++) {
+        random_source r = {seed};
+        for (int n = 0; n < 10; n++) {
+            bat_curve *curve = example(&r, n), *again = NULL;
+            double there, back;
+            assert_int_equal(bat_curve_refit_g1(curve, n % 2 ? 0.45 : 1, 0.05, &again, NULL), BAT_OK);
+            assert_int_equal(bat_curve_distance(curve, again, 40, &there, &back), BAT_OK);
+            assert_true(fmax(there, back) <= (n % 2 ? 0.45 : 1));
+            const int least = least_cubics(curve, fmax(there, back)), count = bat_curve_segment_count(again);
+            assert_true(least > 0 && count <= fmax(1.1 * least, least + 1));
+            refitted += count, cubics += least, points += (int)bat_curve_count(again);
+            bat_curve_free(curve), bat_curve_free(again);
+        }
+    }
+    print_message("G1: %d cubics, %d points; least: %d cubics\n", refitted, points, cubics);
+    assert_true(refitted <= 1.03 * cubics && points <= 2.2 * refitted);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_bound_is_plausible),
-                                       cmocka_unit_test(refitting_against_the_least)};
+                                       cmocka_unit_test(refitting_against_the_least),
+                                       cmocka_unit_test(g1_refitting_comes_near_the_least)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,6 +57,12 @@ static void of_refinement(void **state) {
     ARGUMENT(bat_curve_refit(open, -1, 1, &out, &error));
     ARGUMENT(bat_curve_refit(open, INFINITY, 1, &out, &error));
     ARGUMENT(bat_curve_refit(open, 1, -1, &out, &error));
+    ARGUMENT(bat_curve_refit_g1(NULL, 1, 1, &out, &error));
+    ARGUMENT(bat_curve_refit_g1(open, 1, 1, NULL, &error));
+    ARGUMENT(bat_curve_refit_g1(open, -1, 1, &out, &error));
+    ARGUMENT(bat_curve_refit_g1(open, NAN, 1, &out, &error));
+    ARGUMENT(bat_curve_refit_g1(open, INFINITY, 1, &out, &error));
+    ARGUMENT(bat_curve_refit_g1(open, 1, NAN, &out, &error));
     ARGUMENT(bat_curve_simplify(open, 1, NAN, &out, &error));
     ARGUMENT(bat_curve_elevate(NULL, 5, &out));
     ARGUMENT(bat_curve_elevate(open, 5, NULL));

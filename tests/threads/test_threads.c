@@ -172,6 +172,7 @@ static uint64_t rework_curve(const void *shared, int seed) {
     d = add_curve(d, bat_curve_remove_knot(curve, at, 1, 1, &m, &removed, &error), &m);
     d = add_curve(d, bat_curve_simplify(curve, 0.1, 0.1, &m, &error), &m);
     d = add_curve(d, bat_curve_refit(curve, 0.1, 0.1, &m, &error), &m);
+    d = add_curve(d, bat_curve_refit_g1(curve, 0.1, 0.1, &m, &error), &m);
     d = add_curve(d, bat_curve_elevate(curve, 4, &m), &m);
     d = add_curve(d, bat_curve_clamp(curve, &m), &m);
     d = add_curve(d, bat_curve_reverse(curve, &m), &m);

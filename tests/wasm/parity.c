@@ -129,6 +129,8 @@ static void surgery_one(parity_sink *sink, random_source *r, bat_curve *curve) {
     }
     bat_status status = bat_curve_simplify(curve, 0.05, 0.1, &simple, &error);
     put_curve(sink, status, simple), put(sink, error);
+    status = bat_curve_refit_g1(curve, 0.05, 0.1, &simple, &error);
+    put_curve(sink, status, simple), put(sink, error);
     int segments = bat_curve_segment_count(curve);
     size_t room = (size_t)segments * (size_t)(bat_curve_degree(curve) + 1) *
                   (size_t)bat_curve_dimension(curve);
