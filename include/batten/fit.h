@@ -57,8 +57,8 @@ BAT_API bat_status bat_curve_refit(const bat_curve *curve, double tolerance, dou
  * measured both ways. A curve of degree 3 or less that bat_curve_simplify gives as few spans becomes what that gives;
  * with tolerance 0 every curve does.
  */
-BAT_API bat_status bat_curve_refit_g1(const bat_curve *curve, double tolerance, double corner, bat_curve **out,
-                                      double *error);
+BAT_API bat_status bat_curve_refit_g1(const bat_curve *curve, double tolerance, double corner,
+                                      bat_curve **out, double *error);
 
 #ifdef __cplusplus
 }
