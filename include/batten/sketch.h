@@ -64,7 +64,7 @@ static inline bat_sketch_options bat_sketch_defaults(void) {
  * options may be NULL: the defaults, here and below; so may report. Redraws the curve with the stroke. Degrees 1 and
  * 2 are first raised to 3, in every call that takes a curve; higher degrees stay. Cost: linear in the samples and in
  * the curve's points; about 0.9 ms for 240 samples on 100 points, 2 ms for 2,400 (one core of a server). For a stroke
- * that cannot be met, the call returns after 10 to 20 ms with the best curve found. BAT_DOT, BAT_FAR, BAT_TOLERANCE
+ * that cannot be met, the call returns after at most 20 ms with the best curve found. BAT_DOT, BAT_FAR, BAT_TOLERANCE
  * (best curve handed over) as math 5.4 decides. BAT_FAR: the stroke lies too far from the curve to be meant for it;
  * for a closed curve it is enough that one end of the stroke does, unless the stroke closes itself, since a closed
  * curve has no end that could follow the stroke.

@@ -499,6 +499,18 @@ static void scribble(unsigned seed) {
     bat_curve_free(made);
 }
 
+/* One sample far beyond the others: the curve runs there, and nearest points on it are long sought. */
+static void jump(unsigned seed) {
+    const double far = seed % 2 ? 1.75e98 : 1e40;
+    const double x[] = {-9, -9, -18, -18, -24, -16, -33, -18, -39, far};
+    bat_stroke samples = {.dimension = 2, .count = 5, .points = x};
+    bat_sketch_options options = bat_sketch_defaults();
+    options.tolerance = 3, options.pixel = seed / 2 % 2 ? 125 : 1;
+    bat_curve *made = NULL;
+    (void)bat_sketch_new(&samples, false, &options, &made, NULL);
+    bat_curve_free(made);
+}
+
 typedef struct bound {
     const char *name;
     void (*perform)(unsigned seed);
@@ -511,7 +523,8 @@ static const bound bounds[] = {
     {"a use of 10^40 shapes", bomb_of_40, 1, 1200},
     {"odd curves measured", measure, 3000, 1},
     {"a stroke that no tolerance can meet", sketch, 12, 60},
-    {"a scribble of thousands of corners", scribble, 12, 60},
+    {"a scribble of thousands of corners", scribble, 12, 45},
+    {"a stroke with a sample far away", jump, 4, 80},
 };
 
 static bool judge_bound(const bound *b) {

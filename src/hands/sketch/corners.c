@@ -101,12 +101,20 @@ double bat_hook(const bat_path *path, double grain, bool at_end) {
 
 /* ---- corners ---- */
 
-/* How sharply the path turns at s if that is a corner, else 0: a bow turns half as much between chords of
+/* The turn at sample i, between chords of that length, whose ends were last behind samples at[0] and at[1]. */
+static double turn_at(const bat_path *path, size_t i, double chord, size_t at[2]) {
+    double before[BAT_DIMENSION_MAX], behind[BAT_DIMENSION_MAX];
+    bat_path_walk(path, path->arc[i] - chord, &at[0], before);
+    bat_path_walk(path, path->arc[i] + chord, &at[1], behind);
+    return bat_path_turn(before, path->points + i * path->m, behind, path->m);
+}
+
+/* How sharply the path turns at sample i if that is a corner, else 0: a bow turns half as much between chords of
  * half the length, a corner as much as before. */
-static double corner_at(const bat_path *path, double s, double chord, double least) {
-    const double turn = bat_path_turn_at(path, s, chord);
+static double corner_at(const bat_path *path, size_t i, double chord, double least, size_t at[4]) {
+    const double turn = turn_at(path, i, chord, at);
     if (!(turn > least)) return 0;
-    const double half = bat_path_turn_at(path, s, 0.5 * chord);
+    const double half = turn_at(path, i, 0.5 * chord, at + 2);
     return half > 0.65 * turn && half > 0.79 * least ? turn : 0;
 }
 
@@ -118,10 +126,11 @@ size_t bat_corners(const bat_path *path, double sigma, double grain, size_t most
     const double least = fmax((30 + 15 * fmin(1, sigma)) * degree, 1.35 * BAT_PI * chord / grain);
     size_t found = 0, best = 0;
     double best_turn = 0, run_end = 0;
+    size_t at[4] = {0};
     for (size_t i = 1; i + 1 < path->count; i++) {
         const double s = path->arc[i];
         if (s < chord || s > total - chord) continue;
-        const double turn = corner_at(path, s, chord, least);
+        const double turn = corner_at(path, i, chord, least, at);
         if (best > 0 && s > run_end) {
             corners[found++] = best;
             best = 0, best_turn = 0;

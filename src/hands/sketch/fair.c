@@ -38,7 +38,7 @@ bat_status bat_local_stiffen(bat_local_machine *k, int steps) {
 
 /* From now on `data` is fitted; pulled: its change of curvature, too. */
 static void fit_to(bat_local_machine *k, const double *data, bool pulled) {
-    k->data = data, k->stiffness = 1, k->pulled = pulled;
+    k->data = data, k->stiffness = 1, k->pulled = pulled, k->holds_best = false;
     k->memo[0].slots = k->memo[1].slots = 0;
 }
 

@@ -49,9 +49,9 @@ static size_t first_after(const bat_local_problem *q, double w) {
     return low;
 }
 
-/* The shortest wave that is followed at sample i, px. */
-static double wave_at(const bat_local_machine *k, size_t i) {
-    return k->problem->wavelength * bat_exp(bat_log(fabs(k->soft[i])) / 6);
+/* The shortest wave that is followed where the penalty has this factor, px. */
+static double wave_for(const bat_local_machine *k, double soft) {
+    return k->problem->wavelength * bat_exp(bat_log(soft) / 6);
 }
 
 /* Softens the penalty near a slot that fails: the waves followed there become half as long. */
@@ -77,6 +77,7 @@ static bool split_failing(bat_local_machine *k) {
     const bat_knot_set *now = &k->best;
     next->count = 0;
     bool changed = false;
+    double soft = 1, followed = q->wavelength; /* of the last failing sample: few values occur */
     for (int s = 0; s < slots; s++) {
         if (s >= 1) { /* knot at the start of slot s is interior knot s - 1 */
             next->w[next->count] = now->w[s - 1];
@@ -88,7 +89,8 @@ static bool split_failing(bat_local_machine *k) {
         while (i < k->first[s + 1] && !bat_local_fails(k, i)) i++;
         if (i == k->first[s + 1]) continue;
         const double v = q->law[i];
-        double wave = wave_at(k, i);
+        if (fabs(k->soft[i]) != soft) soft = fabs(k->soft[i]), followed = wave_for(k, soft);
+        double wave = followed;
         if (h * v < wave) changed |= soften(k, t[s], t[s + 1], wave / v), wave /= 2;
         if (h * v > finest * wave && h * v > 2 * shortest_span && k->first[s + 1] - k->first[s] > 1 &&
             next->count + slots - s + 1 < k->room) {
@@ -241,6 +243,45 @@ static bat_status make_few(bat_local_machine *k) {
     return status;
 }
 
+/* Solves for k->best; where samples are too few, with a ridge that holds it still. */
+static bat_status try_best(bat_local_machine *k) {
+    bat_status status;
+    bat_local_try(k, &k->best, &status);
+    if (status == BAT_SINGULAR && k->ridge == 0) {
+        k->ridge = 1e-10;
+        bat_local_try(k, &k->best, &status);
+    }
+    return status;
+}
+
+/* Splits spans until every sample is within its limit or the work is done. The best of the solves stays. */
+static bat_status fit_densely(bat_local_machine *k) {
+    bat_status status = BAT_OK;
+    double least = INFINITY;
+    bool again = false; /* the last solve is not the best one */
+    start_knots(k);
+    bat_knots_copy(&k->spare, &k->best);
+    for (int round = 0; round < 24; round++) {
+        status = try_best(k);
+        again = true;
+        if (status != BAT_OK) break;
+        const double ratio = worst_ratio(k);
+        const bool met = ratio <= 1; /* the speed law binds the removal only */
+        if (ratio < least) least = ratio, again = false, bat_knots_copy(&k->spare, &k->best);
+        if (met || bat_local_enough(k, work_dense)) break;
+        again = true; /* splitting softens the penalty */
+        if (!split_failing(k) || k->work + bat_local_cost(k, k->trial.count) > work_dense) break;
+        bat_knots_copy(&k->best, &k->trial);
+    }
+    if (status != BAT_OK && !(least < INFINITY)) return status;
+    bat_knots_copy(&k->best, &k->spare); /* a later round may fail where an earlier one did not */
+    if (again) bat_local_try(k, &k->best, &status);
+    k->holds_best = status == BAT_OK;
+    k->missed = misses(k);
+    if (status == BAT_OK) mark_wild(k);
+    return status;
+}
+
 bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
     memset(out, 0, sizeof *out);
     bat_local_machine machine, *k = &machine;
@@ -248,35 +289,13 @@ bat_status bat_local_fit(const bat_local_problem *q, bat_local_result *out) {
         machine_free(k);
         return BAT_MEMORY;
     }
-    start_knots(k);
-    bat_status status = BAT_OK;
-    double least = INFINITY;
-    bat_knots_copy(&k->spare, &k->best);
-    for (int round = 0; round < 24; round++) {
-        bat_local_try(k, &k->best, &status);
-        if (status == BAT_SINGULAR && k->ridge == 0) { /* too few samples somewhere: hold still there */
-            k->ridge = 1e-10;
-            bat_local_try(k, &k->best, &status);
-        }
-        if (status != BAT_OK) break;
-        const double ratio = worst_ratio(k);
-        const bool met = ratio <= 1; /* the speed law binds the removal only */
-        if (ratio < least) least = ratio, bat_knots_copy(&k->spare, &k->best);
-        if (met || bat_local_enough(k, work_dense) || !split_failing(k)) break;
-        if (k->work + bat_local_cost(k, k->trial.count) > work_dense) break;
-        bat_knots_copy(&k->best, &k->trial);
-    }
-    if (status == BAT_OK || least < INFINITY) { /* a later round may fail where an earlier one did not */
-        bat_knots_copy(&k->best, &k->spare);
-        bat_local_try(k, &k->best, &status);
-        k->missed = misses(k);
-    }
-    if (status == BAT_OK) {
-        mark_wild(k);
-        if (q->remove) status = make_few(k);
-    }
+    bat_status status = fit_densely(k);
+    if (status == BAT_OK && q->remove) status = make_few(k);
     k->exact = true, k->x = q->x;
-    if (status == BAT_OK) bat_local_try(k, &k->best, &status);
+    if (status == BAT_OK && k->holds_best)
+        bat_local_measure(k, &status);
+    else if (status == BAT_OK)
+        bat_local_try(k, &k->best, &status);
     if (status == BAT_OK) {
         const int n = k->space.count;
         out->interior = k->best.count;

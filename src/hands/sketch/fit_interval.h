@@ -100,7 +100,7 @@ typedef struct bat_local_machine {
     double hope;     /* squared: a solve so many times beyond a limit need not be measured to the end */
     bool given_up;   /* the last one was not */
     bool exact;      /* measure true distances everywhere, not only where the plain ones are too great */
-    bool holds_best; /* the local polynomials are those of best */
+    bool holds_best; /* the last solve is of best, under the penalty that is in force */
     double *slow;    /* w where the last solve left the speed law */
     int slow_count;
     double stiffness; /* factor on the penalty */
@@ -114,6 +114,8 @@ typedef struct bat_local_machine {
 /* Solves for the knots given and measures; true when every sample is within its limit and the speed within
  * the law's. *status tells a numerical failure apart. */
 bool bat_local_try(bat_local_machine *machine, const bat_knot_set *knots, bat_status *status);
+/* Measures how far the samples are from the last solve; true when each is within its limit. */
+bool bat_local_measure(bat_local_machine *machine, bat_status *status);
 /* Fewest interior knots that the pins permit. */
 int bat_local_fewest(const bat_local_problem *problem);
 /* Removes and merges knots of machine->best while every sample stays within its limit. */
@@ -141,7 +143,7 @@ void bat_local_energy(bat_local_machine *machine, double mu);
 static inline double bat_local_cost(const bat_local_machine *m, int unknowns) {
     return (double)m->problem->count + (m->bent ? 20.0 : 8.0) * unknowns;
 }
-/* Whether more than `most` work was spent on a stroke that misses its tolerance. */
+/* Whether more than `most` work was spent, nearest points that were sought included. */
 static inline bool bat_local_enough(const bat_local_machine *m, double most) {
     return m->work + 4 * m->sought > most;
 }

@@ -189,8 +189,8 @@ static bool beyond_hope(const bat_local_machine *k) {
     return distance > k->hope * k->limit[worst];
 }
 
-/* Whether all samples are near enough. Most are at their own parameter; only the others are projected. */
-static bool near_enough(bat_local_machine *k, bat_status *status) {
+/* Most samples are at their own parameter; only the others are projected. */
+bool bat_local_measure(bat_local_machine *k, bat_status *status) {
     const bat_local_problem *q = k->problem;
     const int m = q->dimension;
     if (k->exact)
@@ -231,6 +231,6 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     memcpy(k->points, k->b, (size_t)k->space.count * (size_t)m * sizeof *k->points);
     bat_lsq_memo_local(&k->space, m, &k->memo[0], k->points, k->local);
     k->holds_best = false;
-    const bool fine = near_enough(k, status);
+    const bool fine = bat_local_measure(k, status);
     return *status == BAT_OK && fine && speed_kept(k);
 }

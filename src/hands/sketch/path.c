@@ -17,19 +17,29 @@ void bat_path_measure(const double *points, size_t count, size_t m, double *arc)
         arc[i] = arc[i - 1] + bat_path_distance(points + i * m, points + (i - 1) * m, m);
 }
 
-void bat_path_at(const bat_path *path, double s, double *out) {
+/* The point at s between samples i and i + 1. */
+static void between(const bat_path *path, size_t i, double s, double *out) {
     const size_t m = path->m;
-    if (path->count < 2) {
-        memcpy(out, path->points, m * sizeof *out);
-        return;
-    }
-    const size_t i = bat_bisect(path->arc, path->count, s);
     const double h = path->arc[i + 1] - path->arc[i];
     double f = h > 0 ? (s - path->arc[i]) / h : 0;
     f = f < 0 ? 0 : f > 1 ? 1 : f;
     const double *a = path->points + i * m;
     for (size_t c = 0; c < m; c++)
         out[c] = f < 1 ? a[c] + f * (a[m + c] - a[c]) : a[m + c]; /* to the last bit */
+}
+
+void bat_path_at(const bat_path *path, double s, double *out) {
+    if (path->count < 2)
+        memcpy(out, path->points, path->m * sizeof *out);
+    else
+        between(path, bat_bisect(path->arc, path->count, s), s, out);
+}
+
+void bat_path_walk(const bat_path *path, double s, size_t *at, double *out) {
+    size_t i = *at;
+    while (i + 2 < path->count && path->arc[i + 1] <= s) i++;
+    *at = i;
+    between(path, i, s, out);
 }
 
 double bat_path_turn(const double *a, const double *b, const double *c, size_t m) {
@@ -41,12 +51,4 @@ double bat_path_turn(const double *a, const double *b, const double *c, size_t m
     if (!(p > 0 && q > 0)) return 0;
     const double cosine = dot / sqrt(p * q);
     return bat_acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine);
-}
-
-double bat_path_turn_at(const bat_path *path, double s, double chord) {
-    double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX], c[BAT_DIMENSION_MAX];
-    bat_path_at(path, s - chord, a);
-    bat_path_at(path, s, b);
-    bat_path_at(path, s + chord, c);
-    return bat_path_turn(a, b, c, path->m);
 }

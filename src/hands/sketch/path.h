@@ -14,9 +14,9 @@ double bat_path_distance(const double *a, const double *b, size_t m);
 void bat_path_measure(const double *points, size_t count, size_t m, double *arc);
 /* The point at arc length s (clamped), linear between samples. */
 void bat_path_at(const bat_path *path, double s, double *out);
+/* The same for places in ascending order, of 2 samples or more; *at: 0 for the first. */
+void bat_path_walk(const bat_path *path, double s, size_t *at, double *out);
 /* The angle by which the way through a, b, c turns at b: 0 when straight on. */
 double bat_path_turn(const double *a, const double *b, const double *c, size_t m);
-/* The same at arc length s, between chords of that length. */
-double bat_path_turn_at(const bat_path *path, double s, double chord);
 
 #endif

@@ -21,7 +21,7 @@ typedef struct reduction {
 
 static bool affordable(const reduction *r) {
     const bat_local_machine *k = r->machine;
-    return k->solves < r->budget && k->work < work_most && !(k->missed && bat_local_enough(k, work_missed));
+    return k->solves < r->budget && !bat_local_enough(k, k->missed ? work_missed : work_most);
 }
 
 static void assemble_trial(reduction *r) {
@@ -125,7 +125,8 @@ static void carry_marks(reduction *r, int before) {
 static bool rank_best(reduction *r, bat_status *status) {
     bat_local_machine *k = r->machine;
     if (!k->holds_best) bat_local_try(k, &k->best, status);
-    if (*status != BAT_OK) return false;
+    k->holds_best = *status == BAT_OK;
+    if (!k->holds_best) return false;
     bat_lsq_rank(&k->space, k->problem->dimension, k->local, k->rank);
     return true;
 }
