@@ -5,7 +5,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-enum { MOST = 48 }; /* bytes; long sessions are left to the tests, here many short ones matter */
+enum { MOST = 40 }; /* bytes; long sessions are left to the tests, here many short ones matter */
 
 static void replays(const bat_editor *editor) {
     bat_editor *again = NULL;
