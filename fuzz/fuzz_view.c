@@ -80,7 +80,6 @@ static void check_sketch(const bat_viewpoint *view, const bat_surface *surface, 
 /* Every point of a track lies on the surface. */
 static void check_tracks(const bat_surface *surface, bat_tracks *tracks) {
     const double size = bat_surface_size(surface);
-    if (bat_tracks_is_given_up(tracks) && bat_tracks_count(tracks) > 0) abort();
     for (size_t i = 0; i < bat_tracks_count(tracks); i++) {
         const bat_track_point *points;
         const size_t count = bat_tracks_points(tracks, i, &points);
@@ -105,6 +104,25 @@ static void check_traces(const bat_viewpoint *view, const bat_surface *surface) 
     for (int c = 0; c < 3; c++) low[c] = 0.5 * (low[c] + high[c]);
     if (bat_surface_section(surface, low, view->up, 1e-2 * bat_surface_size(surface), &tracks) == BAT_OK)
         check_tracks(surface, tracks);
+    bat_intersect_options options;
+    bat_intersect_options_init(&options, sizeof options);
+    options.chord = 0.1 * bat_surface_size(surface), options.leaf = 0.5;
+    const double *at = low, half = 0.1 * bat_surface_size(surface), knots[] = {0, 0, 1, 1};
+    const double corners[] = {at[0] - half, at[1] - half, at[2],        at[0] - half, at[1] + half, at[2],
+                              at[0] + half, at[1] - half, at[2] + half, at[0] + half, at[1] + half, at[2]};
+    bat_surface *other = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &other) != BAT_OK)
+        return;
+    if (bat_surface_intersect(surface, other, &options, &tracks) == BAT_OK) {
+        bat_curve *curve = NULL;
+        if (bat_tracks_count(tracks) > 0 &&
+            bat_tracks_curve(tracks, 0, 0.1 * bat_surface_size(surface), &curve) == BAT_OK)
+            bat_curve_free(curve);
+        if (bat_tracks_is_given_up(tracks) && bat_tracks_count(tracks) > 1000) abort();
+        check_tracks(surface, tracks);
+    }
+    bat_surface_free(other);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

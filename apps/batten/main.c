@@ -30,6 +30,7 @@ static const cli_command *const commands[] = {
     &command_surface_pick,
     &command_surface_redraw,
     &command_surface_sketch,
+    &command_surface_intersect,
     &command_cast,
     &command_revolve,
     &command_coons,

@@ -1,6 +1,6 @@
 /*
- * Batten: curves that surfaces have in a view or with each other: silhouettes, and sections by a plane. They are traced
- * as polylines, each point with its parameters on the surface (docs/math/surfaces.md).
+ * Batten: curves that surfaces have in a view or with each other: silhouettes, sections by a plane, intersections. They
+ * are traced as polylines, each point with its parameters on the surfaces (docs/math/surfaces.md).
  */
 #ifndef BATTEN_TRACE_H
 #define BATTEN_TRACE_H
@@ -29,8 +29,8 @@ BAT_API bool bat_tracks_is_closed(const bat_tracks *tracks, size_t i);
 /* Places where tracks cross or touch; they end there. */
 BAT_API size_t bat_tracks_crossing_count(const bat_tracks *tracks);
 BAT_API const bat_track_point *bat_tracks_crossing(const bat_tracks *tracks, size_t i);
-/* Whether tracing was given up: there are more than 64 crossings, as where a surface is touched along a curve. There are
- * no tracks then. */
+/* Whether tracing was given up: there are more than 64 crossings, as where a surface is touched along a curve. Silhouettes
+ * and sections have no tracks then. */
 BAT_API bool bat_tracks_is_given_up(const bat_tracks *tracks);
 
 /*
@@ -47,6 +47,33 @@ BAT_API bat_status bat_surface_silhouettes(const bat_surface *surface, const bat
  * not finite or too large. */
 BAT_API bat_status bat_surface_section(const bat_surface *surface, const double origin[3],
                                        const double normal[3], double tolerance, bat_tracks **out);
+
+/* How the intersection of two surfaces is looked for. */
+typedef struct bat_intersect_options {
+    size_t size;      /* of this struct, as base.h says */
+    double tolerance; /* surfaces this close touch; a loop less deep is a contact; 0: 1e-4 of the size */
+    double chord;     /* greatest distance of the polylines' chords; 0: 1e-6 of the size */
+    double leaf;      /* parts of this size, relative to the surface's, are searched one by one; 0: .03 */
+} bat_intersect_options;
+
+BAT_API void bat_intersect_options_init(bat_intersect_options *options, size_t size);
+static inline bat_intersect_options bat_intersect_defaults(void) {
+    bat_intersect_options options;
+    bat_intersect_options_init(&options, sizeof options);
+    return options;
+}
+
+/*
+ * Where two surfaces meet: branches as tracks, their points on both surfaces to 1e-9 of the size (that of the smaller one);
+ * and the contacts, where they touch or their branches cross, as crossings. Branches end at contacts where they cross,
+ * and at the edges of the surfaces. Given up: the surfaces touch along a curve or lie on each other (the contacts found are
+ * given), or over a million pairs of parts had to be looked at (no tracks). options may be NULL: the defaults. O(spans of
+ * a times spans of b) for their boxes, and more where they come near each other.
+ */
+BAT_API bat_status bat_surface_intersect(const bat_surface *a, const bat_surface *b,
+                                         const bat_intersect_options *options, bat_tracks **out);
+/* Track i as a cubic spline within `tolerance` of its points, closed as the track is. Statuses of bat_fit. */
+BAT_API bat_status bat_tracks_curve(const bat_tracks *tracks, size_t i, double tolerance, bat_curve **out);
 
 #ifdef __cplusplus
 }

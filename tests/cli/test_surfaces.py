@@ -254,5 +254,36 @@ class Redraw(ProgramTest):
             self.assertIn(found, self.refused(1, "surface", "redraw", name, self.file("b.json", dict(line, **change)), "--u", "2"))
 
 
+class Intersect(ProgramTest):
+    def flat(self, corners):
+        return {"degree": [1, 1], "closed": [False, False], "knots": [[0, 0, 1, 1]] * 2, "points": corners}
+
+    def test_planes_and_a_cylinder(self):
+        level = self.flat([[[-2, -2, 0.5], [-2, 2, 0.5]], [[2, -2, 0.5], [2, 2, 0.5]]])
+        upright = self.flat([[[0.25, -2, -1], [0.25, -2, 1]], [[0.25, 2, -1], [0.25, 2, 1]]])
+        names = self.file("a.json", level), self.file("b.json", upright)
+        result = self.json("surface", "intersect", *names)
+        self.assertEqual(len(result["curves"]), 1)
+        self.assertEqual(result["tangential"], [])
+        points = numpy.array(result["curves"][0]["points"])
+        self.assertLess(abs(points[:, [0, 2]] - [0.25, 0.5]).max(), 1e-9)
+        self.assertEqual(sorted([points[0][1], points[-1][1]]), [-2, 2])
+        ring = [[1.01 * numpy.cos(k * numpy.pi / 8), 1.01 * numpy.sin(k * numpy.pi / 8)] for k in range(16)]
+        tube = {"degree": [3, 1], "closed": [True, False], "knots": [list(range(17)), [0, 0, 1, 1]],
+                "points": [[[*p, -1], [*p, 1]] for p in ring]}
+        name = self.file("c.json", tube)
+        result = self.json("surface", "intersect", name, names[0], "--tolerance", "1e-4")
+        self.assertEqual([curve["closed"] for curve in result["curves"]], [True])
+        self.assertLessEqual(result["report"]["max_error"], 1e-4)
+        points = numpy.array(result["curves"][0]["points"])
+        self.assertLess(abs(points[:, 2] - 0.5).max(), 2e-4)
+        apart = self.file("d.json", self.flat([[[-2, -2, 5], [-2, 2, 5]], [[2, -2, 5], [2, 2, 5]]]))
+        result = self.json("surface", "intersect", names[0], apart)
+        self.assertEqual(result, {"curves": [], "tangential": [], "report": {"max_error": 0}})
+        self.refused(2, "surface", "intersect", "-", "-")
+        self.refused(2, "surface", "intersect", *names, "--tolerance", "0")
+        self.refused(1, "surface", "intersect", names[0], self.file("e.json", {"degree": 3}))
+
+
 if __name__ == "__main__":
     unittest.main()

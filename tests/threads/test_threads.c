@@ -362,6 +362,21 @@ static uint64_t add_traces(uint64_t digest, const bat_surface *surface, int seed
     digest = add_tracks(digest, status, tracks);
     tracks = NULL;
     status = bat_surface_section(surface, at, normal, 0.01, &tracks);
+    digest = add_tracks(digest, status, tracks);
+    const double corners[] = {-1, -1, seed, -1, 1, 1, 1, -1, 0, 1, 1, 2}, knots[] = {0, 0, 1, 1};
+    bat_surface *other = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &other) != BAT_OK)
+        return digest;
+    tracks = NULL;
+    bat_intersect_options options = bat_intersect_defaults();
+    options.chord = 0.1, options.leaf = 1;
+    status = bat_surface_intersect(surface, other, &options, &tracks);
+    bat_curve *curve = NULL;
+    if (tracks && bat_tracks_count(tracks) > 0)
+        digest = add(digest, (uint64_t)bat_tracks_curve(tracks, 0, 1, &curve));
+    bat_curve_free(curve);
+    bat_surface_free(other);
     return add_tracks(digest, status, tracks);
 }
 
