@@ -14,7 +14,7 @@ typedef struct bench_row {
     void (*note)(void *context, char *out, int room); /* facts to report after the last run; may be NULL */
 } bench_row;
 
-extern const bench_row bench_rows_eval[], bench_rows_shape[], bench_rows_levels[],
-    bench_rows_editor[]; /* each ends with a row without a name */
+extern const bench_row bench_rows_eval[], bench_rows_shape[], bench_rows_levels[], bench_rows_editor[],
+    bench_rows_surface[]; /* each ends with a row without a name */
 
 #endif

@@ -18,6 +18,9 @@ static void check_place(const bat_surface *s, double u, double v, const double l
     for (int c = 0; c < 3; c++)
         if (!(at[c] >= low[c] - 1e-9 * reach && at[c] <= high[c] + 1e-9 * reach)) abort();
     if (bat_surface_eval_grid(s, 1, &u, 1, &v, 0, grid) != BAT_OK) abort();
+    if (bat_surface_normal_grid(s, 1, &u, 1, &v, grid, grid + 3) != BAT_OK) abort();
+    const double length = hypot(hypot(grid[3], grid[4]), grid[5]);
+    if (!(length == 0 || fabs(length - 1) < 1e-12)) abort();
     if (bat_surface_isocurve(s, BAT_U, u, &line) == BAT_OK) {
         bat_curve_eval(line, v, 0, on_line);
         if (memcmp(on_line, at, sizeof on_line) != 0) abort();

@@ -59,12 +59,16 @@ BAT_API bat_status bat_surface_transform(const bat_surface *surface, const doubl
 BAT_API void bat_surface_eval(const bat_surface *surface, double u, double v, int order, double *out);
 /*
  * The same on a grid: out has u_count * v_count blocks, u slowest. v: sorted ascending, as for
- * bat_curve_eval_many; u in any order. The basis is computed once per u; along v, one polynomial is computed per
- * span. Equal to bat_surface_eval up to rounding. BAT_ARGUMENT: order is not 0, 1 or 2; BAT_PARAMETER: v is not
- * sorted; BAT_NUMBER: a parameter is NaN.
+ * bat_curve_eval_many; u in any order, ascending is quickest. The rows of control points are evaluated at all v
+ * once, and blended for each u. Equal to bat_surface_eval up to rounding. BAT_ARGUMENT: order is not 0, 1 or 2;
+ * BAT_PARAMETER: v is not sorted; BAT_NUMBER: a parameter is NaN.
  */
 BAT_API bat_status bat_surface_eval_grid(const bat_surface *surface, size_t u_count, const double *u,
                                          size_t v_count, const double *v, int order, double *out);
+/* Points (may be NULL) and unit normals on a grid, 3 numbers each, u slowest; the parameters as above. A normal is 0, 0, 0
+ * where there is none (bat_surface_normal). */
+BAT_API bat_status bat_surface_normal_grid(const bat_surface *surface, size_t u_count, const double *u,
+                                           size_t v_count, const double *v, double *points, double *normals);
 /* count parameters spread evenly over the domain of a direction, ends included (closed: the end excluded). */
 BAT_API void bat_surface_spread(const bat_surface *surface, bat_direction direction, size_t count,
                                 double *out);

@@ -103,17 +103,16 @@ BAT_CLONES static bool ascending(const double *u, size_t count) {
     return !fault;
 }
 
-bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const double *u, int order,
-                               double *out) {
+bat_status bat_parameters_check(size_t count, const double *u) {
+    if (count == 0 || (!isnan(u[0]) && ascending(u, count))) return BAT_OK;
+    for (size_t i = 0; i < count; i++)
+        if (isnan(u[i])) return BAT_NUMBER;
+    return BAT_PARAMETER;
+}
+
+void bat_curve_eval_sorted(const bat_curve *curve, size_t count, const double *u, int order, double *out) {
     typedef void cubic(const bat_curve *, size_t, const double *, double *);
     static cubic *const cubics[2][3] = {{cubic_2_0, cubic_2_1, cubic_2_2}, {cubic_3_0, cubic_3_1, cubic_3_2}};
-    if (!curve || order < 0 || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
-    if (count == 0) return BAT_OK;
-    if (isnan(u[0]) || !ascending(u, count)) {
-        for (size_t i = 0; i < count; i++)
-            if (isnan(u[i])) return BAT_NUMBER;
-        return BAT_PARAMETER;
-    }
     size_t block = ((size_t)order + 1) * (size_t)curve->dimension, first = 0, last;
     double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
     /* Parameters outside the domain are clamped or taken modulo the period one by one. */
@@ -130,7 +129,14 @@ bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const doubl
             any_spans(curve, last - first, u + first, order, out + first * block);
     }
     for (; last < count; last++) bat_curve_eval(curve, u[last], order, out + last * block);
-    return BAT_OK;
+}
+
+bat_status bat_curve_eval_many(const bat_curve *curve, size_t count, const double *u, int order,
+                               double *out) {
+    if (!curve || order < 0 || (count > 0 && (!u || !out))) return BAT_ARGUMENT;
+    bat_status status = bat_parameters_check(count, u);
+    if (status == BAT_OK) bat_curve_eval_sorted(curve, count, u, order, out);
+    return status;
 }
 
 void bat_curve_spread(const bat_curve *curve, size_t count, double *u) {

@@ -65,6 +65,10 @@ void bat_curve_eval_span(const bat_curve *curve, int span, double u, int order, 
  * rows: from bat_basis_rows. The points are used up when order is above 0. */
 void bat_eval_local(const double *t, int p, int size, int first, int order, double rows[][BAT_DEGREE_MAX + 1],
                     double *points, double *out);
+/* BAT_NUMBER: a NaN; BAT_PARAMETER: not ascending. */
+bat_status bat_parameters_check(size_t count, const double *u);
+/* bat_curve_eval_many for parameters that pass that check. */
+void bat_curve_eval_sorted(const bat_curve *curve, size_t count, const double *u, int order, double *out);
 /* Blossom of the piece of a stored span. */
 void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out);
 

@@ -523,6 +523,11 @@ static void of_surfaces(void **state) {
     ARGUMENT(bat_surface_eval_grid(s, 2, at, 2, NULL, 0, found));
     ARGUMENT(bat_surface_eval_grid(s, 2, at, 2, at, 0, NULL));
     COUNT(bat_surface_eval_grid(s, 2, at, SIZE_MAX / 8, at, 0, found));
+    ARGUMENT(bat_surface_normal_grid(NULL, 2, at, 2, at, NULL, found));
+    ARGUMENT(bat_surface_normal_grid(s, 2, NULL, 2, at, NULL, found));
+    ARGUMENT(bat_surface_normal_grid(s, 2, at, 2, NULL, NULL, found));
+    ARGUMENT(bat_surface_normal_grid(s, 2, at, 2, at, found, NULL));
+    COUNT(bat_surface_normal_grid(s, 2, at, SIZE_MAX / 8, at, NULL, found));
     ARGUMENT(bat_surface_normal(NULL, 0, 0, found));
     ARGUMENT(bat_surface_normal(s, 0, 0, NULL));
     ARGUMENT(bat_surface_curvature(NULL, 0, 0, found, found));

@@ -394,6 +394,7 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add_doubles(d, bat_surface_knots(s, BAT_U), bat_surface_knot_count(s, BAT_U));
     bat_surface_eval(s, u[seed % 4], v[1], 2, out);
     d = add(add_doubles(d, out, 18), (uint64_t)bat_surface_eval_grid(s, 4, u, 4, v, 0, grid));
+    d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal_grid(s, 4, u, 4, v, NULL, grid));
     d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal(s, u[seed % 4], v[2], out));
     d = add(add_doubles(d, out, 3), (uint64_t)bat_surface_curvature(s, u[1], v[seed % 4], out, out + 1));
     bat_surface_point at[8] = {{0}};

@@ -1,59 +1,54 @@
-/* Evaluation on a grid. For each u the rows become the control points of the iso-curve at u and of its
- * derivatives by u; these are curves along v, and are evaluated in bulk. */
-#include "form/surface/surface.h"
+/* Evaluation on a grid, tile by tile. */
+#include "form/surface/grid.h"
+#include "form/surface/tile.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { MOST = BAT_DEGREE_MAX + 1 };
+enum { PLANE = 3 * BAT_TILE };
 
-/* Evaluates the k-th derivative by u of the iso-curve along v, into the blocks of one row of the grid. */
-static bat_status along(const bat_curve *line, int k, size_t count, const double *v, int order, double *work,
-                        double *out) {
-    const size_t block = (size_t)(3 * (order + 1) * (order + 2) / 2), size = (size_t)(3 * (order - k + 1));
-    bat_status status = bat_curve_eval_many(line, count, v, order - k, order == 0 ? out : work);
-    if (status != BAT_OK || order == 0) return status;
-    for (int l = 0; l <= order - k; l++) {
-        const int n = k + l;
-        double *to = out + 3 * (n * (n + 1) / 2 + l);
-        const double *from = work + 3 * l;
-        for (size_t j = 0; j < count; j++, from += size, to += block) memcpy(to, from, 3 * sizeof(double));
+bat_status bat_grid_check(const bat_surface *surface, size_t u_count, const double *u, size_t v_count,
+                          const double *v, const double *out) {
+    if (!surface) return BAT_ARGUMENT;
+    if (u_count == 0 || v_count == 0) return BAT_OK;
+    if (!u || !v || !out) return BAT_ARGUMENT;
+    if (v_count > SIZE_MAX / 256 || u_count > SIZE_MAX / 256 / v_count) return BAT_COUNT;
+    for (size_t i = 0; i < u_count; i++)
+        if (isnan(u[i])) return BAT_NUMBER;
+    return bat_parameters_check(v_count, v);
+}
+
+/* Planes side by side: blocks of 3 * planes numbers. */
+static void weave(int planes, size_t count, double *const *from, double *out) {
+    const size_t block = 3 * (size_t)planes;
+    for (int n = 0; n < planes; n++) {
+        const double *in = from[n];
+        double *to = out + 3 * n;
+        for (size_t j = 0; j < count; j++, in += 3, to += block) memcpy(to, in, 3 * sizeof *to);
     }
-    return BAT_OK;
 }
 
 bat_status bat_surface_eval_grid(const bat_surface *surface, size_t u_count, const double *u, size_t v_count,
                                  const double *v, int order, double *out) {
-    if (!surface || order < 0 || order > 2) return BAT_ARGUMENT;
-    if (u_count == 0 || v_count == 0) return BAT_OK;
-    if (!u || !v || !out) return BAT_ARGUMENT;
-    const bat_curve whole = bat_surface_whole(surface);
-    const int p = whole.degree, size = whole.dimension;
-    const size_t net = (size_t)(p + 1) * (size_t)size, lines = (size_t)(order + 1) * (size_t)size;
-    if (v_count > SIZE_MAX / 256) return BAT_COUNT;
-    double *work = malloc((net + lines + v_count * 9) * sizeof *work);
-    if (!work) return BAT_MEMORY;
-    bat_status status = BAT_OK;
-    int span = -1;
-    for (size_t i = 0; i < u_count && status == BAT_OK; i++) {
-        const double at = bat_curve_reduce(&whole, u[i]);
-        if (isnan(at)) {
-            status = BAT_NUMBER;
-            break;
+    if (order < 0 || order > 2) return BAT_ARGUMENT;
+    bat_status status = bat_grid_check(surface, u_count, u, v_count, v, out);
+    if (status != BAT_OK || u_count == 0 || v_count == 0) return status;
+    const int planes = (order + 1) * (order + 2) / 2;
+    double block[BAT_TILE_PLANES][PLANE], *plane[BAT_TILE_PLANES];
+    bat_tile *tile;
+    status = bat_tile_create(surface, order, &tile);
+    if (status != BAT_OK) return status;
+    for (int n = 0; n < BAT_TILE_PLANES; n++) plane[n] = block[n];
+    for (size_t start = 0; start < v_count; start += BAT_TILE) {
+        const size_t count = v_count - start < BAT_TILE ? v_count - start : BAT_TILE;
+        bat_tile_move(tile, count, v + start);
+        for (size_t i = 0; i < u_count; i++) {
+            double *to = out + (i * v_count + start) * 3 * (size_t)planes;
+            if (order == 0) plane[0] = to;
+            bat_tile_at(tile, u[i], plane);
+            if (order > 0) weave(planes, count, plane, to);
         }
-        double rows[MOST][MOST];
-        span = bat_span(&whole, at, span);
-        memcpy(work, whole.points + (size_t)(span - p) * (size_t)size, net * sizeof *work);
-        bat_basis_rows(&whole, span, at, rows);
-        bat_eval_local(whole.knots + span, p, size, 0, order, rows, work, work + net);
-        bat_curve line = surface->axis[1];
-        for (int k = 0; k <= order && status == BAT_OK; k++) {
-            line.points = work + net + (size_t)k * (size_t)size;
-            status = along(&line, k, v_count, v, order, work + net + lines, out);
-        }
-        out += v_count * (size_t)(3 * (order + 1) * (order + 2) / 2);
     }
-    free(work);
-    return status;
+    bat_tile_free(tile);
+    return BAT_OK;
 }

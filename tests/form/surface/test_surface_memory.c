@@ -49,6 +49,12 @@ static bat_status grid(made *out) {
     (void)out;
     return bat_surface_eval_grid(sheet, 2, at, 2, at, 2, values);
 }
+static bat_status normal_grid(made *out) {
+    const double at[2] = {0, 1};
+    double values[12];
+    (void)out;
+    return bat_surface_normal_grid(sheet, 2, at, 2, at, NULL, values);
+}
 static bat_status nearest(made *out) {
     bat_surface_point near;
     (void)out;
@@ -106,7 +112,7 @@ static void each_allocation(void **state) {
     (void)state;
     static operation *const operations[] = {
         redraw, nearest, hits,       copy,      transform, line_at_u,   line_at_v, insert_u, insert_v,
-        refine, grid,    write_text, read_text, revolve,   loft_closed, loft_open, coons};
+        refine, grid,    write_text, read_text, revolve,   loft_closed, loft_open, coons,    normal_grid};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);
