@@ -1,4 +1,4 @@
-/* Surfaces on grids. */
+/* Surfaces on grids, and as triangles. */
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
 #include "timing.h"
@@ -10,6 +10,7 @@ enum { NET = 32, SIDE = 512 };
 typedef struct sheet {
     bat_surface *surface;
     double u[SIDE], v[SIDE], *points, *normals;
+    size_t triangles;
 } sheet;
 
 static void end_grid(void *context) {
@@ -56,10 +57,28 @@ static void run_normals(void *context) {
     if (bat_surface_normal_grid(s->surface, SIDE, s->u, SIDE, s->v, s->points, s->normals) != BAT_OK) abort();
 }
 
+static void run_tessellate(void *context) {
+    sheet *s = context;
+    bat_tessellation *t = NULL;
+    bat_tessellate_options options = bat_tessellate_defaults();
+    options.tolerance = 0.002;
+    if (bat_surface_tessellate(s->surface, &options, &t, NULL) != BAT_OK) abort();
+    bat_mesh mesh;
+    bat_tessellation_mesh(t, &mesh);
+    s->triangles = mesh.triangle_count;
+    bat_tessellation_free(t);
+}
+
+static void note_triangles(void *context, char *out, int room) {
+    snprintf(out, (size_t)room, "%zu triangles", ((sheet *)context)->triangles);
+}
+
 const bench_row bench_rows_surface[] = {
     {"bicubic 32 x 32 on 512 x 512", "ns", 1e9, SIDE *SIDE, 3, begin_grid, run_points, end_grid, 0},
     {"bicubic 32 x 32, derivatives", "ns", 1e9, SIDE *SIDE, 3, begin_grid, run_tangents, end_grid, 0},
     {"bicubic 32 x 32, unit normals", "ns", 1e9, SIDE *SIDE, 3, begin_grid, run_normals, end_grid, 0},
     {"degree 5, 32 x 32 on 512 x 512", "ns", 1e9, SIDE *SIDE, 5, begin_grid, run_points, end_grid, 0},
+    {"bicubic 32 x 32, triangles to 0.002", "ms", 1e3, 1, 3, begin_grid, run_tessellate, end_grid,
+     note_triangles},
     {0},
 };

@@ -58,6 +58,29 @@ static void check_search(const bat_surface *s, double u, double v) {
         if (!(hit[i].distance >= near.distance - 1e-6 * far)) abort();
 }
 
+/* Finite vertices, unit normals, and triangles between vertices that exist; an update changes nothing. */
+static void check_triangles(const bat_surface *s) {
+    bat_tessellate_options options;
+    bat_tessellate_options_init(&options, sizeof options);
+    options.triangles_max = 5000;
+    bat_tessellation *t = NULL;
+    bat_tessellate_report report;
+    bat_mesh m;
+    double domain[2];
+    if (bat_surface_tessellate(s, &options, &t, &report) != BAT_OK) return;
+    bat_surface_domain(s, BAT_U, domain);
+    if (bat_tessellation_update(t, s, BAT_U, domain, NULL) != BAT_OK) abort();
+    bat_tessellation_mesh(t, &m);
+    if (m.triangle_count > 5000) abort();
+    for (size_t i = 0; i < m.rows * m.columns; i++) {
+        const double *n = m.normals + 3 * i, *p = m.points + 3 * i;
+        if (!(fabs(hypot(hypot(n[0], n[1]), n[2]) - 1) < 1e-12) || !isfinite(p[0] + p[1] + p[2])) abort();
+    }
+    for (size_t i = 0; i < 3 * m.triangle_count; i++)
+        if (m.triangles[i] < 0 || (size_t)m.triangles[i] >= m.rows * m.columns) abort();
+    bat_tessellation_free(t);
+}
+
 static void check_finer(const bat_surface *s, bat_direction d, double at) {
     bat_surface *fine = NULL, *same = NULL;
     if (bat_surface_insert_knots(s, d, 1, &at, &fine) != BAT_OK) return;
@@ -130,6 +153,7 @@ static void check(const bat_surface *s) {
     if (bat_surface_count(s, BAT_U) * bat_surface_count(s, BAT_V) <= 40)
         check_search(s, at[BAT_U][1], at[BAT_V][1]);
     check_made(s, at[BAT_U], at[BAT_V][1], low, high);
+    if (bat_surface_count(s, BAT_U) * bat_surface_count(s, BAT_V) <= 40) check_triangles(s);
     const double matrix[12] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0};
     bat_surface *other = NULL;
     if (bat_surface_transform(s, matrix, &other) != BAT_OK) abort();

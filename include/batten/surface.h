@@ -167,6 +167,60 @@ BAT_API bat_status bat_surface_redraw(const bat_surface *surface, bat_direction 
                                       const bat_curve *line, const bat_surface_redraw_options *options,
                                       bat_surface **out, double *weights, bat_surface_redraw_report *report);
 
+/* How finely a surface is divided into triangles. options may be NULL: the defaults. */
+typedef struct bat_tessellate_options {
+    size_t size;      /* of this struct, as base.h says */
+    double tolerance; /* greatest distance of a triangle from the surface; 0: 1e-3 of the surface's size */
+    double angle;     /* greatest angle between normals of neighbouring vertices, radians; 0: 0.25 */
+    size_t triangles_max; /* 0: a million */
+} bat_tessellate_options;
+
+BAT_API void bat_tessellate_options_init(bat_tessellate_options *options, size_t size);
+static inline bat_tessellate_options bat_tessellate_defaults(void) {
+    bat_tessellate_options options;
+    bat_tessellate_options_init(&options, sizeof options);
+    return options;
+}
+
+typedef struct bat_tessellate_report {
+    double max_error; /* a bound: no triangle is farther from the surface */
+    double max_angle; /* between normals of neighbouring vertices, creases apart */
+    bool limited;     /* by triangles_max, or by 1024 steps a span: tolerance or angle is not met */
+} bat_tessellate_report;
+
+/* Triangles of a surface: a grid of rows along u and columns along v; vertex row * columns + column. */
+typedef struct bat_mesh {
+    size_t rows, columns;
+    size_t triangle_count;
+    const double *points, *normals; /* 3 numbers a vertex; normals are of length 1 */
+    const double *u, *v;            /* parameters of the rows, of the columns */
+    const int *triangles; /* 3 vertices a triangle, anticlockwise where the normals point at the eye */
+} bat_mesh;
+
+/*
+ * Divides a surface into triangles: each span of u and of v into steps, as many as tolerance and angle ask for. In a
+ * closed direction the last triangles use the vertices of the first row, so that no seam shows; where the surface has a
+ * crease (a knot of multiplicity degree) there are two rows of vertices at the same points, each with the normals of its
+ * side. Vertices of a collapsed edge are at one point and have the normals just beside it. Triangles without area are left
+ * out. The same surface gives the same bits everywhere. report may be NULL. BAT_NUMBER: tolerance or angle is not finite;
+ * BAT_ARGUMENT: one of them is negative; BAT_COUNT: one cell a span is more than triangles_max. O(points + vertices).
+ */
+typedef struct bat_tessellation bat_tessellation;
+BAT_API bat_status bat_surface_tessellate(const bat_surface *surface, const bat_tessellate_options *options,
+                                          bat_tessellation **out, bat_tessellate_report *report);
+BAT_API void bat_tessellation_free(bat_tessellation *tessellation); /* NULL is fine */
+/* Borrowed: valid until the tessellation is freed; an update changes points and normals in place. */
+BAT_API void bat_tessellation_mesh(const bat_tessellation *tessellation, bat_mesh *out);
+/*
+ * Moves the vertices to `surface`, which has the same domains and differs only where the parameter of `direction` lies
+ * between moved[0] and moved[1] (closed: unwrapped, as in bat_surface_redraw_report): only those rows or columns are
+ * evaluated. Steps and triangles stay as they are. range (may be NULL): the first and the last vertex that was
+ * evaluated, plus one; for columns, all between belong to it. BAT_NUMBER: moved is not finite; BAT_ARGUMENT: the domains
+ * differ.
+ */
+BAT_API bat_status bat_tessellation_update(bat_tessellation *tessellation, const bat_surface *surface,
+                                           bat_direction direction, const double moved[2], size_t range[2]);
+
 #ifdef __cplusplus
 }
 #endif

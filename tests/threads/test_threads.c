@@ -403,6 +403,13 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_surface_nearest(s, from, at));
     d = bat_digest_double(bat_digest_double(d, at[0].distance), at[0].u);
     d = add(d, (uint64_t)bat_surface_hits(s, from, way, 8, at, &count));
+    bat_tessellation *triangles = NULL;
+    bat_mesh mesh = {.rows = 0};
+    d = add(d, (uint64_t)bat_surface_tessellate(s, NULL, &triangles, NULL));
+    d = add(d, (uint64_t)bat_tessellation_update(triangles, s, BAT_U, domain, NULL));
+    bat_tessellation_mesh(triangles, &mesh);
+    d = add_doubles(add(d, mesh.triangle_count), mesh.normals, (int)(3 * mesh.rows * mesh.columns));
+    bat_tessellation_free(triangles);
     bat_surface_finder *finder = NULL;
     d = add(d, (uint64_t)bat_surface_finder_create(s, &finder));
     d = add(d, (uint64_t)bat_surface_finder_nearest(finder, from, at));

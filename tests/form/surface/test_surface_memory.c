@@ -55,6 +55,16 @@ static bat_status normal_grid(made *out) {
     (void)out;
     return bat_surface_normal_grid(sheet, 2, at, 2, at, NULL, values);
 }
+static bat_status tessellate(made *out) {
+    const bat_tessellate_options options = {.size = sizeof options, .angle = 0.1};
+    const double moved[2] = {0, 0.5};
+    bat_tessellation *t = NULL;
+    (void)out;
+    bat_status status = bat_surface_tessellate(sheet, &options, &t, NULL);
+    if (status == BAT_OK) status = bat_tessellation_update(t, sheet, BAT_V, moved, NULL);
+    bat_tessellation_free(t);
+    return status;
+}
 static bat_status nearest(made *out) {
     bat_surface_point near;
     (void)out;
@@ -110,9 +120,10 @@ static bat_status read_text(made *out) { return bat_surface_read(text, text_size
 
 static void each_allocation(void **state) {
     (void)state;
-    static operation *const operations[] = {
-        redraw, nearest, hits,       copy,      transform, line_at_u,   line_at_v, insert_u, insert_v,
-        refine, grid,    write_text, read_text, revolve,   loft_closed, loft_open, coons,    normal_grid};
+    static operation *const operations[] = {redraw,    nearest,    hits,        copy,      transform,
+                                            line_at_u, line_at_v,  insert_u,    insert_v,  refine,
+                                            grid,      write_text, read_text,   revolve,   loft_closed,
+                                            loft_open, coons,      normal_grid, tessellate};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);
