@@ -96,6 +96,9 @@ typedef struct bat_surface_sketch_options {
     double along[3];  /* the direction of the ruled surface on which the stroke is cast; zero: as below */
     double tolerance; /* greatest distance of the new line from the stroke; 0: 1e-4 of the surface's size */
     const bat_surface_redraw_options *redraw; /* how the surface follows; NULL: the defaults */
+    int keep
+        [2]; /* how many control points at the start and at the end of the line stay as they are: 1 keeps its place there,
+                  * 2 the tangent, 3 the curvature; at least 0 */
 } bat_surface_sketch_options;
 
 BAT_API void bat_surface_sketch_options_init(bat_surface_sketch_options *options, size_t size);
@@ -122,7 +125,7 @@ typedef struct bat_surface_sketch_report {
  * where it would be seen at less than 15 degrees, across the gaze. options may be NULL: the defaults; weights
  * and report: as in bat_surface_redraw. Statuses
  * of these calls; BAT_FAR: over a third of the samples is dropped, or the stroke is too far from the line, or the line
- * cannot move; BAT_TOLERANCE: the tolerance cannot be met. The report is filled in as far as the call came.
+ * cannot move; BAT_TOLERANCE: the tolerance cannot be met; BAT_STATE: the stroke moves an end that is to stay. The report is filled in as far as the call came.
  */
 BAT_API bat_status bat_surface_sketch(const bat_surface *surface, bat_direction direction, double at,
                                       const bat_viewpoint *view, const bat_stroke *stroke,

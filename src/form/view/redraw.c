@@ -7,22 +7,21 @@
 #include "base/vec.h"
 #include "form/surface/surface.h"
 #include "form/view/reline.h"
+#include "form/view/ruling.h"
 #include "form/view/view.h"
 
 #include <batten/refine.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { SAMPLES = 65 };
-static const double slanted = 0.25881904510252076; /* sine of 15 degrees */
-static const double cancels = 0.1;                 /* mean of unit normals shorter than this: they cancel */
-static const double share_of_size = 1e-4;          /* the tolerance when none is given */
+static const double share_of_size = 1e-4; /* the tolerance when none is given */
 /* Of the tolerance: what the hand, the surface's knots and their removal may use. */
 static const double of_hand = 0.5, of_knots = 0.35, of_removal = 0.15;
 static const double exact = 1e-10; /* of the size: rows that do not move may change by this when knots go */
 
 static const bat_surface_sketch_options DEFAULTS = {.size = sizeof DEFAULTS};
-enum { LEAST = sizeof DEFAULTS }; /* size in version 0.3: the first member added later begins there */
+enum { LEAST = offsetof(bat_surface_sketch_options, keep) }; /* the size in version 0.3 */
 
 void bat_surface_sketch_options_init(bat_surface_sketch_options *options, size_t size) {
     bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
@@ -38,79 +37,6 @@ typedef struct sketching {
     bat_curve *line; /* as it is, in space */
     bat_surface_sketch_report report;
 } sketching;
-
-/* ---- the direction of the ruled surface ---- */
-
-/* The line's best normal: that of its area, when it is a loop; else its chord's. */
-static vec normal_of_loop(const bat_curve *line, const double domain[2]) {
-    vec area = {0, 0, 0}, first = area, last = area;
-    for (int i = 0; i <= SAMPLES; i++) {
-        double at[3];
-        bat_curve_eval(line, domain[0] + (domain[1] - domain[0]) * (i % SAMPLES) / SAMPLES, 0, at);
-        const vec now = vec_load(at, 3);
-        if (i == 0)
-            first = now;
-        else
-            area = vec_add(area, vec_cross(vec_sub(last, first), vec_sub(now, first)));
-        last = now;
-    }
-    return vec_unit(area);
-}
-
-static vec mean_normal(const bat_surface *surface, double u, const double domain[2]) {
-    vec sum = {0, 0, 0};
-    int count = 0;
-    for (int i = 0; i < SAMPLES; i++) {
-        double normal[3];
-        const double v = domain[0] + (domain[1] - domain[0]) * (i + 0.5) / SAMPLES;
-        if (bat_surface_normal(surface, u, v, normal) != BAT_OK) continue;
-        sum = vec_add(sum, vec_load(normal, 3)), count++;
-    }
-    return count > 0 ? vec_scale(sum, 1.0 / count) : sum;
-}
-
-static int by_size(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The median along the line of the sine of the angle between the gaze and the ruled surface. */
-static double median_sine(const sketching *s, vec d, const double domain[2]) {
-    double sines[SAMPLES];
-    for (int i = 0; i < SAMPLES; i++) {
-        double jet[6];
-        bat_curve_eval(s->line, domain[0] + (domain[1] - domain[0]) * (i + 0.5) / SAMPLES, 1, jet);
-        const vec gaze = bat_gaze_towards(&s->gaze, vec_load(jet, 3));
-        sines[i] = fabs(vec_dot(vec_unit(vec_load(jet + 3, 3)), vec_cross(d, gaze)));
-    }
-    qsort(sines, SAMPLES, sizeof *sines, by_size); /* no ties that can be told apart */
-    return sines[SAMPLES / 2];
-}
-
-/* The surface's normal, averaged; where that cancels, the loop's; where it would be seen from its edge, a direction
- * across the gaze. */
-static bat_status choose_direction(sketching *s, const bat_surface *surface) {
-    double domain[2], ends[3][3];
-    vec d = vec_load(s->options.along, 3);
-    bat_curve_domain(s->line, domain);
-    if (!bat_gaze_finite(s->options.along, 3)) return BAT_NUMBER;
-    if (!(vec_norm(d) > 0)) {
-        const vec loop = normal_of_loop(s->line, domain);
-        d = mean_normal(surface, s->at, domain);
-        if (!(vec_norm(d) >= cancels) && vec_norm(loop) > 0) d = loop;
-        for (int i = 0; i < 3; i++)
-            bat_curve_eval(s->line, domain[0] + (domain[1] - domain[0]) * 0.5 * i, 0, ends[i]);
-        const vec gaze = bat_gaze_towards(&s->gaze, vec_load(ends[1], 3));
-        if (!(median_sine(s, vec_unit(d), domain) >= slanted)) {
-            const vec chord = s->line->closed ? loop : vec_sub(vec_load(ends[2], 3), vec_load(ends[0], 3));
-            const vec across = vec_cross(gaze, vec_unit(chord));
-            d = vec_norm(across) > 0 ? across : vec_any_normal(gaze);
-            s->report.turned = true;
-        }
-    }
-    vec_store(vec_unit(d), s->report.along);
-    return BAT_OK;
-}
 
 /* ---- the line ---- */
 
@@ -161,6 +87,34 @@ static bat_status on_all_knots(const bat_curve *line, const bat_curve *axis, bat
     return status;
 }
 
+/* Puts back the control points at the ends that are to stay; BAT_STATE: the stroke has moved one of them. */
+static bat_status keep_ends(sketching *s, bat_curve **line) {
+    const int *keep = s->options.keep, count = (*line)->count;
+    if ((keep[0] == 0 && keep[1] == 0) || (*line)->closed) return BAT_OK;
+    bat_curve *old = NULL, *kept = NULL;
+    double *points = malloc(3 * (size_t)count * sizeof *points);
+    bat_status status = points ? bat_curve_refine(s->line, bat_curve_knot_count(*line),
+                                                  bat_curve_knots(*line), &old)
+                               : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        const double *was = bat_curve_points(old) + 3 * i, *now = bat_curve_points(*line) + 3 * i;
+        const bool stays = i < keep[0] || i >= count - keep[1];
+        if (stays && bat_distance(was, now, 3) > s->tolerance) status = BAT_STATE;
+        memcpy(points + 3 * i, stays ? was : now, 3 * sizeof *points);
+    }
+    if (status == BAT_OK)
+        status = bat_curve_create(3, (*line)->degree, false, (size_t)count, points,
+                                  bat_curve_knot_count(*line), bat_curve_knots(*line), &kept);
+    if (status == BAT_OK) {
+        bat_curve_free(*line);
+        *line = kept;
+    }
+    bat_curve_free(old);
+    free(points);
+    return status;
+}
+
+/* *out may hold a curve even after a failure. */
 static bat_status new_line(sketching *s, bat_curve **out) {
     bat_curve *redrawn = NULL, *fewest = NULL;
     bat_sketch_report report;
@@ -173,10 +127,10 @@ static bat_status new_line(sketching *s, bat_curve **out) {
     if (status == BAT_OK) status = on_all_knots(fewest, s->line, out);
     bat_curve_free(fewest);
     if (status != BAT_OK) return status;
+    status = keep_ends(s, out);
     s->report.max_error = report.max_error + error;
-    if (s->report.max_error <= (1 - of_removal) * s->tolerance) return BAT_OK;
-    bat_curve_free(*out);
-    return BAT_TOLERANCE;
+    if (status == BAT_OK && !(s->report.max_error <= (1 - of_removal) * s->tolerance)) status = BAT_TOLERANCE;
+    return status;
 }
 
 /* ---- the surface ---- */
@@ -191,6 +145,10 @@ static bat_status remove_knots(sketching *s, const double *weights, bat_surface 
         for (int k = bat_surface_knot_count(*surface, BAT_V) - 1; k > 0 && status == BAT_OK; k--) {
             const bat_curve *axis = &(*surface)->axis[1];
             const double v = bat_curve_knots(axis)[k];
+            const int *keep = s->options.keep, p = axis->degree;
+            if ((keep[0] > 0 && k <= p + keep[0]) ||
+                (keep[1] > 0 && k >= bat_surface_knot_count(*surface, BAT_V) - 1 - p - keep[1]))
+                continue; /* it would move points that stay */
             double error = 0;
             bat_surface *fewer = NULL;
             for (size_t i = 0; i < rows; i++)
@@ -237,7 +195,10 @@ static bat_status sketch_upright(sketching *s, const bat_surface *upright, doubl
     bat_curve_eval(s->line, 0.5 * (domain[0] + domain[1]), 0, at);
     /* the hand takes tolerances from 1e-3 to 1e6 pixels */
     s->pixel = fmin(fmax(bat_gaze_pixel(&s->gaze, vec_load(at, 3)), 2e-6 * s->tolerance), 200 * s->tolerance);
-    status = bat_curve_size(s->line) > 1e-12 * upright->size ? choose_direction(s, upright) : BAT_DOT;
+    status = bat_curve_size(s->line) > 1e-12 * upright->size
+                 ? bat_ruling_choose(upright, s->at, s->line, &s->gaze, s->options.along, s->report.along,
+                                     &s->report.turned)
+                 : BAT_DOT;
     if (status == BAT_OK) status = carry(s, upright, weights, out);
     bat_curve_free(s->line);
     return status;
@@ -271,6 +232,7 @@ static bat_status start(sketching *s, const bat_surface *surface, bat_direction 
     if (status != BAT_OK) return status;
     if (isnan(at) || isnan(s->options.tolerance)) return BAT_NUMBER;
     if (!(s->options.tolerance >= 0 && s->options.tolerance <= BAT_COORDINATE_MAX)) return BAT_ARGUMENT;
+    if (s->options.keep[0] < 0 || s->options.keep[1] < 0) return BAT_ARGUMENT;
     s->tolerance = s->options.tolerance > 0 ? s->options.tolerance : share_of_size * surface->size;
     s->at = bat_curve_reduce(&surface->axis[direction == BAT_V], at);
     return BAT_OK;

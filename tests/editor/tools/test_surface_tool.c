@@ -1,5 +1,5 @@
-/* The surface tool: which line a marking, a tap and the keyboard light, how it slides and how it is let go. The document
- * stays as it is. */
+/* The surface tool: which line a marking, a tap and the keyboard light, how it slides and how it is let go; a stroke
+ * redraws it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,15 +15,20 @@
 
 enum { SHEET = 7 };
 
-static bat_editor *with_sheet(void) {
+static bat_editor *with(const bat_surface *surface) {
     bat_document *document = NULL;
-    bat_surface *surface = sheet_create();
     assert_int_equal(bat_document_create(&document), BAT_OK);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     assert_int_equal(sheet_add(document, SHEET, surface), BAT_OK);
-    bat_surface_free(surface);
     bat_editor *editor = editor_of(document);
     assert_int_equal(bat_editor_command(editor, "tool-surface"), BAT_OK);
+    return editor;
+}
+
+static bat_editor *with_sheet(void) {
+    bat_surface *surface = sheet_create();
+    bat_editor *editor = with(surface);
+    bat_surface_free(surface);
     return editor;
 }
 
@@ -166,6 +171,145 @@ static void the_line_goes_with_its_surface(void **state) {
     bat_editor_free(editor);
 }
 
+static bat_surfacing *state_of(bat_editor *editor) {
+    return bat_toolbox_state(&editor->context, bat_tool_surface());
+}
+
+static const bat_surface *sheet_in(const bat_editor *editor) {
+    const bat_document *document = bat_editor_document(editor);
+    return bat_object_surface(bat_document_at(document, bat_document_find(document, SHEET)));
+}
+
+/* Draws a bump of that height over the line at u = 2, which lies at x = 500, between y = 250 and 550. */
+static void draw_bump(pen *p, double height, bool lift) {
+    p->time += 1000;
+    pen_event(p, BAT_POINTER_HOVER, 500, 250);
+    bat_editor_frame(p->editor);
+    pen_event(p, BAT_POINTER_DOWN, 500, 250);
+    for (int i = 1; i <= 30; i++) {
+        const double t = i / 30.0, w = 16 * t * t * (1 - t) * (1 - t);
+        pen_event(p, BAT_POINTER_MOVE, 500 + height * w, 250 + 300 * t);
+        if (i % 5 == 0) bat_editor_frame(p->editor);
+        check(p->editor);
+    }
+    if (!lift) return;
+    pen_event(p, BAT_POINTER_UP, 500, 550);
+    bat_editor_frame(p->editor);
+    check(p->editor);
+}
+
+/* Lights the line at u = 2. */
+static pen at_the_middle(bat_editor *editor) {
+    pen p = pen_for(editor);
+    bat_editor_key(editor, "Tab", true, 0, 10);
+    expect(editor, BAT_U, 2, 0);
+    return p;
+}
+
+/* The line passes through the stroke, the surface moves as far as was shown and no further, in one step that the journal
+ * repeats, and what was shown last is what is committed. */
+static void a_stroke_redraws_the_lit_line(void **state) {
+    (void)state;
+    for (int turn = 0; turn < 3; turn++) {
+        bat_editor *editor = with_sheet();
+        const uint64_t first = digest(editor);
+        bat_surface *before = NULL, *shown = NULL;
+        bat_surface_copy(sheet_in(editor), &before);
+        pen p = at_the_middle(editor);
+        bat_editor_frame(editor);
+        const bat_line_reach reach = state_of(editor)->reach;
+        assert_true(reach.known && reach.moved[0] < 2 && reach.moved[1] > 2);
+        draw_bump(&p, 40 - 30 * turn, false);
+        assert_true(digest(editor) == first);
+        const bat_frame *frame = bat_editor_frame(editor);
+        assert_true(frame->busy && frame->knots_before == 10 && frame->knots_after >= 10);
+        assert_non_null(state_of(editor)->preview);
+        bat_surface_copy(state_of(editor)->preview, &shown);
+        pen_event(&p, BAT_POINTER_UP, 500, 550);
+        frame = bat_editor_frame(editor);
+        assert_true(strstr(frame->notice, "Knots: 11") == frame->notice);
+        const bat_surface *after = sheet_in(editor);
+        assert_true(bat_surface_is_equal(after, shown));
+        double off = 0, point[3], was[3];
+        for (int i = 0; i <= 100; i++) { /* the bump, seen from before the page */
+            bat_surface_eval(after, 2, 0.03 * i, 0, point);
+            const double t = fmin(fmax((point[1] - 250) / 300, 0), 1), w = 16 * t * t * (1 - t) * (1 - t);
+            off = fmax(off, fabs(point[0] - 500 - (40 - 30 * turn) * w));
+        }
+        if (!(off < 3)) fail_msg("the line is %g from the stroke", off);
+        for (int i = 0; i <= 100; i++) {
+            const double v = 0.03 * i, outside[2] = {reach.moved[0] - 1e-9, reach.moved[1] + 1e-9};
+            for (int k = 0; k < 2; k++) {
+                if (outside[k] < 0 || outside[k] > 4) continue;
+                bat_surface_eval(after, outside[k], v, 0, point);
+                bat_surface_eval(before, outside[k], v, 0, was);
+                for (int d = 0; d < 3; d++) assert_true(fabs(point[d] - was[d]) < 1e-6);
+            }
+        }
+        expect(editor, BAT_U, 2, 0); /* still lit */
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_surface_free(before);
+        bat_surface_free(shown);
+        bat_editor_free(editor);
+    }
+}
+
+static void a_stroke_that_cannot_is_refused_in_words(void **state) {
+    (void)state;
+    bat_editor *editor = with_sheet();
+    const uint64_t first = digest(editor);
+    pen p = at_the_middle(editor);
+    draw_bump(&p, 40, false);
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+    pen_event(&p, BAT_POINTER_UP, 500, 550);
+    bat_editor_frame(editor);
+    check(editor);
+    assert_true(digest(editor) == first);
+    expect(editor, BAT_U, 2, 0);
+    bat_editor_free(editor);
+
+    bat_surface *sheet = sheet_create(), *poled = NULL; /* the edge u = 0 is one point */
+    double points[7 * 6 * 3];
+    for (int i = 0; i < 7; i++) memcpy(points + 18 * i, bat_surface_row(sheet, i), 18 * sizeof *points);
+    for (int j = 1; j < 6; j++) memcpy(points + 3 * j, points, 3 * sizeof *points);
+    assert_int_equal(bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false},
+                                        (const size_t[2]){7, 6}, points, (const int[2]){11, 10},
+                                        bat_surface_knots(sheet, BAT_U), bat_surface_knots(sheet, BAT_V),
+                                        &poled),
+                     BAT_OK);
+    editor = with(poled);
+    const uint64_t whole = digest(editor);
+    p = pen_for(editor);
+    bat_editor_command(editor, "point-next");
+    for (int i = 0; i < 2; i++) bat_editor_command(editor, "knot-previous");
+    expect(editor, BAT_U, 0, 0);                         /* the pole itself */
+    drag(&p, points[0] + 18, points[1], points[0] + 100, /* beside the grip */
+         points[1] + 200);
+    assert_true(digest(editor) == whole);
+    assert_true(strstr(bat_editor_frame(editor)->notice, "pole") != NULL);
+    bat_surface_free(sheet);
+    bat_surface_free(poled);
+    bat_editor_free(editor);
+}
+
+/* Redrawn again and again, the surface does not grow. */
+static void many_redraws_do_not_add_up(void **state) {
+    (void)state;
+    bat_editor *editor = with_sheet();
+    const uint64_t first = digest(editor);
+    pen p = at_the_middle(editor);
+    size_t after_first = 0;
+    for (int i = 0; i < 20; i++) {
+        draw_bump(&p, 40 * cos(1.7 * i), true);
+        const size_t points = bat_surface_count(sheet_in(editor), BAT_V);
+        if (i == 0) after_first = points;
+        assert_int_equal(bat_surface_count(sheet_in(editor), BAT_U), 7);
+        if (2 * points > 3 * after_first) fail_msg("%d points after %d", (int)points, i + 1);
+    }
+    assert_int_equal(round_trip(editor, first), 20);
+    bat_editor_free(editor);
+}
+
 /* The eye is put before the whole surface, however far it reaches towards it. */
 static void a_deep_surface_is_seen(void **state) {
     (void)state;
@@ -187,10 +331,16 @@ static void a_deep_surface_is_seen(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_marking_lights_its_line),   cmocka_unit_test(an_edge_is_meant_near_it),
-        cmocka_unit_test(taps_choose_flip_and_let_go), cmocka_unit_test(the_grip_slides_the_line),
-        cmocka_unit_test(the_keyboard_does_the_same),  cmocka_unit_test(the_line_goes_with_its_surface),
+        cmocka_unit_test(a_marking_lights_its_line),
+        cmocka_unit_test(an_edge_is_meant_near_it),
+        cmocka_unit_test(taps_choose_flip_and_let_go),
+        cmocka_unit_test(the_grip_slides_the_line),
+        cmocka_unit_test(the_keyboard_does_the_same),
+        cmocka_unit_test(the_line_goes_with_its_surface),
         cmocka_unit_test(a_deep_surface_is_seen),
+        cmocka_unit_test(a_stroke_redraws_the_lit_line),
+        cmocka_unit_test(a_stroke_that_cannot_is_refused_in_words),
+        cmocka_unit_test(many_redraws_do_not_add_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -200,6 +200,45 @@ static void seen_from_its_edge(void **state) {
     bat_surface_free(made), bat_surface_free(s);
 }
 
+/* Ends that are to stay keep place, tangent and curvature; a stroke that moves one is refused. */
+static void ends_that_stay(void **state) {
+    (void)state;
+    for (int direction = 0; direction < 2; direction++) {
+        const bat_direction d = direction ? BAT_V : BAT_U;
+        bat_surface *s = sheet(3), *made = NULL;
+        double pixels[2 * SAMPLES], places[3 * SAMPLES];
+        bat_surface_sketch_report report;
+        bat_surface_sketch_options options = bat_surface_sketch_defaults();
+        options.tolerance = 0.01, options.keep[0] = options.keep[1] = 3;
+        bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = pixels};
+        draw_hump(s, d, 4, &tilted, 0.25, 0.75, 2, up, pixels, places);
+        assert_int_equal(bat_surface_sketch(s, d, 4, &tilted, &stroke, &options, &made, NULL, &report),
+                         BAT_OK);
+        for (int i = 0; i < 40; i++) {
+            const double at[2] = {i % 20 * 9 / 19.0, i < 20 ? 0 : 9};
+            double now[18], was[18];
+            bat_surface_eval(made, at[direction], at[1 - direction], 2, now);
+            bat_surface_eval(s, at[direction], at[1 - direction], 2, was);
+            for (int k = 0; k < 18; k++) assert_true(fabs(now[k] - was[k]) < 1e-9);
+        }
+        bat_surface_free(made), made = NULL;
+        draw_hump(s, d, 4, &tilted, -0.3, 0.4, 2, up, pixels, places);
+        stroke.points += 2 * 50, stroke.count -= 50; /* begins over the end */
+        options.keep[0] = 0;
+        assert_int_equal(bat_surface_sketch(s, d, 4, &tilted, &stroke, &options, &made, NULL, &report),
+                         BAT_OK);
+        bat_surface_free(made), made = NULL;
+        options.keep[0] = 1;
+        assert_int_equal(bat_surface_sketch(s, d, 4, &tilted, &stroke, &options, &made, NULL, &report),
+                         BAT_STATE);
+        options.keep[0] = -1;
+        assert_int_equal(bat_surface_sketch(s, d, 4, &tilted, &stroke, &options, &made, NULL, &report),
+                         BAT_ARGUMENT);
+        assert_null(made);
+        bat_surface_free(s);
+    }
+}
+
 static void what_is_refused(void **state) {
     (void)state;
     bat_surface *s = sheet(3), *made = NULL;
@@ -244,6 +283,7 @@ int main(void) {
         cmocka_unit_test(a_rim_gets_a_mouth),
         cmocka_unit_test(knots_do_not_pile_up),
         cmocka_unit_test(seen_from_its_edge),
+        cmocka_unit_test(ends_that_stay),
         cmocka_unit_test(what_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double EDGE = 0.02; /* of the width: the edge is meant */
-static const double STOP = 6;    /* px within which a sliding line stops */
+static const double LINE_REACH = 10, GRIP_REACH = 12, NEAR = 24; /* px */
+static const double TOUCH = 2.2;                                 /* factor on the reach for fingers */
+static const double EDGE = 0.02;                                 /* of the width: the edge is meant */
+static const double STOP = 6;                                    /* px within which a sliding line stops */
 
 const bat_surface *bat_surfacing_surface(bat_context *c, bat_surfacing *s) {
     const bat_document *document = c->session->document;
@@ -87,6 +89,44 @@ double bat_surfacing_distance(const bat_viewpoint *view, const bat_surface *surf
         memcpy(last, at, sizeof last);
     }
     return best;
+}
+
+/* ---- under the pen ---- */
+
+static double reach(const bat_surfacing *s, double pixels) {
+    return pixels * (s->device == BAT_DEVICE_TOUCH ? TOUCH : 1);
+}
+
+bool bat_surfacing_on_grip(bat_context *c, bat_surfacing *s, const double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    bat_viewpoint view;
+    double point[3], at[2];
+    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return false;
+    bat_surface_eval(surface, s->lit.at[0], s->lit.at[1], 0, point);
+    return bat_surfacing_pixel(&view, point, at) &&
+           bat_hypot(at[0] - pixel[0], at[1] - pixel[1]) <= reach(s, GRIP_REACH);
+}
+
+int bat_surfacing_line_there(bat_context *c, bat_surfacing *s, const double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    bat_viewpoint view;
+    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return 0;
+    const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
+    if (bat_surfacing_distance(&view, surface, d, s->lit.at[d], pixel) <= reach(s, LINE_REACH)) return 1;
+    return bat_surfacing_distance(&view, surface, other, s->lit.at[other], pixel) <= reach(s, LINE_REACH) ? 2
+                                                                                                          : 0;
+}
+
+bool bat_surfacing_at_line(bat_context *c, bat_surfacing *s, const double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    const bat_direction d = s->lit.direction;
+    return surface && bat_surfacing_view(c, surface, &s->seen) == BAT_OK &&
+           bat_surfacing_distance(&s->seen, surface, d, s->lit.at[d], pixel) <= reach(s, NEAR);
+}
+
+bool bat_surfacing_near(bat_context *c, bat_surfacing *s) {
+    return s->doing == BAT_LINING_NOT && s->hovering && bat_surfacing_at_line(c, s, s->hover) &&
+           !bat_surfacing_on_grip(c, s, s->hover);
 }
 
 /* ---- choosing ---- */
@@ -183,7 +223,7 @@ bat_status bat_surfacing_pick(bat_context *c, const bat_stroke *marking, bool ta
     return status == BAT_MEMORY ? status : BAT_OK;
 }
 
-/* ---- sliding, reach ---- */
+/* ---- sliding ---- */
 
 void bat_surfacing_slide(bat_context *c, const bat_surface *surface, const double pixel[2], bool loose,
                          bat_line *line) {
@@ -203,24 +243,4 @@ void bat_surfacing_slide(bat_context *c, const bat_surface *surface, const doubl
         at[line->direction] = stop;
     line->at[line->direction] = loose ? at[line->direction]
                                       : to_edge(surface, line->direction, at[line->direction]);
-}
-
-bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
-    const bat_surface *surface = bat_surfacing_surface(c, s);
-    bat_line_reach *reach = &s->reach;
-    if (!surface) return false;
-    if (reach->revision == c->session->revision && !memcmp(&reach->line, &s->lit, sizeof s->lit))
-        return reach->known;
-    bat_curve *line = NULL;
-    bat_surface *same = NULL;
-    bat_surface_redraw_report report;
-    const double at = s->lit.at[s->lit.direction];
-    bat_status status = bat_surface_isocurve(surface, s->lit.direction, at, &line);
-    if (status == BAT_OK)
-        status = bat_surface_redraw(surface, s->lit.direction, at, line, NULL, &same, NULL, &report);
-    *reach = (bat_line_reach){.line = s->lit, .revision = c->session->revision, .known = status == BAT_OK};
-    if (reach->known) memcpy(reach->moved, report.moved, sizeof reach->moved);
-    bat_surface_free(same);
-    bat_curve_free(line);
-    return reach->known;
 }

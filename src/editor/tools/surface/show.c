@@ -3,24 +3,86 @@
 #include "editor/tools/surface/state.h"
 #include "editor/session/notice.h"
 #include "editor/show/overlay.h"
+#include "form/view/ruling.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 static const double GRIP = 6; /* px */
+static const double SHEET =
+    0.12;             /* of the surface's size: how far the ruled surface is shown on either side */
+enum { ACROSS = 25 }; /* samples of a line across the one that is redrawn */
 
-/* The line at `value`, as it is seen, added to the item. */
-static void add_line(bat_context *c, bat_overlay *list, const bat_viewpoint *view, const bat_surface *surface,
-                     bat_direction direction, double value) {
-    double points[3 * BAT_LINE_SAMPLES], domain[2], at[2];
+static void add_points(bat_context *c, bat_overlay *list, const bat_viewpoint *view, int count,
+                       const double *points) {
+    double at[2];
     bool on = false;
-    bat_surface_domain(surface, direction == BAT_U ? BAT_V : BAT_U, domain);
-    bat_surfacing_trace(surface, direction, value, domain[0], domain[1], BAT_LINE_SAMPLES, points);
-    for (int i = 0; i < BAT_LINE_SAMPLES; i++) {
+    for (int i = 0; i < count; i++) {
         const bool seen = bat_surfacing_seen(c, view, points + 3 * i, at);
         if (seen) (on ? bat_path_line : bat_path_move)(&list->path, at[0], at[1]);
         on = seen;
     }
+}
+
+/* The line at `value`, as it is seen, added to the item. */
+static void add_line(bat_context *c, bat_overlay *list, const bat_viewpoint *view, const bat_surface *surface,
+                     bat_direction direction, double value) {
+    double points[3 * BAT_LINE_SAMPLES], domain[2];
+    bat_surface_domain(surface, direction == BAT_U ? BAT_V : BAT_U, domain);
+    bat_surfacing_trace(surface, direction, value, domain[0], domain[1], BAT_LINE_SAMPLES, points);
+    add_points(c, list, view, BAT_LINE_SAMPLES, points);
+}
+
+/* The next knot above `value` in the domain; INFINITY: there is none. */
+static double next_knot(const bat_surface *surface, bat_direction direction, double value) {
+    const double *knots = bat_surface_knots(surface, direction);
+    const int count = bat_surface_knot_count(surface, direction);
+    double domain[2], best = INFINITY;
+    bat_surface_domain(surface, direction, domain);
+    for (int i = 0; i < count; i++)
+        if (knots[i] > value && knots[i] >= domain[0] && knots[i] <= domain[1]) best = fmin(best, knots[i]);
+    return best;
+}
+
+/* The lines at the knots of the surface as it will be, where they move, and the redrawn line. */
+static void show_preview(bat_context *c, const bat_surfacing *s, bat_overlay *list) {
+    const bat_surface *surface = s->preview;
+    const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
+    const double *moved = s->report.redraw.moved;
+    double points[3 * ACROSS];
+    bat_overlay_item(list, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, 1);
+    for (double at = -INFINITY; (at = next_knot(surface, d, at)) < INFINITY;)
+        if (at > moved[0] && at < moved[1]) add_line(c, list, &s->seen, surface, d, at);
+    for (double at = -INFINITY; (at = next_knot(surface, other, at)) < INFINITY;) {
+        bat_surfacing_trace(surface, other, at, moved[0], moved[1], ACROSS, points);
+        add_points(c, list, &s->seen, ACROSS, points);
+    }
+    bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2.5F);
+    add_line(c, list, &s->seen, surface, d, s->report.redraw.value);
+}
+
+/* The ruled surface on which the stroke lands. */
+static void show_sheet(bat_context *c, bat_surfacing *s, bat_overlay *list, const bat_surface *surface) {
+    const bat_direction d = s->lit.direction;
+    const double far = SHEET * bat_surface_size(surface);
+    double points[3 * BAT_LINE_SAMPLES], domain[2], way[3], at[2];
+    bat_line_edit edit;
+    bool turned, on = false;
+    if (!bat_surfacing_edit(c, s, &edit) ||
+        bat_surface_ruling(surface, d, edit.at, &edit.seen, edit.along, way, &turned) != BAT_OK)
+        return;
+    bat_surface_domain(surface, d == BAT_U ? BAT_V : BAT_U, domain);
+    bat_surfacing_trace(surface, d, edit.at, domain[0], domain[1], BAT_LINE_SAMPLES, points);
+    bat_overlay_item(list, BAT_ROLE_WEDGE, BAT_ITEM_FILLED, 0);
+    for (int i = 0; i < 2 * BAT_LINE_SAMPLES; i++) { /* there on one side, back on the other */
+        const double *p = points + 3 * (i < BAT_LINE_SAMPLES ? i : 2 * BAT_LINE_SAMPLES - 1 - i);
+        const double h = i < BAT_LINE_SAMPLES ? far : -far;
+        const double place[3] = {p[0] + h * way[0], p[1] + h * way[1], p[2] + h * way[2]};
+        if (!bat_surfacing_seen(c, &edit.seen, place, at)) continue;
+        (on ? bat_path_line : bat_path_move)(&list->path, at[0], at[1]);
+        on = true;
+    }
+    if (on) bat_path_close(&list->path);
 }
 
 static void show_ink(const bat_context *c, const bat_surfacing *s, bat_overlay *list) {
@@ -57,6 +119,8 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     double point[3], at[2];
     if (surface && bat_surfacing_view(c, surface, &view) == BAT_OK) {
         const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
+        if (s->doing != BAT_LINING_DRAW) s->seen = view;
+        if (s->doing == BAT_LINING_DRAW || bat_surfacing_near(c, s)) show_sheet(c, s, list, surface);
         show_reach(c, s, list, &view, surface);
         bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
         add_line(c, list, &view, surface, other, s->lit.at[other]);
@@ -69,5 +133,6 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
             show_name(c, s, list, at);
         }
     }
-    if (s->doing == BAT_LINING_STROKE) show_ink(c, s, list);
+    if (s->preview) show_preview(c, s, list);
+    if (s->doing == BAT_LINING_STROKE || s->doing == BAT_LINING_DRAW) show_ink(c, s, list);
 }

@@ -6,6 +6,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_SURFACE_STATE_H
 #define BATTEN_EDITOR_TOOLS_SURFACE_STATE_H
 
+#include "editor/edit/surface_line.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
@@ -25,6 +26,7 @@ typedef struct bat_line {
 typedef enum bat_lining {
     BAT_LINING_NOT,    /* the pen is up */
     BAT_LINING_STROKE, /* it draws a marking */
+    BAT_LINING_DRAW,   /* it redraws the lit line */
     BAT_LINING_SLIDE   /* it drags the grip */
 } bat_lining;
 
@@ -43,9 +45,15 @@ typedef struct bat_surfacing {
     bool hovering;
     double hover[2], start[2]; /* view pixels */
     bat_line before;           /* as it was when the grip was taken */
-    bat_viewpoint view;        /* at pen down */
+    bat_viewpoint seen;        /* at pen down */
     double *pixels;            /* of the stroke, owned */
     size_t count, room;
+    /* what the stroke makes of the surface */
+    bool due; /* it has gone on since */
+    bat_status status;
+    bat_surface *preview; /* owned; NULL: nothing */
+    bat_surface_sketch_report report;
+    bat_sketch_report said; /* the part of it that is shown to the user */
     bat_line_reach reach;
 } bat_surfacing;
 
@@ -63,6 +71,15 @@ void bat_surfacing_trace(const bat_surface *surface, bat_direction direction, do
 double bat_surfacing_distance(const bat_viewpoint *view, const bat_surface *surface, bat_direction direction,
                               double value, const double pixel[2]);
 
+/* Whether the grip of the lit line is there. */
+bool bat_surfacing_on_grip(bat_context *c, bat_surfacing *s, const double pixel[2]);
+/* Which of the two lines through the grip is there, the lit one first. 0: neither, 1: the lit one, 2: the other. */
+int bat_surfacing_line_there(bat_context *c, bat_surfacing *s, const double pixel[2]);
+/* Whether a stroke that begins there redraws the lit line; s->seen becomes the view of its surface. */
+bool bat_surfacing_at_line(bat_context *c, bat_surfacing *s, const double pixel[2]);
+/* Whether a stroke that began under the pen would redraw the lit line. */
+bool bat_surfacing_near(bat_context *c, bat_surfacing *s);
+
 /* The line that a marking means, or a tap chooses; object 0: the stroke is on no surface. BAT_MEMORY. */
 bat_status bat_surfacing_pick(bat_context *c, const bat_stroke *marking, bool tap, bat_line *out);
 /* Moves the line to the place under the pixel; it stops at the edges, the middle and knots unless it is `loose`. */
@@ -70,6 +87,15 @@ void bat_surfacing_slide(bat_context *c, const bat_surface *surface, const doubl
                          bat_line *line);
 /* Finds where an edit of the lit line would end; false: the line cannot move. */
 bool bat_surfacing_reach(bat_context *c, bat_surfacing *s);
+
+/* The stroke so far as an edit of the lit line; false: there is none. */
+bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out);
+/* Brings the preview up to date; drops it; puts it into the document, or says why not. */
+void bat_surfacing_follow(bat_context *c, bat_surfacing *s);
+void bat_surfacing_drop(bat_surfacing *s);
+void bat_surfacing_finish(bat_context *c, bat_surfacing *s);
+/* Why the stroke makes nothing; BAT_STRING_COUNT: it does. */
+bat_string bat_surfacing_refusal(const bat_surfacing *s);
 
 void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list);
 

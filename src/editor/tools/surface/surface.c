@@ -1,9 +1,10 @@
 /*
  * The surface tool. A short stroke over a surface lights the parameter line that it means; a tap shows both lines
  * through the point and lights the nearer one. A tap on the other line lights that one; the grip slides the lit line; a
- * tap elsewhere lets go.
+ * tap elsewhere lets go. A stroke that begins near the lit line redraws it, and the surface follows.
  *
- * NOT --down--> STROKE or, on the grip, SLIDE --up--> NOT. cancel: the line slides back; else it is let go.
+ * NOT --down--> STROKE or, near the lit line, DRAW or, on the grip, SLIDE --up--> NOT. cancel: the line slides back, the
+ * stroke is dropped; else the line is let go.
  */
 #include "editor/tools/surface/state.h"
 #include "base/real.h"
@@ -19,13 +20,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double TAP = 4, LINE_REACH = 10, GRIP_REACH = 12; /* px */
-static const double TOUCH = 2.2;                               /* factor on the reach for fingers */
+static const double TAP = 4; /* px */
 enum { PIXELS_MAX = 1 << 16 };
-
-static double reach(const bat_surfacing *s, double pixels) {
-    return pixels * (s->device == BAT_DEVICE_TOUCH ? TOUCH : 1);
-}
 
 /* ---- the stroke ---- */
 
@@ -48,28 +44,6 @@ static bool is_tap(const bat_surfacing *s) {
         if (bat_hypot(s->pixels[2 * i] - s->pixels[0], s->pixels[2 * i + 1] - s->pixels[1]) > TAP)
             return false;
     return true;
-}
-
-/* Whether the grip of the lit line is there. */
-static bool on_grip(bat_context *c, bat_surfacing *s, const double pixel[2]) {
-    const bat_surface *surface = bat_surfacing_surface(c, s);
-    bat_viewpoint view;
-    double point[3], at[2];
-    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return false;
-    bat_surface_eval(surface, s->lit.at[0], s->lit.at[1], 0, point);
-    return bat_surfacing_pixel(&view, point, at) &&
-           bat_hypot(at[0] - pixel[0], at[1] - pixel[1]) <= reach(s, GRIP_REACH);
-}
-
-/* Which of the two lines through the grip is there: the lit one first; 0: neither, 1: the lit one, 2: the other. */
-static int line_there(bat_context *c, bat_surfacing *s, const double pixel[2]) {
-    const bat_surface *surface = bat_surfacing_surface(c, s);
-    bat_viewpoint view;
-    if (!surface || bat_surfacing_view(c, surface, &view) != BAT_OK) return 0;
-    const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
-    if (bat_surfacing_distance(&view, surface, d, s->lit.at[d], pixel) <= reach(s, LINE_REACH)) return 1;
-    return bat_surfacing_distance(&view, surface, other, s->lit.at[other], pixel) <= reach(s, LINE_REACH) ? 2
-                                                                                                          : 0;
 }
 
 /* ---- the pointer ---- */
@@ -95,7 +69,10 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     memcpy(s->start, s->hover, sizeof s->start);
     s->count = 0;
     s->before = s->lit;
-    s->doing = on_grip(c, s, s->start) ? BAT_LINING_SLIDE : BAT_LINING_STROKE;
+    s->doing = bat_surfacing_on_grip(c, s, s->start)   ? BAT_LINING_SLIDE
+               : bat_surfacing_at_line(c, s, s->start) ? BAT_LINING_DRAW
+                                                       : BAT_LINING_STROKE;
+    bat_surfacing_drop(s);
     if (add_pixel(s, event) != BAT_OK) {
         s->doing = BAT_LINING_NOT;
         bat_notice_failure(c, BAT_MEMORY);
@@ -106,10 +83,12 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     bat_surfacing *s = state;
     if (s->doing == BAT_LINING_NOT || event->predicted) return;
     hover(c, s, event);
-    if (s->doing == BAT_LINING_STROKE && add_pixel(s, event) != BAT_OK) {
+    if (s->doing != BAT_LINING_SLIDE && add_pixel(s, event) != BAT_OK) {
         s->doing = BAT_LINING_NOT;
+        bat_surfacing_drop(s);
         bat_notice_failure(c, BAT_MEMORY);
     }
+    s->due = s->doing == BAT_LINING_DRAW;
     const bat_surface *surface = bat_surfacing_surface(c, s);
     if (s->doing == BAT_LINING_SLIDE && surface)
         bat_surfacing_slide(c, surface, s->hover, (c->modifiers & BAT_SHIFT) != 0, &s->lit);
@@ -133,7 +112,7 @@ static void tap(bat_context *c, bat_surfacing *s) {
         choose(c, s, true);
         return;
     }
-    const int there = line_there(c, s, s->start);
+    const int there = bat_surfacing_line_there(c, s, s->start);
     if (there == 2)
         s->lit.direction = s->lit.direction == BAT_U ? BAT_V : BAT_U;
     else if (there == 0)
@@ -143,12 +122,14 @@ static void tap(bat_context *c, bat_surfacing *s) {
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_surfacing *s = state;
     (void)event;
+    if (s->doing == BAT_LINING_DRAW && !is_tap(s)) bat_surfacing_finish(c, s);
     const bat_lining doing = s->doing;
     s->doing = BAT_LINING_NOT;
-    if (doing != BAT_LINING_STROKE) return;
+    bat_surfacing_drop(s);
+    if (doing == BAT_LINING_NOT || doing == BAT_LINING_SLIDE) return;
     if (is_tap(s))
         tap(c, s);
-    else
+    else if (doing == BAT_LINING_STROKE)
         choose(c, s, false);
 }
 
@@ -159,6 +140,7 @@ static bool cancel(bat_context *c, void *state) {
     if (s->doing != BAT_LINING_NOT) {
         s->lit = s->before;
         s->doing = BAT_LINING_NOT;
+        bat_surfacing_drop(s);
         return true;
     }
     const bool any = s->lit.object != 0;
@@ -257,6 +239,12 @@ static bat_string hint(const bat_context *c, const void *state) {
     const bat_surfacing *s = state;
     (void)c;
     if (s->doing == BAT_LINING_SLIDE) return BAT_STRING_HINT_LINE_SLIDE;
+    if (s->doing == BAT_LINING_DRAW) {
+        const bat_string refusal = s->count > 1 && !s->due ? bat_surfacing_refusal(s) : BAT_STRING_COUNT;
+        return refusal != BAT_STRING_COUNT ? refusal
+               : s->report.turned          ? BAT_STRING_HINT_LINE_TURNED
+                                           : BAT_STRING_HINT_LINE_DRAW;
+    }
     return s->lit.object ? BAT_STRING_HINT_LINE_LIT : BAT_STRING_HINT_SURFACE;
 }
 
@@ -265,13 +253,29 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     return ((const bat_surfacing *)state)->doing == BAT_LINING_SLIDE ? BAT_CURSOR_MOVE : BAT_CURSOR_PEN;
 }
 
-static void end(void *state) { free(((bat_surfacing *)state)->pixels); }
+static void update(bat_context *c, void *state) {
+    bat_surfacing *s = state;
+    if (!is_tap(s)) bat_surfacing_follow(c, s);
+}
+
+static void readout(const bat_context *c, const void *state, bat_readout *out) {
+    (void)c;
+    const bat_surfacing *s = state;
+    if (s->preview) out->report = &s->said;
+}
+
+static void end(void *state) {
+    bat_surfacing *s = state;
+    bat_surfacing_drop(s);
+    free(s->pixels);
+}
 
 static const char *check(const bat_context *c, const void *state) {
     const bat_surfacing *s = state;
     if (s->count > s->room) return "a marking is longer than its memory";
     if (s->doing != BAT_LINING_NOT && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a line is marked or slides without a pointer";
+    if (s->preview && s->doing != BAT_LINING_DRAW) return "a surface is shown that no stroke makes";
     return s->doing == BAT_LINING_SLIDE && !s->before.object ? "a line slides that was not lit" : NULL;
 }
 
@@ -287,6 +291,8 @@ const bat_tool *bat_tool_surface(void) {
                                   .undo = undo,
                                   .command = command,
                                   .busy = busy,
+                                  .update = update,
+                                  .readout = readout,
                                   .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,

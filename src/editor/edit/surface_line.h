@@ -1,0 +1,52 @@
+/*
+ * A line of a surface, redrawn by a stroke: one change with everything needed to make it again, anywhere, with the same
+ * result. The tool makes it, the journal keeps it, replay performs it: all three through the same two calls.
+ */
+#ifndef BATTEN_EDITOR_EDIT_SURFACE_LINE_H
+#define BATTEN_EDITOR_EDIT_SURFACE_LINE_H
+
+#include "editor/session/context.h"
+#include "editor/tables/tables.h"
+#include "text/json.h"
+#include "text/text.h"
+#include <batten/document.h>
+#include <batten/view.h>
+
+#define BAT_LINE_EDIT "surface-redraw" /* its name in the journal */
+enum { BAT_EDGES = 4, BAT_LOCK_MOST = 3, BAT_LINE_PIXELS = 1 << 16 };
+
+typedef struct bat_line_edit {
+    bat_id object;
+    bat_direction direction; /* BAT_U: the line at u = at */
+    double at;
+    bat_viewpoint seen; /* the stroke is in its pixels */
+    double along
+        [3]; /* of the ruled surface that the stroke is cast on; zero: as bat_surface_sketch chooses it */
+    double reach;     /* parameter units; 0: the usual one */
+    double tolerance; /* document units */
+    int lock
+        [BAT_EDGES]; /* what stays at the edges u low, u high, v low, v high: 0 nothing, 1 the place, 2 the tangents,
+                           * too, 3 the curvature, too; directions that are closed have none */
+    size_t count;
+    const double *pixels; /* x y; borrowed */
+} bat_line_edit;
+
+/* The surface as the edit makes it. Statuses as bat_surface_sketch; BAT_ARGUMENT: the document has no such surface. The
+ * report is filled in as far as the call came. */
+bat_status bat_line_edit_compute(const bat_document *document, const bat_line_edit *edit, bat_surface **out,
+                                 bat_surface_sketch_report *report);
+/* Puts the surface into the document as one undo step and one line of the journal, or changes nothing. */
+bat_status bat_line_edit_commit(bat_context *c, const bat_line_edit *edit, const bat_surface *surface);
+/* How far an edit of this line would reach; as bat_surface_redraw, which it calls with the line as it is. */
+bat_status bat_line_edit_probe(const bat_surface *surface, const bat_line_edit *edit,
+                               bat_surface_redraw_report *report);
+
+/* The line of the journal without its digest and closing brace. */
+void bat_line_edit_write(const bat_line_edit *edit, bat_text *line);
+/* *pixels: the stroke's, which the caller frees, even after a failure. */
+bat_status bat_line_edit_read(const bat_json *json, bat_line_edit *out, double **pixels,
+                              bat_problem *problem);
+/* Performs the edit on a line of the journal. */
+bat_status bat_line_edit_perform(bat_context *c, const bat_json *json, bat_problem *problem);
+
+#endif
