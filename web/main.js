@@ -51,6 +51,8 @@ export class Shell {
     /** @type {import('./page/mirror.js').Mirror | undefined} */
     this.mirror = undefined;
     this.mirroring = false;
+    /** @type {import('./stage/dial.js').Dial | undefined} */
+    this.dial = undefined;
     this.#connect();
     this.loop.watch();
   }

@@ -40,6 +40,9 @@ BAT_API void bat_editor_pointer(bat_editor *editor, size_t count, const bat_poin
 /* dx, dy in pixels; the wheel zooms with Ctrl (or by a pinch on a trackpad). */
 BAT_API void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double dy,
                               uint32_t modifiers, double time);
+/* Shows the view on the way of its last jump (frame.h: jumps), at that share of it, 0 to 1. It has arrived unless this is
+ * called; it arrives at 1, and with the next pointer that goes down, wheel or command. For hosts that animate it. */
+BAT_API void bat_editor_glide(bat_editor *editor, double share);
 /* key: as KeyboardEvent.key. True when the engine used it (the host then prevents its default). */
 BAT_API bool bat_editor_key(bat_editor *editor, const char *key, bool down, uint32_t modifiers, double time);
 BAT_API void bat_editor_resize(bat_editor *editor, double width, double height, double pixel_ratio);

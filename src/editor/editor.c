@@ -84,7 +84,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);
     bat_view_look_afresh(&c->stage->view);
-    *c->views = (bat_views){0};
+    *c->views = (bat_views){.jumps = c->views->jumps};
     c->stage->ground = bat_ground_page();
     c->stage->view.fit_wanted = !bat_seen_fit(c);
     bat_toolbox_settle(c);

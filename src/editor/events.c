@@ -291,6 +291,7 @@ static void one(bat_context *c, bat_pointer event) {
     const bat_slot *tool = bat_toolbox_tool(c);
     switch (event.phase) {
     case BAT_POINTER_DOWN:
+        bat_views_arrive(c->views, &c->stage->view);
         if (index >= 0)
             move(c, &event, index); /* another button of the same pointer */
         else
@@ -334,6 +335,7 @@ void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double 
     bat_context *c = &editor->context;
     if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
     c->time = bounded(time, 0, 1e13, c->time);
+    bat_views_arrive(c->views, &c->stage->view);
     /* A stroke's samples are in the pixels of one view. */
     if (bat_toolbox_busy(c)) return;
     double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
@@ -378,6 +380,7 @@ void bat_editor_resize(bat_editor *editor, double width, double height, double p
     bat_context *c = &editor->context;
     bat_view *view = &c->stage->view;
     double middle[2];
+    bat_views_arrive(c->views, view);
     bool had_size = view->width > 0 && view->height > 0, busy = bat_toolbox_busy(c);
     bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, middle);
     view->width = bounded(width, 0, BAT_PIXELS_MAX, 0);
@@ -391,4 +394,9 @@ void bat_editor_resize(bat_editor *editor, double width, double height, double p
         bat_view_to_screen(view, middle, screen);
         bat_view_pan(view, screen, (double[]){view->width / 2, view->height / 2});
     }
+}
+
+void bat_editor_glide(bat_editor *editor, double share) {
+    bat_context *c = &editor->context;
+    if (isfinite(share)) bat_views_glide(c->views, &c->stage->view, share);
 }

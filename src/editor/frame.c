@@ -106,6 +106,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_frame *frame = &editor->frame;
     *frame = (bat_frame){
         .view = {c->stage->view.x, c->stage->view.y, c->stage->view.zoom, c->stage->view.angle},
+        .jumps = c->views->jumps,
         .tilt = c->stage->view.tilt,
         .origin = {scene->origin[0], scene->origin[1]},
         .still_version = scene->still_version,

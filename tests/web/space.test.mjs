@@ -52,6 +52,46 @@ for (const colorScheme of ['light', 'dark']) {
   });
 }
 
+test('the dial: a drag turns, a tap brings home, its ends are views', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address, { locale: 'ko-KR' });
+  await page.waitForSelector('.dial svg');
+  await quiet(page);
+  const before = await pixels(page);
+  const box = await page.locator('.dial').boundingBox();
+  assert.deepEqual([box.width, box.height], [44, 44]);
+  const [x, y] = [box.x + 22, box.y + 22];
+  await hand.stroke([[x, y], [x + 30, y - 90]], { pointerType: 'mouse' });
+  assert.ok(await tilt(page) > 30);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'space-dial.png') });
+  await page.locator('.dial [data-command=view-side]').click();
+  await quiet(page);
+  assert.equal(await tilt(page), 90);
+  await page.locator('.dial [data-command=view-upright]').focus();
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.equal(await tilt(page), 0);
+  assert.equal(await pixels(page), before);
+  const names = await page.locator('.dial button').evaluateAll((all) => all.map((one) => one.ariaLabel));
+  assert.equal(new Set(names).size, 4);
+  assert.ok(names.every((name) => /[가-힣]/.test(name)), names.join());
+  await page.keyboard.press('Shift+Alt+ArrowUp');
+  await page.keyboard.press('9');
+  await quiet(page);
+  assert.equal(await tilt(page), 0);
+});
+
+test('with reduced motion the view is home at once', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  await page.keyboard.press('7');
+  await page.keyboard.press('5');
+  await settle(page);
+  assert.equal(await tilt(page), 0);
+});
+
 test('three fingers turn the view, a tap of three does not', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: CAR });
   t.after(() => server.close());
@@ -65,6 +105,6 @@ test('three fingers turn the view, a tap of three does not', async (t) => {
   await hand.fingers([...down, ...Array.from({ length: 10 }, (_, i) => at(3 * i, -10 * i))]);
   assert.ok(await tilt(page) > 20);
   await page.keyboard.press('5');
-  await settle(page);
+  await quiet(page);
   assert.equal(await pixels(page), before);
 });

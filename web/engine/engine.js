@@ -83,6 +83,11 @@ export class Engine extends Instance {
     this.guard(() => this.wasm.editor_wheel(this.editor, x, y, dx, dy, modifiers, time), undefined);
   }
 
+  /** Shows the view on the way of its last jump. @param {number} share 0..1 */
+  glide(share) {
+    this.guard(() => this.wasm.editor_glide(this.editor, share), undefined);
+  }
+
   /**
    * @param {string} key as KeyboardEvent.key
    * @param {boolean} down

@@ -39,6 +39,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     y: double('frame.view', 1),
     zoom: double('frame.view', 2),
     angle: double('frame.view', 3),
+    jumps: word('frame.jumps'),
     tilt: double('frame.tilt'),
     originX: double('frame.origin', 0),
     originY: double('frame.origin', 1),

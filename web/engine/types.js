@@ -57,6 +57,7 @@
  * @property {number} y
  * @property {number} zoom
  * @property {number} angle degrees, clockwise
+ * @property {number} jumps of the view so far
  * @property {number} tilt degrees that the page lies back: 0 face-on
  * @property {string} offer the command that the notice offers, "" for none
  * @property {number} originX

@@ -11,6 +11,7 @@ void editor_pointer(bat_editor *editor, const bat_pointer *events, size_t count)
 MODULE_EXPORT(editor_wheel)
 void editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, uint32_t modifiers,
                   double time);
+MODULE_EXPORT(editor_glide) void editor_glide(bat_editor *editor, double share);
 MODULE_EXPORT(editor_key)
 int editor_key(bat_editor *editor, const char *key, int down, uint32_t modifiers, double time);
 MODULE_EXPORT(editor_resize)
@@ -82,6 +83,11 @@ void editor_wheel(bat_editor *editor, double x, double y, double dx, double dy, 
                   double time) {
     MODULE_CHECK(editor);
     bat_editor_wheel(editor, x, y, dx, dy, modifiers, time);
+}
+
+void editor_glide(bat_editor *editor, double share) {
+    MODULE_CHECK(editor);
+    bat_editor_glide(editor, share);
 }
 
 int editor_key(bat_editor *editor, const char *key, int down, uint32_t modifiers, double time) {

@@ -84,6 +84,7 @@ const module_field *module_layout(void) {
         {"frame.hint", offsetof(bat_frame, hint)},
         {"frame.notice", offsetof(bat_frame, notice)},
         {"frame.notice_version", offsetof(bat_frame, notice_version)},
+        {"frame.jumps", offsetof(bat_frame, jumps)},
         {"frame.tilt", offsetof(bat_frame, tilt)},
         {"frame.offer", offsetof(bat_frame, offer)},
         {"frame.name", offsetof(bat_frame, name)},

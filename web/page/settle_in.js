@@ -7,7 +7,14 @@ const UNTOUCHED = 3000; // milliseconds without input before the list for screen
 /** @param {import('../main.js').Shell} shell */
 export async function settleIn(shell) {
   // Safari has no requestIdleCallback.
-  (globalThis.requestIdleCallback ?? setTimeout)(async () => (await shell.whole.complete()) && shell.panel.fetchChips());
+  (globalThis.requestIdleCallback ?? setTimeout)(async () => {
+    if (await shell.whole.complete()) {
+      shell.panel.fetchChips();
+      const { Dial } = await want(import('../stage/dial.js'));
+      shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
+      shell.wake();
+    }
+  });
   const { Clipboard } = await want(import('../keep/clipboard.js'));
   shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
   // Explanations and rarely used code are fetched at the first sign of a user.

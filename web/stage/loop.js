@@ -9,6 +9,10 @@ import { Cursor, Role, names } from '../engine/codes.js';
 /** CSS cursor names by the engine's numbers. */
 const CURSORS = names(Cursor).map((name) => name.replace(/^resize_(.*)/, '$1-resize').replace('_', '-'));
 
+const GLIDE = 250; // milliseconds that the view takes to where it jumps
+/** @param {number} share 0..1 */
+const ease = (share) => 1 - (1 - Math.min(share, 1)) ** 3;
+
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
@@ -18,6 +22,8 @@ export class Loop {
     this.shell = shell;
     this.due = false;
     this.noticeVersion = 0;
+    this.jumps = -1; // of the view, as far as shown
+    this.jumped = 0; // when the last one was first seen, while it is under way
     /** Frames painted and the time taken, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
@@ -56,7 +62,7 @@ export class Loop {
     const { engine, painter, panel, mirror, settings, words, requests } = this.shell;
     this.due = false;
     const start = performance.now();
-    const frame = engine.frame();
+    const frame = this.#glide(start);
     if (!frame) {
       this.wake();
       return;
@@ -66,12 +72,36 @@ export class Loop {
     panel.show(frame);
     this.#tell(frame);
     mirror?.show(frame);
+    this.shell.dial?.show(frame);
     settings.note();
     void words.follow();
     this.cost.frames++;
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;
     requests.grant(frame.requests);
+  }
+
+  /**
+   * A frame, on the way of the view's last jump unless motion is to be reduced.
+   * @param {number} now
+   */
+  #glide(now) {
+    const { engine } = this.shell;
+    if (this.jumped) {
+      engine.glide(ease((now - this.jumped) / GLIDE));
+    }
+    const frame = engine.frame();
+    if (frame && frame.jumps !== this.jumps) {
+      const shown = this.jumps >= 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+      this.jumps = frame.jumps;
+      this.jumped = shown ? now : 0;
+      return shown ? this.#glide(now) : frame;
+    }
+    this.jumped = now - this.jumped < GLIDE ? this.jumped : 0;
+    if (this.jumped) {
+      this.wake();
+    }
+    return frame;
   }
 
   /** Passes on what a frame says besides its picture. @param {Frame} frame */

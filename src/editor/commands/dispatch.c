@@ -6,6 +6,7 @@
 #include "editor/tables/keys.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/views.h"
 #include <string.h>
 
 typedef struct row {
@@ -23,6 +24,7 @@ bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
     if (bat_command_at(id)->when != BAT_WHEN_ANYTIME && (bat_toolbox_busy(c) || c->session->transaction.open))
         return BAT_STATE;
     if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && bat_stage_tilted(c->stage)) return BAT_STATE;
+    bat_views_arrive(c->views, &c->stage->view);
     c->session->freed = c->session->refused = false;
     return functions[id].held ? functions[id].held(c, down) : functions[id].function(c, id);
 }

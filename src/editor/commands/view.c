@@ -32,14 +32,19 @@ bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
 
 /* Home from a tilted view: the last face-on page, as it was. */
 static bat_status go_home(bat_context *c) {
-    bat_views_leave(c->views, &c->stage->view);
-    return bat_views_home(c->views, &c->stage->view) ? BAT_OK : BAT_STATE;
+    bat_view *view = &c->stage->view, from = *view;
+    bat_views_leave(c->views, view);
+    if (!bat_views_home(c->views, view)) return BAT_STATE;
+    bat_views_jump(c->views, &from, view);
+    return BAT_OK;
 }
 
 static void orbit(bat_context *c, double angle, double tilt) {
     bat_pivot_set(c, NULL);
-    bat_views_leave(c->views, &c->stage->view);
-    bat_view_orbit(&c->stage->view, angle, tilt);
+    bat_view *view = &c->stage->view, from = *view;
+    bat_views_leave(c->views, view);
+    bat_view_orbit(view, angle, tilt);
+    bat_views_jump(c->views, &from, view);
 }
 
 bat_status bat_command_orbit(bat_context *c, bat_command_id id) {
@@ -59,7 +64,10 @@ bat_status bat_command_view_named(bat_context *c, bat_command_id id) {
 
 bat_status bat_command_view_back(bat_context *c, bat_command_id id) {
     (void)id;
-    return bat_views_back(c->views, &c->stage->view) ? BAT_OK : BAT_STATE;
+    bat_view *view = &c->stage->view, from = *view;
+    if (!bat_views_back(c->views, view)) return BAT_STATE;
+    bat_views_jump(c->views, &from, view);
+    return BAT_OK;
 }
 
 bat_status bat_command_turn(bat_context *c, bat_command_id id) {

@@ -1,4 +1,6 @@
 #include "editor/view/views.h"
+#include "base/real.h"
+#include <math.h>
 #include <string.h>
 
 void bat_views_leave(bat_views *views, const bat_view *view) {
@@ -32,4 +34,47 @@ bool bat_views_home(bat_views *views, bat_view *view) {
     if (!views->away) return false;
     look(view, &views->home);
     return true;
+}
+
+void bat_views_jump(bat_views *views, const bat_view *from, const bat_view *view) {
+    views->from = *from;
+    views->to = *view;
+    views->gliding = true;
+    views->jumps++;
+}
+
+void bat_views_arrive(bat_views *views, bat_view *view) {
+    if (views->gliding) look(view, &views->to);
+    views->gliding = false;
+}
+
+/* The pixel at which a view shows a point. */
+static void pixel_of(const bat_view *view, const double point[3], double pixel[2]) {
+    double map[8], at[2];
+    bat_view_map(view, map);
+    for (int k = 0; k < 2; k++) {
+        const double *row = map + 4 * k;
+        at[k] = row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
+    }
+    bat_view_to_screen(view, at, pixel);
+}
+
+void bat_views_glide(bat_views *views, bat_view *view, double share) {
+    const bat_view *from = &views->from, *to = &views->to;
+    if (!views->gliding) return;
+    if (!(share < 1)) {
+        bat_views_arrive(views, view);
+        return;
+    }
+    const double s = fmax(share, 0), turn = remainder(to->angle - from->angle, 360);
+    bat_view between = *to;
+    double start[2], end[2], pixel[2];
+    memcpy(between.pivot, to->tilt != 0 ? to->pivot : from->pivot, sizeof between.pivot);
+    pixel_of(from, between.pivot, start);
+    pixel_of(to, between.pivot, end);
+    for (int k = 0; k < 2; k++) pixel[k] = start[k] + s * (end[k] - start[k]);
+    bat_view_orbit(&between, from->angle + s * turn, from->tilt + s * (to->tilt - from->tilt));
+    between.zoom = from->zoom * bat_exp(s * bat_log(to->zoom / from->zoom));
+    bat_view_hold(&between, between.pivot, pixel);
+    look(view, &between);
 }

@@ -12,10 +12,19 @@ typedef struct bat_views {
     int count;
     bat_view home; /* the last face-on view, once `away` */
     bool away;
+    bat_view from, to; /* of the last jump */
+    bool gliding;      /* the view is on its way there */
+    uint32_t jumps;    /* so far */
 } bat_views;
 
 /* Before the view turns away: keeps it. */
 void bat_views_leave(bat_views *views, const bat_view *view);
+/* The view has jumped from `from` to where it is now: the way there can be shown. */
+void bat_views_jump(bat_views *views, const bat_view *from, const bat_view *view);
+/* Shows the view at the share, 0 to 1, of the last jump's way; at 1, or by bat_views_arrive, it ends
+ * where it leads. */
+void bat_views_glide(bat_views *views, bat_view *view, double share);
+void bat_views_arrive(bat_views *views, bat_view *view);
 /* Steps back to the view that was left last; the window keeps its size. False: there is none. */
 bool bat_views_back(bat_views *views, bat_view *view);
 /* Returns to the last face-on view. False: none has been left. */

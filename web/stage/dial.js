@@ -1,0 +1,134 @@
+// The dial: a small horizon with the three axes of the drawing, as they lie in the view. A tap brings the page home, a
+// drag turns the view, the ends of the axes are the named views.
+
+import { Device, Phase } from '../engine/codes.js';
+import { dress } from '../page/build.js';
+import { word } from '../page/words.js';
+
+const REACH = 16; // px from the middle to the end of an axis that is seen in its full length
+const STILL = 4; // px that a tap may move
+const SHORT = 0.4; // of the full length: the end of a shorter axis cannot be tapped
+const NOWHERE = -1e5; // view pixels: a drag on the dial has nothing of the drawing under it
+const CONTACT = 0xffffff00;
+const SECONDARY = 2; // as PointerEvent.buttons has it
+/** The ends: commands, and where they point in the drawing; z points down through the page. */
+const ENDS = /** @type {[string, number[]][]} */ ([
+  ['view-front', [0, 1, 0]], ['view-side', [1, 0, 0]], ['view-top', [0, 0, -1]],
+]);
+
+/** @param {string} name @param {Record<string, string | number>} traits */
+function drawn(name, traits) {
+  const node = document.createElementNS('http://www.w3.org/2000/svg', name);
+  for (const [trait, value] of Object.entries(traits)) {
+    node.setAttribute(trait, String(value));
+  }
+  return node;
+}
+
+export class Dial {
+  /** @param {import('../engine/engine.js').Engine} engine @param {HTMLElement} stage @param {() => void} wake */
+  constructor(engine, stage, wake) {
+    this.engine = engine;
+    this.wake = wake;
+    this.box = document.createElement('div');
+    this.box.className = 'dial';
+    this.box.setAttribute('role', 'group');
+    this.home = this.#button('view-upright');
+    this.horizon = drawn('ellipse', { class: 'horizon', rx: REACH });
+    this.axes = ENDS.map(() => drawn('line', {}));
+    const picture = drawn('svg', { viewBox: '-22 -22 44 44', 'aria-hidden': 'true' });
+    picture.append(this.horizon, ...this.axes);
+    this.home.append(picture);
+    this.ends = ENDS.map(([command]) => this.#button(command));
+    this.box.append(this.home, ...this.ends);
+    this.shown = '';
+    this.#listen();
+    void dress('styles/dial.css').then(() => stage.after(this.box));
+  }
+
+  /** @param {string} command */
+  #button(command) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.command = command;
+    button.addEventListener('click', () => {
+      if (!this.dragged) {
+        this.engine.command(command);
+        this.wake();
+      }
+      this.dragged = false;
+    });
+    return button;
+  }
+
+  #listen() {
+    /** @type {PointerEvent | null} */
+    let start = null;
+    const tell = (/** @type {number} */ phase, /** @type {PointerEvent} */ event) => {
+      const [x, y] = start ? [event.clientX - start.clientX, event.clientY - start.clientY] : [0, 0];
+      this.engine.pointer([{
+        phase, device: Device.MOUSE, contact: CONTACT, buttons: SECONDARY, modifiers: 0, x: NOWHERE + x, y: NOWHERE + y,
+        pressure: 0, tiltX: 0, tiltY: 0, twist: 0, width: 0, height: 0, time: event.timeStamp, predicted: false,
+      }]);
+      this.wake();
+    };
+    this.box.addEventListener('pointerdown', (event) => {
+      start = event;
+      this.dragged = false;
+    });
+    this.box.addEventListener('pointermove', (event) => {
+      if (!start || event.pointerId !== start.pointerId) {
+        return;
+      }
+      if (!this.dragged && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) > STILL) {
+        this.dragged = true;
+        this.box.setPointerCapture(event.pointerId);
+        tell(Phase.DOWN, start);
+      }
+      if (this.dragged) {
+        tell(Phase.MOVE, event);
+      }
+    });
+    const end = (/** @type {PointerEvent} */ event) => {
+      if (start && this.dragged) {
+        tell(event.type === 'pointerup' ? Phase.UP : Phase.CANCEL, event);
+      }
+      start = null;
+    };
+    this.box.addEventListener('pointerup', end);
+    this.box.addEventListener('pointercancel', end);
+  }
+
+  /** @param {import('../engine/types.js').Frame} frame */
+  show(frame) {
+    const words = [word('dial.name'), ...[this.home, ...this.ends].map((button) => word(`command.${button.dataset.command}`))];
+    const shown = [frame.angle, frame.tilt, ...words].join('\n');
+    if (shown === this.shown) {
+      return;
+    }
+    this.shown = shown;
+    this.box.setAttribute('aria-label', words[0]);
+    [this.home, ...this.ends].forEach((button, i) => {
+      button.title = words[i + 1];
+      button.ariaLabel = words[i + 1];
+    });
+    this.box.classList.toggle('tilted', frame.tilt !== 0);
+    const [angle, tilt] = [frame.angle, frame.tilt].map((degrees) => (degrees * Math.PI) / 180);
+    const [c, s, k, h] = [Math.cos(angle), Math.sin(angle), Math.cos(tilt), Math.sin(tilt)];
+    this.horizon.setAttribute('ry', String(REACH * Math.abs(k)));
+    ENDS.forEach(([, [x, y, z]], i) => {
+      const along = c * x - s * y;
+      const back = s * x + c * y;
+      const down = back * k + z * h;
+      const [endX, endY, ahead] = [REACH * along, REACH * down, z * k - back * h];
+      this.axes[i].setAttribute('x2', String(endX));
+      this.axes[i].setAttribute('y2', String(endY));
+      const end = this.ends[i];
+      end.style.translate = `${endX}px ${endY}px`;
+      end.hidden = Math.hypot(along, down) < SHORT;
+      for (const part of [end, this.axes[i]]) {
+        part.classList.toggle('far', ahead > 0.05);
+      }
+    });
+  }
+}
