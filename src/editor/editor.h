@@ -19,6 +19,8 @@
 #include "editor/view/stage.h"
 #include "editor/view/views.h"
 
+enum { BAT_HINT_ROOM = 320 };
+
 struct bat_editor {
     bat_context context; /* points to all the members that follow */
     bat_settings settings;
@@ -36,6 +38,7 @@ struct bat_editor {
     bat_panels panels;
     bat_toolbox toolbox;
     bat_overlay overlay;
+    char hint[BAT_HINT_ROOM];
     bat_frame frame;
 };
 

@@ -7,8 +7,10 @@
 #include "editor/show/ruler.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/modes/guides.h"
+#include <stdio.h>
 #include <string.h>
 
+enum { NAME_LONG = 80 /* bytes: a longer name does not stand in the hint */ };
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than this, only the first ones are outlined */
 
 static bat_cursor cursor(bat_context *c) {
@@ -32,6 +34,24 @@ static const char *hint(bat_context *c) {
     if (c->input->holding_pan && !bat_toolbox_busy(c)) return bat_word(c, BAT_STRING_HINT_PAN);
     if (!bat_toolbox_faces(c)) return bat_word(c, BAT_STRING_HINT_TILTED);
     return tool->is->hint ? bat_word(c, tool->is->hint(c, tool->state)) : "";
+}
+
+/* The hint; before it, where this is not plain, what a stroke would land on. */
+static const char *whole_hint(bat_editor *editor) {
+    bat_context *c = &editor->context;
+    const bat_stage *stage = c->stage;
+    const char *text = hint(c), *ground = bat_word(c, BAT_STRING_THE_PAGE),
+               *on = bat_word(c, BAT_STRING_HINT_ON);
+    if (!bat_toolbox_has(c, BAT_DRAWS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
+        (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2))
+        return text;
+    const int at = stage->ground.object ? bat_document_find(c->session->document, stage->ground.object) : -1;
+    const char *name = at < 0 ? "" : bat_object_name(bat_document_at(c->session->document, at));
+    if (at >= 0) ground = *name && strlen(name) < NAME_LONG ? name : bat_word(c, BAT_STRING_A_PLANE);
+    const char *hole = strchr(on, '%');
+    if (!hole) return text;
+    snprintf(editor->hint, sizeof editor->hint, "%.*s%s%s%s", (int)(hole - on), on, ground, hole + 1, text);
+    return editor->hint;
 }
 
 static void drawing(const bat_readout *made, bat_frame *frame) {
@@ -123,7 +143,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .can_redo = bat_history_can_redo(&c->session->history),
         .tool = (uint32_t)c->choice->tool,
         .tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage),
-        .hint = hint(c),
+        .hint = whole_hint(editor),
         .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
         .notice_version = c->notices->notice_version,
         .offer = c->notices->offer == BAT_COMMAND_COUNT ? "" : bat_command_at(c->notices->offer)->name,

@@ -62,6 +62,18 @@ bat_status bat_command_view_named(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
+/* The page as it was last seen face-on, or the plane that the pen draws on from straight above. */
+bat_status bat_command_view_ground(bat_context *c, bat_command_id id) {
+    bat_view *view = &c->stage->view, from = *view;
+    (void)id;
+    if (bat_stage_dimension(c->stage) == 2) return bat_stage_tilted(c->stage) ? go_home(c) : BAT_STATE;
+    bat_pivot_set(c, NULL);
+    bat_views_leave(c->views, view);
+    bat_stage_face(c->stage);
+    bat_views_jump(c->views, &from, view);
+    return BAT_OK;
+}
+
 bat_status bat_command_view_back(bat_context *c, bat_command_id id) {
     (void)id;
     bat_view *view = &c->stage->view, from = *view;

@@ -162,10 +162,15 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     write_mirror(line, &edit->mirror);
     bat_text_string(line, ",\"view\":");
-    const bat_stage *stage = &edit->stage;
-    bat_line_numbers(line, (double[]){stage->view.x, stage->view.y, stage->view.zoom, stage->view.angle},
-                     stage->view.angle == 0 ? 3 : 4, 1);
-    write_ground(line, &stage->ground);
+    const bat_view *view = &edit->stage.view;
+    bat_line_numbers(line,
+                     (double[]){view->x, view->y, view->zoom, view->angle, view->tilt, view->pivot[0],
+                                view->pivot[1], view->pivot[2]},
+                     view->tilt != 0    ? 8
+                     : view->angle != 0 ? 4
+                                        : 3,
+                     1);
+    write_ground(line, &edit->stage.ground);
     stroke(line, &edit->samples);
 }
 
@@ -341,24 +346,27 @@ static void read_parts(reader *r, bat_edit *edit) {
 }
 
 static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
-    static const double low[4] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180},
-                        high[4] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180};
+    const double far = BAT_COORDINATE_MAX;
+    const double low[8] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far},
+                 high[8] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180, 180, far, far, far};
     uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
     uint32_t count = bat_json_count(json, list);
-    double numbers[4] = {0};
-    bool good = count == 3 || count == 4;
+    double numbers[8] = {0};
+    bool good = count == 3 || count == 4 || count == 8;
     for (uint32_t k = 0; k < count && good; k++, node = json->nodes[node].next) {
         numbers[k] = item_number(json, node);
         good = numbers[k] >= low[k] && numbers[k] <= high[k];
     }
     if (!good)
         return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view",
-                                 "[x, y, zoom] or [x, y, zoom, angle]", problem);
+                                 "[x, y, zoom], [x, y, zoom, angle] or the 8 numbers of a tilted view",
+                                 problem);
     *view = bat_view_defaults();
+    if (count == 8) memcpy(view->pivot, numbers + 5, sizeof view->pivot);
+    bat_view_orbit(view, numbers[3], numbers[4]);
     view->x = numbers[0];
     view->y = numbers[1];
     view->zoom = numbers[2];
-    bat_view_turn(view, numbers[3]);
     return BAT_OK;
 }
 

@@ -3,9 +3,10 @@
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include <string.h>
 
 static bool upright_middle(const bat_context *c, bat_mirror *out) {
-    double page[4], box[4], size[2], at[2];
+    double page[4], box[4], size[2], at[2] = {0, 0};
     *out = (bat_mirror){.on = true, .along = {0, 1}};
     bat_document_page(c->session->document, page);
     bat_document_bounds(c->session->document, box);
@@ -14,7 +15,10 @@ static bool upright_middle(const bat_context *c, bat_mirror *out) {
         return true;
     }
     bat_stage_window(c->stage, size);
-    bat_stage_seen(c->stage, (double[]){size[0] / 2, size[1] / 2}, at);
+    const bat_stage on_page = {c->stage->view, bat_ground_page()};
+    bat_hit hit;
+    if (bat_stage_place(&on_page, (double[]){size[0] / 2, size[1] / 2}, &hit) == BAT_OK)
+        memcpy(at, hit.at, sizeof at);
     for (int k = 0; k < 2; k++) out->at[k] = box[0] <= box[2] ? (box[k] + box[k + 2]) / 2 : at[k];
     return false;
 }

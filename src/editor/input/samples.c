@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8, MORE = 3 /* columns in all; columns other than places */ };
+enum { COLUMNS = 8 /* other than places */ };
 
 void bat_samples_clear(bat_samples *samples) { samples->count = 0; }
 
@@ -18,13 +18,13 @@ static void lay_out(bat_samples *samples, double *block, size_t room) {
     samples->tilt = block + 4 * room;
     samples->pressure = block + 6 * room;
     samples->time = block + 7 * room;
-    samples->places = samples->dimension == 3 ? block + COLUMNS * room : samples->points;
+    samples->places = samples->apart ? block + COLUMNS * room : samples->points;
     samples->room = room;
 }
 
 static bat_status grow(bat_samples *samples) {
     size_t room = samples->room ? 2 * samples->room : 256, n = samples->count;
-    size_t columns = samples->dimension == 3 ? COLUMNS + MORE : COLUMNS;
+    size_t size = (size_t)samples->dimension, columns = samples->apart ? COLUMNS + size : COLUMNS;
     double *block = malloc(room * columns * sizeof *block);
     if (!block) return BAT_MEMORY;
     bat_samples old = *samples;
@@ -35,7 +35,7 @@ static bat_status grow(bat_samples *samples) {
         memcpy(samples->tilt, old.tilt, 2 * n * sizeof *block);
         memcpy(samples->pressure, old.pressure, n * sizeof *block);
         memcpy(samples->time, old.time, n * sizeof *block);
-        if (samples->dimension == 3) memcpy(samples->places, old.places, 3 * n * sizeof *block);
+        if (samples->apart) memcpy(samples->places, old.places, size * n * sizeof *block);
     }
     free(old.pixels);
     return BAT_OK;
@@ -49,8 +49,11 @@ bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const d
     if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
     bat_status status = bat_stage_place(stage, pixel, &hit);
     if (status != BAT_OK) return status;
-    if (!samples->count && samples->dimension != bat_stage_dimension(stage)) {
-        samples->dimension = bat_stage_dimension(stage);
+    const int dimension = bat_stage_dimension(stage);
+    const bool apart = dimension == 3 || bat_stage_tilted(stage);
+    if (!samples->count && (samples->dimension != dimension || samples->apart != apart)) {
+        samples->dimension = dimension;
+        samples->apart = apart;
         samples->room = 0; /* the block has other columns */
     }
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
@@ -59,8 +62,9 @@ bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const d
         samples->pixels[2 * i + (size_t)k] = pixel[k];
         samples->tilt[2 * i + (size_t)k] = tilt[k];
     }
-    memcpy(samples->points + 2 * i, hit.at, 2 * sizeof *hit.at);
-    if (samples->dimension == 3) memcpy(samples->places + 3 * i, hit.at, sizeof hit.at);
+    bat_stage_look(stage, dimension, hit.at, samples->points + 2 * i);
+    const size_t size = (size_t)dimension;
+    if (apart) memcpy(samples->places + size * i, hit.at, size * sizeof *hit.at);
     samples->pressure[i] = pressure;
     samples->time[i] = time;
     return BAT_OK;

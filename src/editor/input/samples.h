@@ -8,9 +8,11 @@
 
 enum { BAT_SAMPLES_MAX = 1 << 20 };
 
-/* Columns that grow together; time counts from the first sample. On the page `places` is the same as `points`. */
+/* Columns that grow together; time counts from the first sample. On the page seen face-on
+ * `places` is the same as `points`. */
 typedef struct bat_samples {
     int dimension; /* of places: 2 on the page, otherwise 3; set by the first sample's ground */
+    bool apart;    /* places are columns of their own */
     size_t count, room;
     double *pixels; /* x y */
     double *points; /* x y, drawing coordinates (stage.h) */

@@ -44,9 +44,10 @@ static const char *finish(bat_context *c, bat_text *text) {
     return c->panels->readings = text->data;
 }
 
-static void begin(bat_context *c, bat_text *text, const double place[2], int chosen, double amount) {
+static void begin(bat_context *c, bat_text *text, const double place[3], int chosen, double amount) {
     double at[2] = {0, 0};
-    if (place) bat_stage_project(c->stage, place, at);
+    if (place) bat_stage_look(c->stage, 3, place, at);
+    if (place) bat_stage_project(c->stage, (double[]){at[0], at[1]}, at);
     bat_text_string(text, "{\"at\":");
     bat_line_numbers(text, at, 2, 1);
     bat_text_string(text, ",\"chosen\":");
@@ -59,7 +60,7 @@ static void begin(bat_context *c, bat_text *text, const double place[2], int cho
 static const char *simplified(bat_context *c) {
     const bat_simplifying *s = c->simplifying;
     bat_text text = {0};
-    double place[2];
+    double place[3] = {0};
     bat_simplify_place(c, place);
     begin(c, &text, place, -1, s->amount);
     bat_text_string(&text, ",\"points\":");

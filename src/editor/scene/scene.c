@@ -331,22 +331,27 @@ static bat_status image_of(const bat_curve *curve, const double map[8], bat_curv
     return status;
 }
 
-const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
+static bat_scene_line *line_of(bat_scene *scene, int index, int curve) {
     bat_scene_entry *entry = &scene->entries[index];
-    if (!entry->lines) {
+    if (!entry->lines)
         entry->lines = calloc((size_t)bat_object_curve_count(entry->object), sizeof *entry->lines);
-        if (!entry->lines) return NULL;
-    }
-    bat_scene_line *line = &entry->lines[curve];
-    const bat_curve *seen = bat_object_curve(entry->object, curve);
-    if (line->finder) return line->finder;
-    if (scene->tilted || bat_curve_dimension(seen) != 2) {
-        bat_status status = line->picture   ? BAT_OK
-                            : scene->tilted ? image_of(seen, scene->map, &line->picture)
-                                            : bat_curve_to_dimension(seen, 2, &line->picture);
-        if (status != BAT_OK) return NULL;
-        seen = line->picture;
-    }
-    bat_finder_create(seen, &line->finder);
+    return entry->lines ? &entry->lines[curve] : NULL;
+}
+
+const bat_curve *bat_scene_seen(bat_scene *scene, int index, int curve) {
+    const bat_curve *own = bat_object_curve(scene->entries[index].object, curve);
+    if (!scene->tilted && bat_curve_dimension(own) == 2) return own;
+    bat_scene_line *line = line_of(scene, index, curve);
+    if (!line) return NULL;
+    if (!line->picture && scene->tilted) image_of(own, scene->map, &line->picture);
+    if (!line->picture && !scene->tilted) bat_curve_to_dimension(own, 2, &line->picture);
+    return line->picture;
+}
+
+const bat_finder *bat_scene_finder(bat_scene *scene, int index, int curve) {
+    bat_scene_line *line = line_of(scene, index, curve);
+    if (!line || line->finder) return line ? line->finder : NULL;
+    const bat_curve *seen = bat_scene_seen(scene, index, curve);
+    if (seen) bat_finder_create(seen, &line->finder);
     return line->finder;
 }

@@ -58,6 +58,9 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
 void bat_scene_face(bat_scene *scene, const bat_stage *stage);
 /* Moves the origin to the view's middle when float rounding would become visible (a quarter of a pixel). */
 void bat_scene_rebase(bat_scene *scene, const bat_stage *stage);
+/* The curve of an entry as it is seen: in the plane, in drawing coordinates, at the same parameters. NULL when out of
+ * memory or too far away. */
+const bat_curve *bat_scene_seen(bat_scene *scene, int entry, int curve);
 /* The finder of a curve of an entry as it is seen (drawing coordinates, at the same parameters). Made on
  * first use; NULL when out of memory. */
 const bat_finder *bat_scene_finder(bat_scene *scene, int entry, int curve);

@@ -29,6 +29,11 @@ void bat_notice_tilted(bat_context *c) {
     c->notices->offer = BAT_COMMAND_VIEW_UPRIGHT;
 }
 
+void bat_notice_edge_on(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
+    c->notices->offer = BAT_COMMAND_VIEW_GROUND;
+}
+
 void bat_notice_failure(bat_context *c, bat_status status) {
     bat_notice(c, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
 }

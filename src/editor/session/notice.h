@@ -22,6 +22,8 @@ void bat_notice(bat_context *c, bat_string text);
 void bat_notice_value(bat_context *c, bat_string text, const char *value);
 /* Refuses what cannot be done in a tilted view, and offers the way home. */
 void bat_notice_tilted(bat_context *c);
+/* Refuses a stroke on a ground that is seen edge-on, and offers to turn to it. */
+void bat_notice_edge_on(bat_context *c);
 void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif

@@ -28,6 +28,7 @@ void bat_axis_show_ghost(const bat_mirror *mirror, bat_overlay *overlay, size_t 
     if (curve) bat_path_curve(&overlay->path, curve);
     for (size_t i = 0; i < count && count > 1 && !curve; i++) {
         bat_mirror_point(mirror, points + 2 * i, at);
+        bat_map_look(overlay->path.map, 2, (double[]){at[0], at[1]}, at);
         (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
     }
 }

@@ -82,6 +82,15 @@ bool bat_ground_of(const bat_object *object, bat_ground *out) {
     return found;
 }
 
+void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]) {
+    static const double page[6] = {1, 0, 0, 0, 1, 0};
+    const double *axes = ground->type->numbers ? ground->numbers + 3 : page;
+    for (int k = 0; k < 3; k++) {
+        x[k] = axes[k];
+        y[k] = axes[3 + k];
+    }
+}
+
 bool bat_ground_same(const bat_ground *a, const bat_ground *b) {
     bool same = a->type == b->type;
     for (int k = 0; k < BAT_GROUND_NUMBERS; k++) same = same && a->numbers[k] == b->numbers[k];

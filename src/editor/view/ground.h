@@ -42,6 +42,8 @@ bool bat_ground_of(const bat_object *object, bat_ground *out);
 const char *bat_ground_name(int index);
 /* The ground with this name and these numbers; false: no such name, or the numbers do not describe such a ground. */
 bool bat_ground_named(const char *name, int count, const double *numbers, bat_ground *out);
+/* Two directions that span it, of length 1, at right angles. */
+void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]);
 /* Whether both lie in the same place, whichever object they are. */
 bool bat_ground_same(const bat_ground *a, const bat_ground *b);
 

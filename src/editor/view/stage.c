@@ -1,4 +1,5 @@
 #include "editor/view/stage.h"
+#include "base/real.h"
 #include <math.h>
 #include <string.h>
 
@@ -14,6 +15,34 @@ bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hi
     bat_status status = stage->ground.type->hit(&stage->ground, &ray, &hit);
     if (status == BAT_OK) *out = hit;
     return status;
+}
+
+/* The ground's normal, on the side where the eye looks along it; gives how far it does. */
+static double normal_of(const bat_stage *stage, double normal[3]) {
+    double x[3], y[3], right[3], down[3], ahead[3], along = 0;
+    bat_ground_axes(&stage->ground, x, y);
+    bat_view_axes(&stage->view, right, down, ahead);
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = x[i] * y[j] - x[j] * y[i];
+        along += normal[k] * ahead[k];
+    }
+    for (int k = 0; k < 3 && along < 0; k++) normal[k] = -normal[k];
+    return fabs(along);
+}
+
+double bat_stage_slant(const bat_stage *stage) {
+    double normal[3];
+    return normal_of(stage, normal);
+}
+
+void bat_stage_face(bat_stage *stage) {
+    bat_view *view = &stage->view;
+    double n[3];
+    normal_of(stage, n);
+    const double level = bat_hypot(n[0], n[1]), degree = 180 / BAT_PI;
+    const double angle = level > 1e-9 ? bat_atan2(-n[0], -n[1]) * degree : view->angle;
+    bat_view_orbit(view, angle, bat_atan2(level, n[2]) * degree);
 }
 
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]) {

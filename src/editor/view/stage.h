@@ -19,6 +19,10 @@ bat_stage bat_stage_defaults(void);
 int bat_stage_dimension(const bat_stage *stage);
 /* Where the pen is on the ground. BAT_SINGULAR: the ground is seen edge-on; BAT_NUMBER: too far away. */
 bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hit *out);
+/* The sine of the angle at which the ground is seen: 1 from straight above, 0 edge-on. */
+double bat_stage_slant(const bat_stage *stage);
+/* Turns the view so that the ground is seen from straight above. */
+void bat_stage_face(bat_stage *stage);
 /* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]);
 void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[2]);

@@ -277,6 +277,161 @@ static void what_is_not_ready_for_it_is_refused_and_home_offered(void **state) {
     bat_editor_free(editor);
 }
 
+/* ---- strokes that land on the page, through the camera ---- */
+
+/* An editor in a tilted view of the drawing. */
+static bat_editor *tilted_drawing(double dx, double dy) {
+    bat_editor *editor = drawing();
+    pen p = right_button(editor);
+    drag(&p, 500, 400, 500 + dx, 400 + dy);
+    return editor;
+}
+
+/* Draws along places of the page as they are seen. */
+static void draw_on_page(bat_editor *editor, const bat_curve *along, double lift) {
+    const bat_stage *stage = editor->context.stage;
+    pen p = pen_for(editor);
+    double domain[2], at[2], seen[2], pixel[2];
+    bat_curve_domain(along, domain);
+    p.time += 5000;
+    for (int i = 0; i <= 60; i++) {
+        bat_curve_eval(along, domain[0] + (domain[1] - domain[0]) * i / 60, 0, at);
+        at[1] += lift * 4 * i / 60 * (60 - i) / 60;
+        bat_stage_look(stage, 2, at, seen);
+        bat_stage_project(stage, seen, pixel);
+        if (!i) pen_event(&p, BAT_POINTER_HOVER, pixel[0], pixel[1]);
+        if (!i) bat_editor_frame(editor);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, pixel[0], pixel[1]);
+        if (i % 8 == 0) bat_editor_frame(editor);
+        check(editor);
+    }
+    pen_event(&p, BAT_POINTER_UP, pixel[0], pixel[1]);
+    bat_editor_frame(editor);
+    check(editor);
+}
+
+/* How far a curve of the document lies from places of another one, at most. */
+static double farthest(const bat_curve *curve, const bat_curve *from) {
+    bat_finder *finder = NULL;
+    bat_near near;
+    double worst = 0, domain[2], at[2];
+    assert_int_equal(bat_finder_create(curve, &finder), BAT_OK);
+    bat_curve_domain(from, domain);
+    for (int i = 0; i <= 100; i++) {
+        bat_curve_eval(from, domain[0] + (domain[1] - domain[0]) * i / 100, 0, at);
+        bat_finder_nearest(finder, at, &near);
+        worst = fmax(worst, near.distance);
+    }
+    bat_finder_free(finder);
+    return worst;
+}
+
+static void a_new_line_lands_on_the_page(void **state) {
+    (void)state;
+    static const double drags[][2] = {{60, -90}, {-140, -60}, {30, -260}, {200, -110}};
+    for (size_t i = 0; i < sizeof drags / sizeof *drags; i++) {
+        bat_editor *editor = tilted_drawing(drags[i][0], drags[i][1]);
+        const uint64_t first = digest(editor);
+        bat_curve *line = pen_curve(250, 690, 60, 20, 8);
+        draw_on_page(editor, line, 0);
+        const bat_document *document = bat_editor_document(editor);
+        assert_int_equal(bat_document_count(document), 3);
+        const bat_curve *made = bat_object_curve(bat_document_at(document, 2), 0);
+        assert_int_equal(bat_curve_dimension(made), 2);
+        assert_true(farthest(made, line) < 6);
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_curve_free(line);
+        bat_editor_free(editor);
+    }
+}
+
+/* The same places drawn over face-on and tilted give the same line, but for the roundings of pixels. */
+static void a_redraw_is_that_of_the_page(void **state) {
+    (void)state;
+    bat_curve *made[2] = {NULL, NULL};
+    for (int i = 0; i < 2; i++) {
+        bat_editor *editor = i ? tilted_drawing(50, -80) : drawing();
+        const uint64_t first = digest(editor);
+        bat_curve *line = pen_curve(200, 300, 60, 40, 8);
+        draw_on_page(editor, line, 14);
+        assert_int_equal(bat_document_count(bat_editor_document(editor)), 2);
+        bat_curve_copy(bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0), &made[i]);
+        assert_false(bat_curve_is_equal(made[i], line));
+        assert_true(farthest(made[i], line) > 8);
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_curve_free(line);
+        bat_editor_free(editor);
+    }
+    assert_true(farthest(made[0], made[1]) < 3);
+    bat_curve_free(made[0]);
+    bat_curve_free(made[1]);
+}
+
+static void edge_on_no_stroke_begins(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    const uint64_t first = digest(editor);
+    bat_editor_command(editor, "view-front");
+    pen p = pen_for(editor);
+    pen_line(&p, 300, 300, 600, 420, 20);
+    assert_true(digest(editor) == first);
+    assert_string_equal(bat_editor_frame(editor)->offer, "view-ground");
+    assert_int_equal(bat_editor_command(editor, "view-ground"), BAT_OK);
+    assert_true(tilt_of(editor) == 0);
+    pen_line(&p, 300, 650, 600, 620, 20);
+    assert_true(digest(editor) != first);
+    bat_editor_free(editor);
+}
+
+static void a_disc_lies_under_the_hovering_pen(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    pen p = pen_for(editor);
+    pen_event(&p, BAT_POINTER_HOVER, 500, 100);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_REACH)); /* face-on as ever */
+    for (int steps = 1; steps <= 6; steps++) {
+        bat_editor_command(editor, "orbit-up");
+        const bat_frame *frame = bat_editor_frame(editor);
+        const bat_item *disc = pen_live(frame, BAT_ROLE_REACH);
+        if (steps == 6) {
+            assert_null(disc); /* edge-on */
+            continue;
+        }
+        assert_non_null(disc);
+        assert_non_null(strstr(frame->hint, "the page"));
+        const double wide = disc->bounds[2] - disc->bounds[0] - 1,
+                     high = disc->bounds[3] - disc->bounds[1] - 1;
+        assert_true(fabs(wide - 24) < 0.5);
+        assert_true(fabs(high - 24 * cos(15 * steps * 3.14159265358979 / 180)) < 0.5);
+        assert_true(disc->opacity == 1);
+    }
+    p = right_button(editor);
+    drag(&p, 500, 400, 500, 420); /* to 80 degrees */
+    p = pen_for(editor);
+    pen_event(&p, BAT_POINTER_HOVER, 500, 400);
+    assert_true(pen_live(bat_editor_frame(editor), BAT_ROLE_REACH)->opacity < 1);
+    bat_editor_free(editor);
+}
+
+/* A plane in space, whatever way it lies, is turned to. */
+static void the_view_turns_to_a_plane(void **state) {
+    (void)state;
+    seed = 5;
+    for (int i = 0; i < 50; i++) {
+        bat_stage stage = any_stage();
+        double x[3], y[3], length = 0, dot = 0;
+        for (int k = 0; k < 3; k++) x[k] = any(-1, 1), length += x[k] * x[k];
+        for (int k = 0; k < 3; k++) x[k] /= sqrt(length), y[k] = any(-1, 1), dot += x[k] * y[k];
+        length = 0;
+        for (int k = 0; k < 3; k++) y[k] -= dot * x[k], length += y[k] * y[k];
+        double numbers[9] = {1, 2, 3};
+        for (int k = 0; k < 3; k++) numbers[3 + k] = x[k], numbers[6 + k] = y[k] / sqrt(length);
+        assert_true(bat_ground_named("plane", 9, numbers, &stage.ground));
+        bat_stage_face(&stage);
+        assert_true(bat_stage_slant(&stage) > 1 - 1e-6);
+    }
+}
+
 static void fit_finds_everything(void **state) {
     (void)state;
     bat_editor *editor = drawing();
@@ -310,6 +465,11 @@ int main(void) {
         cmocka_unit_test(three_fingers_turn_and_two_never_do),
         cmocka_unit_test(with_a_pen_one_finger_turns_a_tilted_view),
         cmocka_unit_test(what_is_not_ready_for_it_is_refused_and_home_offered),
+        cmocka_unit_test(a_new_line_lands_on_the_page),
+        cmocka_unit_test(a_redraw_is_that_of_the_page),
+        cmocka_unit_test(edge_on_no_stroke_begins),
+        cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
+        cmocka_unit_test(the_view_turns_to_a_plane),
         cmocka_unit_test(fit_finds_everything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -80,7 +80,10 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     take_samples(&again->samples, samples);
     for (int i = 0; i < again->count; i++) again->edit[i].samples = again->samples;
     keep_drawn(again, hold);
-    memcpy(again->place, again->samples.points + 2 * (again->samples.count - 1), sizeof again->place);
+    const size_t size = (size_t)again->samples.dimension;
+    again->place[2] = 0;
+    memcpy(again->place, again->samples.places + size * (again->samples.count - 1),
+           size * sizeof *again->place);
     again->revision = c->session->revision;
     again->version++;
 }

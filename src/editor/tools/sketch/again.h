@@ -27,7 +27,7 @@ typedef struct bat_again {
     bat_curve *before; /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
     bat_curve *fit;    /* preview while the amount is being chosen; owned */
     uint64_t revision; /* of the document after the stroke */
-    double place[2];   /* the stroke's end, document units */
+    double place[3];   /* the stroke's end, document units */
     uint32_t version;  /* changes whenever the readings change or another is put in force */
 } bat_again;
 

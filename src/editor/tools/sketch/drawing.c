@@ -61,7 +61,7 @@ static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
     bool edge_on = status == BAT_SINGULAR && !s->edit.samples.count;
     bat_sketching_end_stroke(s);
     if (edge_on)
-        bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
+        bat_notice_edge_on(c);
     else
         bat_notice_failure(c, status);
 }

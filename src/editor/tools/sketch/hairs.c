@@ -38,7 +38,7 @@ static double from_segment(const double *p, const double *a, const double *b) {
 static double length_of(const bat_samples *samples) {
     double length = 0;
     for (size_t i = 1; i < samples->count; i++) {
-        const double *p = samples->points + 2 * i;
+        const double *p = samples->places + 2 * i;
         length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
     }
     return length;
@@ -47,7 +47,7 @@ static double length_of(const bat_samples *samples) {
 static double from_stroke(const double *p, const bat_samples *stroke) {
     double least = INFINITY;
     for (size_t k = 0; k + 1 < stroke->count; k++)
-        least = fmin(least, from_segment(p, stroke->points + 2 * k, stroke->points + 2 * k + 2));
+        least = fmin(least, from_segment(p, stroke->places + 2 * k, stroke->places + 2 * k + 2));
     return least;
 }
 
@@ -58,7 +58,7 @@ static double share_along(const bat_hairs *h, const bat_samples *samples, double
     double gone = 0;
     int looks = 0, along = 0;
     for (size_t i = 0; i < samples->count; i++) {
-        const double *p = samples->points + 2 * i;
+        const double *p = samples->places + 2 * i;
         bool found = false;
         if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
         if (gone * LOOKS < length * looks) continue;
@@ -74,7 +74,7 @@ static double farthest(const bat_samples *samples, const bat_average *line, doub
     const double length = length_of(samples), end = fmin(ENDS * pixel, length / 6);
     double worst = 0, gone = 0;
     for (size_t i = 0; i < samples->count; i++) {
-        const double *p = samples->points + 2 * i;
+        const double *p = samples->places + 2 * i;
         double least = INFINITY;
         if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
         if (gone < end || gone > length - end) continue;

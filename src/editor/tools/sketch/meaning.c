@@ -104,12 +104,8 @@ static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, con
     const bat_object *object = c->scene->entries[entry].object;
     bat_id id = bat_object_id(object);
     if (!room_for(m)) return BAT_MEMORY;
-    const bat_curve *curve = bat_object_curve(object, index);
-    bat_curve *picture = NULL; /* of a curve in space */
-    bat_status status = BAT_OK;
-    if (bat_curve_dimension(curve) != 2) status = bat_curve_to_dimension(curve, 2, &picture);
-    if (status == BAT_OK) status = bat_intent_line(m->intent, picture ? picture : curve, map, meant);
-    bat_curve_free(picture);
+    const bat_curve *seen = bat_scene_seen(c->scene, entry, index);
+    bat_status status = seen ? bat_intent_line(m->intent, seen, map, meant) : BAT_MEMORY;
     if (status == BAT_OK) {
         *place_of(m, id, index) = m->curve_count;
         m->curves[m->curve_count++] = (bat_meaning_curve){id, entry, index};
@@ -136,8 +132,9 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage
             const bat_curve *curve = bat_object_curve(entry->object, j);
             double own[4];
             if (bat_curve_dimension(curve) != dimension || has(m, bat_object_id(entry->object), j)) continue;
-            if (count > 1) hull(curve, own);
-            if (count == 1 || boxes_meet(own, box)) status = take(c, m, i, j, map, meant);
+            const bat_curve *seen = count > 1 ? bat_scene_seen(c->scene, i, j) : NULL;
+            if (seen) hull(seen, own);
+            if (!seen || boxes_meet(own, box)) status = take(c, m, i, j, map, meant);
         }
     }
     return status;
@@ -204,12 +201,13 @@ static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_reading
     return &m->curves[reading->part[part].line];
 }
 
-/* Whether the curve passes at u where the ground is, within two pixels; its place. */
+/* Whether the curve passes at u where the ground is, within two pixels; its place, which is zeroed before. */
 static bool meets(const bat_curve *curve, double u, const bat_stage *stage, double *at) {
     bat_hit hit;
-    double pixel[2], apart = 0;
+    double seen[2], pixel[2], apart = 0;
     bat_curve_eval(curve, u, 0, at);
-    bat_stage_project(stage, at, pixel);
+    bat_stage_look(stage, bat_curve_dimension(curve), at, seen);
+    bat_stage_project(stage, seen, pixel);
     if (bat_stage_place(stage, pixel, &hit) != BAT_OK) return false;
     for (int k = 0; k < 3; k++) apart = bat_hypot(apart, at[k] - hit.at[k]);
     return apart <= 2 * hit.pixel;
@@ -225,7 +223,7 @@ static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *r
     bat_stage_seen(&edit->stage, reading->start, from);
     bat_finder_nearest(finder, from, &near);
     const bat_curve *onto = bat_edit_curve(c->session->document, edit, curve->object, curve->curve);
-    if (edit->samples.dimension == 2)
+    if (!edit->samples.apart)
         memcpy(at, near.point, 2 * sizeof *near.point);
     else if (!onto || !meets(onto, near.u, &edit->stage, at))
         return; /* seen there, but it lies before the ground or behind it */

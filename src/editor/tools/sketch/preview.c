@@ -34,8 +34,10 @@ bat_status bat_sketching_feed(bat_context *c, bat_sketching *s) {
     return status;
 }
 
-/* Keeps the points before and after the new stretch, where the fit blends into the old curve, as x y. */
-static void keep_blends(bat_sketching_preview *preview, int dimension, const bat_sketch_live_info *info) {
+/* Keeps the points before and after the new stretch, where the fit blends into the old curve, in drawing coordinates. */
+static void keep_blends(bat_sketching_preview *preview, const bat_stage *stage,
+                        const bat_sketch_live_info *info) {
+    const int dimension = bat_stage_dimension(stage);
     if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
         return;
     size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
@@ -43,7 +45,7 @@ static void keep_blends(bat_sketching_preview *preview, int dimension, const bat
     if (!blends) return; /* out of memory: only the picture lacks them */
     for (size_t i = 0; i < counts[0] + counts[1]; i++) {
         size_t at = i < counts[0] ? i : info->stroke_last + i - counts[0];
-        memcpy(blends + 2 * i, info->target + at * (size_t)dimension, 2 * sizeof *blends);
+        bat_stage_look(stage, dimension, info->target + at * (size_t)dimension, blends + 2 * i);
     }
     preview->blends = blends;
     memcpy(preview->blend_counts, counts, sizeof counts);
@@ -86,6 +88,5 @@ void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
     s->preview.report = info.report;
-    if (curve && bat_sketching_one_changes(&s->edit))
-        keep_blends(&s->preview, bat_stage_dimension(&s->edit.stage), &info);
+    if (curve && bat_sketching_one_changes(&s->edit)) keep_blends(&s->preview, &s->edit.stage, &info);
 }

@@ -30,7 +30,9 @@ static void mark_knots(bat_overlay *overlay, const bat_curve *curve, double u0, 
             double u = knots[i] + k * period, point[BAT_DIMENSION_MAX];
             if (!(u > u0 && u < u1) || (closed && i == count - 1)) continue;
             bat_curve_eval(curve, u, 0, point);
-            bat_overlay_mark(overlay, point, radius);
+            double at[2];
+            bat_map_look(overlay->path.map, bat_curve_dimension(curve), point, at);
+            bat_overlay_mark(overlay, at, radius);
             marks++;
         }
     }
@@ -84,7 +86,7 @@ static void show_other_side(bat_context *c, const bat_edit *edit, const bat_curv
     if (fit && (fresh || before))
         bat_mirror_preview(c, &edit->mirror, edit->options.pixel, edit->options.tolerance, before, fit,
                            &ghost);
-    bat_axis_show_ghost(&edit->mirror, overlay, fresh ? edit->samples.count : 0, edit->samples.points, ghost);
+    bat_axis_show_ghost(&edit->mirror, overlay, fresh ? edit->samples.count : 0, edit->samples.places, ghost);
     bat_curve_free(ghost);
 }
 

@@ -12,6 +12,7 @@
 #include "editor/input/samples.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/show/disc.h"
 #include "editor/show/overlay.h"
 #include "editor/tools/sketch/parts.h"
 #include "editor/tools/toolbox.h"
@@ -59,7 +60,10 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     if (s->has_pending) bat_sketching_show_pending(c, s, list);
     if (s->state == BAT_SKETCHING_DRAWING)
         bat_sketching_show_stroke(c, s, list);
-    else if (s->pick.object && !c->input->holding_pan && bat_contacts_clear(c))
+    else if (s->hovering)
+        bat_disc_show(c->stage, s->hover, list);
+    if (s->state != BAT_SKETCHING_DRAWING && s->pick.object && !c->input->holding_pan &&
+        bat_contacts_clear(c))
         bat_sketching_highlight(c, list, bat_stage_dimension(c->stage), s->pick.object, s->pick.curve);
 }
 

@@ -1,0 +1,12 @@
+/* The disc under a hovering pen: it lies on the ground that a stroke would land on, tilted as that is. */
+#ifndef BATTEN_EDITOR_SHOW_DISC_H
+#define BATTEN_EDITOR_SHOW_DISC_H
+
+#include "editor/show/overlay.h"
+#include "editor/view/stage.h"
+
+/* Shown in a tilted view, and over a ground other than the page; paler where the ground is seen at less than 15
+ * degrees, not at all where nothing can be drawn. */
+void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *overlay);
+
+#endif
