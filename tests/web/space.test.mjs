@@ -1,6 +1,7 @@
 // The tilted view: a right drag and three fingers turn it, home brings back the very same pixels, and what is not ready
 // for it says so and offers the way home.
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -17,7 +18,8 @@ before(async () => {
 after(() => browser.close());
 
 /** What is painted of the drawing. */
-const pixels = (page) => page.evaluate(() => document.getElementById('still').toDataURL());
+const pixels = async (page) => createHash('sha1').update(await page.evaluate(() =>
+  document.getElementById('still').toDataURL())).digest('hex');
 const tilt = (page) => page.evaluate(() => batten.engine.frame().tilt);
 
 for (const colorScheme of ['light', 'dark']) {
@@ -37,10 +39,12 @@ for (const colorScheme of ['light', 'dark']) {
     await orbit([560, 150]);
     assert.ok(await tilt(page) > 100);
     await shot('behind');
+    await page.keyboard.press('a');
     await hand.stroke([[500, 300], [700, 330]]);
     const now = await state(page);
-    assert.equal(now.digest, first.digest, 'nothing is drawn where it was not shown');
-    await page.keyboard.press('5');
+    assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
+    await shot('refused');
+    await page.locator('#notice button').click();
     await quiet(page);
     assert.equal(await tilt(page), 0);
     assert.equal(await pixels(page), before, 'the page is as it was, to the pixel');
@@ -62,7 +66,7 @@ test('the dial: a drag turns, a tap brings home, its ends are views', async (t) 
   const box = await page.locator('.dial').boundingBox();
   assert.deepEqual([box.width, box.height], [44, 44]);
   const [x, y] = [box.x + 22, box.y + 22];
-  await hand.stroke([[x, y], [x + 30, y - 90]], { pointerType: 'mouse' });
+  await hand.stroke([[x, y], [x + 20, y - 45]], { pointerType: 'mouse' });
   assert.ok(await tilt(page) > 30);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'space-dial.png') });
   await page.locator('.dial [data-command=view-side]').click();
@@ -91,6 +95,38 @@ test('with reduced motion the view is home at once', async (t) => {
   await settle(page);
   assert.equal(await tilt(page), 0);
 });
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a pen draws and redraws on the tilted page, ${colorScheme}`, async (t) => {
+    const server = await serve({ name: 'car.svg', bytes: CAR });
+    t.after(() => server.close());
+    const { page, hand } = await open(browser, server.address, { colorScheme });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
+    const first = await state(page);
+    const before = await pixels(page);
+    await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+    await hand.hover([400, 620]);
+    assert.match((await state(page)).hint, /^On the page/);
+    await shot('disc');
+    await hand.stroke([[360, 640], [460, 600], [560, 640], [700, 590]], { during: () => shot('drawing') });
+    const drawn = await state(page);
+    assert.notEqual(drawn.digest, first.digest);
+    await hand.stroke([[400, 640], [470, 560], [560, 600]], { during: () => shot('redrawing') });
+    assert.equal((await state(page)).check, '');
+    await page.keyboard.press('5');
+    await quiet(page);
+    await shot('drawn');
+    await page.keyboard.press('Shift+Z');
+    await quiet(page);
+    while ((await state(page)).digest !== first.digest) {
+      await page.keyboard.press('Control+z');
+      await settle(page);
+    }
+    await page.keyboard.press('5');
+    await quiet(page);
+    assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
+  });
+}
 
 test('three fingers turn the view, a tap of three does not', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: CAR });

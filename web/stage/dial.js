@@ -6,6 +6,7 @@ import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
 
 const REACH = 16; // px from the middle to the end of an axis that is seen in its full length
+const FAST = 2; // a drag on the dial turns so many times as far as one on the drawing
 const STILL = 4; // px that a tap may move
 const SHORT = 0.4; // of the full length: the end of a shorter axis cannot be tapped
 const NOWHERE = -1e5; // view pixels: a drag on the dial has nothing of the drawing under it
@@ -51,47 +52,57 @@ export class Dial {
     const button = document.createElement('button');
     button.type = 'button';
     button.dataset.command = command;
-    button.addEventListener('click', () => {
-      if (!this.dragged) {
-        this.engine.command(command);
-        this.wake();
+    button.addEventListener('click', (event) => {
+      if (event.detail === 0) { // by key; a tap is seen by its pointer
+        this.#run(button);
       }
-      this.dragged = false;
     });
     return button;
+  }
+
+  /** @param {HTMLElement} button */
+  #run(button) {
+    this.engine.command(button.dataset.command ?? '');
+    this.wake();
   }
 
   #listen() {
     /** @type {PointerEvent | null} */
     let start = null;
+    /** @type {HTMLElement | null} */
+    let pressed = null;
     const tell = (/** @type {number} */ phase, /** @type {PointerEvent} */ event) => {
-      const [x, y] = start ? [event.clientX - start.clientX, event.clientY - start.clientY] : [0, 0];
+      const [x, y] = start ? [event.clientX - start.clientX, event.clientY - start.clientY].map((way) => FAST * way) : [0, 0];
       this.engine.pointer([{
         phase, device: Device.MOUSE, contact: CONTACT, buttons: SECONDARY, modifiers: 0, x: NOWHERE + x, y: NOWHERE + y,
         pressure: 0, tiltX: 0, tiltY: 0, twist: 0, width: 0, height: 0, time: event.timeStamp, predicted: false,
       }]);
       this.wake();
     };
+    let dragged = false;
     this.box.addEventListener('pointerdown', (event) => {
       start = event;
-      this.dragged = false;
+      dragged = false;
+      pressed = event.target instanceof HTMLElement ? event.target.closest('button') : null;
+      this.box.setPointerCapture(event.pointerId); // a quick drag leaves the dial at once
     });
     this.box.addEventListener('pointermove', (event) => {
       if (!start || event.pointerId !== start.pointerId) {
         return;
       }
-      if (!this.dragged && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) > STILL) {
-        this.dragged = true;
-        this.box.setPointerCapture(event.pointerId);
+      if (!dragged && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) > STILL) {
+        dragged = true;
         tell(Phase.DOWN, start);
       }
-      if (this.dragged) {
+      if (dragged) {
         tell(Phase.MOVE, event);
       }
     });
     const end = (/** @type {PointerEvent} */ event) => {
-      if (start && this.dragged) {
+      if (start && dragged) {
         tell(event.type === 'pointerup' ? Phase.UP : Phase.CANCEL, event);
+      } else if (start && event.type === 'pointerup' && pressed) {
+        this.#run(pressed);
       }
       start = null;
     };

@@ -59,7 +59,7 @@ export class Loop {
   }
 
   #frame() {
-    const { engine, painter, panel, mirror, settings, words, requests } = this.shell;
+    const { painter, panel, mirror, settings, words, requests } = this.shell;
     this.due = false;
     const start = performance.now();
     const frame = this.#glide(start);
@@ -84,6 +84,7 @@ export class Loop {
   /**
    * A frame, on the way of the view's last jump unless motion is to be reduced.
    * @param {number} now
+   * @returns {Frame | null}
    */
   #glide(now) {
     const { engine } = this.shell;
