@@ -2,11 +2,14 @@
 #include "drawing.h"
 #include "io.h"
 #include "paint_cairo.h"
+#include "paint_space.h"
 #include "program.h"
+#include "views.h"
 
 #include "text/number.h"
 #include "text/text.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -108,33 +111,94 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
     return EXIT_DONE;
 }
 
+/* How a drawing in space is looked at. */
+static int look_of(const cli_arguments *arguments, int kind, bat_look *out) {
+    static const char *const names[] = {"shaded", "zebra", "curvature", "mean", "lines"};
+    const char *look = arguments_value(arguments, "--look"), *view = arguments_value(arguments, "--view");
+    *out = BAT_LOOK_SHADED;
+    if ((look || view) && kind != PICTURE_PNG)
+        return fail_usage(arguments->command, "--view and --look are for PNG");
+    if (view && strcmp(view, "-") == 0 && strcmp(arguments->operands[0], "-") == 0)
+        return fail_usage(arguments->command, "only one of IN and VIEW can be standard input");
+    for (int k = 0; look && k < BAT_LOOK_COUNT; k++)
+        if (strcmp(look, names[k]) == 0) {
+            *out = (bat_look)k;
+            return EXIT_DONE;
+        }
+    return look ? fail_usage(arguments->command,
+                             "--look: expected shaded, zebra, curvature, mean or lines, "
+                             "found '%s'",
+                             look)
+                : EXIT_DONE;
+}
+
+/* The view that is asked for, or of all; in the size that is asked for, in whole pixels. */
+static int view_of(const cli_arguments *arguments, const bat_document *document, const long size[2],
+                   bat_viewpoint *out) {
+    const char *name = arguments_value(arguments, "--view");
+    int failed = EXIT_DONE;
+    if (!name)
+        space_view_of(document, (int)size[0], (int)size[1], out);
+    else
+        failed = read_view(name, out);
+    for (int d = 0; !failed && d < 2; d++)
+        out->size[d] = size[d] > 0 ? (double)size[d] : fmax(1, round(out->size[d]));
+    return failed;
+}
+
+/* What is asked for, beside the operands. */
+typedef struct wanted {
+    int kind;
+    long size[2]; /* 0: not given */
+    uint32_t background;
+    bat_look look;
+} wanted;
+
+static int wanted_of(const cli_arguments *arguments, wanted *out) {
+    *out = (wanted){.kind = PICTURE_UNKNOWN};
+    int failed = picture_kind(arguments, &out->kind);
+    if (!failed) failed = arguments_product(arguments, "--size", PAINT_SIZE_MAX, out->size);
+    if (out->kind == PICTURE_PNG) out->background = 0xffffffff;
+    if (!failed) failed = background_of(arguments, &out->background);
+    if (!failed) failed = look_of(arguments, out->kind, &out->look);
+    return failed;
+}
+
+static int space_picture(const cli_arguments *arguments, const bat_document *document, const wanted *w,
+                         unsigned char **data, size_t *size) {
+    bat_viewpoint view;
+    const int failed = view_of(arguments, document, w->size, &view);
+    if (failed) return failed;
+    const char *wrong = paint_space(document, &view, w->look, w->background, data, size);
+    return wrong ? fail_data(arguments->operands[0], NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
+}
+
+static int flat_picture(const cli_arguments *arguments, const bat_document *document, const wanted *w,
+                        unsigned char **data, size_t *size) {
+    const char *in = arguments->operands[0];
+    paint_area area;
+    paint_area_of(document, (int)w->size[0], (int)w->size[1], &area);
+    if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w->background, in, data, size);
+    const char *wrong = paint_document(document, &area, w->kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG,
+                                       w->background, data, size);
+    return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
+}
+
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0];
-    int kind;
-    long size_asked[2] = {0, 0};
-    int failed = picture_kind(arguments, &kind);
-    if (!failed) failed = arguments_product(arguments, "--size", PAINT_SIZE_MAX, size_asked);
-    uint32_t background = kind == PICTURE_PNG ? 0xffffffff : 0;
-    if (!failed) failed = background_of(arguments, &background);
+    wanted w;
+    int failed = wanted_of(arguments, &w);
     if (failed) return failed;
     drawing_file drawing;
     failed = drawing_read(in, NULL, &drawing);
     if (failed) return failed;
     failed = drawing_may_replace(arguments, &drawing, in, arguments->operands[1], true);
-    if (failed) {
-        drawing_free(&drawing);
-        return failed;
-    }
-    paint_area area;
-    paint_area_of(drawing.document, (int)size_asked[0], (int)size_asked[1], &area);
     unsigned char *data = NULL;
     size_t size = 0;
-    if (kind == PICTURE_SVG) {
-        failed = svg_picture(drawing.document, &area, background, in, &data, &size);
-    } else {
-        const char *wrong = paint_document(
-            drawing.document, &area, kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG, background, &data, &size);
-        if (wrong) failed = fail_data(in, NULL, "cannot be painted: %s", wrong);
+    if (!failed) {
+        const bool space = w.kind == PICTURE_PNG &&
+                           (arguments_value(arguments, "--view") || space_is_needed(drawing.document));
+        failed = (space ? space_picture : flat_picture)(arguments, drawing.document, &w, &data, &size);
     }
     if (!failed) failed = io_write(arguments->operands[1], data, size);
     if (!failed) drawing_remark(in, &drawing);
@@ -145,18 +209,27 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_render = {
     .name = "render",
-    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf] [--lossy]",
+    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf] [--view VIEW] "
+             "[--look LOOK] [--lossy]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
     .details =
         "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
         "pixels on the longer side. With --size the proportions are kept and the view is centred. Pictures "
         "to\n"
-        "trace are in an SVG, not in a PNG or PDF.",
+        "trace are in an SVG, not in a PNG or PDF.\n"
+        "\n"
+        "As PNG, a drawing with anything outside its page is seen in space: from --view, or in a\n"
+        "three-quarter view of all of it. Surfaces are shaded; curves are drawn over them, what is hidden\n"
+        "fainter, thinner and dashed. Other formats show x and y.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
-    .options = {{"--size", "WxH", "in pixels; in points for PDF"},
-                {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
-                {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
-                OPTION_LOSSY},
+    .options =
+        {{"--size", "WxH", "in pixels; in points for PDF"},
+         {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
+         {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size; for PNG"},
+         {"--look", "LOOK",
+          "shaded, zebra, curvature (Gauss), mean (curvature) or lines; for PNG of a drawing in space"},
+         {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
+         OPTION_LOSSY},
     .run = run,
 };

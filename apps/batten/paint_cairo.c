@@ -1,4 +1,5 @@
 #include "paint_cairo.h"
+#include "paint_bytes.h"
 
 #include "document/nesting.h"
 
@@ -136,25 +137,6 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
     return BAT_OK;
 }
 
-typedef struct byte_list {
-    unsigned char *data;
-    size_t size, room;
-} byte_list;
-
-static cairo_status_t collect(void *user, const unsigned char *data, unsigned int size) {
-    byte_list *bytes = user;
-    if (bytes->room - bytes->size < size) {
-        size_t room = 2 * bytes->room + size + 65536;
-        unsigned char *larger = realloc(bytes->data, room);
-        if (!larger) return CAIRO_STATUS_NO_MEMORY;
-        bytes->data = larger;
-        bytes->room = room;
-    }
-    memcpy(bytes->data + bytes->size, data, size);
-    bytes->size += size;
-    return CAIRO_STATUS_SUCCESS;
-}
-
 static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
                         uint32_t background) {
     if (background & 255) {
@@ -181,14 +163,15 @@ const char *paint_document(const bat_document *document, const paint_area *area,
                            uint32_t background, unsigned char **data, size_t *size) {
     byte_list bytes = {0};
     cairo_surface_t *surface =
-        kind == PAINT_PDF ? cairo_pdf_surface_create_for_stream(collect, &bytes, area->width, area->height)
-                          : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);
+        kind == PAINT_PDF
+            ? cairo_pdf_surface_create_for_stream(collect_bytes, &bytes, area->width, area->height)
+            : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
     bat_status status = paint(cairo, document, area, background);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PAINT_PNG) {
-        painted = cairo_surface_write_to_png_stream(surface, collect, &bytes);
+        painted = cairo_surface_write_to_png_stream(surface, collect_bytes, &bytes);
     }
     cairo_surface_finish(surface); /* this writes a PDF */
     if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);

@@ -1,0 +1,98 @@
+"""render of drawings in space: what is seen, what is hidden, the looks, the view of all, what is refused."""
+import unittest
+
+from test_render import pixels
+
+from program import CURVE, ProgramTest
+
+KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
+VIEW = {"eye": [50, 50, -500], "target": [50, 50, 0], "up": [0, -1, 0], "size": [200, 160], "height": 160}
+
+
+def sheet(z=0, number=1):
+    """A square of 100 at a depth."""
+    points = [[[100 * i / 3, 100 * j / 3, z] for j in range(4)] for i in range(4)]
+    return {"id": number, "kind": "surface", "surface": {"degree": [3, 3], "closed": [False, False],
+                                                        "knots": [KNOTS, KNOTS], "points": points}}
+
+
+def line(points, number=2, width=4):
+    return {"id": number, "kind": "path", "style": {"stroked": True, "stroke": "#ff0000ff", "width": width},
+            "curves": [{"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": points}]}
+
+
+def document(*objects, page=None):
+    known = {"batten": 2, "next": len(objects) + 1, "objects": list(objects)}
+    return {**known, "page": page} if page else known
+
+
+class RenderSpace(ProgramTest):
+    def png(self, drawing, *words):
+        self.done("render", self.file("in.batten", drawing), "out.png", *words)
+        return pixels((self.folder / "out.png").read_bytes())
+
+    def view(self, **changes):
+        return self.file("view.json", {**VIEW, **changes})
+
+    def test_a_square_is_where_the_view_says(self):
+        image = self.png(document(sheet()), "--view", self.view(), "--background", "none")
+        self.assertEqual(image.shape, (160, 200, 4))
+        self.assertTrue((image[32:128, 52:148, 3] == 255).all())
+        self.assertTrue((image[:28, :, 3] == 0).all() and (image[:, :48, 3] == 0).all())
+        middle = image[80, 100]
+        self.assertTrue(middle[:3].min() > 190 and middle[:3].max() - middle[:3].min() < 25)  # clay
+
+    def test_size_replaces_that_of_the_view(self):
+        image = self.png(document(sheet()), "--view", self.view(size=[10.4, 20]), "--size", "100x80")
+        self.assertEqual(image.shape[:2], (80, 100))
+        image = self.png(document(sheet()), "--view", self.view(size=[10.4, 20]))
+        self.assertEqual(image.shape[:2], (20, 10))
+
+    def test_a_line_before_is_drawn_over_and_one_behind_is_faint(self):
+        def red(image):
+            inside = image[60:100, 60:140].astype(int)
+            return int((inside[:, :, 0] - inside[:, :, 1] > 120).sum()), int((inside[:, :, 0] - inside[:, :, 1] > 20).sum())
+        before = red(self.png(document(sheet(), line([[0, 50, -20], [100, 50, -20]])), "--view", self.view()))
+        behind = red(self.png(document(sheet(), line([[0, 50, 20], [100, 50, 20]])), "--view", self.view()))
+        on = red(self.png(document(sheet(), line([[0, 50, 0], [100, 50, 0]])), "--view", self.view()))
+        self.assertTrue(before[0] > 3.5 * 80, before)
+        self.assertTrue(on[0] > 3.5 * 80, on)
+        self.assertTrue(behind[0] == 0 and 40 < behind[1] < 0.75 * before[1], behind)
+
+    def test_looks_differ_and_each_is_the_same_again(self):
+        pictures = {}
+        for look in ("shaded", "zebra", "curvature", "mean", "lines"):
+            bent = document(sheet())
+            bent["objects"][0]["surface"]["points"][1][1][2] = -60
+            first = self.png(bent, "--look", look, "--size", "150x150")
+            self.assertTrue((first == self.png(bent, "--look", look, "--size", "150x150")).all())
+            pictures[look] = first.tobytes()
+        self.assertEqual(len(set(pictures.values())), 5)
+
+    def test_the_view_of_all_holds_all(self):
+        for size in ("300x100", "100x300", "200x200"):
+            image = self.png(document(sheet(), line([[300, 0, -200], [0, 300, 40]])), "--size", size)
+            seen = (image[:, :, :3] < 250).any(axis=2)
+            self.assertTrue(seen.any() and not (seen[0].any() or seen[-1].any() or seen[:, 0].any() or seen[:, -1].any()))
+
+    def test_a_drawing_in_its_page_is_drawn_as_ever(self):
+        flat = document(line([[10, 10], [90, 50]]), page=[0, 0, 100, 60])
+        flat["objects"][0]["id"] = 1
+        flat["batten"] = 1
+        image = self.png(flat)
+        self.assertEqual(image.shape[:2], (60, 100))
+        self.assertTrue((image == self.png(flat, "--look", "zebra")).all())
+
+    def test_what_is_refused(self):
+        drawing, view = self.file("in.batten", document(sheet())), self.view()
+        self.refused(2, "render", drawing, "out.png", "--look", "shiny")
+        self.refused(2, "render", drawing, "out.svg", "--view", view)
+        self.refused(2, "render", drawing, "out.pdf", "--look", "lines")
+        self.refused(2, "render", "-", "out.png", "--view", "-")
+        self.refused(1, "render", drawing, "out.png", "--view", self.file("bad.json", {**VIEW, "up": [0, 0, 1]}))
+        self.refused(1, "render", drawing, "out.png", "--view", self.file("none.json", CURVE))
+        self.refused(1, "render", drawing, "out.png", "--size", "30000x30000")
+
+
+if __name__ == "__main__":
+    unittest.main()
