@@ -32,6 +32,7 @@ static const cli_command *const commands[] = {
     &command_surface_sketch,
     &command_surface_intersect,
     &command_cast,
+    &command_sweep,
     &command_revolve,
     &command_coons,
     &command_loft,

@@ -11,6 +11,7 @@
 #include <batten/nearest.h>
 #include <batten/fit.h>
 #include <batten/frames.h>
+#include <batten/function.h>
 #include <batten/sketch.h>
 #include <batten/tangents.h>
 #include <batten/levels.h>

@@ -6,6 +6,7 @@
 #include <batten/levels.h>
 #include <batten/sketch.h>
 #include <batten/surface.h>
+#include <batten/sweep.h>
 #include <batten/tangents.h>
 #include <batten/view.h>
 
@@ -28,6 +29,13 @@ BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoi
                                       bat_problem *problem);
 BAT_API bat_status bat_viewpoint_write(const bat_viewpoint *view, char **text, size_t *size);
 BAT_API bat_status bat_canvas_read(const char *text, size_t size, bat_canvas *out, bat_problem *problem);
+/* One SWEEP, released by bat_sweep_source_clear. */
+typedef struct bat_sweep_source {
+    bat_curve *path, *profile;
+    bat_sweep_options options;
+} bat_sweep_source;
+BAT_API bat_status bat_sweep_read(const char *text, size_t size, bat_sweep_source *out, bat_problem *problem);
+BAT_API void bat_sweep_source_clear(bat_sweep_source *source);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

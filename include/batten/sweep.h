@@ -1,15 +1,77 @@
 /*
- * Batten: surfaces made from curves. A curve turned about an axis, four curves that bound a patch, curves side by
- * side. Curves have 2 (z = 0) or 3 coordinates. Source: docs/math/surfaces.md; Piegl and Tiller, chapter 10.
+ * Batten: surfaces made from curves. A profile swept along a path, a curve turned about an axis, four curves that bound
+ * a patch, curves side by side. Curves have 2 (z = 0) or 3 coordinates. Source: docs/math/surfaces.md; Piegl and Tiller, chapter 10.
  */
 #ifndef BATTEN_SWEEP_H
 #define BATTEN_SWEEP_H
 
+#include <batten/frames.h>
+#include <batten/function.h>
 #include <batten/surface.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* How a profile goes along a path. options may be NULL: the defaults. */
+typedef struct bat_sweep_options {
+    size_t size; /* of this struct, as base.h says */
+    bat_frame_rule frame;
+    bool has_first; /* first: the frame's s at the start, projected on the normal plane there */
+    double first[3];
+    bat_function twist; /* radians, about the tangent */
+    bat_function scale;
+} bat_sweep_options;
+
+/* The defaults: rotation-minimising frames, no twist, scale 1. */
+BAT_API void bat_sweep_options_init(bat_sweep_options *options, size_t size);
+static inline bat_sweep_options bat_sweep_defaults(void) {
+    bat_sweep_options options;
+    bat_sweep_options_init(&options, sizeof options);
+    return options;
+}
+
+/*
+ * A sweep, ready for evaluation: S(u, v) = C(u) + g(u) (x(v) s(u) + y(v) r(u)), with C the path, (x, y) the profile
+ * (of 2 coordinates), g the scale and s, r the frame turned by the twist. Rotation-minimising frames are converged to
+ * 1e-8 radians; round a closed path what is left of a turn is spread along it. Copies what it needs. BAT_DIMENSION: the
+ * profile does not have 2 coordinates; BAT_UNSUPPORTED: the path has a corner; BAT_SINGULAR: the path has no length;
+ * BAT_NUMBER: first, twist or scale are not finite; BAT_PARAMETER: as bat_function_check. Source: multilevel-2016,
+ * section 5; docs/math/surfaces.md.
+ */
+typedef struct bat_sweep bat_sweep;
+BAT_API bat_status bat_sweep_create(const bat_curve *path, const bat_curve *profile,
+                                    const bat_sweep_options *options, bat_sweep **out);
+BAT_API void bat_sweep_free(bat_sweep *sweep); /* NULL is fine */
+/* The domains of u and v: those of the path and the profile. */
+BAT_API void bat_sweep_domain(const bat_sweep *sweep, bat_direction direction, double domain[2]);
+/* The angle in radians by which the path's frames fail to close, which is spread over it; 0 on open paths. */
+BAT_API double bat_sweep_holonomy(const bat_sweep *sweep);
+
+typedef struct bat_sweep_point {
+    double point[3];
+    double normal[3]; /* S_u x S_v of length 1; zeros where that vanishes */
+    double factor;    /* S_u . t / |C'|: below 0 the surface is folded over */
+} bat_sweep_point;
+/* Parameters are treated as in bat_curve_eval. No allocation. */
+BAT_API void bat_sweep_at(const bat_sweep *sweep, double u, double v, bat_sweep_point *out);
+/* The intervals of u in which the factor is below 0 somewhere, ascending. At most `room` are written, 2 numbers each;
+ * *count says how many there are; out may be NULL when room is 0. O(spans). */
+BAT_API bat_status bat_sweep_folds(const bat_sweep *sweep, size_t room, double *out, size_t *count);
+
+typedef struct bat_sweep_report {
+    double max_error; /* greatest distance from the sweep, measured at many places */
+    bool seam;        /* the path is closed, and the surface is open along u */
+} bat_sweep_report;
+/*
+ * The sweep as a surface, within the tolerance of it at every (u, v). Along v it has the profile's knots; along u degree 3
+ * at least, the path's knots and as many more as are needed. A closed path gives a surface closed in u, unless the twist
+ * does not end a whole number of turns from where it began, or the scale as it began: then a seam is left. BAT_ARGUMENT:
+ * the tolerance is not above 0; BAT_TOLERANCE: it cannot be met with BAT_POINTS_MAX points, and nothing is handed
+ * over; BAT_NUMBER: points lie too far out. report may be NULL.
+ */
+BAT_API bat_status bat_sweep_surface(const bat_sweep *sweep, double tolerance, bat_surface **out,
+                                     bat_sweep_report *report);
 
 /*
  * Revolution: u in [0, 1] is the fraction of the angle (radians, by the right hand about the direction; at u = 0 the

@@ -28,6 +28,100 @@ class Made(ProgramTest):
         return numpy.array(self.json("surface", "eval", self.file("made.json", surface), "--at", places)["points"])
 
 
+def spline(f, x, derivative=0):
+    if isinstance(f, (int, float)):
+        return numpy.full_like(x, f if derivative == 0 else 0)
+    return BSpline(numpy.array(f["knots"]), numpy.array(f["values"]), f["degree"])(x, nu=derivative)
+
+
+class Sweep(Made):
+    """Against a chain of frames computed here, by very many small rotations."""
+
+    SWEEP = {"path": {"degree": 3, "closed": False, "knots": [1, 1, 1, 1, 2, 4, 4, 4, 4],
+                      "points": [[0, 0, 0], [8, 1, 0], [9, 7, 5], [2, 9, 4], [0, 3, 9]]},
+             "profile": {"degree": 2, "closed": True, "knots": [0, 1, 2, 3, 4], "points": [[.5, 0], [0, .4], [-.6, 0], [0, -.3]]},
+             "first": {"s": [0, 1, 5]}, "twist": {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "values": [0, 2, 1]},
+             "scale": {"degree": 1, "knots": [0, 0, 1, 1], "values": [1, 0.5]}}
+
+    def frames(self, steps=20000):
+        """u, C, t, s along the path: s is carried along by the least rotation of t, in many steps."""
+        path = self.SWEEP["path"]
+        c = BSpline(numpy.array(path["knots"]), numpy.array(path["points"], float), 3)
+        u = numpy.linspace(1, 4, steps + 1)
+        t = c(u, nu=1)
+        t /= numpy.linalg.norm(t, axis=1)[:, None]
+        s = numpy.empty_like(t)
+        x = numpy.array(self.SWEEP["first"]["s"], float)
+        for i in range(steps + 1):
+            if i > 0:  # by the rotation that takes t[i - 1] to t[i]
+                axis = numpy.cross(t[i - 1], t[i])
+                x = x + numpy.cross(axis, x) + numpy.cross(axis, numpy.cross(axis, x)) / (1 + t[i - 1] @ t[i])
+            x = x - t[i] * (x @ t[i])
+            x /= numpy.linalg.norm(x)
+            s[i] = x
+        return u, c(u), t, s, c
+
+    def test_places(self):
+        u, c, t, s, path = self.frames()
+        pick = numpy.arange(0, 20001, 1000)
+        profile = self.SWEEP["profile"]
+        knots = numpy.arange(-4, 10)
+        closed = BSpline(knots.astype(float), numpy.array(profile["points"], float)[numpy.arange(len(knots) - 3) % 4], 2)
+        # Batten's P_i has its support at t_i; here the first knot is -4, one period earlier.
+        v = numpy.linspace(0, 3.9, len(pick))
+        at = ";".join(f"{a!r},{b!r}" for a, b in zip(u[pick].tolist(), v.tolist()))
+        result = self.json("sweep", self.file("s.json", self.SWEEP), "--at", at)
+        share = (u[pick] - 1) / 3
+        angle, scale = spline(self.SWEEP["twist"], share)[:, None], spline(self.SWEEP["scale"], share)[:, None]
+        a, b = s[pick], numpy.cross(t[pick], s[pick])
+        a, b = numpy.cos(angle) * a + numpy.sin(angle) * b, numpy.cos(angle) * b - numpy.sin(angle) * a
+        x, y = closed(v).T[:, :, None]
+        want = c[pick] + scale * (x * a + y * b)
+        self.assertLess(numpy.abs(want - result["points"]).max(), 1e-7)
+        c1, c2 = path(u[pick], nu=1), path(u[pick], nu=2)
+        speed = numpy.linalg.norm(c1, axis=1)[:, None]
+        bend = (c2 - t[pick] * (c2 * t[pick]).sum(1)[:, None]) / speed ** 2
+        factor = 1 - scale[:, 0] * ((bend * a).sum(1) * x[:, 0] + (bend * b).sum(1) * y[:, 0])
+        self.assertLess(numpy.abs(factor - result["factor"]).max(), 1e-6)
+
+    def test_surface(self):
+        name = self.file("s.json", self.SWEEP)
+        for tolerance in (1e-2, 1e-5):
+            made = self.json("sweep", name, "--tolerance", tolerance)
+            self.assertEqual(made["closed"], [False, True])
+            self.assertLessEqual(made["report"]["max_error"], tolerance)
+            self.assertEqual((made["report"]["seam"], made["report"]["holonomy"]), (False, 0))
+            u, v = RANDOM.uniform(1, 4, 200), RANDOM.uniform(0, 4, 200)
+            at = ";".join(f"{a!r},{b!r}" for a, b in zip(u.tolist(), v.tolist()))
+            want = numpy.array(self.json("sweep", name, "--at", at)["points"])
+            self.assertLessEqual(numpy.linalg.norm(self.points(made, u.tolist(), v.tolist()) - want, axis=1).max(), tolerance)
+
+    def test_samples_and_folds(self):
+        tight = {"path": dict(self.SWEEP["path"], points=[[0, 0], [5, 0], [5, 5], [0, 5], [0, 9]]),
+                 "profile": {"degree": 1, "knots": [0, 0, 1, 1], "points": [[-9, 0], [9, 0]]}}
+        name = self.file("t.json", tight)
+        made = self.json("sweep", name)
+        result = self.json("sweep", name, "--samples", "200x3")
+        factor = numpy.reshape(result["factor"], (200, 3)).min(1)
+        u = numpy.array(result["uv"])[::3, 0]
+        inside = numpy.array([any(a <= x <= b for a, b in made["report"]["folds"]) for x in u])
+        clear = numpy.abs(factor) > 1e-3
+        self.assertTrue((inside == (factor < 0))[clear].all() and inside.any() and not inside.all())
+        self.assertEqual(result["uv"][:4], [[1, 0], [1, 0.5], [1, 1], [result["uv"][3][0], 0]])
+
+    def test_bad_data_and_usage(self):
+        for change, word in (({"path": None}, "path"), ({"twist": {"degree": 1, "knots": [0, 0, 2, 2], "values": [0, 1]}}, "twist"),
+                             ({"frame": "best"}, "frame"), ({"scale": "big"}, "scale"), ({"first": {}}, "s"),
+                             ({"profile": self.SWEEP["path"]}, "profile"), ({"scale": {"degree": 1, "knots": [0, 0, 1, 1]}}, "values"),
+                             ({"path": {"degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [1, 0], [1, 1]]}}, "corner")):
+            sweep = {k: v for k, v in {**self.SWEEP, **change}.items() if v is not None}
+            self.assertIn(word, self.refused(1, "sweep", self.file("s.json", sweep)))
+        name = self.file("s.json", self.SWEEP)
+        for words in ([], [name, "--at", "1"], [name, "--samples", "3"], [name, "--at", "1,1", "--tolerance", "1"],
+                      [name, "--tolerance", "0"]):
+            self.refused(2, "sweep", *words)
+
+
 class Revolve(Made):
     def test_against_rotation(self):
         for angle, dimension in ((360, 3), (-90, 2), (200.5, 3), (-360, 2)):

@@ -29,7 +29,7 @@ SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/mod
 # The room of each public header. A new header needs an entry here.
 ROOM_OF_HEADER = {
     "base": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
-    "nearest": "curve", "fit": "curve", "frames": "curve",
+    "nearest": "curve", "fit": "curve", "frames": "curve", "function": "curve",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "surface": "form/surface", "view": "form/view", "sweep": "form/sweep", "trace": "form/trace",
     "document": "document",

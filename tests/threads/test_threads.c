@@ -380,6 +380,40 @@ static uint64_t add_traces(uint64_t digest, const bat_surface *surface, int seed
     return add_tracks(digest, status, tracks);
 }
 
+typedef struct swept {
+    bat_sweep *sweep;
+    bat_function function;
+} swept;
+static uint64_t look_at_sweep(const void *shared, int seed) {
+    const swept *w = shared;
+    double domain[2], folds[4][2] = {{0}}, value[3];
+    size_t count = 0;
+    bat_sweep_point at;
+    bat_surface *made = NULL;
+    bat_sweep_domain(w->sweep, BAT_U, domain);
+    bat_sweep_at(w->sweep, domain[0] + 0.1 * seed, 0.5, &at);
+    bat_function_eval(&w->function, 0.2 * seed, value);
+    uint64_t d = add_doubles(add_doubles(bat_digest_begin(), at.point, 3), value, 3);
+    d = add(bat_digest_double(d, bat_sweep_holonomy(w->sweep)), (uint64_t)bat_function_check(&w->function));
+    d = add(add(d, (uint64_t)bat_sweep_folds(w->sweep, 4, folds[0], &count)), count);
+    return add_surface(d, bat_sweep_surface(w->sweep, 0.1, &made, NULL), &made);
+}
+static void const_calls_on_a_sweep(void **state) {
+    (void)state;
+    const double points[12] = {0, 0, 0, 5, 1, 0, 6, 7, 2, 0, 8, 5}, across[4] = {-1, 0, 1, 1},
+                 knots[4] = {0, 0, 1, 1};
+    bat_curve *path = NULL, *profile = NULL;
+    swept w = {NULL, {0, NULL}};
+    assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &path), BAT_OK);
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, across, &profile), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 2, across, 4, knots, &w.function.curve), BAT_OK);
+    bat_sweep_options options = bat_sweep_defaults();
+    options.twist = w.function;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &w.sweep), BAT_OK);
+    assert_alike(look_at_sweep, &w, 4);
+    bat_sweep_free(w.sweep), bat_function_clear(&w.function);
+    bat_curve_free(path), bat_curve_free(profile);
+}
 static uint64_t look_at_surface(const void *shared, int seed) {
     const bat_surface *s = shared;
     double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
@@ -800,10 +834,11 @@ static void editors_and_readers_apart(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(const_calls_on_a_curve),        cmocka_unit_test(const_calls_on_a_surface),
-        cmocka_unit_test(const_calls_on_a_shape),        cmocka_unit_test(const_calls_on_a_document),
-        cmocka_unit_test(copies_edited_on_many_threads), cmocka_unit_test(the_original_goes_first),
-        cmocka_unit_test(const_calls_on_an_editor),      cmocka_unit_test(editors_and_readers_apart),
+        cmocka_unit_test(const_calls_on_a_curve),    cmocka_unit_test(const_calls_on_a_surface),
+        cmocka_unit_test(const_calls_on_a_sweep),    cmocka_unit_test(const_calls_on_a_shape),
+        cmocka_unit_test(const_calls_on_a_document), cmocka_unit_test(copies_edited_on_many_threads),
+        cmocka_unit_test(the_original_goes_first),   cmocka_unit_test(const_calls_on_an_editor),
+        cmocka_unit_test(editors_and_readers_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,6 +112,26 @@ static bat_status from_lines(bool lofted, bat_direction d, made *out) {
 static bat_status loft_closed(made *out) { return from_lines(true, BAT_V, out); }
 static bat_status loft_open(made *out) { return from_lines(true, BAT_U, out); }
 static bat_status coons(made *out) { return from_lines(false, BAT_U, out); }
+/* Round a closed path, with functions of their own: everything that a sweep allocates. */
+static bat_status sweep(made *out) {
+    static const char source[] = "{\"path\":{\"degree\":3,\"closed\":true,\"knots\":[0,1,2,3,4],\"points\":[["
+                                 "9,0,0],[0,8,1],[-7,0,0],[0,-8,2]]},"
+                                 "\"profile\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[-1,0],[1,0]]},"
+                                 "\"twist\":{\"degree\":2,\"knots\":[0,0,0,1,1,1],\"values\":[0,2,0]},"
+                                 "\"scale\":{\"degree\":1,\"knots\":[0,0,1,1],"
+                                 "\"values\":[1,0.5]}}";
+    bat_sweep_source read;
+    bat_status status = bat_sweep_read(source, sizeof source - 1, &read, NULL);
+    if (status != BAT_OK) return status;
+    bat_sweep *made_of = NULL;
+    size_t folds = 0;
+    status = bat_sweep_create(read.path, read.profile, &read.options, &made_of);
+    if (status == BAT_OK) status = bat_sweep_folds(made_of, 0, NULL, &folds);
+    if (status == BAT_OK) status = bat_sweep_surface(made_of, 0.01, &out->surface, NULL);
+    bat_sweep_free(made_of);
+    bat_sweep_source_clear(&read);
+    return status;
+}
 static bat_status write_text(made *out) {
     size_t size;
     return bat_surface_write(sheet, &out->text, &size);
@@ -120,10 +140,10 @@ static bat_status read_text(made *out) { return bat_surface_read(text, text_size
 
 static void each_allocation(void **state) {
     (void)state;
-    static operation *const operations[] = {redraw,    nearest,    hits,        copy,      transform,
-                                            line_at_u, line_at_v,  insert_u,    insert_v,  refine,
-                                            grid,      write_text, read_text,   revolve,   loft_closed,
-                                            loft_open, coons,      normal_grid, tessellate};
+    static operation *const operations[] = {redraw,    nearest,    hits,        copy,       transform,
+                                            line_at_u, line_at_v,  insert_u,    insert_v,   refine,
+                                            grid,      write_text, read_text,   revolve,    loft_closed,
+                                            loft_open, coons,      normal_grid, tessellate, sweep};
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     assert_int_equal(bat_surface_write(sheet, &text, &text_size), BAT_OK);

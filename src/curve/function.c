@@ -1,0 +1,28 @@
+/* Functions of one parameter: the first coordinate of a curve, or a number. */
+#include "curve/curve.h"
+
+#include <batten/function.h>
+#include <math.h>
+
+bat_status bat_function_check(const bat_function *function) {
+    double domain[2];
+    if (!function) return BAT_ARGUMENT;
+    if (!function->curve) return fabs(function->constant) <= BAT_COORDINATE_MAX ? BAT_OK : BAT_NUMBER;
+    bat_curve_domain(function->curve, domain);
+    return domain[0] == 0 && domain[1] == 1 ? BAT_OK : BAT_PARAMETER;
+}
+
+void bat_function_eval(const bat_function *function, double x, double out[3]) {
+    double jet[3 * BAT_DIMENSION_MAX];
+    out[0] = function->constant;
+    out[1] = out[2] = 0;
+    if (!function->curve) return;
+    bat_curve_eval(function->curve, x, 2, jet);
+    for (int k = 0; k < 3; k++) out[k] = jet[k * function->curve->dimension];
+}
+
+void bat_function_clear(bat_function *function) {
+    if (!function) return;
+    bat_curve_free(function->curve);
+    *function = bat_function_of(0);
+}
