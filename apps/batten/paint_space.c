@@ -286,7 +286,8 @@ static void put_text(cairo_t *cairo, double x, double y, const char *text) {
 /* A bar of the colours, with the curvatures at its ends. */
 static void put_legend(cairo_t *cairo, const picture *p, double range) {
     enum { STEPS = 64 };
-    const double unit = p->sheet.unit, wide = 12 * unit, tall = 130 * unit;
+    const double unit = p->sheet.unit, wide = 12 * unit;
+    const double tall = fmin(130 * unit, 0.28 * p->view->size[1]);
     const double x = 16 * unit, y = p->view->size[1] - tall - 20 * unit;
     char text[32];
     for (int k = 0; k < STEPS; k++) {

@@ -3,7 +3,7 @@ import unittest
 
 from test_render import pixels
 
-from program import CURVE, ProgramTest
+from program import CURVE, ROOT, ProgramTest
 
 KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
 VIEW = {"eye": [50, 50, -500], "target": [50, 50, 0], "up": [0, -1, 0], "size": [200, 160], "height": 160}
@@ -82,6 +82,13 @@ class RenderSpace(ProgramTest):
         image = self.png(flat)
         self.assertEqual(image.shape[:2], (60, 100))
         self.assertTrue((image == self.png(flat, "--look", "zebra")).all())
+
+    def test_the_example(self):
+        """The jug closes around its axis: nothing of the paper shows through, inside or outside."""
+        self.done("render", ROOT / "examples" / "jug.batten", "out.png", "--size", "240x200", "--background", "none")
+        image = pixels((self.folder / "out.png").read_bytes())
+        body = image[70:150, 90:150]
+        self.assertTrue((body[:, :, 3] == 255).all())
 
     def test_what_is_refused(self):
         drawing, view = self.file("in.batten", document(sheet())), self.view()
