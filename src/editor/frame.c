@@ -1,5 +1,6 @@
 /* The frame: what the host paints and says. */
 #include "editor/show/axis.h"
+#include "editor/show/disc.h"
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/editor.h"
@@ -94,6 +95,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
+    if (bat_toolbox_has(c, BAT_DRAWS)) bat_plane_show(c->stage, overlay);
     show_selection(c, overlay);
     if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);

@@ -1,7 +1,9 @@
 /* The commands that choose what the pen draws on. */
 #include "document/document.h"
+#include "editor/pick/pivot.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/session/transaction.h"
 #include "editor/tables/commands.h"
 #include "editor/tables/words.h"
 #include "editor/view/stage.h"
@@ -20,6 +22,33 @@ static const bat_object *next_ground(const bat_context *c, bat_ground *out) {
     return NULL;
 }
 
+static void draw_on(bat_context *c, const bat_object *plane) {
+    const char *name = bat_object_name(plane);
+    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, *name ? name : bat_word(c, BAT_STRING_A_PLANE));
+}
+
+/* A new plane through the view's pivot, at right angles to the gaze. */
+bat_status bat_command_plane_facing(bat_context *c, bat_command_id id) {
+    double axes[9];
+    bat_object *plane = NULL;
+    (void)id;
+    bat_pivot_set(c, NULL);
+    bat_view_axes(&c->stage->view, axes, axes + 3, axes + 6);
+    bat_status status = bat_object_create_plane(bat_document_next(c->session->document), "",
+                                                c->stage->view.pivot, axes, &plane);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status == BAT_OK) {
+        status = bat_transaction_insert(c, bat_document_count(c->session->document), plane);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_PLANE);
+    }
+    if (status == BAT_OK && bat_ground_of(plane, &c->stage->ground))
+        draw_on(c, plane);
+    else
+        bat_notice_failure(c, status);
+    bat_object_release(plane);
+    return status;
+}
+
 bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
     if (id == BAT_COMMAND_DRAW_ON_PAGE) {
         if (!c->stage->ground.object) return BAT_STATE;
@@ -32,7 +61,6 @@ bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
         bat_notice(c, BAT_STRING_NOTICE_NO_PLANE);
         return BAT_STATE;
     }
-    const char *name = bat_object_name(ground);
-    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, *name ? name : bat_word(c, BAT_STRING_A_PLANE));
+    draw_on(c, ground);
     return BAT_OK;
 }

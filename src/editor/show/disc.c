@@ -5,6 +5,7 @@
 enum { SIDES = 32 };
 static const double RADIUS = 12;        /* px, seen from straight above */
 static const double SLANTED = 0.258819; /* sine of 15 degrees */
+static const double SHARE = 0.35;       /* of the window: half the side of a plane as shown */
 static const float PALER = 0.35F;
 
 void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *overlay) {
@@ -20,6 +21,23 @@ void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *o
         const double angle = 2 * BAT_PI * i / SIDES, r = RADIUS * hit.pixel;
         for (int k = 0; k < 3; k++) rim[k] = hit.at[k] + r * (bat_cos(angle) * x[k] + bat_sin(angle) * y[k]);
         bat_map_look(overlay->path.map, 3, rim, at);
+        (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
+    }
+    bat_path_close(&overlay->path);
+}
+
+void bat_plane_show(const bat_stage *stage, bat_overlay *overlay) {
+    double x[3], y[3], at[2], size[2], corner[3];
+    if (bat_stage_dimension(stage) == 2) return;
+    bat_stage_window(stage, size);
+    const double half = SHARE * fmin(size[0], size[1]) * bat_stage_pixel(stage);
+    const double *origin = stage->ground.numbers;
+    bat_ground_axes(&stage->ground, x, y);
+    bat_overlay_item(overlay, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
+    for (int i = 0; i < 4; i++) {
+        const double a = i == 1 || i == 2 ? half : -half, b = i > 1 ? half : -half;
+        for (int k = 0; k < 3; k++) corner[k] = origin[k] + a * x[k] + b * y[k];
+        bat_map_look(overlay->path.map, 3, corner, at);
         (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
     }
     bat_path_close(&overlay->path);

@@ -432,6 +432,36 @@ static void the_view_turns_to_a_plane(void **state) {
     }
 }
 
+static void a_plane_that_faces_me_takes_the_stroke(void **state) {
+    (void)state;
+    bat_editor *editor = tilted_drawing(70, -80);
+    const uint64_t first = digest(editor);
+    assert_true(bat_editor_key(editor, "J", true, BAT_SHIFT, 0));
+    const bat_stage *stage = editor->context.stage;
+    assert_true(bat_stage_slant(stage) > 1 - 1e-12);
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
+    pen p = pen_for(editor);
+    pen_line(&p, 300, 300, 700, 380, 60);
+    const bat_document *document = bat_editor_document(editor);
+    assert_int_equal(bat_document_count(document), 4);
+    const bat_curve *made = bat_object_curve(bat_document_at(document, 3), 0);
+    assert_int_equal(bat_curve_dimension(made), 3);
+    double right[3], down[3], ahead[3];
+    bat_view_axes(&stage->view, right, down, ahead);
+    for (size_t i = 0; i < bat_curve_count(made); i++) {
+        const double *at = bat_curve_points(made) + 3 * i;
+        double off = 0;
+        for (int k = 0; k < 3; k++) off += (at[k] - stage->view.pivot[k]) * ahead[k];
+        assert_true(fabs(off) < 1e-8);
+    }
+    assert_true(bat_editor_key(editor, "j", true, 0, 0)); /* off */
+    assert_int_equal(bat_stage_dimension(stage), 2);
+    assert_true(bat_editor_key(editor, "j", true, 0, 0)); /* and on */
+    assert_int_equal(bat_stage_dimension(stage), 3);
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_editor_free(editor);
+}
+
 static void fit_finds_everything(void **state) {
     (void)state;
     bat_editor *editor = drawing();
@@ -470,6 +500,7 @@ int main(void) {
         cmocka_unit_test(edge_on_no_stroke_begins),
         cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
         cmocka_unit_test(the_view_turns_to_a_plane),
+        cmocka_unit_test(a_plane_that_faces_me_takes_the_stroke),
         cmocka_unit_test(fit_finds_everything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
