@@ -3,7 +3,6 @@
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
-#include <string.h>
 
 static bool upright_middle(const bat_context *c, bat_mirror *out) {
     double page[4], box[4], size[2], at[2] = {0, 0};
@@ -15,10 +14,7 @@ static bool upright_middle(const bat_context *c, bat_mirror *out) {
         return true;
     }
     bat_stage_window(c->stage, size);
-    const bat_stage on_page = {c->stage->view, bat_ground_page()};
-    bat_hit hit;
-    if (bat_stage_place(&on_page, (double[]){size[0] / 2, size[1] / 2}, &hit) == BAT_OK)
-        memcpy(at, hit.at, sizeof at);
+    bat_stage_on_page(c->stage, (double[]){size[0] / 2, size[1] / 2}, at);
     for (int k = 0; k < 2; k++) out->at[k] = box[0] <= box[2] ? (box[k] + box[k + 2]) / 2 : at[k];
     return false;
 }

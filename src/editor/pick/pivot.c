@@ -64,14 +64,13 @@ static bool middle(bat_context *c, bool selected, double out[3]) {
 }
 
 void bat_pivot_set(bat_context *c, const double *pixel) {
-    double at[3], centre[2];
-    bat_hit hit;
+    double at[3] = {0}, centre[2];
     bat_seen_sync(c);
     if ((pixel && under(c, pixel, at)) || middle(c, true, at) || middle(c, false, at)) {
         bat_view_set_pivot(&c->stage->view, at);
         return;
     }
     bat_stage_middle(c->stage, centre); /* nothing is there */
-    const bat_stage page = {c->stage->view, bat_ground_page()};
-    if (bat_stage_place(&page, centre, &hit) == BAT_OK) bat_view_set_pivot(&c->stage->view, hit.at);
+    at[2] = 0;
+    if (bat_stage_on_page(c->stage, centre, at)) bat_view_set_pivot(&c->stage->view, at);
 }

@@ -224,6 +224,7 @@ static unsigned switched_on(const bat_context *c) {
         [BAT_SNAP_GRID] = BAT_PROPERTY_SNAP_GRID,
     };
     unsigned kinds = 0;
+    if (bat_stage_tilted(c->stage)) return 0; /* what is seen near is not near on the page */
     if (c->settings->values[BAT_PROPERTY_SNAP] == 0 || c->modifiers & (BAT_CTRL | BAT_META)) return 0;
     for (unsigned k = BAT_SNAP_END; k <= BAT_SNAP_GRID; k++)
         if (c->settings->values[switches[k]] != 0) kinds |= 1u << k;

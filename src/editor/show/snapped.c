@@ -15,19 +15,21 @@ void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
         [BAT_SNAP_GRID] = BAT_STRING_SNAP_WORD_GRID,
     };
     const bat_snap *snap = c->snap;
-    const double *at = snap->point;
-    double size = 5 * bat_stage_pixel(c->stage);
+    double at[2], from[2], size = 5 * bat_stage_pixel(c->stage);
     char angle[BAT_UNIT_ROOM];
     if (snap->kind == BAT_SNAP_NONE) return;
+    bat_map_look(overlay->path.map, 2, snap->point, at);
+    bat_map_look(overlay->path.map, 2, snap->from, from);
     bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
     if (snap->kind == BAT_SNAP_END) {
         bat_overlay_square(overlay, at, size);
     } else if (snap->kind == BAT_SNAP_CURVE) {
         bat_overlay_circle(overlay, at, size);
     } else if (snap->kind == BAT_SNAP_ANGLE) {
-        bat_overlay_polyline(overlay, 2, (double[]){snap->from[0], snap->from[1], at[0], at[1]});
+        bat_overlay_polyline(overlay, 2, (double[]){from[0], from[1], at[0], at[1]});
         /* Counterclockwise from the right, as on a protractor; y points down. */
-        double degrees = round(bat_atan2(snap->from[1] - at[1], at[0] - snap->from[0]) * 180 / BAT_PI);
+        double degrees = round(bat_atan2(snap->from[1] - snap->point[1], snap->point[0] - snap->from[0]) *
+                               180 / BAT_PI);
         bat_unit_number(degrees, angle);
         strcat(angle, "°");
     } else { /* a cross: upright for lines, diagonal for crossings */

@@ -74,6 +74,7 @@ static bool handle_place(const bat_stage *stage, const double box[4], int handle
 static int handle_at(const bat_context *c, const double pixel[2], bat_device device) {
     double box[4], place[2], best = reach(device);
     int found = BAT_GRIP_NONE;
+    if (bat_stage_tilted(c->stage)) return found; /* the box's handles are the page's */
     if (!bat_arrange_selection_box(c, box)) return found;
     for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
         if (!handle_place(c->stage, box, i, place)) continue;
@@ -268,8 +269,8 @@ static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], 
 
 static bat_status change(bat_context *c, bat_selecting *s) {
     double from[2], to[2], matrix[6];
-    bat_stage_seen(c->stage, s->start, from);
-    bat_stage_seen(c->stage, s->at, to);
+    if (!bat_stage_on_page(c->stage, s->start, from) || !bat_stage_on_page(c->stage, s->at, to))
+        return BAT_OK;
     bat_seen_sync(c);
     if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, s, from, to);
     if (s->state == BAT_SELECTING_SCALING)
@@ -350,7 +351,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     memcpy(s->start, (double[]){event->x, event->y}, sizeof s->start);
     memcpy(s->at, s->start, sizeof s->at);
     bat_stage_seen(c->stage, s->start, s->point);
-    s->has_point = true;
+    s->has_point = !bat_stage_tilted(c->stage);
     bat_notice(c, BAT_STRING_COUNT);
     s->handle = handle_at(c, s->start, event->device);
     if (s->handle == BAT_GRIP_NONE) {
@@ -368,6 +369,12 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (event->predicted || s->state == BAT_SELECTING_IDLE) return;
     memcpy(s->at, (double[]){event->x, event->y}, sizeof s->at);
     bool far = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > STILL;
+    double place[2];
+    if (s->state == BAT_SELECTING_PRESSED && far && !bat_stage_on_page(c->stage, s->start, place)) {
+        forget_drag(s);
+        bat_notice_tilted(c);
+        return;
+    }
     if (s->state == BAT_SELECTING_PRESSED && far) {
         bat_status status = event->modifiers & BAT_ALT ? lift(c, s) : BAT_OK;
         if (status == BAT_OK) status = take_hold(c, s);
@@ -543,10 +550,19 @@ static void show_handle(bat_overlay *overlay, const bat_stage *stage, const doub
     bat_path_close(&overlay->path);
 }
 
-/* The box: of the document, or, given a stage, in its pixels. */
+/* A box on the page, as it is seen. */
+static void show_page_box(bat_overlay *overlay, const double box[4]) {
+    double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
+    for (int i = 0; i < 10; i += 2)
+        bat_map_look(overlay->path.map, 2, (double[]){corners[i], corners[i + 1]}, corners + i);
+    bat_overlay_polyline(overlay, 5, corners);
+    bat_path_close(&overlay->path);
+}
+
+/* A box in pixels. */
 static void show_box(bat_overlay *overlay, const bat_stage *stage, const double box[4]) {
     double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
-    for (int i = 0; i < 5 && stage; i++)
+    for (int i = 0; i < 5; i++)
         bat_stage_seen(stage, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
     bat_overlay_polyline(overlay, 5, corners);
     bat_path_close(&overlay->path);
@@ -557,8 +573,8 @@ static void show_selection(const bat_context *c, const bat_selecting *s, bat_ove
     double box[4], place[2], line[4];
     if (!bat_arrange_selection_box(c, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
-    show_box(overlay, NULL, box);
-    if (dragging(s)) return;
+    show_page_box(overlay, box);
+    if (dragging(s) || bat_stage_tilted(stage)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
     line[3] = box[1] - ROTATE_AWAY * bat_stage_pixel(stage);
@@ -577,9 +593,10 @@ static void show_entered(const bat_context *c, bat_overlay *list) {
         return;
     const char *name = bat_object_name(bat_document_at(c->session->document, at));
     bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
-    bat_overlay_polyline(
-        list, 5, (double[]){box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]});
-    bat_overlay_label(list, BAT_ROLE_VALUE, (double[]){box[0], box[1]}, 24, -12,
+    double corner[2];
+    show_page_box(list, box);
+    bat_map_look(list->path.map, 2, box, corner);
+    bat_overlay_label(list, BAT_ROLE_VALUE, corner, 24, -12,
                       *name ? name : bat_word(c, BAT_STRING_GROUP_NAME));
 }
 

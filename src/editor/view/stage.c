@@ -17,6 +17,14 @@ bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hi
     return status;
 }
 
+bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[2]) {
+    const bat_stage page = {stage->view, bat_ground_page()};
+    bat_hit hit;
+    if (bat_stage_place(&page, pixel, &hit) != BAT_OK) return false;
+    memcpy(at, hit.at, 2 * sizeof *at);
+    return true;
+}
+
 /* The ground's normal, on the side where the eye looks along it; gives how far it does. */
 static double normal_of(const bat_stage *stage, double normal[3]) {
     double x[3], y[3], right[3], down[3], ahead[3], along = 0;
@@ -120,18 +128,17 @@ void bat_stage_box(const bat_stage *stage, double box[4]) { bat_view_box(&stage-
 
 bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
     const bat_view *view = &stage->view;
-    const bat_stage on_page = {*view, bat_ground_page()};
     if (!bat_stage_tilted(stage)) {
         bat_view_box(view, box);
         return true;
     }
     for (int i = 0; i < 4; i++) {
-        bat_hit hit;
+        double at[2];
         const double corner[2] = {i & 1 ? view->width : 0, i & 2 ? view->height : 0};
-        if (bat_stage_place(&on_page, corner, &hit) != BAT_OK) return false;
+        if (!bat_stage_on_page(stage, corner, at)) return false;
         for (int k = 0; k < 2; k++) {
-            box[k] = i ? fmin(box[k], hit.at[k]) : hit.at[k];
-            box[k + 2] = i ? fmax(box[k + 2], hit.at[k]) : hit.at[k];
+            box[k] = i ? fmin(box[k], at[k]) : at[k];
+            box[k + 2] = i ? fmax(box[k + 2], at[k]) : at[k];
         }
     }
     return true;

@@ -19,6 +19,8 @@ bat_stage bat_stage_defaults(void);
 int bat_stage_dimension(const bat_stage *stage);
 /* Where the pen is on the ground. BAT_SINGULAR: the ground is seen edge-on; BAT_NUMBER: too far away. */
 bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hit *out);
+/* Where the pen is on the page, whatever the ground; false: the page is seen edge-on, or too far away. */
+bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[2]);
 /* The sine of the angle at which the ground is seen: 1 from straight above, 0 edge-on. */
 double bat_stage_slant(const bat_stage *stage);
 /* Turns the view so that the ground is seen from straight above. */
