@@ -462,6 +462,97 @@ static void a_plane_that_faces_me_takes_the_stroke(void **state) {
     bat_editor_free(editor);
 }
 
+/* Taps and a marquee find what is seen there; a drag moves along the page. */
+static void what_is_seen_is_selected_and_moved(void **state) {
+    (void)state;
+    bat_editor *editor = tilted_drawing(60, -90);
+    const bat_stage *stage = editor->context.stage;
+    const uint64_t first = digest(editor);
+    bat_editor_command(editor, "tool-select");
+    double at[2], seen[2], from[2], to[2];
+    const bat_curve *curve = bat_object_curve(bat_document_at(bat_editor_document(editor), 1), 0);
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    bat_curve_eval(curve, (domain[0] + domain[1]) / 2, 0, at);
+    bat_stage_look(stage, 2, at, seen);
+    bat_stage_project(stage, seen, from);
+    pen p = pen_for(editor);
+    tap(&p, from[0], from[1]);
+    assert_int_equal(bat_editor_frame(editor)->selected, 1);
+    assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_HANDLE));
+    const double moved[2] = {at[0] + 31, at[1] - 17};
+    bat_stage_look(stage, 2, moved, seen);
+    bat_stage_project(stage, seen, to);
+    drag(&p, from[0], from[1], to[0], to[1]);
+    double after[2];
+    curve = bat_object_curve(bat_document_at(bat_editor_document(editor), 1), 0);
+    bat_curve_eval(curve, (domain[0] + domain[1]) / 2, 0, after);
+    assert_true(apart(after, moved, 2) < 0.05); /* pixels are rounded to hundredths */
+    assert_int_equal(round_trip(editor, first), 1);
+    drag(&p, 2, 798, 998, 2); /* a marquee around everything */
+    assert_int_equal(bat_editor_frame(editor)->selected, 2);
+    bat_editor_command(editor, "view-front");
+    const uint64_t now = digest(editor);
+    bat_curve_eval(curve, (domain[0] + domain[1]) / 2, 0, at);
+    bat_stage_look(stage, 2, moved, seen);
+    bat_stage_project(stage, seen, from);
+    drag(&p, from[0], from[1], from[0] + 80, from[1]);
+    assert_true(digest(editor) == now);
+    assert_string_equal(bat_editor_frame(editor)->offer, "view-upright");
+    bat_editor_free(editor);
+}
+
+/* A bump over the middle half of the domain. */
+static double height_at(double share) {
+    return share < 0.25 || share > 0.75 ? 0 : 60 * pow(sin((share - 0.25) * 2 * 3.14159265358979), 2);
+}
+
+static void a_curve_is_lifted_and_its_first_view_stays(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    bat_editor_command(editor, "tool-lift");
+    pen p = pen_for(editor);
+    const uint64_t first = digest(editor);
+    tap(&p, 200, 300);
+    assert_int_equal(bat_editor_frame(editor)->selected, 1);
+    pen_line(&p, 250, 300, 500, 250, 30); /* face-on nothing has a height */
+    assert_true(digest(editor) == first);
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "nothing changed"));
+    pen r = right_button(editor);
+    drag(&r, 500, 400, 540, 280);
+    assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
+    const bat_stage *stage = editor->context.stage;
+    bat_curve *flat = NULL;
+    bat_curve_copy(bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0), &flat);
+    double domain[2], at[3] = {0}, seen[2], pixel[2];
+    bat_curve_domain(flat, domain);
+    p.time += 5000;
+    for (int i = 0; i <= 120; i++) {
+        bat_curve_eval(flat, domain[0] + (domain[1] - domain[0]) * i / 120, 0, at);
+        at[2] = -height_at(i / 120.0);
+        bat_stage_look(stage, 3, at, seen);
+        bat_stage_project(stage, seen, pixel);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, pixel[0], pixel[1]);
+        if (i % 10 == 0) bat_editor_frame(editor);
+        check(editor);
+    }
+    pen_event(&p, BAT_POINTER_UP, pixel[0], pixel[1]);
+    check(editor);
+    const bat_curve *made = bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0);
+    assert_int_equal(bat_curve_dimension(made), 3);
+    for (int i = 0; i <= 200; i++) {
+        const double u = domain[0] + (domain[1] - domain[0]) * i / 200;
+        bat_curve_eval(made, u, 0, at);
+        double before[2];
+        bat_curve_eval(flat, u, 0, before);
+        assert_true(apart(at, before, 2) < 1e-9); /* the first view */
+        assert_true(fabs(at[2] + height_at(i / 200.0)) < 4);
+    }
+    assert_int_equal(round_trip(editor, first), 1);
+    bat_curve_free(flat);
+    bat_editor_free(editor);
+}
+
 static void fit_finds_everything(void **state) {
     (void)state;
     bat_editor *editor = drawing();
@@ -500,6 +591,8 @@ int main(void) {
         cmocka_unit_test(edge_on_no_stroke_begins),
         cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
         cmocka_unit_test(the_view_turns_to_a_plane),
+        cmocka_unit_test(a_curve_is_lifted_and_its_first_view_stays),
+        cmocka_unit_test(what_is_seen_is_selected_and_moved),
         cmocka_unit_test(a_plane_that_faces_me_takes_the_stroke),
         cmocka_unit_test(fit_finds_everything),
     };

@@ -1,0 +1,237 @@
+/*
+ * The lift tool: a curve is pulled off the page by a second view of it. What is selected stands on the page as a
+ * translucent ruled surface, along z; a stroke on it gives the height, and the first view, from straight above, stays.
+ *
+ * IDLE --down--> DRAWING --up--> IDLE (committed, or refused with words); cancel: to IDLE.
+ */
+#include "document/kind.h"
+#include "editor/choice/choice.h"
+#include "editor/pick/pick.h"
+#include "editor/scene/seen.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/tools/tool.h"
+#include "editor/tools/toolbox.h"
+#include "editor/view/stage.h"
+#include "form/view/lift.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RULINGS = 48, SAMPLES_MOST = 20000 };
+static const double REACH = 12;    /* px to a curve that a tap selects */
+static const double TALL = 0.25;   /* of the curve's size: how far the surface is shown to either side */
+static const double TOLERANCE = 1; /* px */
+static const double STILL = 4;     /* px that a tap may travel */
+
+typedef struct bat_lifting {
+    bool down, due;
+    size_t count, room;
+    double *pixels;  /* x y of each sample */
+    bat_curve *made; /* what the stroke makes of the curve so far; NULL: nothing */
+    bat_status status;
+} bat_lifting;
+
+/* The curve that is selected, and can be lifted. */
+static const bat_curve *target(const bat_context *c, bat_id *id) {
+    const bat_selection *selection = &c->choice->selection;
+    const int at = selection->count == 1 ? bat_document_find(c->session->document, selection->ids[0]) : -1;
+    const bat_object *object = at < 0 ? NULL : bat_document_at(c->session->document, at);
+    if (!object || bat_seen_out_of_reach(c, at) || !bat_object_is_made_of_curves(object) ||
+        bat_object_curve_count(object) != 1 || bat_object_shape(object, 0) || bat_object_spline(object))
+        return NULL;
+    *id = selection->ids[0];
+    return bat_object_curve(object, 0);
+}
+
+static void forget(bat_lifting *l) {
+    bat_curve_free(l->made);
+    l->made = NULL;
+    l->count = 0;
+    l->down = l->due = false;
+}
+
+static void end(void *state) {
+    bat_lifting *l = state;
+    forget(l);
+    free(l->pixels);
+    l->pixels = NULL;
+    l->room = 0;
+}
+
+static bool add(bat_lifting *l, const bat_pointer *event) {
+    if (l->count == l->room && l->count < SAMPLES_MOST) {
+        const size_t room = l->room ? 2 * l->room : 256;
+        double *pixels = realloc(l->pixels, room * 2 * sizeof *pixels);
+        if (!pixels) return false;
+        l->pixels = pixels;
+        l->room = room;
+    }
+    if (l->count == l->room) return true; /* enough of them */
+    l->pixels[2 * l->count] = event->x;
+    l->pixels[2 * l->count++ + 1] = event->y;
+    l->due = true;
+    return true;
+}
+
+static void compute(bat_context *c, bat_lifting *l) {
+    bat_id id;
+    bat_viewpoint view;
+    size_t dropped;
+    const bat_curve *curve = target(c, &id);
+    const bat_stroke stroke = {.dimension = 2, .count = l->count, .points = l->pixels};
+    bat_curve_free(l->made);
+    l->made = NULL;
+    l->due = false;
+    l->status = curve ? bat_stage_viewpoint(c->stage, &view) : BAT_STATE;
+    if (l->status == BAT_OK)
+        l->status = bat_lift(&view, &stroke, curve, TOLERANCE * bat_stage_pixel(c->stage), &l->made,
+                             &dropped);
+}
+
+static void down(bat_context *c, void *state, const bat_pointer *event) {
+    bat_lifting *l = state;
+    forget(l);
+    bat_notice(c, BAT_STRING_COUNT);
+    l->down = add(l, event);
+    if (!l->down) bat_notice_failure(c, BAT_MEMORY);
+}
+
+static void move(bat_context *c, void *state, const bat_pointer *event) {
+    bat_lifting *l = state;
+    if (!l->down || event->predicted) return;
+    if (add(l, event)) return;
+    forget(l);
+    bat_notice_failure(c, BAT_MEMORY);
+}
+
+/* A tap selects the curve there. */
+static void choose(bat_context *c, const double pixel[2]) {
+    double at[2];
+    bat_seen_sync(c);
+    bat_stage_seen(c->stage, pixel, at);
+    const double reach = REACH * bat_stage_pixel(c->stage);
+    bat_pick pick = bat_pick_curve(c->scene, 2, at, reach);
+    if (!pick.object) pick = bat_pick_curve(c->scene, 3, at, reach);
+    if (!pick.object) return;
+    bat_selection_clear(&c->choice->selection);
+    if (bat_selection_add(&c->choice->selection, pick.object) != BAT_OK) bat_notice_failure(c, BAT_MEMORY);
+}
+
+/* The object with the curve as it was made; its dimension may be another than before. */
+static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
+    const int at = bat_document_find(c->session->document, id);
+    bat_object *after = NULL;
+    bat_curve *made = l->made;
+    l->made = NULL;
+    bat_status status = bat_object_with_curves(bat_document_at(c->session->document, at), 1, &made, &after);
+    if (status != BAT_OK) return status;
+    status = bat_transaction_begin(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), BAT_STRING_STEP_LIFT);
+    bat_object_release(after);
+    return status;
+}
+
+static void up(bat_context *c, void *state, const bat_pointer *event) {
+    bat_lifting *l = state;
+    bat_id id = 0;
+    if (!l->down) return;
+    const double pixel[2] = {event->x, event->y};
+    if (fabs(pixel[0] - l->pixels[0]) <= STILL && fabs(pixel[1] - l->pixels[1]) <= STILL) {
+        forget(l);
+        choose(c, pixel);
+        return;
+    }
+    compute(c, l);
+    bat_status status = l->status;
+    if (status == BAT_OK && target(c, &id)) status = commit(c, l, id);
+    forget(l);
+    if (status == BAT_STATE)
+        bat_notice(c, BAT_STRING_NOTICE_LIFT_NOTHING);
+    else if (status == BAT_FAR || status == BAT_DOT)
+        bat_notice(c, BAT_STRING_NOTICE_LIFT_MISSED);
+    else if (status != BAT_OK)
+        bat_notice_failure(c, status);
+    else
+        bat_notice(c, BAT_STRING_NOTICE_LIFTED);
+}
+
+static bool cancel(bat_context *c, void *state) {
+    bat_lifting *l = state;
+    const bool was = l->down;
+    forget(l);
+    if (was) bat_notice(c, BAT_STRING_NOTICE_CANCELLED);
+    return was;
+}
+
+static bool busy(const bat_context *c, const void *state) {
+    (void)c;
+    return ((const bat_lifting *)state)->down;
+}
+
+static void update(bat_context *c, void *state) {
+    bat_lifting *l = state;
+    if (l->down && l->due && l->count > 1) compute(c, l);
+}
+
+/* The curve `by` above itself, as a polyline: the path goes there and, from the second, back. */
+static void edge(const bat_curve *curve, double by, bool back, bat_overlay *list) {
+    double domain[2], at[2];
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i <= RULINGS; i++) {
+        double place[BAT_DIMENSION_MAX] = {0};
+        const double share = (double)(back ? RULINGS - i : i) / RULINGS;
+        bat_curve_eval(curve, domain[0] + share * (domain[1] - domain[0]), 0, place);
+        if (bat_curve_dimension(curve) == 2) place[2] = 0;
+        place[2] -= by;
+        bat_map_look(list->path.map, 3, place, at);
+        (i || back ? bat_path_line : bat_path_move)(&list->path, at[0], at[1]);
+    }
+}
+
+static void overlay(bat_context *c, void *state, bat_overlay *list) {
+    const bat_lifting *l = state;
+    bat_id id;
+    const bat_curve *curve = target(c, &id);
+    if (curve && bat_stage_tilted(c->stage)) {
+        const double tall = TALL * bat_curve_size(curve);
+        bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
+        edge(curve, tall, false, list);
+        edge(curve, -tall, true, list);
+        bat_path_close(&list->path);
+    }
+    if (!l->down) return;
+    bat_overlay_item(list, BAT_ROLE_INK, BAT_ITEM_STROKED, 1.5F);
+    for (size_t i = 0; i < l->count; i++) {
+        double at[2];
+        bat_stage_seen(c->stage, l->pixels + 2 * i, at);
+        (i ? bat_path_line : bat_path_move)(&list->path, at[0], at[1]);
+    }
+    if (!l->made) return;
+    bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
+    bat_path_curve(&list->path, l->made);
+}
+
+static bat_string hint(const bat_context *c, const void *state) {
+    bat_id id;
+    (void)state;
+    return !bat_stage_tilted(c->stage) ? BAT_STRING_HINT_LIFT_TILT
+           : target(c, &id)            ? BAT_STRING_HINT_LIFT
+                                       : BAT_STRING_HINT_LIFT_CHOOSE;
+}
+
+const bat_tool *bat_tool_lift(void) {
+    static const bat_tool tool = {.size = sizeof(bat_lifting),
+                                  .end = end,
+                                  .down = down,
+                                  .move = move,
+                                  .up = up,
+                                  .cancel = cancel,
+                                  .busy = busy,
+                                  .update = update,
+                                  .overlay = overlay,
+                                  .hint = hint};
+    return &tool;
+}
