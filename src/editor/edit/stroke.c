@@ -46,9 +46,8 @@ static bat_status compute_first(const bat_document *document, const bat_edit *ed
     return status;
 }
 
-static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve **out,
+static bat_status compute(const bat_document *document, const bat_edit *edit, bat_curve **out,
                           bat_sketch_report *report) {
-    const bat_document *document = c->session->document;
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     if (edit->kind == BAT_EDIT_NEW)
         return bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, out, report);
@@ -56,7 +55,7 @@ static bat_status compute(const bat_context *c, const bat_edit *edit, bat_curve 
     if (!target) return BAT_ARGUMENT;
     if (edit->kind == BAT_EDIT_LEVEL) {
         bat_shape *shape = NULL;
-        bat_status status = bat_edit_shape(c, edit, &shape, report);
+        bat_status status = bat_edit_shape(document, edit, &shape, report);
         if (!shape) return status;
         bat_status copied = bat_shape_flatten(shape, out);
         bat_shape_free(shape);
@@ -77,11 +76,19 @@ bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sket
     bat_curve *curve = NULL;
     *report = (bat_sketch_report){0};
     bat_status status = live ? bat_sketch_live_commit(live, &curve, report)
-                             : compute(c, edit, &curve, report);
+                             : compute(c->session->document, edit, &curve, report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     if (!curve) return BAT_SINGULAR;
     *out = curve;
     return status;
+}
+
+bat_status bat_edit_outcome(const bat_document *document, const bat_edit *edit, int *count,
+                            bat_curve *out[BAT_EDIT_PARTS]) {
+    const bool several = edit->kind == BAT_EDIT_SEVERAL;
+    bat_sketch_report report;
+    *count = several ? edit->part_count : 1;
+    return several ? chain(document, edit, out) : compute(document, edit, out, &report);
 }
 
 /* The curve is only for display. */
@@ -89,7 +96,7 @@ static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *cur
     bat_shape *shape = NULL;
     bat_curve_free(curve);
     bat_sketch_report report = {0};
-    bat_status status = bat_edit_shape(c, edit, &shape, &report);
+    bat_status status = bat_edit_shape(c->session->document, edit, &shape, &report);
     return shape ? bat_put_shape(c, edit->object, edit->curve, shape) : status;
 }
 

@@ -74,8 +74,12 @@ bat_string bat_edit_label(bat_edit_kind kind);
  */
 bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
                             bat_curve **out, bat_sketch_report *report);
+/* All curves that the edit would make of this document, *count of them: BAT_OK, or BAT_TOLERANCE with the best ones
+ * found; otherwise none. */
+bat_status bat_edit_outcome(const bat_document *document, const bat_edit *edit, int *count,
+                            bat_curve *out[BAT_EDIT_PARTS]);
 /* Computes the shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best one found; otherwise none. */
-bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape **out,
+bat_status bat_edit_shape(const bat_document *document, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report);
 /* Puts the curve into the document as one undo step and one line of the journal, or changes nothing. Takes ownership
  * of the curve, whatever it returns. */

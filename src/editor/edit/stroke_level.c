@@ -58,10 +58,9 @@ static bat_status freely(const bat_shape *from, const bat_edit *edit, bat_shape 
     return status;
 }
 
-bat_status bat_edit_shape(const bat_context *c, const bat_edit *edit, bat_shape **out,
+bat_status bat_edit_shape(const bat_document *document, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report) {
-    const bat_object *object = bat_document_at(c->session->document,
-                                               bat_document_find(c->session->document, edit->object));
+    const bat_object *object = bat_document_at(document, bat_document_find(document, edit->object));
     const bat_shape *from = object ? bat_object_shape(object, edit->curve) : NULL;
     if (!from || bat_curve_dimension(bat_shape_curve(from, 0)) != bat_stage_dimension(&edit->stage))
         return BAT_ARGUMENT;

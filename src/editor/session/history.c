@@ -120,6 +120,19 @@ bat_status bat_history_undo(bat_history *history, bat_document *document) {
     return BAT_OK;
 }
 
+bat_status bat_history_before(const bat_history *history, const bat_document *document, bat_document **out) {
+    bat_document *before = NULL;
+    if (!bat_history_can_undo(history)) return BAT_STATE;
+    const bat_step *step = &history->steps[history->done - 1];
+    bat_status status = bat_document_copy(document, &before);
+    if (status == BAT_OK) status = bat_deltas_apply(step->deltas, step->count, before, false);
+    if (status == BAT_OK)
+        *out = before;
+    else
+        bat_document_free(before);
+    return status;
+}
+
 bat_status bat_history_redo(bat_history *history, bat_document *document) {
     if (!bat_history_can_redo(history)) return BAT_STATE;
     const bat_step *step = &history->steps[history->done];

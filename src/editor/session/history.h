@@ -39,6 +39,8 @@ void bat_history_push(bat_history *history, int label, int count, bat_delta *del
 /* BAT_STATE: nothing to undo. BAT_MEMORY: nothing changed. */
 bat_status bat_history_undo(bat_history *history, bat_document *document);
 bat_status bat_history_redo(bat_history *history, bat_document *document);
+/* A copy of the document as it was before the last step. */
+bat_status bat_history_before(const bat_history *history, const bat_document *document, bat_document **out);
 bool bat_history_can_undo(const bat_history *history);
 bool bat_history_can_redo(const bat_history *history);
 

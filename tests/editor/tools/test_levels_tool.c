@@ -305,6 +305,10 @@ static void a_level_is_redrawn(void **state) {
         pen_arch(0.5, (double[]){from[0], from[1], to[0], to[1], 30}, middle);
         on_curve(editor, 0, 0.5, now);
         assert_true(fabs(now[1] - middle[1]) < 20); /* the sweep went there; the waves are six high */
+        const uint64_t swept = digest(editor);
+        assert_int_equal(bat_editor_refit(editor, 0.1, false), BAT_OK); /* shown before it is let go */
+        assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_FIT));
+        assert_true(digest(editor) == swept);
         bat_shape_free(before);
         assert_int_equal(round_trip(editor, plain_digest()), 2);
         bat_editor_free(editor);

@@ -112,9 +112,50 @@ static void not_for_ever(void **state) {
     bat_editor_free(editor);
 }
 
+static int fits(const bat_editor *editor) {
+    const bat_frame *frame = bat_editor_frame((bat_editor *)editor);
+    int found = 0;
+    for (uint32_t i = 0; i < frame->live_count; i++) found += frame->live[i].role == (uint32_t)BAT_ROLE_FIT;
+    return found;
+}
+
+/* The slider shows every curve that the stroke changes, and changes nothing until it is let go; then there is still one
+ * step for the stroke. */
+static void check_live(bat_editor *editor, int curves, uint64_t first) {
+    const uint64_t drawn = digest(editor);
+    assert_int_equal(fits(editor), 0);
+    for (double amount = 0; amount <= 1; amount += 0.25) {
+        assert_int_equal(bat_editor_refit(editor, amount, false), BAT_OK);
+        assert_int_equal(fits(editor), curves);
+        assert_true(digest(editor) == drawn);
+        check(editor);
+    }
+    assert_int_equal(bat_editor_refit(editor, 0.1, true), BAT_OK);
+    assert_int_equal(fits(editor), 0);
+    replays(editor, 0);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+static void live_over_a_join_and_several_curves(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    pen_stroke(&p, pen_arch, (double[]){800, 200, 800, 600, 120}, 80);
+    assert_int_equal(count(editor), 1);
+    check_live(editor, 1, first);
+    editor = editor_with(2, (bat_curve *[]){pen_curve(200, 300, 30, 0, 11), pen_curve(500, 300, 30, 0, 11)});
+    first = digest(editor), p = pen_for(editor);
+    pen_stroke(&p, rippled, (double[]){350, 308, 300}, 200);
+    assert_int_equal(count(editor), 2);
+    check_live(editor, 2, first);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(from_raw_to_fair),
-                                       cmocka_unit_test(more_or_less_is_spent_on_fairness),
-                                       cmocka_unit_test(not_for_ever)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(from_raw_to_fair), cmocka_unit_test(more_or_less_is_spent_on_fairness),
+        cmocka_unit_test(not_for_ever), cmocka_unit_test(live_over_a_join_and_several_curves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

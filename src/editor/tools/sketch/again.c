@@ -98,8 +98,7 @@ void bat_again_converged(bat_again *again, bat_together *together) {
 }
 
 static void drop_fit(bat_again *again) {
-    bat_curve_free(again->fit);
-    again->fit = NULL;
+    while (again->fits > 0) bat_curve_free(again->fit[--again->fits]);
 }
 
 void bat_again_drop(bat_again *again) {
@@ -167,18 +166,24 @@ bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
     return status;
 }
 
-static bat_status preview(bat_again *again, const bat_edit *edit) {
-    const bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
-    bat_curve *fit = NULL;
-    bat_status status = BAT_STATE;
-    if (again->at == again->converged)
-        status = converge(again, edit, &fit);
-    else if (edit->kind == BAT_EDIT_NEW)
-        status = bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, &fit, NULL);
-    else if (again->before)
-        status = bat_sketch_meant(again->before, &stroke, &edit->options, &edit->meaning, &fit, NULL);
+/* What the edit makes of the document as it was before the stroke. */
+static bat_status preview(const bat_context *c, bat_again *again, const bat_edit *edit) {
+    bat_document *before = NULL;
+    int count = 1;
+    bat_curve *fit[BAT_EDIT_PARTS];
+    bat_status status;
     drop_fit(again);
-    again->fit = fit;
+    if (again->at == again->converged) {
+        status = converge(again, edit, fit);
+    } else {
+        status = bat_history_before(&c->session->history, c->session->document, &before);
+        if (status == BAT_OK) status = bat_edit_outcome(before, edit, &count, fit);
+        bat_document_free(before);
+    }
+    if (status == BAT_OK || status == BAT_TOLERANCE) {
+        memcpy(again->fit, fit, (size_t)count * sizeof(bat_curve *));
+        again->fits = count;
+    }
     return status == BAT_MEMORY ? status : BAT_OK;
 }
 
@@ -188,7 +193,7 @@ bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool
     bat_edit *now = &again->edit[again->at], edit = *now;
     edit.options.tolerance = again->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
     edit.options.fairness = (1 - amount) * BAT_FAIRNESS_LEAST + amount * BAT_FAIRNESS_MOST;
-    if (!done) return preview(again, &edit);
+    if (!done) return preview(c, again, &edit);
     drop_fit(again);
     if (amount == again->amount) return BAT_OK;
     bat_status status = bat_session_step(c, true);

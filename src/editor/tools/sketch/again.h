@@ -25,10 +25,11 @@ typedef struct bat_again {
     double amount;         /* from raw, 0, to fair, 1; as drawn: 1/2 */
     double tolerance;      /* of the stroke as drawn, document units */
     bat_curve *before; /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
-    bat_curve *fit;    /* preview while the amount is being chosen; owned */
-    uint64_t revision; /* of the document after the stroke */
-    double place[3];   /* the stroke's end, document units */
-    uint32_t version;  /* changes whenever the readings change or another is put in force */
+    int fits;          /* curves of the preview, while the amount is being chosen; 0: none */
+    bat_curve *fit[BAT_EDIT_PARTS]; /* owned */
+    uint64_t revision;              /* of the document after the stroke */
+    double place[3];                /* the stroke's end, document units */
+    uint32_t version;               /* changes whenever the readings change or another is put in force */
 } bat_again;
 
 /* Gathers the other possible meanings of the stroke: readings not much dearer than the best, and always a new line.
@@ -47,7 +48,7 @@ bool bat_again_holds(const bat_context *c, const bat_again *again);
 /* Takes the stroke as the reading `at`. BAT_STATE: its readings are no longer available; other errors come from
  * computing or committing, and leave everything unchanged. */
 bat_status bat_again_read(bat_context *c, bat_again *again, int at);
-/* Fits it with another amount. done: commits; otherwise only makes `fit`, if that is one curve. Errors as in
+/* Fits it with another amount. done: commits; otherwise only makes the preview. Errors as in
  * bat_again_read. */
 bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done);
 void bat_again_free(bat_again *again);

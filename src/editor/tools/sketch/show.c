@@ -129,18 +129,27 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
     }
 }
 
-void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
-    const bat_edit *edit = &s->again.edit[s->again.at];
-    const bat_curve *now = bat_edit_target(c->session->document, edit->object, edit->curve);
-    const bat_curve *before = s->again.before;
+/* The curve as it is, under what it would become. */
+static void show_present(const bat_context *c, bat_overlay *overlay, bat_id object, int curve) {
+    const bat_curve *now = bat_edit_target(c->session->document, object, curve);
     if (!now) return;
-    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, edit->object));
+    bat_overlay_item(overlay, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, stretch_width(c, object));
     bat_path_curve(&overlay->path, now);
-    show_fit(c, overlay, BAT_ROLE_FIT, s->again.fit, NULL, true);
-    if (!edit->mirror.on) return;
+}
+
+void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+    const bat_again *again = &s->again;
+    const bat_edit *edit = &again->edit[again->at];
+    const bat_curve *now = bat_edit_target(c->session->document, edit->object, edit->curve);
+    const bat_curve *before = again->before;
+    if (!now) return;
+    show_present(c, overlay, edit->object, edit->curve);
+    for (int i = 1; i < again->fits; i++) show_present(c, overlay, edit->part[i].object, edit->part[i].curve);
+    for (int i = 0; i < again->fits; i++) show_fit(c, overlay, BAT_ROLE_FIT, again->fit[i], NULL, true);
+    if (!edit->mirror.on || again->fits > 1) return;
     /* The twin, where there is one, is by now that of the present curve. */
     const bool own = before && bat_mirror_twins(&edit->mirror, before, before, edit->options.pixel);
-    show_other_side(c, edit, !before || own ? before : now, s->again.fit, overlay);
+    show_other_side(c, edit, !before || own ? before : now, again->fit[0], overlay);
 }
 
 /* The fit that awaits confirmation. */

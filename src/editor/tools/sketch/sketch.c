@@ -56,7 +56,7 @@ static void update(bat_context *c, void *state) {
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_sketching *s = state;
-    if (s->again.fit && bat_sketching_readings(c, s)) bat_sketching_show_refit(c, s, list);
+    if (s->again.fits && bat_sketching_readings(c, s)) bat_sketching_show_refit(c, s, list);
     if (s->has_pending) bat_sketching_show_pending(c, s, list);
     if (s->state == BAT_SKETCHING_DRAWING)
         bat_sketching_show_stroke(c, s, list);
