@@ -285,13 +285,13 @@ static void levels_without_memory(void **state) {
         bat_edit edit = edit_of("\"object\":1,\"level\":-1", 230, 770, 30);
         bat_sketch_report report;
         bat_shape *wanted = NULL;
-        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_OK);
+        assert_int_equal(bat_edit_shape(editor->session.document, &edit, &wanted, &report), BAT_OK);
         const long held = alloc_live();
         bool reached = true;
         for (long n = 1; reached; n++) {
             bat_shape *shape = NULL;
             alloc_fail_at(n);
-            const bat_status status = bat_edit_shape(&editor->context, &edit, &shape, &report);
+            const bat_status status = bat_edit_shape(editor->session.document, &edit, &shape, &report);
             reached = alloc_fail_reached();
             assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
             assert_true((shape == NULL) == reached);
@@ -301,16 +301,16 @@ static void levels_without_memory(void **state) {
         }
         bat_shape_free(wanted);
         edit.object = 99;
-        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_ARGUMENT);
+        assert_int_equal(bat_edit_shape(editor->session.document, &edit, &wanted, &report), BAT_ARGUMENT);
         edit.object = 1;
         const double plane[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
         assert_true(bat_ground_named("plane", 9, plane, &edit.stage.ground));
-        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_ARGUMENT);
+        assert_int_equal(bat_edit_shape(editor->session.document, &edit, &wanted, &report), BAT_ARGUMENT);
         bat_samples_free(&edit.samples);
         /* A stroke too short for the base, the finer level silent: the base follows as well as it can. */
         edit = edit_of("\"object\":1,\"level\":-1", 480, 520, 3);
         wanted = NULL;
-        assert_int_equal(bat_edit_shape(&editor->context, &edit, &wanted, &report), BAT_OK);
+        assert_int_equal(bat_edit_shape(editor->session.document, &edit, &wanted, &report), BAT_OK);
         assert_non_null(wanted);
         bat_shape_free(wanted);
         bat_samples_free(&edit.samples);
