@@ -8,6 +8,7 @@
 #include "editor/show/ruler.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/modes/guides.h"
+#include "editor/tools/sketch/sketching.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -100,6 +101,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
     bat_simplify_show(c, overlay);
+    bat_sketching_show_kept(c, overlay);
     if (tool->is->overlay && faces) tool->is->overlay(c, tool->state, overlay);
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);

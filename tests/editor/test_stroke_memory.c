@@ -44,6 +44,8 @@ static const act acts[] = {
     {"new, and joined after all", "draw 300 302 480 298 6;then;read 1;read 2"},
     {"refitted", "draw 150 300 330 300 12;then;refit 0;refit 1"},
     {"refitted, new", "draw 100 700 400 650 30;then;refit 0.9"},
+    {"an earlier one refitted", "draw 100 700 400 650 30;draw 700 700 900 650 20;command tool-select;taps "
+                                "250 645 1;then;refit 0;refit 1"},
     {"again over the same", "draw 150 300 330 300 12;then;draw 152 303 328 303 14;draw 158 300 335 301 13"},
     {"one of several read alone, and all of them again",
      "draw 600 700 800 700 12;draw 602 703 798 703 14;then;read 0;read 2;refit 1"},

@@ -35,6 +35,7 @@ static unsigned ways_of(bat_string label) {
         bat_string label;
         unsigned ways;
     } rows[] = {{BAT_STRING_STEP_CONVERGE, SHAPE | BAT_MIRROR_JOIN},
+                {BAT_STRING_STEP_REFIT, SHAPE},
                 {BAT_STRING_STEP_SMOOTH, SHAPE},
                 {BAT_STRING_STEP_CALM, SHAPE},
                 {BAT_STRING_STEP_SIMPLIFY, SHAPE},

@@ -22,8 +22,11 @@ static void lay_out(bat_samples *samples, double *block, size_t room) {
     samples->room = room;
 }
 
-static bat_status grow(bat_samples *samples) {
-    size_t room = samples->room ? 2 * samples->room : 256, n = samples->count;
+size_t bat_samples_size(size_t count) { return count * (COLUMNS + BAT_DIMENSION_MAX) * sizeof(double); }
+
+/* Its columns in a block of their own, which has this much room. */
+static bat_status move_to(bat_samples *samples, size_t room) {
+    size_t n = samples->count;
     size_t size = (size_t)samples->dimension, columns = samples->apart ? COLUMNS + size : COLUMNS;
     double *block = malloc(room * columns * sizeof *block);
     if (!block) return BAT_MEMORY;
@@ -37,8 +40,21 @@ static bat_status grow(bat_samples *samples) {
         memcpy(samples->time, old.time, n * sizeof *block);
         if (samples->apart) memcpy(samples->places, old.places, size * n * sizeof *block);
     }
-    free(old.pixels);
     return BAT_OK;
+}
+
+static bat_status grow(bat_samples *samples) {
+    double *old = samples->pixels;
+    bat_status status = move_to(samples, samples->room ? 2 * samples->room : 256);
+    if (status == BAT_OK) free(old);
+    return status;
+}
+
+bat_status bat_samples_copy(const bat_samples *samples, bat_samples *out) {
+    bat_samples copy = *samples;
+    bat_status status = move_to(&copy, samples->count + 1);
+    if (status == BAT_OK) *out = copy;
+    return status;
 }
 
 double bat_samples_round(double value, double parts) { return round(value * parts) / parts; }

@@ -28,6 +28,10 @@ void bat_samples_free(bat_samples *samples);
 /* stage: the stroke's. BAT_COUNT when full, BAT_MEMORY, or as bat_stage_place; nothing is added then. */
 bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const double pixel[2],
                            double pressure, double time, const double tilt[2]);
+/* Into an empty list. BAT_MEMORY: it stays empty. */
+bat_status bat_samples_copy(const bat_samples *samples, bat_samples *out);
+/* Bytes that so many take. */
+size_t bat_samples_size(size_t count);
 /* The samples from `first` on as input to the sketch functions; borrowed. */
 bat_stroke bat_samples_stroke(const bat_samples *samples, size_t first);
 /* Rounds to the journal's precision: 1/100 for pixels, milliseconds and degrees; 1/10000 for pressure. */

@@ -74,9 +74,13 @@ const char *bat_panel_readings(bat_context *c) {
     const bat_sketching *s = bat_sketching_of(c);
     const bat_again *again = &s->again;
     bat_text text = {0};
+    const bat_kept_stroke *kept = bat_sketching_offered(c, s);
     const bool any = bat_sketching_readings(c, s);
     const int count = any && again->count > 1 ? again->count : 0;
-    begin(c, &text, any ? again->place : NULL, again->at, any ? again->amount : -1);
+    if (kept)
+        begin(c, &text, kept->end, -1, kept->amount);
+    else
+        begin(c, &text, any ? again->place : NULL, again->at, any ? again->amount : -1);
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");

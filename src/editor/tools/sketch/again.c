@@ -1,5 +1,6 @@
 #include "editor/tools/sketch/again.h"
 #include "base/real.h"
+#include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/session.h"
@@ -85,6 +86,8 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     memcpy(again->place, again->samples.places + size * (again->samples.count - 1),
            size * sizeof *again->place);
     again->revision = c->session->revision;
+    again->selection = c->choice->selection.version;
+    again->kept = 0;
     again->version++;
 }
 
@@ -187,12 +190,16 @@ static bat_status preview(const bat_context *c, bat_again *again, const bat_edit
     return status == BAT_MEMORY ? status : BAT_OK;
 }
 
+void bat_again_amount(bat_edit *edit, double tolerance, double amount) {
+    edit->options.tolerance = tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
+    edit->options.fairness = (1 - amount) * BAT_FAIRNESS_LEAST + amount * BAT_FAIRNESS_MOST;
+}
+
 bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done) {
     if (!bat_again_holds(c, again)) return BAT_STATE;
     if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
     bat_edit *now = &again->edit[again->at], edit = *now;
-    edit.options.tolerance = again->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
-    edit.options.fairness = (1 - amount) * BAT_FAIRNESS_LEAST + amount * BAT_FAIRNESS_MOST;
+    bat_again_amount(&edit, again->tolerance, amount);
     if (!done) return preview(c, again, &edit);
     drop_fit(again);
     if (amount == again->amount) return BAT_OK;

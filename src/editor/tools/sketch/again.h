@@ -29,6 +29,8 @@ typedef struct bat_again {
     bat_curve *fit[BAT_EDIT_PARTS]; /* owned */
     uint64_t revision;              /* of the document after the stroke */
     double place[3];                /* the stroke's end, document units */
+    uint32_t selection;             /* its version then */
+    uint32_t kept;                  /* kept.h: the serial number of the stroke, or 0 */
     uint32_t version;               /* changes whenever the readings change or another is put in force */
 } bat_again;
 
@@ -51,6 +53,8 @@ bat_status bat_again_read(bat_context *c, bat_again *again, int at);
 /* Fits it with another amount. done: commits; otherwise only makes the preview. Errors as in
  * bat_again_read. */
 bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool done);
+/* The edit with the tolerance and fairness of that amount; tolerance: as drawn. */
+void bat_again_amount(bat_edit *edit, double tolerance, double amount);
 void bat_again_free(bat_again *again);
 /* The name of a reading for the user. */
 bat_string bat_again_word(const bat_again *again, int reading);

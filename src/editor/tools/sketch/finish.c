@@ -83,7 +83,9 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
         s->hairs.count = 0; /* a figure is not careless */
     else
         bat_hairs_note(c, &s->hairs, &s->edit, false);
-    if (choice) bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
+    if (!choice) return;
+    bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
+    bat_sketching_keep(c, s);
 }
 
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {

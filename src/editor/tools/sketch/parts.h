@@ -73,6 +73,8 @@ void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overla
 bat_string bat_sketching_hint(const bat_context *c, const void *state);
 
 /* ---- reread.c: the last stroke, read again ---- */
+/* The step that it has made is kept for refitting. */
+void bat_sketching_keep(const bat_context *c, bat_sketching *s);
 bat_status bat_sketching_command(bat_context *c, void *state, bat_command_id id);
 
 #endif

@@ -97,7 +97,15 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
 
 static uint32_t readings(const bat_context *c, const void *state) {
     const bat_sketching *s = state;
+    if (!s->again.count && !s->kept.count) return 0;
+    const bat_kept_stroke *offered = bat_sketching_offered(c, s);
+    if (offered) return 1U << 30 | offered->serial;
     return bat_sketching_readings(c, s) ? s->again.version : 0;
+}
+
+void bat_sketching_show_kept(const bat_context *c, bat_overlay *overlay) {
+    const bat_sketching *s = bat_sketching_of(c);
+    if (s->kept.fits) bat_kept_show(c, &s->kept, overlay);
 }
 
 const bat_tool *bat_tool_sketch(void) {

@@ -39,6 +39,7 @@ void bat_sketching_end(void *state) {
     bat_samples_free(&s->pending.samples);
     bat_again_free(&s->again);
     bat_hairs_free(&s->hairs);
+    bat_kept_free(&s->kept);
     bat_samples_free(&s->hold.drawn.samples);
     bat_meaning_end(&s->meaning);
 }

@@ -9,6 +9,7 @@
 #include "editor/tools/sketch/again.h"
 #include "editor/tools/sketch/hairs.h"
 #include "editor/tools/sketch/hold.h"
+#include "editor/tools/sketch/kept.h"
 #include "editor/tools/sketch/meaning.h"
 
 typedef enum bat_sketching_state {
@@ -54,6 +55,7 @@ typedef struct bat_sketching {
 
     bat_hairs hairs; /* the last careless strokes over one line */
     bat_again again; /* IDLE: other readings of the last stroke */
+    bat_kept kept;   /* strokes that can still be refitted */
 
     /* PENDING, and DRAWING over it while it may still be a tap */
     bool has_pending;
@@ -67,7 +69,10 @@ bat_sketching *bat_sketching_of(const bat_context *c);
 /* Whether the last stroke has other readings; and takes it as one of them (again.h). */
 bool bat_sketching_readings(const bat_context *c, const bat_sketching *s);
 bat_status bat_sketching_read_as(bat_context *c, bat_sketching *s, int reading);
-/* Fits the last stroke closer or fairer. */
+/* The stroke that the selection offers to refit, when that is not the last one; NULL: none. */
+const bat_kept_stroke *bat_sketching_offered(const bat_context *c, const bat_sketching *s);
+void bat_sketching_show_kept(const bat_context *c, bat_overlay *overlay);
+/* Fits that stroke, or else the last one, closer or fairer. */
 bat_status bat_sketching_refit(bat_context *c, bat_sketching *s, double amount, bool done);
 
 #endif
