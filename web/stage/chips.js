@@ -51,7 +51,7 @@ export class Chips {
     this.box.hidden = amount < 0;
     this.amount.valueAsNumber = amount;
     const shown = [words.length > 0 && chosen, !points, ...words].join('\n');
-    if (shown !== this.shown || !points) { // a slider that is being dragged stays where it is
+    if (shown !== this.shown || !(points || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
       this.#dress(points ? 'command.curve-simplify' : 'refit', points ? ['simplify.close', 'simplify.few'] : ['refit.raw', 'refit.fair']);
       this.box.setAttribute('aria-label', word(points ? 'command.curve-simplify' : 'command.reading-next'));
