@@ -8,9 +8,10 @@
 #include <string.h>
 
 enum { SAMPLES_MAX = 6000, CORNERS_MAX = 1500, SMOOTH_MAX = 16384 };
-/* While the pen is down: samples that are smoothed again before those that are not settled, samples that the
- * noise is judged by, and how finely the whole is resampled. */
-enum { LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
+/* While the pen is down: the last samples, which follow what is known better as more come; samples that are smoothed again
+ * before them, samples that the noise is judged by, and how finely the whole is resampled. */
+enum { LIVE_LOOSE = 256, LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
+static const double loose = 0.25; /* px that shown samples move by at most */
 static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
 /* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
@@ -108,15 +109,30 @@ static bat_status smooth_pieces(const double *y, size_t count, size_t m, double 
 static bat_status smooth_rest(const bat_clean_memory *memory, const double *y, size_t first, size_t count,
                               size_t m, double sigma, double *work, double *z, double *lambda) {
     size_t done = 0;
-    if (memory && memory->count > first + LIVE_OVERLAP) done = memory->count - first - LIVE_OVERLAP;
+    if (memory && memory->fixed > first + LIVE_OVERLAP) done = memory->fixed - first - LIVE_OVERLAP;
     if (done + 16 > count) done = count > 16 ? count - 16 : 0;
     if (done > 0) memcpy(z, memory->points + first * m, done * m * sizeof *z);
     return bat_whittaker_sigma(count - done, (int)m, y + (first + done) * m, sigma, work, z + done * m,
                                lambda);
 }
 
-/* Puts settled samples back where they were shown, fades the difference out behind them, and settles more.
- * z[0] is sample `first` of the stroke. */
+static bool make_room(bat_clean_memory *memory, size_t count, size_t m) {
+    if (count <= memory->room) return true;
+    const size_t room = 2 * count + 64;
+    double *points = realloc(memory->points, room * m * sizeof *points);
+    if (!points) return false;
+    memory->points = points, memory->room = room;
+    return true;
+}
+
+/* Brings p back to where it was shown, or as near to it as it may move. */
+static void bring_back(double *p, const double *shown, size_t m, bool fixed) {
+    const double way = bat_path_distance(p, shown, m), part = fixed ? 0 : way > loose ? loose / way : 1;
+    for (size_t c = 0; c < m; c++) p[c] = shown[c] + part * (p[c] - shown[c]);
+}
+
+/* Puts samples back where they were shown, fades the difference out behind them, and remembers more. z[0] is sample
+ * `first` of the stroke. */
 static bat_status remember(bat_clean_memory *memory, double *z, size_t first, size_t count, size_t m) {
     enum { FADE = 16 };
     const size_t total = first + count;
@@ -124,30 +140,26 @@ static bat_status remember(bat_clean_memory *memory, double *z, size_t first, si
     for (size_t i = first; i < total; i++) {
         double *p = z + (i - first) * m;
         if (i < memory->count) {
-            for (size_t c = 0; c < m; c++) {
-                step[c] = memory->points[i * m + c] - p[c];
-                p[c] = memory->points[i * m + c];
-            }
+            memcpy(step, p, m * sizeof *step);
+            bring_back(p, memory->points + i * m, m, i < memory->fixed);
+            for (size_t c = 0; c < m; c++) step[c] = p[c] - step[c];
         } else if (i < memory->count + FADE) {
             const double f = (double)(i - memory->count + 1) / (FADE + 1);
             const double fade = 1 - f * f * (3 - 2 * f);
             for (size_t c = 0; c < m; c++) p[c] += fade * step[c];
         }
     }
-    const size_t settled = total > memory->fresh ? total - memory->fresh : 0;
-    if (settled <= memory->count) return BAT_OK;
-    if (settled > memory->room) {
-        const size_t room = 2 * settled + 64;
-        double *points = realloc(memory->points, room * m * sizeof *points);
-        if (!points) return BAT_MEMORY;
-        memory->points = points, memory->room = room;
-    }
-    for (size_t i = memory->count; i < settled; i++) {
+    const size_t shown = total > memory->fresh ? total - memory->fresh : 0;
+    const size_t fixed = shown > LIVE_LOOSE ? shown - LIVE_LOOSE : 0;
+    if (shown <= memory->count) return BAT_OK;
+    if (!make_room(memory, shown, m)) return BAT_MEMORY;
+    for (size_t i = memory->fixed; i < shown; i++) {
+        if (i >= fixed && i < memory->count) continue;
         /* A hook that was cut off keeps a place, never used again. */
         const size_t from = i < first ? 0 : i - first;
         memcpy(memory->points + i * m, z + from * m, m * sizeof *z);
     }
-    memory->count = settled;
+    memory->count = shown, memory->fixed = fixed > memory->fixed ? fixed : memory->fixed;
     return BAT_OK;
 }
 

@@ -17,12 +17,13 @@ typedef struct bat_clean {
     size_t *corners; /* indices of kept corners, ascending, ends excluded; owned */
 } bat_clean;
 
-/* What a live session has shown long enough: smoothed samples that stay where they are. Owned by the session.
+/* What a live session has shown long enough: smoothed samples that stay where they are, or nearly. Owned by the session.
  */
 typedef struct bat_clean_memory {
     double *points; /* in pixels, one for each finite, distinct sample */
     size_t count, room;
-    size_t fresh; /* so many of the last samples are not settled yet */
+    size_t fixed; /* so many of the first stay where they are; the others move a little */
+    size_t fresh; /* so many of the last samples were not shown long enough */
 } bat_clean_memory;
 
 typedef struct bat_clean_options {
