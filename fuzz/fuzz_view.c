@@ -2,7 +2,7 @@
  * back to their pixels; what lands does so on its ray. */
 #include <batten/bezier.h>
 #include <batten/format.h>
-#include <batten/trace.h>
+#include <batten/sight.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -125,6 +125,24 @@ static void check_traces(const bat_viewpoint *view, const bat_surface *surface) 
     bat_surface_free(other);
 }
 
+/* Lines are finite. */
+static void check_lines(const bat_viewpoint *view, const bat_surface *surface) {
+    const bat_line_scene scene = {1, &surface, 0, NULL};
+    bat_viewpoint small = *view;
+    bat_line_drawing *drawing = NULL;
+    small.height *= 40 / small.size[1], small.size[0] = 40, small.size[1] = 40;
+    if (bat_line_drawing_create(&small, &scene, &drawing) != BAT_OK) return;
+    for (size_t i = 0; i < bat_line_drawing_count(drawing); i++) {
+        bat_seen_line line;
+        bat_line_drawing_at(drawing, i, &line);
+        if (line.segments < 1 || line.source != 0) abort();
+        for (int k = 0; k < 6 * line.segments + 2; k++)
+            if (!isfinite(line.points[k])) abort();
+    }
+    (void)bat_line_drawing_is_whole(drawing);
+    bat_line_drawing_free(drawing);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *text = (const char *)data, *zero = size ? memchr(text, 0, size) : NULL;
     const size_t first = zero ? (size_t)(zero - text) : size;
@@ -151,6 +169,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             check_sketch(&view, canvas.surface, BAT_U);
             check_sketch(&view, canvas.surface, BAT_V);
             check_traces(&view, canvas.surface);
+            if (points <= 9) check_lines(&view, canvas.surface);
         }
     }
     bat_canvas_clear(&canvas);

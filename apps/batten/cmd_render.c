@@ -1,4 +1,5 @@
 /* batten render: a picture of a drawing. */
+#include "draw_space.h"
 #include "drawing.h"
 #include "io.h"
 #include "paint_cairo.h"
@@ -116,8 +117,8 @@ static int look_of(const cli_arguments *arguments, int kind, bat_look *out) {
     static const char *const names[] = {"shaded", "zebra", "curvature", "mean", "lines"};
     const char *look = arguments_value(arguments, "--look"), *view = arguments_value(arguments, "--view");
     *out = BAT_LOOK_SHADED;
-    if ((look || view) && kind != PICTURE_PNG)
-        return fail_usage(arguments->command, "--view and --look are for PNG");
+    if (look && kind != PICTURE_PNG && strcmp(look, names[BAT_LOOK_LINES]) != 0)
+        return fail_usage(arguments->command, "--look: expected lines for SVG and PDF, found '%s'", look);
     if (view && strcmp(view, "-") == 0 && strcmp(arguments->operands[0], "-") == 0)
         return fail_usage(arguments->command, "only one of IN and VIEW can be standard input");
     for (int k = 0; look && k < BAT_LOOK_COUNT; k++)
@@ -169,7 +170,14 @@ static int space_picture(const cli_arguments *arguments, const bat_document *doc
     bat_viewpoint view;
     const int failed = view_of(arguments, document, w->size, &view);
     if (failed) return failed;
-    const char *wrong = paint_space(document, &view, w->look, w->background, data, size);
+    bool whole = true;
+    const char *wrong = w->kind == PICTURE_PNG
+                            ? paint_space(document, &view, w->look, w->background, data, size)
+                            : draw_space(document, &view, w->look == BAT_LOOK_LINES, w->background,
+                                         w->kind == PICTURE_PDF, data, size, &whole);
+    if (!wrong && !whole)
+        remark("%s: surfaces touch along a curve, or are seen along one; lines near it may be wrong",
+               arguments->operands[0]);
     return wrong ? fail_data(arguments->operands[0], NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 
@@ -196,8 +204,7 @@ static int run(const cli_arguments *arguments) {
     unsigned char *data = NULL;
     size_t size = 0;
     if (!failed) {
-        const bool space = w.kind == PICTURE_PNG &&
-                           (arguments_value(arguments, "--view") || space_is_needed(drawing.document));
+        const bool space = arguments_value(arguments, "--view") || space_is_needed(drawing.document);
         failed = (space ? space_picture : flat_picture)(arguments, drawing.document, &w, &data, &size);
     }
     if (!failed) failed = io_write(arguments->operands[1], data, size);
@@ -218,18 +225,19 @@ const cli_command command_render = {
         "to\n"
         "trace are in an SVG, not in a PNG or PDF.\n"
         "\n"
-        "As PNG, a drawing with anything outside its page is seen in space: from --view, or in a\n"
-        "three-quarter view of all of it. Surfaces are shaded; curves are drawn over them, what is hidden\n"
-        "fainter, thinner and dashed. Other formats show x and y.",
+        "A drawing with anything outside its page is seen in space: from --view, or in a three-quarter\n"
+        "view of all of it. As PNG surfaces are shaded, and what is hidden is fainter, thinner and dashed.\n"
+        "As SVG and PDF it is drawn in lines, as Bezier curves within 0.1 pixels: edges, lines at knots,\n"
+        "silhouettes, intersections and curves; what is hidden is left out or, with --look lines, dashed.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
-    .options =
-        {{"--size", "WxH", "in pixels; in points for PDF"},
-         {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
-         {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size; for PNG"},
-         {"--look", "LOOK",
-          "shaded, zebra, curvature (Gauss), mean (curvature) or lines; for PNG of a drawing in space"},
-         {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
-         OPTION_LOSSY},
+    .options = {{"--size", "WxH", "in pixels; in points for PDF"},
+                {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
+                {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size"},
+                {"--look", "LOOK",
+                 "shaded, zebra, curvature (Gauss), mean (curvature) or lines, of a drawing in space; SVG, "
+                 "PDF: lines"},
+                {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
+                OPTION_LOSSY},
     .run = run,
 };

@@ -19,6 +19,7 @@
 #include <batten/sweep.h>
 #include <batten/view.h>
 #include <batten/trace.h>
+#include <batten/sight.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/input.h>

@@ -1,4 +1,5 @@
 """render of drawings in space: what is seen, what is hidden, the looks, the view of all, what is refused."""
+import re
 import unittest
 
 from test_render import pixels
@@ -93,12 +94,38 @@ class RenderSpace(ProgramTest):
     def test_what_is_refused(self):
         drawing, view = self.file("in.batten", document(sheet())), self.view()
         self.refused(2, "render", drawing, "out.png", "--look", "shiny")
-        self.refused(2, "render", drawing, "out.svg", "--view", view)
-        self.refused(2, "render", drawing, "out.pdf", "--look", "lines")
+        self.refused(2, "render", drawing, "out.svg", "--look", "shaded")
         self.refused(2, "render", "-", "out.png", "--view", "-")
         self.refused(1, "render", drawing, "out.png", "--view", self.file("bad.json", {**VIEW, "up": [0, 0, 1]}))
         self.refused(1, "render", drawing, "out.png", "--view", self.file("none.json", CURVE))
         self.refused(1, "render", drawing, "out.png", "--size", "30000x30000")
+
+
+class DrawSpace(ProgramTest):
+    """SVG and PDF: lines with what is hidden left out or dashed."""
+    def lines(self, drawing, *words):
+        self.done("render", self.file("in.batten", drawing), "out.svg", "--view", self.file("view.json", VIEW), *words)
+        text = (self.folder / "out.svg").read_text()
+        return [(float(x), float(y), "dasharray" in path, "ff0000" in path)
+                for path in re.findall("<path[^>]*>", text) for x, y in re.findall(r"([\d.]+) ([\d.]+)", path.split(" d=")[1])]
+
+    def test_what_lies_behind_is_cut_or_dashed(self):
+        behind = document(sheet(), line([[-20, 50, 20], [120, 50, 20]]))
+        red = [x for x, _, _, is_red in self.lines(behind) if is_red]
+        self.assertTrue(red and all(x < 50.1 or x > 149.9 for x in red), red)
+        drawn = self.lines(behind, "--look", "lines")
+        hidden = [x for x, _, dashed, is_red in drawn if is_red and dashed]
+        self.assertTrue(min(hidden) > 49.9 and max(hidden) < 150.1, hidden)
+        before = self.lines(document(sheet(), line([[-20, 50, -20], [120, 50, -20]])), "--look", "lines")
+        self.assertFalse([x for x, _, dashed, is_red in before if is_red and dashed])
+        corners = {(round(x), round(y)) for x, y, _, is_red in before if not is_red}
+        self.assertTrue({(50, 30), (150, 30), (50, 130), (150, 130)} <= corners)
+
+    def test_pdf_and_refusals(self):
+        name, view = self.file("in.batten", document(sheet())), self.file("view.json", VIEW)
+        self.done("render", name, "out.pdf", "--view", view)
+        self.assertTrue((self.folder / "out.pdf").read_bytes().startswith(b"%PDF"))
+        self.refused(2, "render", name, "out.svg", "--view", view, "--look", "zebra")
 
 
 if __name__ == "__main__":

@@ -414,6 +414,29 @@ static void const_calls_on_a_sweep(void **state) {
     bat_sweep_free(w.sweep), bat_function_clear(&w.function);
     bat_curve_free(path), bat_curve_free(profile);
 }
+
+static uint64_t add_lines(uint64_t digest) {
+    const bat_viewpoint view = {.eye = {3, -40, 5}, .up = {0, 0, 1}, .size = {40, 40}, .fov = 40};
+    const double corners[] = {-1, -1, 0, -1, 1, 1, 1, -1, 0, 1, 1, 2}, knots[] = {0, 0, 1, 1};
+    bat_surface *patch = NULL;
+    bat_line_drawing *drawing = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &patch) != BAT_OK)
+        return digest;
+    const bat_surface *list = patch;
+    const bat_line_scene scene = {1, &list, 0, NULL};
+    digest = add(digest, (uint64_t)bat_line_drawing_create(&view, &scene, &drawing));
+    for (size_t i = 0; drawing && i < bat_line_drawing_count(drawing); i++) {
+        bat_seen_line line;
+        bat_line_drawing_at(drawing, i, &line);
+        digest = add_doubles(add(digest, line.hidden), line.points, 6 * line.segments + 2);
+    }
+    if (drawing) digest = add(digest, bat_line_drawing_is_whole(drawing));
+    bat_line_drawing_free(drawing);
+    bat_surface_free(patch);
+    return digest;
+}
+
 static uint64_t look_at_surface(const void *shared, int seed) {
     const bat_surface *s = shared;
     double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
@@ -450,7 +473,7 @@ static uint64_t look_at_surface(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_surface_finder_hits(finder, from, way, 8, at, &count));
     bat_surface_finder_free(finder);
     d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
-    d = add_traces(add_made(add_cast(d, s, seed), s, seed), s, seed);
+    d = add_lines(add_traces(add_made(add_cast(d, s, seed), s, seed), s, seed));
     bat_curve *line = NULL;
     bat_surface *made = NULL, *fine = NULL;
     d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);
