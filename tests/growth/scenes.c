@@ -227,6 +227,10 @@ static bat_editor *apart(int n) { /* before it is taken apart */
     return one_curve(n, false, (const char *const[]){"tool-levels", NULL});
 }
 
+static bat_editor *with_surface_tool(int n) {
+    return one_curve(n, false, (const char *const[]){"tool-surface", NULL});
+}
+
 static bat_editor *levels(int n) {
     bat_editor *editor = apart(n);
     bat_editor_command(editor, "take-apart");
@@ -434,6 +438,7 @@ const growth_scene growth_scenes[] = {
     {"a ring of n points", ring},
     {"a spline of n points", spline},
     {"n points, to be taken apart", apart},
+    {"n points, the surface tool", with_surface_tool},
     {"n points in levels", levels},
     {"a curve of n points with levels", taken_apart},
     {"a range of n points", range},

@@ -23,7 +23,10 @@ static const row functions[BAT_COMMAND_COUNT] = {
 bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
     if (bat_command_at(id)->when != BAT_WHEN_ANYTIME && (bat_toolbox_busy(c) || c->session->transaction.open))
         return BAT_STATE;
-    if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && bat_stage_tilted(c->stage)) return BAT_STATE;
+    /* A tool that works in a tilted view knows what its commands mean there. */
+    const bool faces = functions[id].function == bat_command_to_tool ? bat_toolbox_faces(c)
+                                                                     : !bat_stage_tilted(c->stage);
+    if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && !faces) return BAT_STATE;
     bat_views_arrive(c->views, &c->stage->view);
     c->session->freed = c->session->refused = false;
     return functions[id].held ? functions[id].held(c, down) : functions[id].function(c, id);

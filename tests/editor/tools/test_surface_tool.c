@@ -310,6 +310,91 @@ static void many_redraws_do_not_add_up(void **state) {
     bat_editor_free(editor);
 }
 
+/* The reach that is shown grows with the property; in a tilted view a line is lit and redrawn as face-on. */
+static void reach_locks_and_tilt(void **state) {
+    (void)state;
+    bat_editor *editor = with_sheet();
+    const uint64_t first = digest(editor);
+    pen p = at_the_middle(editor);
+    bat_editor_frame(editor);
+    const bat_line_reach usual = state_of(editor)->reach;
+    for (int i = 0; i < 4; i++) bat_editor_key(editor, "[", true, 0, 50);
+    bat_editor_frame(editor);
+    const bat_line_reach less = state_of(editor)->reach;
+    /* half a span: one row moves, and with it all four spans that it lies over */
+    assert_true(less.known && less.radius == 0.5 && less.moved[0] == 0 && less.moved[1] == 4);
+    for (int i = 0; i < 4; i++) bat_editor_key(editor, "]", true, 0, 60);
+    bat_editor_frame(editor);
+    assert_memory_equal(state_of(editor)->reach.moved, usual.moved, sizeof usual.moved);
+
+    double at[2]; /* the padlock of the edge u = 0: the edge and then its tangents stay */
+    assert_true(bat_surfacing_padlock(&editor->context, state_of(editor), 0, at));
+    for (int lock = 1; lock <= 4; lock++) {
+        tap(&p, at[0], at[1]);
+        double value = -1;
+        assert_int_equal(bat_editor_get(editor, "lock-u-low", &value), BAT_OK);
+        assert_true(value == lock % 4);
+        expect(editor, BAT_U, 2, 0);
+    }
+    bat_surface *before = NULL;
+    bat_surface_copy(sheet_in(editor), &before);
+    bat_editor_set(editor, "lock-u-low", 2);
+    draw_bump(&p, 30, true);
+    assert_true(digest(editor) != first);
+    for (int i = 0; i <= 20; i++) {
+        double was[9], now[9];
+        bat_surface_eval(before, 0, 0.15 * i, 1, was);
+        bat_surface_eval(sheet_in(editor), 0, 0.15 * i, 1, now);
+        for (int k = 0; k < 9; k++) assert_true(fabs(was[k] - now[k]) < 1e-6);
+    }
+    bat_editor_set(editor, "lock-v-low", 1);
+    const uint64_t locked = digest(editor);
+    p.time += 1000;
+    pen_event(&p, BAT_POINTER_DOWN, 520, 202); /* beside the end of the line, which it would move */
+    for (int i = 1; i <= 30; i++) pen_event(&p, BAT_POINTER_MOVE, 520 - i * 0.2, 202 + 6 * i);
+    pen_event(&p, BAT_POINTER_UP, 514, 382);
+    const char *notice = bat_editor_frame(editor)->notice;
+    check(editor);
+    if (digest(editor) == locked) assert_non_null(strstr(notice, "locked"));
+    assert_true(round_trip(editor, first) >= 1);
+    bat_surface_free(before);
+    bat_editor_free(editor);
+
+    editor = with_sheet();
+    const uint64_t flat = digest(editor);
+    for (int i = 0; i < 2; i++) bat_editor_command(editor, "orbit-up");
+    bat_editor_command(editor, "orbit-left");
+    assert_true(bat_stage_tilted(editor->context.stage));
+    bat_viewpoint view;
+    double from[2], to[2];
+    assert_int_equal(bat_stage_viewpoint(editor->context.stage, &view), BAT_OK);
+    bat_viewpoint_project(&view, (double[]){500, 330, 0}, from, NULL);
+    bat_viewpoint_project(&view, (double[]){500, 460, 0}, to, NULL);
+    p = pen_for(editor);
+    drag(&p, from[0], from[1], to[0], to[1]);
+    expect(editor, BAT_U, 2, 0.4);
+    bat_editor_key(editor, ".", true, 0, 1e6);
+    expect(editor, BAT_U, 3, 1);
+    double point[3], along[2];
+    bat_surface_eval(sheet_in(editor), lit(editor)->at[0], 1, 0, point);
+    bat_viewpoint_project(&view, point, from, NULL);
+    bat_surface_eval(sheet_in(editor), lit(editor)->at[0], 2.5, 0, point);
+    bat_viewpoint_project(&view, point, to, NULL);
+    along[0] = to[0] - from[0], along[1] = to[1] - from[1];
+    p.time += 1000;
+    pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
+    for (int i = 1; i <= 30; i++) {
+        const double t = i / 30.0, w = 16 * t * t * (1 - t) * (1 - t) * 0.15;
+        pen_event(&p, BAT_POINTER_MOVE, from[0] + along[0] * t - along[1] * w,
+                  from[1] + along[1] * t + along[0] * w);
+    }
+    pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
+    bat_editor_frame(editor);
+    assert_true(digest(editor) != flat);
+    assert_int_equal(round_trip(editor, flat), 1);
+    bat_editor_free(editor);
+}
+
 /* The eye is put before the whole surface, however far it reaches towards it. */
 static void a_deep_surface_is_seen(void **state) {
     (void)state;
@@ -341,6 +426,7 @@ int main(void) {
         cmocka_unit_test(a_stroke_redraws_the_lit_line),
         cmocka_unit_test(a_stroke_that_cannot_is_refused_in_words),
         cmocka_unit_test(many_redraws_do_not_add_up),
+        cmocka_unit_test(reach_locks_and_tilt),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

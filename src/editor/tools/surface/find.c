@@ -8,6 +8,7 @@
 #include <string.h>
 
 static const double LINE_REACH = 10, GRIP_REACH = 12, NEAR = 24; /* px */
+static const double PADLOCK = 18;                                /* px from the edge */
 static const double TOUCH = 2.2;                                 /* factor on the reach for fingers */
 static const double EDGE = 0.02;                                 /* of the width: the edge is meant */
 static const double STOP = 6;                                    /* px within which a sliding line stops */
@@ -127,6 +128,24 @@ bool bat_surfacing_at_line(bat_context *c, bat_surfacing *s, const double pixel[
 bool bat_surfacing_near(bat_context *c, bat_surfacing *s) {
     return s->doing == BAT_LINING_NOT && s->hovering && bat_surfacing_at_line(c, s, s->hover) &&
            !bat_surfacing_on_grip(c, s, s->hover);
+}
+
+bool bat_surfacing_padlock(bat_context *c, bat_surfacing *s, int edge, double pixel[2]) {
+    const bat_surface *surface = bat_surfacing_surface(c, s);
+    const bat_direction d = edge < 2 ? BAT_U : BAT_V, other = edge < 2 ? BAT_V : BAT_U;
+    double domain[2], along[2], point[3], inner[3], from[2];
+    bat_viewpoint view;
+    if (!surface || bat_surface_is_closed(surface, d) || bat_surfacing_view(c, surface, &view) != BAT_OK)
+        return false;
+    bat_surface_domain(surface, d, domain);
+    bat_surface_domain(surface, other, along);
+    const double middle = 0.5 * (along[0] + along[1]), at = domain[edge % 2], width = domain[1] - domain[0];
+    point_of(surface, d, at, middle, point);
+    point_of(surface, d, at + (edge % 2 ? -0.02 : 0.02) * width, middle, inner);
+    if (!bat_surfacing_pixel(&view, point, pixel) || !bat_surfacing_pixel(&view, inner, from)) return false;
+    const double way = apart(pixel, from);
+    for (int k = 0; k < 2 && way > 0; k++) pixel[k] += PADLOCK * (pixel[k] - from[k]) / way;
+    return true;
 }
 
 /* ---- choosing ---- */

@@ -18,6 +18,23 @@ static double pixel_at(const bat_viewpoint *view, const double point[3]) {
     return 2 * depth * bat_tan(view->fov * (BAT_PI / 360)) / view->size[1];
 }
 
+/* Reach, locks and ruling, as the properties say. */
+static void settings_of(const bat_context *c, const bat_surface *surface, bat_line_edit *out) {
+    const double *values = c->settings->values, *knots = bat_surface_knots(surface, out->direction);
+    const double spans = values[BAT_PROPERTY_LINE_REACH];
+    const int count = bat_surface_knot_count(surface, out->direction),
+              ruling = (int)values[BAT_PROPERTY_LINE_RULING];
+    double domain[2];
+    int pieces = 0;
+    bat_surface_domain(surface, out->direction, domain);
+    for (int i = 1; i < count; i++)
+        pieces += knots[i] > knots[i - 1] && knots[i - 1] >= domain[0] && knots[i] <= domain[1];
+    const bool usual = spans == bat_property_at(BAT_PROPERTY_LINE_REACH)->standard;
+    out->reach = usual ? 0 : spans * (domain[1] - domain[0]) / pieces;
+    for (int k = 0; k < BAT_EDGES; k++) out->lock[k] = (int)values[BAT_PROPERTY_LOCK_U_LOW + k];
+    if (ruling > 0) out->along[ruling - 1] = 1;
+}
+
 bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
     const bat_surface *surface = bat_surfacing_surface(c, s);
     double point[3];
@@ -29,6 +46,7 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .seen = s->seen,
                            .count = s->count,
                            .pixels = s->pixels};
+    settings_of(c, surface, out);
     out->tolerance = fmin(
         fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel_at(&s->seen, point), 1e-12), 1e12);
     return true;
@@ -100,16 +118,19 @@ void bat_surfacing_finish(bat_context *c, bat_surfacing *s) {
 
 bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
     const bat_surface *surface = bat_surfacing_surface(c, s);
-    bat_line_reach *reach = &s->reach;
-    if (!surface) return false;
-    if (reach->revision == c->session->revision && !memcmp(&reach->line, &s->lit, sizeof s->lit))
-        return reach->known;
-    bat_line_edit edit;
+    bat_line_reach *reach = &s->reach, asked = {.revision = c->session->revision};
     bat_surface_redraw_report report = {.gain = 0};
-    *reach = (bat_line_reach){.line = s->lit, .revision = c->session->revision};
-    bat_status status = bat_surfacing_edit(c, s, &edit) ? bat_line_edit_probe(surface, &edit, &report)
-                                                        : BAT_ARGUMENT;
-    reach->known = status == BAT_OK;
-    if (reach->known) memcpy(reach->moved, report.moved, sizeof reach->moved);
+    bat_line_edit edit;
+    if (!surface || !bat_surfacing_edit(c, s, &edit)) return false;
+    asked.line = s->lit;
+    memcpy(asked.lock, edit.lock, sizeof asked.lock);
+    asked.radius = edit.reach;
+    const bool same = reach->revision == asked.revision &&
+                      !memcmp(&reach->line, &asked.line, sizeof asked.line) &&
+                      !memcmp(reach->lock, asked.lock, sizeof asked.lock) && reach->radius == asked.radius;
+    if (same) return reach->known;
+    asked.known = bat_line_edit_probe(surface, &edit, &report) == BAT_OK;
+    memcpy(asked.moved, report.moved, sizeof asked.moved);
+    *reach = asked;
     return reach->known;
 }

@@ -1,7 +1,9 @@
 /* What the surface tool shows: the lit line with its grip and its name, the line that crosses it there, and how far an
  * edit would reach. */
 #include "editor/tools/surface/state.h"
+#include "base/real.h"
 #include "editor/session/notice.h"
+#include "editor/tables/settings.h"
 #include "editor/show/overlay.h"
 #include "form/view/ruling.h"
 #include <math.h>
@@ -103,6 +105,27 @@ static void show_reach(bat_context *c, bat_surfacing *s, bat_overlay *list, cons
             add_line(c, list, view, surface, s->lit.direction, s->reach.moved[k]);
 }
 
+/* A padlock beside each edge: a body, and a bow that is open while the edge is free; as many bars as are locked. */
+static void show_padlocks(bat_context *c, bat_surfacing *s, bat_overlay *list) {
+    const double px = bat_stage_pixel(c->stage);
+    for (int edge = 0; edge < BAT_EDGES; edge++) {
+        const int lock = (int)c->settings->values[BAT_PROPERTY_LOCK_U_LOW + edge];
+        double pixel[2], at[2];
+        if (!bat_surfacing_padlock(c, s, edge, pixel)) continue;
+        bat_stage_seen(c->stage, pixel, at);
+        bat_overlay_item(list, lock ? BAT_ROLE_CHOSEN : BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED,
+                         1.5F);
+        bat_overlay_square(list, at, 6 * px);
+        bat_overlay_item(list, lock ? BAT_ROLE_CHOSEN : BAT_ROLE_HANDLE, BAT_ITEM_STROKED, 1.5F);
+        const double up[2] = {at[0], at[1] - 6 * px};
+        bat_overlay_arc(list, up, 4 * px, BAT_PI, (lock ? 2 : 1.6) * BAT_PI, false);
+        for (int k = 0; k < lock; k++) {
+            bat_path_move(&list->path, at[0] - 3 * px, at[1] + (3 - 3 * k) * px);
+            bat_path_line(&list->path, at[0] + 3 * px, at[1] + (3 - 3 * k) * px);
+        }
+    }
+}
+
 static void show_name(bat_context *c, const bat_surfacing *s, bat_overlay *list, const double at[2]) {
     char value[24], name[BAT_LABEL_ROOM];
     snprintf(value, sizeof value, "%.4g", s->lit.at[s->lit.direction]);
@@ -122,6 +145,7 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
         if (s->doing != BAT_LINING_DRAW) s->seen = view;
         if (s->doing == BAT_LINING_DRAW || bat_surfacing_near(c, s)) show_sheet(c, s, list, surface);
         show_reach(c, s, list, &view, surface);
+        if (s->doing == BAT_LINING_NOT) show_padlocks(c, s, list);
         bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
         add_line(c, list, &view, surface, other, s->lit.at[other]);
         bat_overlay_item(list, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, 3);

@@ -34,7 +34,9 @@ typedef enum bat_lining {
 typedef struct bat_line_reach {
     bat_line line;
     uint64_t revision;
-    bool known;
+    int lock[BAT_EDGES];
+    double radius;
+    bool known;      /* false: the line cannot move */
     double moved[2]; /* of the crossing parameter: where movement ends */
 } bat_line_reach;
 
@@ -79,6 +81,8 @@ int bat_surfacing_line_there(bat_context *c, bat_surfacing *s, const double pixe
 bool bat_surfacing_at_line(bat_context *c, bat_surfacing *s, const double pixel[2]);
 /* Whether a stroke that began under the pen would redraw the lit line. */
 bool bat_surfacing_near(bat_context *c, bat_surfacing *s);
+/* Where the padlock of an edge is: beside the edge's middle, view pixels; false: the edge is none, or not seen. */
+bool bat_surfacing_padlock(bat_context *c, bat_surfacing *s, int edge, double pixel[2]);
 
 /* The line that a marking means, or a tap chooses; object 0: the stroke is on no surface. BAT_MEMORY. */
 bat_status bat_surfacing_pick(bat_context *c, const bat_stroke *marking, bool tap, bat_line *out);

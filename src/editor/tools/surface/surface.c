@@ -15,12 +15,13 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
 #include "editor/tools/tool.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double TAP = 4; /* px */
+static const double TAP = 4, PADLOCK = 12; /* px */
 enum { PIXELS_MAX = 1 << 16 };
 
 /* ---- the stroke ---- */
@@ -107,11 +108,26 @@ static void choose(bat_context *c, bat_surfacing *s, bool tap) {
     if (!line.object && !tap) bat_notice(c, BAT_STRING_NOTICE_NO_SURFACE);
 }
 
+/* A tap on a padlock locks one thing more there, and after the last of them nothing. */
+static bool tap_padlock(bat_context *c, bat_surfacing *s) {
+    for (int edge = 0; edge < BAT_EDGES; edge++) {
+        double at[2], *lock = &c->settings->values[BAT_PROPERTY_LOCK_U_LOW + edge];
+        if (!bat_surfacing_padlock(c, s, edge, at) ||
+            bat_hypot(at[0] - s->start[0], at[1] - s->start[1]) > PADLOCK)
+            continue;
+        *lock = *lock < BAT_LOCK_MOST ? *lock + 1 : 0;
+        bat_notice(c, (bat_string)(BAT_STRING_LOCK_NONE + (int)*lock));
+        return true;
+    }
+    return false;
+}
+
 static void tap(bat_context *c, bat_surfacing *s) {
     if (!s->lit.object) {
         choose(c, s, true);
         return;
     }
+    if (tap_padlock(c, s)) return;
     const int there = bat_surfacing_line_there(c, s, s->start);
     if (there == 2)
         s->lit.direction = s->lit.direction == BAT_U ? BAT_V : BAT_U;
@@ -216,11 +232,21 @@ static bat_status to_knot(bat_context *c, bat_surfacing *s, int way) {
     return BAT_OK;
 }
 
+/* Half a span more or less. */
+static bat_status change_reach(bat_context *c, int way) {
+    const bat_property_row *row = bat_property_at(BAT_PROPERTY_LINE_REACH);
+    double *reach = &c->settings->values[BAT_PROPERTY_LINE_REACH];
+    *reach = fmin(fmax(*reach + way * row->step, row->low), row->high);
+    return BAT_OK;
+}
+
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
     bat_seen_sync(c);
     switch (id) {
     case BAT_COMMAND_POINT_NEXT: return step(c, state, 1);
     case BAT_COMMAND_POINT_PREVIOUS: return step(c, state, -1);
+    case BAT_COMMAND_REACH_DOWN: return change_reach(c, -1);
+    case BAT_COMMAND_REACH_UP: return change_reach(c, 1);
     case BAT_COMMAND_KNOT_NEXT: return to_knot(c, state, 1);
     case BAT_COMMAND_KNOT_PREVIOUS: return to_knot(c, state, -1);
     case BAT_COMMAND_NUDGE_LEFT:
