@@ -78,7 +78,7 @@ static pen pen_of(const content *c, const bat_viewpoint *view, const bat_seen_li
 }
 
 static void put_numbers_as(bat_text *text, const char *format, double a, double b) {
-    char line[96];
+    char line[704]; /* room for any two numbers */
     snprintf(line, sizeof line, format, a, b);
     bat_text_string(text, line);
 }
