@@ -26,6 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     double time = 0;
     while (bytes.at < bytes.size) {
         wild_event(editor, &bytes, &time);
+        bat_editor_glide(editor, (double)(bytes.at % 5) / 4);
         const char *wrong = bat_editor_check(editor);
         demand(!wrong, wrong);
     }

@@ -216,8 +216,8 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_render = {
     .name = "render",
-    .usage = "IN OUT.(svg|png|pdf) [--size WxH] [--background COLOUR] [--to svg|png|pdf] [--view VIEW] "
-             "[--look LOOK] [--lossy]",
+    .usage = "IN OUT [--size WxH] [--background COLOUR] [--to svg|png|pdf] [--view VIEW] [--look LOOK] "
+             "[--lossy]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG or PDF.",
     .details =
         "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
@@ -235,8 +235,7 @@ const cli_command command_render = {
                 {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
                 {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size"},
                 {"--look", "LOOK",
-                 "shaded, zebra, curvature (Gauss), mean (curvature) or lines, of a drawing in space; SVG, "
-                 "PDF: lines"},
+                 "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines; SVG, PDF: lines"},
                 {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
                 OPTION_LOSSY},
     .run = run,

@@ -14,7 +14,7 @@
 
 static void wild_sessions(void **state) {
     (void)state;
-    enum { SIZE = 3000, SESSIONS = 40 };
+    enum { SIZE = 3600, SESSIONS = 40 };
     static uint8_t data[SIZE];
     int undone = 0, shapes = 0, images = 0, guides = 0, surfaces = 0;
     for (uint64_t seed = 1; seed <= SESSIONS; seed++) {

@@ -404,6 +404,13 @@ static bat_editor *turned(int n) {
     return editor;
 }
 
+static bat_editor *tilted(int n) {
+    bat_editor *editor = lines(n);
+    bat_editor_command(editor, "orbit-up");
+    bat_editor_frame(editor);
+    return editor;
+}
+
 /* After a stroke that can be read in several ways. */
 static bat_editor *redrawn(int n) {
     bat_document *made = document();
@@ -455,6 +462,7 @@ const growth_scene growth_scenes[] = {
     {"n curves, nothing chosen", drawing},
     {"n curves, after a stroke", redrawn},
     {"n lines, the view turned", turned},
+    {"n lines, the view tilted", tilted},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
     {"a straight line beside n", straight},

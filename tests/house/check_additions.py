@@ -11,10 +11,10 @@ import sys
 from sources import sources
 
 # "X was added so:", and how a file names X. Other meanings of the words (a ruler's line, the plane of the page) do not
-# count.
+# count, nor does a command that makes an object of the kind.
 EXAMPLES = {
     "Line": r"\bbat_tool_line\b|\bTOOL_LINE\b|\btool-line\b|\bTOOL\(LINE\b|HINT_LINE\b",
-    "The plane": r"\bbat_kind_of_plane\b|\bBAT_KIND_PLANE\b|\bKIND_PLANE\b|\bKIND\(plane\b|\bbat_object_(create_)?plane\b",
+    "The plane": r"\bbat_kind_of_plane\b|\bBAT_KIND_PLANE\b|\bKIND_PLANE\b|\bKIND\(plane\b|\bbat_object_plane\b",
     "OBJ": r"\bbat_format_of_obj\b|\bFORMAT\(obj\b",
 }
 MOST = 4

@@ -114,7 +114,7 @@ static bat_status draw_strand(const bat_sight_scene *s, const bat_strand *strand
 static double near_of(const bat_sight_scene *s) {
     double far = 0;
     for (size_t i = 0; i < s->scene->surface_count; i++)
-        for (int k = 0; k < 8; k++) {
+        for (int k = 0; k < 8 && s->finders[i]; k++) {
             const bat_box *box = &s->finders[i]->whole;
             const vec corner = {k & 1 ? box->high[0] : box->low[0], k & 2 ? box->high[1] : box->low[1],
                                 k & 4 ? box->high[2] : box->low[2]};

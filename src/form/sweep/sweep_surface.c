@@ -61,6 +61,10 @@ static void drop_list(knot_list *list) {
 static bool merge(knot_list *list, knot_list *more, bool kept) {
     knot_list both = {0};
     int i = 0, j = 0;
+    if (!more->at || !more->times) { /* nothing to add, or no memory for it */
+        drop_list(more);
+        return kept;
+    }
     while (kept && (i < list->count || j < more->count)) {
         const double a = i < list->count ? list->at[i] : INFINITY,
                      b = j < more->count ? more->at[j] : INFINITY;

@@ -61,7 +61,7 @@ static bat_status append(const bat_tracks *pieces, int from, bat_track *to) {
     return status;
 }
 
-/* The whole track that begins at an end. */
+/* The whole track that begins at an end. A piece without length that meets itself is a point, and no track. */
 static bat_status follow(const bat_tracks *pieces, const int *partner, bool *used, int from,
                          bat_tracks *out) {
     bat_track *track = bat_tracks_begin(out);
@@ -74,6 +74,7 @@ static bat_status follow(const bat_tracks *pieces, const int *partner, bool *use
         at = partner[at ^ 1];
     }
     track->closed = at == from;
+    if (track->closed && track->count < 3) bat_tracks_drop(out);
     return status;
 }
 

@@ -31,6 +31,8 @@ bat_track *bat_tracks_begin(bat_tracks *tracks) {
     return track;
 }
 
+void bat_tracks_drop(bat_tracks *tracks) { free(tracks->list[--tracks->count].points); }
+
 bat_status bat_tracks_cross(bat_tracks *tracks, const bat_track_point *point) {
     void *list = tracks->crossings;
     if (!grow(&list, tracks->crossing_count, &tracks->crossing_room, sizeof *point)) return BAT_MEMORY;

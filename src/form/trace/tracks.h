@@ -21,6 +21,8 @@ struct bat_tracks {
 bat_status bat_track_add(bat_track *track, const bat_track_point *point);
 /* Begins a track; NULL: no memory. It stays where it is until the next one is begun. */
 bat_track *bat_tracks_begin(bat_tracks *tracks);
+/* Removes the last track. */
+void bat_tracks_drop(bat_tracks *tracks);
 bat_status bat_tracks_cross(bat_tracks *tracks, const bat_track_point *point);
 /* Frees the tracks and crossings, not the list itself. */
 void bat_tracks_clear(bat_tracks *tracks);

@@ -116,6 +116,11 @@ void bat_surfacing_finish(bat_context *c, bat_surfacing *s) {
     bat_surfacing_drop(s);
 }
 
+static bool same_line(const bat_line *a, const bat_line *b) {
+    return a->object == b->object && a->direction == b->direction && a->at[0] == b->at[0] &&
+           a->at[1] == b->at[1];
+}
+
 bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
     const bat_surface *surface = bat_surfacing_surface(c, s);
     bat_line_reach *reach = &s->reach, asked = {.revision = c->session->revision};
@@ -125,8 +130,7 @@ bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
     asked.line = s->lit;
     memcpy(asked.lock, edit.lock, sizeof asked.lock);
     asked.radius = edit.reach;
-    const bool same = reach->revision == asked.revision &&
-                      !memcmp(&reach->line, &asked.line, sizeof asked.line) &&
+    const bool same = reach->revision == asked.revision && same_line(&reach->line, &asked.line) &&
                       !memcmp(reach->lock, asked.lock, sizeof asked.lock) && reach->radius == asked.radius;
     if (same) return reach->known;
     asked.known = bat_line_edit_probe(surface, &edit, &report) == BAT_OK;
