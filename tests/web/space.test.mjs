@@ -77,7 +77,7 @@ test('the dial: a drag turns, a tap brings home, its ends are views', async (t) 
   await quiet(page);
   assert.equal(await tilt(page), 0);
   assert.equal(await pixels(page), before);
-  const names = await page.locator('.dial button').evaluateAll((all) => all.map((one) => one.ariaLabel));
+  const names = await page.locator('.dial [data-command]').evaluateAll((all) => all.map((one) => one.title));
   assert.equal(new Set(names).size, 4);
   assert.ok(names.every((name) => /[가-힣]/.test(name)), names.join());
   await page.keyboard.press('Shift+Alt+ArrowUp');

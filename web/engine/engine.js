@@ -47,11 +47,7 @@ export class Engine extends Instance {
     }, undefined);
   }
 
-  /**
-   * @param {DataView} view
-   * @param {number} at
-   * @param {Pointer} pointer
-   */
+  /** @param {DataView} view @param {number} at @param {Pointer} pointer */
   #writePointer(view, at, pointer) {
     const place = this.layout;
     view.setUint32(at + place['pointer.phase'], pointer.phase, true);

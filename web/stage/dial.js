@@ -40,7 +40,7 @@ export class Dial {
     const picture = drawn('svg', { viewBox: '-22 -22 44 44', 'aria-hidden': 'true' });
     picture.append(this.horizon, ...this.axes);
     this.home.append(picture);
-    this.ends = ENDS.map(([command]) => this.#button(command));
+    this.ends = ENDS.map(([command]) => this.#end(command));
     this.box.append(this.home, ...this.ends);
     this.shown = '';
     this.#listen();
@@ -58,6 +58,14 @@ export class Dial {
       }
     });
     return button;
+  }
+
+  /** An end is smaller than a target may be: it is for pens and mice, keys have a command each. @param {string} command */
+  #end(command) {
+    const end = document.createElement('span');
+    end.className = 'end';
+    end.dataset.command = command;
+    return end;
   }
 
   /** @param {HTMLElement} button */
@@ -83,7 +91,7 @@ export class Dial {
     this.box.addEventListener('pointerdown', (event) => {
       start = event;
       dragged = false;
-      pressed = event.target instanceof HTMLElement ? event.target.closest('button') : null;
+      pressed = event.target instanceof HTMLElement ? /** @type {HTMLElement | null} */ (event.target.closest('[data-command]')) : null;
       this.box.setPointerCapture(event.pointerId); // a quick drag leaves the dial at once
     });
     this.box.addEventListener('pointermove', (event) => {
@@ -121,7 +129,9 @@ export class Dial {
     this.box.setAttribute('aria-label', words[0]);
     [this.home, ...this.ends].forEach((button, i) => {
       button.title = words[i + 1];
-      button.ariaLabel = words[i + 1];
+      if (button === this.home) {
+        button.ariaLabel = words[i + 1];
+      }
     });
     this.box.classList.toggle('tilted', frame.tilt !== 0);
     const [angle, tilt] = [frame.angle, frame.tilt].map((degrees) => (degrees * Math.PI) / 180);
