@@ -67,6 +67,7 @@ test('the dial: a drag turns, a tap brings home, its ends are views', async (t) 
   assert.deepEqual([box.width, box.height], [44, 44]);
   const [x, y] = [box.x + 22, box.y + 22];
   await hand.stroke([[x, y], [x + 20, y - 45]], { pointerType: 'mouse' });
+  await quiet(page);
   assert.ok(await tilt(page) > 30);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'space-dial.png') });
   await page.locator('.dial [data-command=view-side]').click();
