@@ -193,14 +193,13 @@ static void down(bat_context *c, const bat_pointer *event) {
 /* The contact turns the view, about what lies under the contacts. */
 static void orbit(bat_context *c, int index, const double to[2]) {
     const bool finger = c->input->contacts.list[index].device == BAT_DEVICE_TOUCH;
-    if (bat_orbit_starts(c, index, to)) {
-        if (finger) bat_fingers_before(c);
+    const bool starts = bat_orbit_starts(c, index, to);
+    if (finger && (starts || c->input->orbit.on)) bat_fingers_before(c);
+    if (starts) {
         bat_pivot_set(c, c->input->orbit.middle);
         bat_orbit_start(c);
-    } else {
-        if (finger && c->input->orbit.on) bat_fingers_before(c);
-        bat_orbit_move(c, index, to);
     }
+    bat_orbit_move(c, index, to); /* also by the move that starts it, which may be the only one */
     if (finger && c->input->orbit.on) bat_fingers_after(c);
 }
 

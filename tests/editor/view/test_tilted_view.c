@@ -158,6 +158,18 @@ static void a_right_drag_orbits_and_home_is_exact(void **state) {
     bat_editor_free(editor);
 }
 
+/* A machine with time to spare reports a quick drag as one move. */
+static void a_drag_of_a_single_move_turns(void **state) {
+    (void)state;
+    bat_editor *editor = drawing();
+    pen p = right_button(editor);
+    pen_event(&p, BAT_POINTER_DOWN, 500, 400);
+    pen_event(&p, BAT_POINTER_MOVE, 520, 310);
+    pen_event(&p, BAT_POINTER_UP, 520, 310);
+    assert_true(fabs(tilt_of(editor) - 45) < 1e-9);
+    bat_editor_free(editor);
+}
+
 static void escape_returns_to_before(void **state) {
     (void)state;
     bat_editor *editor = drawing();
@@ -581,6 +593,7 @@ int main(void) {
         cmocka_unit_test(it_is_the_camera_of_the_library),
         cmocka_unit_test(the_pivot_stays_where_it_is_seen),
         cmocka_unit_test(a_right_drag_orbits_and_home_is_exact),
+        cmocka_unit_test(a_drag_of_a_single_move_turns),
         cmocka_unit_test(escape_returns_to_before),
         cmocka_unit_test(keys_turn_in_steps_and_name_views),
         cmocka_unit_test(three_fingers_turn_and_two_never_do),
