@@ -113,12 +113,10 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
 }
 
 /* How a drawing in space is looked at. */
-static int look_of(const cli_arguments *arguments, int kind, bat_look *out) {
+static int look_of(const cli_arguments *arguments, bat_look *out) {
     static const char *const names[] = {"shaded", "zebra", "curvature", "mean", "lines"};
     const char *look = arguments_value(arguments, "--look"), *view = arguments_value(arguments, "--view");
     *out = BAT_LOOK_SHADED;
-    if (look && kind != PICTURE_PNG && strcmp(look, names[BAT_LOOK_LINES]) != 0)
-        return fail_usage(arguments->command, "--look: expected lines for SVG and PDF, found '%s'", look);
     if (view && strcmp(view, "-") == 0 && strcmp(arguments->operands[0], "-") == 0)
         return fail_usage(arguments->command, "only one of IN and VIEW can be standard input");
     for (int k = 0; look && k < BAT_LOOK_COUNT; k++)
@@ -161,7 +159,7 @@ static int wanted_of(const cli_arguments *arguments, wanted *out) {
     if (!failed) failed = arguments_product(arguments, "--size", PAINT_SIZE_MAX, out->size);
     if (out->kind == PICTURE_PNG) out->background = 0xffffffff;
     if (!failed) failed = background_of(arguments, &out->background);
-    if (!failed) failed = look_of(arguments, out->kind, &out->look);
+    if (!failed) failed = look_of(arguments, &out->look);
     return failed;
 }
 
@@ -173,8 +171,8 @@ static int space_picture(const cli_arguments *arguments, const bat_document *doc
     bool whole = true;
     const char *wrong = w->kind == PICTURE_PNG
                             ? paint_space(document, &view, w->look, w->background, data, size)
-                            : draw_space(document, &view, w->look == BAT_LOOK_LINES, w->background,
-                                         w->kind == PICTURE_PDF, data, size, &whole);
+                            : draw_space(document, &view, w->look, w->background, w->kind == PICTURE_PDF,
+                                         data, size, &whole);
     if (!wrong && !whole)
         remark("%s: surfaces touch along a curve, or are seen along one; lines near it may be wrong",
                arguments->operands[0]);
@@ -228,14 +226,15 @@ const cli_command command_render = {
         "A drawing with anything outside its page is seen in space: from --view, or in a three-quarter\n"
         "view of all of it. As PNG surfaces are shaded, and what is hidden is fainter, thinner and dashed.\n"
         "As SVG and PDF it is drawn in lines, as Bezier curves within 0.1 pixels: edges, lines at knots,\n"
-        "silhouettes, intersections and curves; what is hidden is left out or, with --look lines, dashed.",
+        "silhouettes, intersections and curves, over the shading as one picture. What is hidden is left "
+        "out;\n"
+        "with --look lines it is dashed, and there is no shading.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF"},
                 {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
                 {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size"},
-                {"--look", "LOOK",
-                 "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines; SVG, PDF: lines"},
+                {"--look", "LOOK", "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines"},
                 {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
                 OPTION_LOSSY},
     .run = run,

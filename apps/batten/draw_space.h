@@ -1,14 +1,16 @@
-/* Draws a document in space as SVG or PDF: lines as Bezier curves, split where they become hidden. */
+/* Draws a document in space as SVG or PDF: lines as Bezier curves, split where they become hidden, over the shading as
+ * one picture. */
 #ifndef BATTEN_APPS_DRAW_SPACE_H
 #define BATTEN_APPS_DRAW_SPACE_H
 
-#include <batten/document.h>
-#include <batten/view.h>
+#include "form/shade/shade.h"
 
-/* What is hidden is dashed, or left out; pdf: PDF, else SVG. background: 0xRRGGBBAA. Makes the bytes of the file; *data is
- * malloc'ed. *whole: whether all silhouettes and intersections were found. Returns NULL, or what went wrong (static
+#include <batten/document.h>
+
+/* What is hidden is left out; BAT_LOOK_LINES: dashed, and there is no shading. pdf: PDF, else SVG. background:
+ * 0xRRGGBBAA. The view's size is in whole pixels. Makes the bytes of the file; *data is malloc'ed. *whole: whether all silhouettes and intersections were found. Returns NULL, or what went wrong (static
  * storage). */
-const char *draw_space(const bat_document *document, const bat_viewpoint *view, bool dashed,
+const char *draw_space(const bat_document *document, const bat_viewpoint *view, bat_look look,
                        uint32_t background, bool pdf, unsigned char **data, size_t *size, bool *whole);
 
 #endif

@@ -2,36 +2,18 @@
 #include "paint_bytes.h"
 #include "paint_cairo.h"
 #include "paint_lines.h"
-
-#include "document/nesting.h"
-#include "form/shade/colour.h"
+#include "shade_shown.h"
 
 #include <batten/trace.h>
 
 #include <cairo.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { LONGER = 1000, LINES_MAX = 63 /* in a direction */ };
 
 /* ---- What is shown ---- */
-
-/* Calls `visit` for each object that is shown, until it does not return BAT_OK. */
-static bat_status each_shown(const bat_document *document,
-                             bat_status (*visit)(const bat_object *object, void *user), void *user) {
-    bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_nesting_level level = {0};
-        bat_nesting_next(&nesting, object, &level);
-        if (level.hidden || !bat_object_is_drawn(object)) continue;
-        bat_status status = visit(object, user);
-        if (status != BAT_OK) return status;
-    }
-    return BAT_OK;
-}
 
 static bool lies_in_page(const bat_curve *curve) {
     const double *points = bat_curve_points(curve);
@@ -134,18 +116,8 @@ void space_view_of(const bat_document *document, int width, int height, bat_view
 typedef struct picture {
     const bat_viewpoint *view;
     bat_look look;
-    bat_shaded *surfaces;
-    size_t count;
     line_sheet sheet;
 } picture;
-
-static bat_status add_surface(const bat_object *object, void *user) {
-    picture *p = user;
-    const bat_surface *surface = bat_object_surface(object);
-    const bat_style *style = bat_object_style(object);
-    if (surface) p->surfaces[p->count++] = (bat_shaded){surface, style->filled ? style->fill | 255 : 0};
-    return BAT_OK;
-}
 
 static bat_status line_at(const picture *p, const line_pen *pen, const bat_surface *surface, bat_direction d,
                           double at) {
@@ -253,67 +225,16 @@ static void put_background(cairo_t *cairo, uint32_t colour) {
     cairo_paint(cairo);
 }
 
-/* cairo keeps a pixel as one number. */
-static const char *put_shading(cairo_t *cairo, const bat_shading *shading) {
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, shading->width,
-                                                          shading->height);
-    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
-        cairo_surface_destroy(surface);
-        return bat_status_message(BAT_MEMORY);
-    }
-    unsigned char *rows = cairo_image_surface_get_data(surface);
-    const size_t stride = (size_t)cairo_image_surface_get_stride(surface);
-    cairo_surface_flush(surface);
-    for (int y = 0; y < shading->height; y++)
-        for (int x = 0; x < shading->width; x++) {
-            const uint8_t *from = shading->rgba + 4 * ((size_t)y * (size_t)shading->width + (size_t)x);
-            const uint32_t pixel = (uint32_t)from[3] << 24 | (uint32_t)from[0] << 16 |
-                                   (uint32_t)from[1] << 8 | from[2];
-            memcpy(rows + (size_t)y * stride + 4 * (size_t)x, &pixel, sizeof pixel);
-        }
-    cairo_surface_mark_dirty(surface);
-    cairo_set_source_surface(cairo, surface, 0, 0);
-    cairo_paint(cairo);
-    cairo_surface_destroy(surface);
-    return NULL;
-}
-
-static void put_text(cairo_t *cairo, double x, double y, const char *text) {
-    cairo_move_to(cairo, x, y);
-    cairo_show_text(cairo, text);
-}
-
-/* A bar of the colours, with the curvatures at its ends. */
-static void put_legend(cairo_t *cairo, const picture *p, double range) {
-    enum { STEPS = 64 };
-    const double unit = p->sheet.unit, wide = 12 * unit;
-    const double tall = fmin(130 * unit, 0.28 * p->view->size[1]);
-    const double x = 16 * unit, y = p->view->size[1] - tall - 20 * unit;
-    char text[32];
-    for (int k = 0; k < STEPS; k++) {
-        double colour[3];
-        bat_shade_legend(1 - 2 * (k + 0.5) / STEPS, colour);
-        cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]);
-        cairo_rectangle(cairo, x, y + tall * k / STEPS, wide, tall / STEPS + 0.5);
-        cairo_fill(cairo);
-    }
-    cairo_set_source_rgb(cairo, 0.11, 0.13, 0.15);
-    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, 12 * unit);
-    put_text(cairo, x, y - 9 * unit, p->look == BAT_LOOK_GAUSS ? "Gauss curvature" : "Mean curvature");
-    for (int k = -1; k <= 1; k++) {
-        snprintf(text, sizeof text, k == 0 ? "0" : "%+.3g", k * range);
-        put_text(cairo, x + wide + 7 * unit, y + tall * (1 - k) / 2 + 4 * unit, text);
-    }
-}
-
 static const char *paint(cairo_t *cairo, const bat_document *document, picture *p,
                          const bat_shading *shading) {
     p->sheet = (line_sheet){.cairo = cairo, .view = p->view, .shading = shading};
-    p->sheet.unit = fmax(1, fmin(p->view->size[0], p->view->size[1]) / 700);
+    p->sheet.unit = picture_unit(p->view);
     if (p->look != BAT_LOOK_LINES) {
-        const char *wrong = put_shading(cairo, shading);
-        if (wrong) return wrong;
+        cairo_surface_t *shaded = shading_picture(shading);
+        if (!shaded) return bat_status_message(BAT_MEMORY);
+        cairo_set_source_surface(cairo, shaded, 0, 0);
+        cairo_paint(cairo);
+        cairo_surface_destroy(shaded);
     }
     for (int pass = 0; pass < 2; pass++) {
         p->sheet.second = pass == 1;
@@ -321,21 +242,16 @@ static const char *paint(cairo_t *cairo, const bat_document *document, picture *
         if (status == BAT_OK) status = each_shown(document, draw_object, p);
         if (status != BAT_OK) return bat_status_message(status);
     }
-    if (p->look == BAT_LOOK_GAUSS || p->look == BAT_LOOK_MEAN) put_legend(cairo, p, shading->range);
+    paint_legend(cairo, p->view, p->look, shading->range);
     return NULL;
 }
 
 const char *paint_space(const bat_document *document, const bat_viewpoint *view, bat_look look,
                         uint32_t background, unsigned char **data, size_t *size) {
     picture p = {.view = view, .look = look};
-    p.surfaces = calloc((size_t)bat_document_count(document) + 1, sizeof *p.surfaces);
-    if (!p.surfaces) return bat_status_message(BAT_MEMORY);
-    each_shown(document, add_surface, &p);
     bat_shading *shading = NULL;
-    const bat_status status = bat_shade(view, p.count, p.surfaces, look, &shading);
-    free(p.surfaces);
-    if (status == BAT_COUNT) return "the picture has too many pixels, or a surface too many spans";
-    if (status != BAT_OK) return bat_status_message(status);
+    const char *refused = shade_shown(document, view, look, &shading);
+    if (refused) return refused;
     byte_list bytes = {0};
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, shading->width,
                                                           shading->height);

@@ -1,4 +1,5 @@
 """render of drawings in space: what is seen, what is hidden, the looks, the view of all, what is refused."""
+import base64
 import re
 import unittest
 
@@ -94,7 +95,7 @@ class RenderSpace(ProgramTest):
     def test_what_is_refused(self):
         drawing, view = self.file("in.batten", document(sheet())), self.view()
         self.refused(2, "render", drawing, "out.png", "--look", "shiny")
-        self.refused(2, "render", drawing, "out.svg", "--look", "shaded")
+        self.refused(2, "render", drawing, "out.svg", "--look", "shiny")
         self.refused(2, "render", "-", "out.png", "--view", "-")
         self.refused(1, "render", drawing, "out.png", "--view", self.file("bad.json", {**VIEW, "up": [0, 0, 1]}))
         self.refused(1, "render", drawing, "out.png", "--view", self.file("none.json", CURVE))
@@ -121,11 +122,43 @@ class DrawSpace(ProgramTest):
         corners = {(round(x), round(y)) for x, y, _, is_red in before if not is_red}
         self.assertTrue({(50, 30), (150, 30), (50, 130), (150, 130)} <= corners)
 
-    def test_pdf_and_refusals(self):
+    def pictures(self, drawing, *words):
+        """The pictures in the SVG, and whether each lies below all lines."""
+        self.done("render", self.file("in.batten", drawing), "out.svg", "--view", self.file("view.json", VIEW), *words)
+        text = (self.folder / "out.svg").read_text()
+        found = re.findall('<image width="200" height="160" [^>]*base64,([A-Za-z0-9+/=]*)"/>', text)
+        return [pixels(base64.b64decode(data)) for data in found], text.find("<image") < text.find("<path")
+
+    def test_the_shading_lies_below_as_one_picture(self):
+        seen = set()
+        for words in ((), ("--look", "zebra"), ("--look", "curvature"), ("--look", "mean")):
+            bent = document(sheet())
+            bent["objects"][0]["surface"]["points"][1][1][2] = -60
+            found, below = self.pictures(bent, *words)
+            self.assertTrue(len(found) == 1 and below)
+            self.assertEqual(found[0].shape, (320, 400, 4))  # two pixels for one of the drawing
+            self.assertTrue((found[0][64:256, 104:296, 3] == 255).all() and (found[0][:100, :80, 3] == 0).all())
+            seen.add(found[0].tobytes())
+        self.assertEqual(len(seen), 4)
+        self.assertEqual(self.pictures(document(sheet()), "--look", "lines")[0], [])
+
+    def test_the_picture_agrees_with_the_png(self):
+        """A pixel of the PNG is the mean of four of the picture, but where lines lie."""
+        drawing = document(sheet(z=30))
+        below = self.pictures(drawing)[0][0].astype(float)
+        self.done("render", self.file("in.batten", drawing), "out.png", "--view", self.file("view.json", VIEW),
+                  "--background", "none")
+        image = pixels((self.folder / "out.png").read_bytes()).astype(float)
+        mean = below.reshape(160, 2, 200, 2, 4).mean(axis=(1, 3))
+        self.assertLess(abs(mean - image)[36:124, 56:144].max(), 3)
+
+    def test_pdf(self):
         name, view = self.file("in.batten", document(sheet())), self.file("view.json", VIEW)
-        self.done("render", name, "out.pdf", "--view", view)
-        self.assertTrue((self.folder / "out.pdf").read_bytes().startswith(b"%PDF"))
-        self.refused(2, "render", name, "out.svg", "--view", view, "--look", "zebra")
+        for look, images in (("shaded", 1), ("zebra", 1), ("lines", 0)):
+            self.done("render", name, "out.pdf", "--view", view, "--look", look)
+            data = (self.folder / "out.pdf").read_bytes()
+            self.assertTrue(data.startswith(b"%PDF"))
+            self.assertEqual(data.count(b"/Width 400"), 2 * images)  # its colours and its alpha
 
 
 if __name__ == "__main__":
