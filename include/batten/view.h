@@ -96,9 +96,9 @@ typedef struct bat_surface_sketch_options {
     double along[3];  /* the direction of the ruled surface on which the stroke is cast; zero: as below */
     double tolerance; /* greatest distance of the new line from the stroke; 0: 1e-4 of the surface's size */
     const bat_surface_redraw_options *redraw; /* how the surface follows; NULL: the defaults */
-    int keep
-        [2]; /* how many control points at the start and at the end of the line stay as they are: 1 keeps its place there,
-                  * 2 the tangent, 3 the curvature; at least 0 */
+    /* How many control points at the start and at the end of the line stay as they are: 1 keeps its place there, 2 the
+     * tangent, 3 the curvature; at least 0. */
+    int keep[2];
 } bat_surface_sketch_options;
 
 BAT_API void bat_surface_sketch_options_init(bat_surface_sketch_options *options, size_t size);

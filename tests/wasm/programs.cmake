@@ -9,7 +9,7 @@ list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
 # Excluded: programs driven by a Python script (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and those that
 # need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have, or that make
 # solves fail.
-set(NATIVE_ONLY test_threads test_svg_file test_options)
+set(NATIVE_ONLY test_svg_file test_options)
 set(files /) # the path of the repository for tests
 if(NOT BATTEN_WASM)
   set(files ${PROJECT_SOURCE_DIR})
@@ -21,7 +21,7 @@ set(programs)
 foreach(source ${UNITS})
   get_filename_component(name ${source} NAME_WE)
   file(STRINGS ${source} native REGEX "support/(alloc_paths|solve_fail)\\.h" LIMIT_COUNT 1)
-  if(name IN_LIST NATIVE_ONLY OR native)
+  if(source MATCHES "/threads/" OR name IN_LIST NATIVE_ONLY OR native)
     list(REMOVE_ITEM UNITS ${source})
     continue()
   endif()

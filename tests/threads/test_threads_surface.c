@@ -1,0 +1,230 @@
+/* The promise of base.h about threads: concurrent const calls on one surface, one sweep. */
+#include "alike.h"
+#include "support/random_surface.h"
+
+static uint64_t add_surface(uint64_t digest, bat_status status, bat_surface **made) {
+    char *text = NULL;
+    size_t size = 0;
+    digest = add(digest, (uint64_t)status);
+    if (*made) digest = add_text(digest, bat_surface_write(*made, &text, &size), &text, &size);
+    bat_surface_free(*made);
+    *made = NULL;
+    return digest;
+}
+
+static uint64_t add_cast(uint64_t digest, const bat_surface *surface, int seed) {
+    const bat_viewpoint view = {.eye = {seed, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
+    const double pixels[] = {50, 50, 52, 51};
+    const bat_stroke stroke = {.dimension = 2, .count = 2, .points = pixels};
+    bat_canvas canvas = {.along = {0, 0, 1}, .surface = (bat_surface *)surface};
+    bat_cast_point out[2] = {{.fate = BAT_CAST_LANDED}};
+    for (int ruled = 0; ruled < 2; ruled++) {
+        if (ruled && bat_surface_isocurve(surface, BAT_U, 0.5, &canvas.curve) != BAT_OK) return digest;
+        digest = add(digest, (uint64_t)bat_cast(&view, &stroke, &canvas, out, NULL));
+        digest = add_doubles(add(digest, out[0].fate), out[0].point, 3);
+    }
+    bat_curve_free(canvas.curve);
+    bat_surface_pick pick = {.value = 0};
+    digest = add(digest, (uint64_t)bat_surface_pick_line(&view, &stroke, surface, &pick));
+    digest = bat_digest_double(digest, pick.value);
+    bat_surface *made = NULL;
+    digest = add(digest,
+                 (uint64_t)bat_surface_sketch(surface, BAT_U, 0.5, &view, &stroke, NULL, &made, NULL, NULL));
+    bat_surface_free(made);
+    return digest;
+}
+
+/* Surfaces from its edges, on all threads at once. */
+static uint64_t add_made(uint64_t digest, const bat_surface *s, int seed) {
+    static const double origin[3] = {50, 0, 0}, axis[3] = {0, 1, 0};
+    bat_curve *line[4] = {NULL};
+    double domain[2];
+    bat_surface *made = NULL;
+    bat_status status = BAT_OK;
+    for (int k = 0; k < 4 && status == BAT_OK; k++) {
+        bat_surface_domain(s, BAT_U, domain);
+        status = bat_surface_isocurve(s, BAT_U, domain[0] + (domain[1] - domain[0]) * (k + 1) / 6, &line[k]);
+    }
+    const bat_curve *given[4] = {line[0], line[1], line[2], line[3]};
+    if (status == BAT_OK) {
+        status = bat_surface_revolve(line[seed % 4], origin, axis, 1 + seed, 0.1, &made, NULL);
+        digest = add_surface(digest, status, &made);
+        status = bat_surface_loft(4, given, &made, NULL);
+        digest = add_surface(digest, status, &made);
+        status = bat_surface_coons(given, 100, &made, NULL);
+        digest = add_surface(digest, status, &made);
+    }
+    for (int k = 0; k < 4; k++) bat_curve_free(line[k]);
+    return digest;
+}
+
+static uint64_t add_tracks(uint64_t digest, bat_status status, bat_tracks *tracks) {
+    digest = add(digest, (uint64_t)status);
+    if (!tracks) return digest;
+    digest = add(add(digest, (uint64_t)bat_tracks_count(tracks)), bat_tracks_is_given_up(tracks));
+    for (size_t i = 0; i < bat_tracks_count(tracks); i++) {
+        const bat_track_point *points;
+        const size_t count = bat_tracks_points(tracks, i, &points);
+        digest = add(add(digest, (uint64_t)count), bat_tracks_is_closed(tracks, i));
+        digest = add_doubles(digest, points[count / 2].point, 3);
+    }
+    for (size_t i = 0; i < bat_tracks_crossing_count(tracks); i++)
+        digest = add_doubles(digest, bat_tracks_crossing(tracks, i)->point, 3);
+    bat_tracks_free(tracks);
+    return digest;
+}
+
+static uint64_t add_traces(uint64_t digest, const bat_surface *surface, int seed) {
+    const bat_viewpoint view = {.eye = {seed, -40, 5}, .up = {0, 0, 1}, .size = {100, 100}, .fov = 40};
+    const double at[3] = {0, 0, 1}, normal[3] = {0.1, 0, 1};
+    bat_tracks *tracks = NULL;
+    bat_status status = bat_surface_silhouettes(surface, &view, &tracks);
+    digest = add_tracks(digest, status, tracks);
+    tracks = NULL;
+    status = bat_surface_section(surface, at, normal, 0.01, &tracks);
+    digest = add_tracks(digest, status, tracks);
+    const double corners[] = {-1, -1, seed, -1, 1, 1, 1, -1, 0, 1, 1, 2}, knots[] = {0, 0, 1, 1};
+    bat_surface *other = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &other) != BAT_OK)
+        return digest;
+    tracks = NULL;
+    bat_intersect_options options = bat_intersect_defaults();
+    options.chord = 0.1, options.leaf = 1;
+    status = bat_surface_intersect(surface, other, &options, &tracks);
+    bat_curve *curve = NULL;
+    if (tracks && bat_tracks_count(tracks) > 0)
+        digest = add(digest, (uint64_t)bat_tracks_curve(tracks, 0, 1, &curve));
+    bat_curve_free(curve);
+    bat_surface_free(other);
+    return add_tracks(digest, status, tracks);
+}
+
+typedef struct swept {
+    bat_sweep *sweep;
+    bat_function function;
+} swept;
+static uint64_t look_at_sweep(const void *shared, int seed) {
+    const swept *w = shared;
+    double domain[2], folds[4][2] = {{0}}, value[3];
+    size_t count = 0;
+    bat_sweep_point at;
+    bat_surface *made = NULL;
+    bat_sweep_domain(w->sweep, BAT_U, domain);
+    bat_sweep_at(w->sweep, domain[0] + 0.1 * seed, 0.5, &at);
+    bat_function_eval(&w->function, 0.2 * seed, value);
+    uint64_t d = add_doubles(add_doubles(bat_digest_begin(), at.point, 3), value, 3);
+    d = add(bat_digest_double(d, bat_sweep_holonomy(w->sweep)), (uint64_t)bat_function_check(&w->function));
+    d = add(add(d, (uint64_t)bat_sweep_folds(w->sweep, 4, folds[0], &count)), count);
+    return add_surface(d, bat_sweep_surface(w->sweep, 0.1, &made, NULL), &made);
+}
+static void const_calls_on_a_sweep(void **state) {
+    (void)state;
+    const double points[12] = {0, 0, 0, 5, 1, 0, 6, 7, 2, 0, 8, 5}, across[4] = {-1, 0, 1, 1},
+                 knots[4] = {0, 0, 1, 1};
+    bat_curve *path = NULL, *profile = NULL;
+    swept w = {NULL, {0, NULL}};
+    assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &path), BAT_OK);
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, across, &profile), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 1, false, 2, across, 4, knots, &w.function.curve), BAT_OK);
+    bat_sweep_options options = bat_sweep_defaults();
+    options.twist = w.function;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &w.sweep), BAT_OK);
+    assert_alike(look_at_sweep, &w, 4);
+    bat_sweep_free(w.sweep), bat_function_clear(&w.function);
+    bat_curve_free(path), bat_curve_free(profile);
+}
+
+static uint64_t add_lines(uint64_t digest) {
+    const bat_viewpoint view = {.eye = {3, -40, 5}, .up = {0, 0, 1}, .size = {40, 40}, .fov = 40};
+    const double corners[] = {-1, -1, 0, -1, 1, 1, 1, -1, 0, 1, 1, 2}, knots[] = {0, 0, 1, 1};
+    bat_surface *patch = NULL;
+    bat_line_drawing *drawing = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &patch) != BAT_OK)
+        return digest;
+    const bat_surface *list = patch;
+    const bat_line_scene scene = {1, &list, 0, NULL};
+    digest = add(digest, (uint64_t)bat_line_drawing_create(&view, &scene, &drawing));
+    for (size_t i = 0; drawing && i < bat_line_drawing_count(drawing); i++) {
+        bat_seen_line line;
+        bat_line_drawing_at(drawing, i, &line);
+        digest = add_doubles(add(digest, line.hidden), line.points, 6 * line.segments + 2);
+    }
+    if (drawing) digest = add(digest, bat_line_drawing_is_whole(drawing));
+    bat_line_drawing_free(drawing);
+    bat_surface_free(patch);
+    return digest;
+}
+
+static uint64_t look_at_surface(const void *shared, int seed) {
+    const bat_surface *s = shared;
+    double out[18] = {0}, u[4], v[4], grid[48], low[3], high[3], domain[2];
+    bat_surface_spread(s, BAT_U, 4, u);
+    bat_surface_spread(s, BAT_V, 4, v);
+    bat_surface_domain(s, BAT_U, domain);
+    bat_surface_box(s, low, high);
+    uint64_t d = add_doubles(add_doubles(bat_digest_begin(), low, 3), high, 3);
+    d = add_doubles(bat_digest_double(d, bat_surface_size(s)), domain, 2);
+    d = add(add(d, bat_surface_is_closed(s, BAT_V)), (uint64_t)bat_surface_degree(s, BAT_U));
+    d = add_doubles(d, bat_surface_row(s, seed % 2), 3 * (int)bat_surface_count(s, BAT_V));
+    d = add_doubles(d, bat_surface_knots(s, BAT_U), bat_surface_knot_count(s, BAT_U));
+    bat_surface_eval(s, u[seed % 4], v[1], 2, out);
+    d = add(add_doubles(d, out, 18), (uint64_t)bat_surface_eval_grid(s, 4, u, 4, v, 0, grid));
+    d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal_grid(s, 4, u, 4, v, NULL, grid));
+    d = add(add_doubles(d, grid, 48), (uint64_t)bat_surface_normal(s, u[seed % 4], v[2], out));
+    d = add(add_doubles(d, out, 3), (uint64_t)bat_surface_curvature(s, u[1], v[seed % 4], out, out + 1));
+    bat_surface_point at[8] = {{0}};
+    const double from[3] = {seed, 2, 30}, way[3] = {0.1, 0, -3};
+    size_t count = 0;
+    d = add(d, (uint64_t)bat_surface_nearest(s, from, at));
+    d = bat_digest_double(bat_digest_double(d, at[0].distance), at[0].u);
+    d = add(d, (uint64_t)bat_surface_hits(s, from, way, 8, at, &count));
+    bat_tessellation *triangles = NULL;
+    bat_mesh mesh = {.rows = 0};
+    d = add(d, (uint64_t)bat_surface_tessellate(s, NULL, &triangles, NULL));
+    d = add(d, (uint64_t)bat_tessellation_update(triangles, s, BAT_U, domain, NULL));
+    bat_tessellation_mesh(triangles, &mesh);
+    d = add_doubles(add(d, mesh.triangle_count), mesh.normals, (int)(3 * mesh.rows * mesh.columns));
+    bat_tessellation_free(triangles);
+    bat_surface_finder *finder = NULL;
+    d = add(d, (uint64_t)bat_surface_finder_create(s, &finder));
+    d = add(d, (uint64_t)bat_surface_finder_nearest(finder, from, at));
+    d = add(d, (uint64_t)bat_surface_finder_hits(finder, from, way, 8, at, &count));
+    bat_surface_finder_free(finder);
+    d = bat_digest_double(add(d, (uint64_t)count), at[0].distance);
+    d = add_lines(add_traces(add_made(add_cast(d, s, seed), s, seed), s, seed));
+    bat_curve *line = NULL;
+    bat_surface *made = NULL, *fine = NULL;
+    d = add_curve(d, bat_surface_isocurve(s, BAT_V, v[seed % 4], &line), &line);
+    bat_status drawn = bat_surface_isocurve(s, BAT_V, v[1], &line);
+    if (drawn == BAT_OK)
+        drawn = bat_surface_redraw(s, BAT_V, v[1] + 0.01 * seed, line, NULL, &made, NULL, NULL);
+    d = add_surface(add_curve(d, BAT_OK, &line), drawn, &made);
+    const double turn[12] = {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, seed};
+    d = add_surface(d, bat_surface_transform(s, turn, &made), &made);
+    d = add_surface(d, bat_surface_copy(s, &made), &made);
+    bat_status status = bat_surface_insert_knots(s, BAT_U, 1, &u[1], &fine);
+    if (status != BAT_OK) return add(d, (uint64_t)status);
+    d = add(d, bat_surface_is_equal(s, fine));
+    status = bat_surface_refine(s, BAT_U, bat_surface_knot_count(fine, BAT_U), bat_surface_knots(fine, BAT_U),
+                                &made);
+    return add_surface(add_surface(d, BAT_OK, &fine), status, &made);
+}
+
+static void const_calls_on_a_surface(void **state) {
+    (void)state;
+    random_source r = {8};
+    bat_surface *surface = random_surface(&r, (const int[2]){3, 3}, (const int[2]){2, 0},
+                                          (const int[2]){6, 6});
+    assert_alike(look_at_surface, surface, 4);
+    bat_surface_free(surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(const_calls_on_a_sweep),
+        cmocka_unit_test(const_calls_on_a_surface),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
