@@ -12,19 +12,19 @@ static const bat_surface *surface_of(const bat_document *document, bat_id object
     return at < 0 ? NULL : bat_object_surface(bat_document_at(document, at));
 }
 
-/* How many rows at an end determine what a lock keeps there: one at a clamped end, and one for each derivative. */
+/* How many rows at an end determine what a lock keeps there: one at a clamped end, and one for each derivative. There may
+ * be fewer rows: a line of degree 1 has more once its degree is raised. */
 static int rows_at(const bat_surface *surface, bat_direction direction, int end, int lock) {
     const double *knots = bat_surface_knots(surface, direction);
     const int degree = bat_surface_degree(surface, direction),
-              count = bat_surface_knot_count(surface, direction),
-              rows = (int)bat_surface_count(surface, direction);
+              count = bat_surface_knot_count(surface, direction);
     double domain[2];
     int same = 0;
     if (lock == 0 || bat_surface_is_closed(surface, direction)) return 0;
     bat_surface_domain(surface, direction, domain);
     for (int i = 0; i < count; i++) same += knots[i] == domain[end];
     const int most = degree + 1 - same > 1 ? degree + 1 - same : 1;
-    return most + lock - 1 < rows ? most + lock - 1 : rows;
+    return most + lock - 1;
 }
 
 typedef struct held_rows {
@@ -40,7 +40,8 @@ static void rows_of(const bat_surface *surface, const bat_line_edit *edit, held_
     held->options.hold = held->index;
     for (int end = 0; end < 2; end++) {
         const int count = rows_at(surface, edit->direction, end, edit->lock[2 * (int)edit->direction + end]);
-        for (int i = 0; i < count; i++) held->index[held->options.hold_count++] = end ? rows - 1 - i : i;
+        for (int i = 0; i < count && i < rows; i++)
+            held->index[held->options.hold_count++] = end ? rows - 1 - i : i;
     }
 }
 
