@@ -71,6 +71,40 @@ static bool read_shape(const char *text, bat_problem *problem) {
     return status == BAT_OK;
 }
 
+static bool read_view(const char *text, bat_problem *problem) {
+    bat_viewpoint made;
+    bat_status status = bat_viewpoint_read(text, strlen(text), &made, problem);
+    if (status == BAT_OK) assert_int_equal(bat_viewpoint_check(&made), BAT_OK);
+    return status == BAT_OK;
+}
+
+static bool read_canvas(const char *text, bat_problem *problem) {
+    bat_canvas made = {.curve = NULL};
+    bat_status status = bat_canvas_read(text, strlen(text), &made, problem);
+    assert_true(status == BAT_OK || (!made.curve && !made.surface));
+    bat_canvas_clear(&made);
+    return status == BAT_OK;
+}
+
+static bool read_sweep(const char *text, bat_problem *problem) {
+    bat_sweep_source made = {.path = NULL};
+    bat_status status = bat_sweep_read(text, strlen(text), &made, problem);
+    assert_true((made.path != NULL) == (status == BAT_OK) && (made.profile != NULL) == (status == BAT_OK));
+    if (status == BAT_OK) {
+        bat_sweep *sweep = NULL;
+        assert_int_equal(bat_function_check(&made.options.twist), BAT_OK);
+        assert_int_equal(bat_function_check(&made.options.scale), BAT_OK);
+        if (bat_sweep_create(made.path, made.profile, &made.options, &sweep) == BAT_OK) {
+            bat_sweep_point at;
+            bat_sweep_at(sweep, 0.3, 0.3, &at);
+            for (int k = 0; k < 3; k++) assert_true(isfinite(at.point[k]) && isfinite(at.normal[k]));
+        }
+        bat_sweep_free(sweep);
+    }
+    bat_sweep_source_clear(&made);
+    return status == BAT_OK;
+}
+
 static bool read_edits(const char *text, bat_problem *problem) {
     static const char flat[] = "{\"base\":{\"degree\":3,\"closed\":false,\"knots\":[0,0,0,0,1,2,2,2,2],"
                                "\"points\":[[0,0],[30,60],[90,60],"
@@ -159,6 +193,16 @@ static void values_of_json(void **state) {
          "\"frame\":\"fixed\",\"nodes\":\"argmax\",\"propagation\":\"plain\",\"first\":{\"t\":[1,0,0],\"s\":["
          "0,1,0]}}",
          read_shape},
+        {"{\"eye\":[0,0,9],\"target\":[0,0,0],\"up\":[0,1,0],\"size\":[80,60],\"fov\":40}", read_view},
+        {"{\"eye\":[0,0,9],\"target\":[1,0,0],\"up\":[0,1,0],\"size\":[80,60],\"height\":3}", read_view},
+        {"{\"curve\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]},\"along\":[0,0,1]}",
+         read_canvas},
+        {"{\"plane\":{\"origin\":[0,0,1],\"normal\":[0,1,1]}}", read_canvas},
+        {"{\"path\":{\"degree\":2,\"knots\":[0,0,0,1,1,1],\"points\":[[0,0,0],[0,3,1],[4,3,0]]},\"profile\":{"
+         "\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[-1,0],[1,0]]},\"frame\":\"frenet\","
+         "\"first\":{\"s\":[1,0,0]},\"twist\":{\"degree\":2,\"knots\":[0,0,0,1,1,1],\"values\":[0,2,0]},"
+         "\"scale\":0.5}",
+         read_sweep},
         {"[{\"type\":\"move\",\"level\":1,\"index\":2,\"delta\":[1,2]},{\"type\":\"drag\",\"level\":0,\"u\":"
          "0.7,"
          "\"delta\":[3,4]},{\"type\":\"gain\",\"level\":1,\"value\":0.5},{\"type\":\"transform\",\"matrix\":["

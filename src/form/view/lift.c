@@ -170,7 +170,7 @@ static bat_status raise(const lifting *l, const bat_curve *curve, bat_curve **ou
         points[3 * i + 1] = from[1];
         points[3 * i + 2] = (size == 3 ? from[2] : 0) - (at >= 0 ? l->b[at] : 0); /* z points down */
     }
-    bat_status status = bat_curve_create(bat_curve_degree(curve), 3, bat_curve_is_closed(curve), n, points,
+    bat_status status = bat_curve_create(3, bat_curve_degree(curve), bat_curve_is_closed(curve), n, points,
                                          bat_curve_knot_count(curve), bat_curve_knots(curve), out);
     free(points);
     return status;

@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
@@ -37,9 +36,10 @@ static bat_editor *after(const bat_surface *surface, const char *line, bat_statu
     bat_editor *first = with(surface), *again = NULL;
     size_t size = 0;
     const char *head = bat_editor_journal(first, &size);
-    char *text = malloc(size + strlen(line) + 2);
+    char *text = malloc(size + strlen(line) + 1);
     assert_non_null(text);
-    sprintf(text, "%s%s\n", head, line);
+    memcpy(text, head, size);
+    memcpy(text + size, line, strlen(line) + 1);
     assert_int_equal(bat_editor_create(&again), BAT_OK);
     *status = bat_editor_replay(again, text, strlen(text), true, problem);
     check(again);

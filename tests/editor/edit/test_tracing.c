@@ -251,12 +251,50 @@ static void failing_allocations(void **unused) {
     }
 }
 
+static double span_of(bat_editor *editor) {
+    double value = -1;
+    assert_int_equal(bat_editor_get(editor, "picture-span", &value), BAT_OK);
+    return value / bat_view_pixel(&editor->stage.view);
+}
+
+/* A place that is pressed is moved, from further away by a finger; both on one spot ask for no distance; a third press
+ * begins anew. */
+static void places_are_moved_and_set_anew(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    assert_int_equal(add(editor, 200, 100), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "tool-span"), BAT_OK);
+    pen p = mouse(editor);
+    pen_event(&p, BAT_POINTER_MOVE, 300, 300); /* nothing is held yet */
+    tap(&p, 300, 300);
+    tap(&p, 300 + 8, 300); /* the same place, moved there */
+    assert_true(span_of(editor) == 0);
+    tap(&p, 408, 300);
+    assert_true(fabs(span_of(editor) - 100) < 1e-9);
+    pen finger = p;
+    finger.device = BAT_DEVICE_TOUCH;
+    finger.contact = 5;
+    drag(&finger, 408, 318, 408, 340); /* 18 px from it */
+    assert_true(fabs(span_of(editor) - hypot(100, 40)) < 1e-9);
+    drag(&p, 408, 340, 308, 300);
+    assert_true(span_of(editor) == 0);
+    assert_int_equal(bat_editor_frame(editor)->requests, 0);
+    assert_int_equal(bat_editor_set(editor, "picture-span", 10), BAT_STATE);
+    tap(&p, 600, 600); /* a third */
+    assert_true(span_of(editor) == 0);
+    pen_event(&p, BAT_POINTER_DOWN, 600, 650);
+    pen_event(&p, BAT_POINTER_UP, 600, 650);
+    assert_int_equal(bat_editor_frame(editor)->requests, BAT_ASK_SPAN);
+    assert_true(fabs(span_of(editor) - 50) < 1e-9);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed_in_the_middle),  cmocka_unit_test(moved_undone_and_replayed),
         cmocka_unit_test(locked_out_of_the_way), cmocka_unit_test(refused_in_one_line),
-        cmocka_unit_test(scaled_by_two_points),  cmocka_unit_test(opacity_lock_and_hide),
-        cmocka_unit_test(failing_allocations),
+        cmocka_unit_test(scaled_by_two_points),  cmocka_unit_test(places_are_moved_and_set_anew),
+        cmocka_unit_test(opacity_lock_and_hide), cmocka_unit_test(failing_allocations),
     };
     return cmocka_run_group_tests_name("tracing", tests, NULL, NULL);
 }

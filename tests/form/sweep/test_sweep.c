@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/refine.h>
+#include <batten/format.h>
 #include <batten/sweep.h>
 #include "support/random_curve.h"
 
@@ -247,7 +248,21 @@ static void what_cannot_be_swept(void **state) {
     options.scale.constant = NAN;
     assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_NUMBER);
     options = bat_sweep_defaults();
-    options.twist.curve = path; /* its domain is 0 to 1, but 0 to 5 of a longer one is not */
+    options.twist.curve = corner; /* over 0 to 2 */
+    assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_PARAMETER);
+    const double knots[] = {0.5, 0.5, 1, 1};
+    bat_curve *late = NULL;
+    assert_int_equal(bat_curve_create(2, 1, false, 2, bent, 4, knots, &late), BAT_OK);
+    options.twist.curve = late;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_PARAMETER);
+    bat_function_clear(&options.twist);
+    assert_true(!options.twist.curve && options.twist.constant == 0);
+    assert_int_equal(bat_function_check(NULL), BAT_ARGUMENT);
+    bat_function_clear(NULL);
+    bat_sweep_source source;
+    assert_int_equal(bat_sweep_read(NULL, 0, &source, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_sweep_read("{}", 2, NULL, NULL), BAT_ARGUMENT);
+    bat_sweep_source_clear(NULL);
     assert_null(sweep);
     assert_int_equal(bat_sweep_create(path, profile, NULL, &sweep), BAT_OK);
     assert_int_equal(bat_sweep_surface(sweep, 0, &s, NULL), BAT_ARGUMENT);

@@ -273,6 +273,11 @@ static void bad_data_are_refused(void **state) {
     assert_int_equal(bat_surface_silhouettes(NULL, &view, &tracks), BAT_ARGUMENT);
     assert_int_equal(bat_surface_silhouettes(s, NULL, &tracks), BAT_ARGUMENT);
     assert_int_equal(bat_surface_silhouettes(s, &view, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_section(NULL, zero, up, 0, &tracks), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_section(s, NULL, up, 0, &tracks), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_section(s, zero, NULL, 0, &tracks), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_section(s, zero, up, 0, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_section(s, zero, nan, 0, &tracks), BAT_NUMBER);
     assert_int_equal(bat_surface_section(s, zero, zero, 0, &tracks), BAT_ARGUMENT);
     assert_int_equal(bat_surface_section(s, zero, up, -1, &tracks), BAT_ARGUMENT);
     assert_int_equal(bat_surface_section(s, nan, up, 0, &tracks), BAT_NUMBER);
