@@ -51,11 +51,12 @@ BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
 /* What the last stroke could mean, while it is the last thing done and no other has begun, as JSON: {"at":[x,y],
  * its end in view pixels, "chosen": which it was taken for, "amount": how it is fitted (below; -1: it is settled),
  * "words":["New line","Redraw roof", ...]}; no words: there is nothing else that it could mean. After
- * command "curve-simplify", as long as that is the last thing done: the place of the selection, no words, and
- * "points":[before,after]. When one object is selected that an earlier stroke changed, and that stretch of it is as the
+ * command "curve-simplify", as long as that is the last thing done: the place of the selection, how the spans of the
+ * result can meet (C2, G1), and "points":[before,after], "cubics":[before,after]. When one object is selected that an earlier stroke changed, and that stretch of it is as the
  * stroke left it: the stroke's end and amount, no words. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_readings(bat_editor *editor);
-/* Takes the stroke in that meaning: its step of the history is replaced. BAT_STATE: that reading no longer exists. */
+/* Takes the stroke in that meaning, or simplifies with those joints: the step of the history is replaced. BAT_STATE: that
+ * reading no longer exists. */
 BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
 /* Refits the stroke, from raw (0: a quarter of the tolerance) through the fit as it was made at first (1/2) to
  * fair (1: four times the tolerance). The result is only shown until `done` is true; then the stroke's step of the

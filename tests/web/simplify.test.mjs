@@ -77,6 +77,32 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal((await state(page)).digest, opened.digest, 'all of it is one step');
+
+    // C2 or G1: by a chip and by Tab.
+    await simplify();
+    await slider.waitFor();
+    const chips = page.locator('.chips button');
+    assert.deepEqual(await chips.evaluateAll((all) => all.map((chip) => chip.getAttribute('aria-pressed'))), ['true', 'false']);
+    const c2 = await readings();
+    await chips.nth(1).click();
+    await settle(page);
+    const g1 = await readings();
+    assert.ok(g1.cubics[1] < c2.cubics[1], `${g1.cubics}, ${c2.cubics}`);
+    assert.equal(await page.locator('.chips output').textContent(), `Simplified: ${g1.cubics.join(' \u2192 ')} cubics`);
+    assert.deepEqual(await chips.evaluateAll((all) => all.map((chip) => chip.getAttribute('aria-pressed'))), ['false', 'true']);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'stage', 'the keys go on meaning the drawing');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `simplify-g1-${colorScheme}.png`) });
+    await page.keyboard.press('Tab');
+    await settle(page);
+    assert.deepEqual((await readings()).points, c2.points);
+    await chips.nth(1).focus();
+    await page.keyboard.press('Enter');
+    await settle(page);
+    assert.deepEqual((await readings()).cubics, g1.cubics);
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-pressed')), 'true', 'the chip keeps the focus');
+    await page.keyboard.press('Escape');
+    await settle(page);
+    assert.equal((await state(page)).digest, opened.digest);
     await context.close();
   });
 }

@@ -1,6 +1,6 @@
 // The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap chooses that reading;
-// the chips disappear when the next stroke begins. Beside a selection that was simplified, the same slider and how many
-// points are left.
+// the chips disappear when the next stroke begins. Beside a selection that was simplified, how its spans meet, the same
+// slider and how many points or cubics are left.
 
 import { dress } from '../page/build.js';
 import { tell, word } from '../page/words.js';
@@ -12,6 +12,7 @@ import { tell, word } from '../page/words.js';
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
  * @property {[number, number]} [points] a selection was simplified: its points before and after
+ * @property {[number, number]} [cubics] the same for its cubics
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -43,21 +44,23 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, points } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, points, cubics } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
     if (amount < 0 && this.box.contains(document.activeElement)) {
       this.stage.focus();
     }
     this.box.hidden = amount < 0;
     this.amount.valueAsNumber = amount;
-    const shown = [words.length > 0 && chosen, !points, ...words].join('\n');
+    const shown = [!points, ...words].join('\n');
     if (shown !== this.shown || !(points || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
       this.#dress(points ? 'command.curve-simplify' : 'refit', points ? ['simplify.close', 'simplify.few'] : ['refit.raw', 'refit.fair']);
       this.box.setAttribute('aria-label', word(points ? 'command.curve-simplify' : 'command.reading-next'));
-      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i, i === chosen)), this.refit);
+      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), this.refit);
     }
-    this.points.textContent = points ? word('notice.simplified', points.join(' \u2192 ')) : '';
+    this.box.querySelectorAll('button').forEach((chip, i) => chip.setAttribute('aria-pressed', String(i === chosen)));
+    const counted = chosen > 0 ? cubics : points; // C2, G1
+    this.points.textContent = counted ? word(`notice.simplified${chosen > 0 ? '-g1' : ''}`, counted.join(' \u2192 ')) : '';
     this.#place();
   }
 
@@ -87,14 +90,16 @@ export class Chips {
     return slider;
   }
 
-  /** @param {string} text @param {number} index @param {boolean} chosen */
-  #chip(text, index, chosen) {
+  /** @param {string} text @param {number} index */
+  #chip(text, index) {
     const chip = document.createElement('button');
     chip.type = 'button';
     chip.textContent = text;
-    chip.setAttribute('aria-pressed', String(chosen));
-    chip.addEventListener('click', () => {
+    chip.addEventListener('click', (event) => {
       this.engine.readAs(index);
+      if (event.detail) { // by a pointer: keys go on meaning the drawing
+        this.stage.focus();
+      }
       this.wake();
     });
     return chip;

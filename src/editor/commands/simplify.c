@@ -12,6 +12,7 @@
 #include "editor/tables/commands.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include <batten/bezier.h>
 #include <batten/fit.h>
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +35,7 @@ void bat_simplify_free(bat_simplifying *s) {
     drop_shown(s);
     for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
     free(s->before);
-    *s = (bat_simplifying){.version = s->version};
+    *s = (bat_simplifying){.version = s->version, .joints = s->joints};
 }
 
 bool bat_simplify_holds(const bat_context *c) {
@@ -90,8 +91,8 @@ void bat_simplify_place(const bat_context *c, double at[2]) {
 
 /* ---- simplifying ---- */
 
-/* What is done with a curve of the objects as they were; takes over `fewer`, which is NULL where the curve has as few
- * points as it can. */
+/* What is done with a curve of the objects as they were; takes over `fewer`, which is NULL where the curve is as simple
+ * as it can be. */
 typedef bat_status taker(bat_context *c, const bat_object *object, int index, bat_curve *fewer);
 
 static bat_status put(bat_context *c, const bat_object *object, int index, bat_curve *fewer) {
@@ -111,21 +112,39 @@ static bat_status show(bat_context *c, const bat_object *object, int index, bat_
     return status;
 }
 
-static bat_status simplify_all(bat_context *c, double tolerance, taker *take, size_t points[2]) {
+/* Fewer points; with G1 joints fewer cubics, or as many with fewer points. *fewer is NULL where there is no such curve.
+ */
+static bat_status simpler(const bat_curve *curve, double tolerance, bat_joints joints, bat_curve **fewer) {
+    bat_status status = (joints == BAT_JOINTS_G1 ? bat_curve_refit_g1 : bat_curve_refit)(curve, tolerance,
+                                                                                         CORNER, fewer, NULL);
+    if (status != BAT_OK) return status;
+    const size_t cubics = (size_t)bat_curve_segment_count(curve);
+    const size_t fewer_cubics = (size_t)bat_curve_segment_count(*fewer);
+    if (joints == BAT_JOINTS_G1 && cubics != fewer_cubics ? fewer_cubics < cubics
+                                                          : bat_curve_count(*fewer) < bat_curve_count(curve))
+        return BAT_OK;
+    bat_curve_free(*fewer);
+    *fewer = NULL;
+    return BAT_OK;
+}
+
+static void count(bat_simplified *sum, const bat_curve *curve, bool after) {
+    sum->points[after] += (size_t)bat_curve_count(curve);
+    sum->cubics[after] += (size_t)bat_curve_segment_count(curve);
+}
+
+static bat_status simplify_all(bat_context *c, double tolerance, taker *take, bat_simplified *sum) {
     const bat_simplifying *s = c->simplifying;
-    points[0] = points[1] = 0;
+    *sum = (bat_simplified){0};
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
             const bat_curve *curve = bat_object_curve(s->before[i], k);
             bat_curve *fewer = NULL;
-            bat_status status = bat_curve_refit(curve, tolerance, CORNER, &fewer, NULL);
+            bat_status status = simpler(curve, tolerance, s->joints, &fewer);
             if (status != BAT_OK) return status;
-            const size_t had = (size_t)bat_curve_count(curve), has = (size_t)bat_curve_count(fewer);
-            if (has >= had) {
-                bat_curve_free(fewer);
-                fewer = NULL;
-            }
-            points[0] += had, points[1] += fewer ? has : had;
+            count(sum, curve, false);
+            count(sum, fewer ? fewer : curve, true);
+            sum->changed += fewer != NULL;
             status = take(c, s->before[i], k, fewer);
             if (status != BAT_OK) return status;
         }
@@ -134,26 +153,28 @@ static bat_status simplify_all(bat_context *c, double tolerance, taker *take, si
 
 /* One step, or none when nothing became simpler. */
 static bat_status carry_out(bat_context *c, double tolerance) {
-    size_t points[2];
+    bat_simplified sum;
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;
-    status = simplify_all(c, tolerance, put, points);
+    status = simplify_all(c, tolerance, put, &sum);
     status = bat_transaction_end(c, status, BAT_STRING_STEP_SIMPLIFY);
     if (status != BAT_OK) return status;
-    c->simplifying->points[0] = points[0], c->simplifying->points[1] = points[1];
-    mark(c, points[1] < points[0]);
+    c->simplifying->sum = sum;
+    mark(c, sum.changed > 0);
     return BAT_OK;
 }
 
 static void tell(bat_context *c) {
-    const size_t *points = c->simplifying->points;
+    const bat_simplifying *s = c->simplifying;
+    const bool joined = s->joints == BAT_JOINTS_G1;
+    const size_t *counted = joined ? s->sum.cubics : s->sum.points;
     char numbers[64];
-    if (points[1] == points[0]) {
+    if (s->sum.changed == 0) {
         bat_notice(c, BAT_STRING_NOTICE_SIMPLE_ALREADY);
         return;
     }
-    snprintf(numbers, sizeof numbers, "%zu \xE2\x86\x92 %zu", points[0], points[1]);
-    bat_notice_value(c, BAT_STRING_NOTICE_SIMPLIFIED, numbers);
+    snprintf(numbers, sizeof numbers, "%zu \xE2\x86\x92 %zu", counted[0], counted[1]);
+    bat_notice_value(c, joined ? BAT_STRING_NOTICE_SIMPLIFIED_G1 : BAT_STRING_NOTICE_SIMPLIFIED, numbers);
 }
 
 static bat_status refuse(bat_context *c, bat_status status) {
@@ -198,27 +219,50 @@ static bat_status replace(bat_context *c, double tolerance) {
     return status;
 }
 
-bat_status bat_simplify_again(bat_context *c, double amount, bool done) {
+static double chosen(const bat_simplifying *s, double amount) {
+    return s->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
+}
+
+static bat_status shown(bat_context *c, double tolerance) {
     bat_simplifying *s = c->simplifying;
-    if (!bat_simplify_holds(c)) return BAT_STATE;
-    if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
-    const double tolerance = s->tolerance * bat_exp((amount - 0.5) * bat_log(RANGE));
-    size_t points[2];
+    bat_simplified sum;
+    bat_status status = simplify_all(c, tolerance, show, &sum);
+    if (status != BAT_OK) return status;
+    s->sum = sum;
+    s->version++;
+    return BAT_OK;
+}
+
+/* In place of the step, or only shown. */
+static bat_status choose(bat_context *c, double amount, bool done) {
+    bat_simplifying *s = c->simplifying;
     drop_shown(s);
-    bat_status status = done ? replace(c, tolerance) : simplify_all(c, tolerance, show, points);
+    bat_status status = (done ? replace : shown)(c, chosen(s, amount));
     if (status != BAT_OK) {
         drop_shown(s);
         bat_notice_failure(c, status);
         return status;
     }
     s->amount = amount;
-    if (!done) {
-        s->points[0] = points[0], s->points[1] = points[1];
-        s->version++;
-    } else {
-        tell(c);
-    }
+    if (done) tell(c);
     return BAT_OK;
+}
+
+bat_status bat_simplify_again(bat_context *c, double amount, bool done) {
+    if (!bat_simplify_holds(c)) return BAT_STATE;
+    if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
+    return choose(c, amount, done);
+}
+
+bat_status bat_simplify_joined(bat_context *c, int joints) {
+    bat_simplifying *s = c->simplifying;
+    if (!bat_simplify_holds(c)) return BAT_STATE;
+    if (joints < 0 || joints >= BAT_JOINTS_COUNT) return BAT_ARGUMENT;
+    const bat_joints before = s->joints;
+    s->joints = (bat_joints)joints;
+    bat_status status = choose(c, s->amount, true);
+    if (status != BAT_OK) s->joints = before;
+    return status;
 }
 
 bool bat_simplify_cancel(bat_context *c) {

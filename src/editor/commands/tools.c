@@ -18,6 +18,11 @@ bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
     return tool->is->command ? tool->is->command(c, tool->state, id) : BAT_STATE;
 }
 
+bat_status bat_command_reading(bat_context *c, bat_command_id id) {
+    if (!bat_simplify_holds(c)) return bat_command_to_tool(c, id);
+    return bat_simplify_joined(c, c->simplifying->joints == BAT_JOINTS_C2 ? BAT_JOINTS_G1 : BAT_JOINTS_C2);
+}
+
 bat_status bat_command_accept(bat_context *c, bat_command_id id) {
     (void)id;
     const bat_slot *tool = bat_toolbox_tool(c);

@@ -1,4 +1,4 @@
-/* The chips at the end of a stroke: its other readings; and the slider beside what was simplified. */
+/* The chips at the end of a stroke: its other readings; and those beside what was simplified: how its spans meet. */
 #include "editor/commands/simplify.h"
 #include "editor/panels/panels.h"
 #include "editor/session/journal_line.h"
@@ -56,16 +56,28 @@ static void begin(bat_context *c, bat_text *text, const double place[3], int cho
     bat_line_number(text, amount);
 }
 
-/* The same slider for a selection that was simplified. */
+static void counted(bat_text *text, const char *what, const size_t count[2]) {
+    bat_text_string(text, ",\"");
+    bat_text_string(text, what);
+    bat_text_string(text, "\":");
+    bat_line_numbers(text, (double[]){(double)count[0], (double)count[1]}, 2, 1);
+}
+
+/* The same slider for a selection that was simplified, and how its spans can meet. */
 static const char *simplified(bat_context *c) {
+    static const bat_string words[BAT_JOINTS_COUNT] = {BAT_STRING_SIMPLIFY_C2, BAT_STRING_SIMPLIFY_G1};
     const bat_simplifying *s = c->simplifying;
     bat_text text = {0};
     double place[3] = {0};
     bat_simplify_place(c, place);
-    begin(c, &text, place, -1, s->amount);
-    bat_text_string(&text, ",\"points\":");
-    bat_line_numbers(&text, (double[]){(double)s->points[0], (double)s->points[1]}, 2, 1);
+    begin(c, &text, place, (int)s->joints, s->amount);
+    counted(&text, "points", s->sum.points);
+    counted(&text, "cubics", s->sum.cubics);
     bat_text_string(&text, ",\"words\":[");
+    for (int i = 0; i < BAT_JOINTS_COUNT; i++) {
+        if (i) bat_text_string(&text, ",");
+        bat_text_json_string(&text, bat_word(c, words[i]));
+    }
     return finish(c, &text);
 }
 
@@ -95,5 +107,6 @@ bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
 }
 
 bat_status bat_panel_read_as(bat_context *c, int reading) {
+    if (bat_simplify_holds(c)) return bat_simplify_joined(c, reading);
     return bat_sketching_read_as(c, bat_sketching_of(c), reading);
 }

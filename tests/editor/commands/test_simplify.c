@@ -1,7 +1,7 @@
 /*
  * Simplifying the selection: one step; until something else is done the tolerance can be chosen anew, which is shown
  * and then takes the step's place; Esc gives the objects back, Enter keeps them. Corners and ends stay, closed curves
- * stay closed; what is locked or has no curves is left alone.
+ * stay closed; what is locked or has no curves is left alone. C2 has fewest points, G1 fewest cubics.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -153,6 +153,75 @@ static void esc_gives_back_and_enter_keeps(void **state) {
     bat_editor_free(editor);
 }
 
+static int cubics(const bat_editor *editor) {
+    const bat_document *document = bat_editor_document(editor);
+    int sum = 0;
+    for (int i = 0; i < bat_document_count(document); i++)
+        for (int k = 0; k < bat_object_curve_count(bat_document_at(document, i)); k++)
+            sum += (int)bat_curve_segment_count(bat_object_curve(bat_document_at(document, i), k));
+    return sum;
+}
+
+static void counts_cubics(bat_editor *editor, int joints, int before, int after) {
+    char wanted[64];
+    const char *readings = bat_editor_readings(editor);
+    snprintf(wanted, sizeof wanted, "\"cubics\":[%d,%d]", before, after);
+    if (!strstr(readings, wanted)) fail_msg("%s, not %s", readings, wanted);
+    snprintf(wanted, sizeof wanted, "\"chosen\":%d", joints);
+    if (!strstr(readings, wanted)) fail_msg("%s, not %s", readings, wanted);
+}
+
+/* With G1 joints the result is that of bat_curve_refit_g1: fewer cubics than C2 has, in the same step; the slider goes on
+ * with them, the keys change between the two, and the choice is kept. */
+static void joints_can_be_chosen(void **state) {
+    (void)state;
+    bat_editor *editor = selecting(1, (bat_curve *[]){wave(300)});
+    const uint64_t first = digest(editor);
+    const int before = cubics(editor), steps = editor->session.history.done;
+    bat_curve *old = NULL, *fewest = NULL;
+    bat_curve_copy(curve(editor, 1), &old);
+    only(editor, 1, 0);
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_OK);
+    const uint64_t c2 = digest(editor);
+    const int c2_cubics = cubics(editor);
+    counts_cubics(editor, 0, before, c2_cubics);
+    assert_int_equal(bat_editor_read_as(editor, 2), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+    says(editor, "cubics");
+    counts_cubics(editor, 1, before, cubics(editor));
+    assert_true(cubics(editor) < c2_cubics);
+    assert_int_equal(bat_curve_refit_g1(old, 1, 0.05, &fewest, NULL), BAT_OK);
+    assert_true(bat_curve_is_equal(curve(editor, 1), fewest));
+    stays_near(old, curve(editor, 1), 1);
+    assert_int_equal(editor->session.history.done, steps + 1);
+    const uint64_t g1 = digest(editor);
+    check(editor);
+    /* the slider and the keys */
+    const int shown_before = cubics(editor);
+    assert_int_equal(bat_editor_refit(editor, 1, false), BAT_OK);
+    assert_true(digest(editor) == g1);
+    assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
+    assert_true(cubics(editor) < shown_before);
+    assert_int_equal(bat_editor_refit(editor, 0.5, true), BAT_OK);
+    assert_true(digest(editor) == g1);
+    assert_true(bat_editor_key(editor, "Tab", true, 0, 0));
+    assert_true(digest(editor) == c2);
+    assert_true(bat_editor_key(editor, "Tab", true, BAT_SHIFT, 0));
+    assert_true(digest(editor) == g1);
+    assert_int_equal(editor->session.history.done, steps + 1);
+    replays(editor, 0);
+    /* kept */
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_read_as(editor, 0), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_OK);
+    assert_true(digest(editor) == g1);
+    round_trip(editor, first);
+    bat_curve_free(old);
+    bat_curve_free(fewest);
+    bat_editor_free(editor);
+}
+
 /* The slider goes with the selection, the tool and the next change. */
 static void not_for_ever(void **state) {
     (void)state;
@@ -281,12 +350,10 @@ static void surfaces_stay(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_slider_shows_and_replaces),
-                                       cmocka_unit_test(esc_gives_back_and_enter_keeps),
-                                       cmocka_unit_test(not_for_ever),
-                                       cmocka_unit_test(corners_and_closed_curves),
-                                       cmocka_unit_test(what_cannot_be_simplified),
-                                       cmocka_unit_test(locked_and_hidden_stay),
-                                       cmocka_unit_test(surfaces_stay)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_slider_shows_and_replaces), cmocka_unit_test(esc_gives_back_and_enter_keeps),
+        cmocka_unit_test(joints_can_be_chosen),          cmocka_unit_test(not_for_ever),
+        cmocka_unit_test(corners_and_closed_curves),     cmocka_unit_test(what_cannot_be_simplified),
+        cmocka_unit_test(locked_and_hidden_stay),        cmocka_unit_test(surfaces_stay)};
     return cmocka_run_group_tests_name("simplify", tests, NULL, NULL);
 }
