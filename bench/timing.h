@@ -65,4 +65,25 @@ static inline void bench_curve(int n, int dimension, double *knots, double *poin
         }
 }
 
+/* A clamped surface of degree p with n x n points over [0, 1]^2: 10 apart, at heights of up to 10. */
+static inline void bench_surface(int n, int p, double *knots, double *points) {
+    unsigned long long state = 7;
+    for (int i = 0; i < n + p + 1; i++) knots[i] = i <= p ? 0 : i >= n ? 1 : (double)(i - p) / (n - p);
+    for (int i = 0; i < n * n; i++) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        points[3 * i] = 10.0 * (i / n), points[3 * i + 1] = 10.0 * (i % n);
+        points[3 * i + 2] = 10 * ((double)(state >> 11) / 9007199254740992.0);
+    }
+}
+
+/* The k-th of many rays that fall on that surface from above, 1 unit long. */
+static inline void bench_ray(int n, int k, double origin[3], double direction[3]) {
+    const double side = 10.0 * (n - 1), x = 0.5 + 0.38 * (double)(k * 37 % 101 - 50) / 50,
+                 y = 0.5 + 0.38 * (double)(k * 61 % 103 - 51) / 51;
+    origin[0] = x * side, origin[1] = y * side, origin[2] = 100;
+    direction[0] = 0.3 * (k % 7 - 3) / 3.0, direction[1] = 0.3 * (k % 5 - 2) / 2.0, direction[2] = -0.9;
+    const double length = __builtin_sqrt(direction[0] * direction[0] + direction[1] * direction[1] + 0.81);
+    for (int c = 0; c < 3; c++) direction[c] /= length;
+}
+
 #endif

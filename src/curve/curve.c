@@ -41,12 +41,15 @@ void bat_curve_unroll(bat_curve *curve) {
                size * sizeof(double));
 }
 
-BAT_CLONES bat_status bat_points_check(const bat_curve *curve) {
-    const double *points = bat_curve_points(curve);
-    size_t total = (size_t)curve->count * (size_t)curve->dimension;
+BAT_CLONES bool bat_are_coordinates(const double *numbers, size_t count) {
     long long fault = 0;
-    for (size_t i = 0; i < total; i++) fault |= !(fabs(points[i]) <= BAT_COORDINATE_MAX);
-    return fault ? BAT_NUMBER : BAT_OK;
+    for (size_t i = 0; i < count; i++) fault |= !(fabs(numbers[i]) <= BAT_COORDINATE_MAX);
+    return !fault;
+}
+
+bat_status bat_points_check(const bat_curve *curve) {
+    const size_t total = (size_t)curve->count * (size_t)curve->dimension;
+    return bat_are_coordinates(bat_curve_points(curve), total) ? BAT_OK : BAT_NUMBER;
 }
 
 bat_status bat_curve_validate(const bat_curve *curve) {

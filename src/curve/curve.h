@@ -25,6 +25,8 @@ bat_status bat_curve_allocate(int degree, int dimension, bool closed, int count,
 void bat_curve_unroll(bat_curve *curve);
 /* Checks knots and numbers of a filled curve (only t_0..t_n and P_0..P_{n-1} are read): the one validator. */
 bat_status bat_curve_validate(const bat_curve *curve);
+/* Whether all numbers are finite and within BAT_COORDINATE_MAX. */
+bool bat_are_coordinates(const double *numbers, size_t count);
 /* The half of it that looks at the points. */
 bat_status bat_points_check(const bat_curve *curve);
 /* Validates and unrolls a filled curve and hands it over; frees it when it is not valid. */

@@ -1,4 +1,6 @@
 /* A plane in space to draw on: it passes through its origin and is spanned by two axes at right angles. */
+#include "base/vec.h"
+#include "curve/curve.h"
 #include "document/digest.h"
 #include "format/json/fields.h"
 #include "kinds/kinds.h"
@@ -13,27 +15,25 @@ typedef struct plane {
     double frame[NUMBERS]; /* origin, x axis, y axis */
 } plane;
 
-static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /* Orthonormalises the axes: the x axis keeps its direction, the y axis its side. -0 becomes 0, so that equal
  * planes have equal bits. */
 static bat_status set(const double *origin, const double *axes, plane *out) {
     double *x = out->frame + 3, *y = out->frame + 6;
     for (int i = 0; i < 3; i++) out->frame[i] = origin[i] + 0.0;
     for (int i = 0; i < 6; i++) x[i] = axes[i] + 0.0;
-    for (int i = 0; i < NUMBERS; i++)
-        if (!(fabs(out->frame[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    if (fabs(dot(x, x) - 1) <= RIGHT && fabs(dot(y, y) - 1) <= RIGHT && fabs(dot(x, y)) <= RIGHT)
+    if (!bat_are_coordinates(out->frame, NUMBERS)) return BAT_NUMBER;
+    if (fabs(vec_dot3(x, x) - 1) <= RIGHT && fabs(vec_dot3(y, y) - 1) <= RIGHT &&
+        fabs(vec_dot3(x, y)) <= RIGHT)
         return BAT_OK;
     for (int pass = 0; pass < 3; pass++) { /* Gram-Schmidt; the first pass only scales, two are enough */
         double *axis = pass == 0 ? x : y, most = fmax(fmax(fabs(axis[0]), fabs(axis[1])), fabs(axis[2]));
-        double along = pass ? dot(x, axis) : 0, before, length;
+        double along = pass ? vec_dot3(x, axis) : 0, before, length;
         if (!(most > 0)) return BAT_SINGULAR;
         for (int i = 0; i < 3; i++) axis[i] /= most;
         along /= most;
-        before = sqrt(dot(axis, axis));
+        before = sqrt(vec_dot3(axis, axis));
         for (int i = 0; i < 3 && pass; i++) axis[i] -= along * x[i];
-        length = sqrt(dot(axis, axis));
+        length = sqrt(vec_dot3(axis, axis));
         if (!(length > 1e-9 * before)) return BAT_SINGULAR;
         for (int i = 0; i < 3; i++) axis[i] = axis[i] / length + 0.0;
     }
@@ -61,7 +61,8 @@ static uint64_t digest_plane(uint64_t digest, const void *own) {
 
 static const char *check(const bat_object *object) {
     const double *x = bat_object_plane(object) + 3, *y = x + 3;
-    bool right = fabs(dot(x, x) - 1) <= 1e-9 && fabs(dot(y, y) - 1) <= 1e-9 && fabs(dot(x, y)) <= 1e-9;
+    bool right = fabs(vec_dot3(x, x) - 1) <= 1e-9 && fabs(vec_dot3(y, y) - 1) <= 1e-9 &&
+                 fabs(vec_dot3(x, y)) <= 1e-9;
     return right ? NULL : "the axes of a plane are not at right angles";
 }
 

@@ -1,11 +1,11 @@
 #include "editor/view/ground.h"
+#include "base/vec.h"
+#include "curve/curve.h"
 #include "document/kind.h"
 #include <math.h>
 #include <string.h>
 
 static const double EDGE_ON = 0.0871557427476581736; /* sine of 5 degrees */
-
-static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* ---- the page: z = 0 ---- */
 
@@ -29,26 +29,25 @@ static bat_status hit_page(const bat_ground *ground, const bat_ray *ray, bat_hit
 
 static bool good_plane(const double *frame) {
     const double *x = frame + 3, *y = frame + 6;
-    for (int k = 0; k < 9; k++)
-        if (!(fabs(frame[k]) <= BAT_COORDINATE_MAX)) return false;
-    return fabs(dot(x, x) - 1) <= 1e-9 && fabs(dot(y, y) - 1) <= 1e-9 && fabs(dot(x, y)) <= 1e-9;
+    return bat_are_coordinates(frame, 9) && fabs(vec_dot3(x, x) - 1) <= 1e-9 &&
+           fabs(vec_dot3(y, y) - 1) <= 1e-9 && fabs(vec_dot3(x, y)) <= 1e-9;
 }
 
 static bat_status hit_plane(const bat_ground *ground, const bat_ray *ray, bat_hit *out) {
     const double *origin = ground->numbers, *x = origin + 3, *y = origin + 6;
     const double normal[3] = {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
                               x[0] * y[1] - x[1] * y[0]};
-    double away[3], towards = dot(ray->along, normal);
+    double away[3], towards = vec_dot3(ray->along, normal);
     for (int k = 0; k < 3; k++) away[k] = origin[k] - ray->from[k];
     if (!(fabs(towards) >= EDGE_ON)) return BAT_SINGULAR;
-    double far = dot(away, normal) / towards;
+    double far = vec_dot3(away, normal) / towards;
     for (int k = 0; k < 3; k++) {
         out->at[k] = ray->from[k] + far * ray->along[k];
         if (!(fabs(out->at[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
         away[k] = out->at[k] - origin[k];
     }
-    out->own[0] = dot(away, x);
-    out->own[1] = dot(away, y);
+    out->own[0] = vec_dot3(away, x);
+    out->own[1] = vec_dot3(away, y);
     return BAT_OK;
 }
 

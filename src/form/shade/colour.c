@@ -1,5 +1,6 @@
 /* Looks: the colour of a place of a surface from its normal, the eye and its curvature (light.def). */
 #include "form/shade/colour.h"
+#include "base/vec.h"
 
 #include <math.h>
 
@@ -16,20 +17,18 @@ static const light lights[] = {
 #define BAT_TINT(name, red, green, blue) static const double name[3] = {red, green, blue};
 #include "form/shade/light.def"
 
-static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 static double matte(const double normal[3]) {
     double sum = AMBIENT;
     for (size_t k = 0; k < sizeof lights / sizeof *lights; k++) {
         const double way[3] = {lights[k].x, lights[k].y, lights[k].z};
-        sum += lights[k].strength * fmax(0, (dot(normal, way) + WRAP) / (1 + WRAP));
+        sum += lights[k].strength * fmax(0, (vec_dot3(normal, way) + WRAP) / (1 + WRAP));
     }
     return sum;
 }
 
 double bat_shade_wave(const bat_seen_place *place) {
     const double *n = place->normal, *eye = place->eye;
-    const double x = fmin(fmax(2 * dot(n, eye) * n[1] - eye[1], -1), 1);
+    const double x = fmin(fmax(2 * vec_dot3(n, eye) * n[1] - eye[1], -1), 1);
     double before = 1, wave = x;
     for (int k = 1; k < (int)STRIPES; k++) {
         const double next = 2 * x * wave - before;

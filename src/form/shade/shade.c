@@ -4,6 +4,7 @@
  * and its reciprocal in perspective.
  */
 #include "form/shade/shade.h"
+#include "base/order.h"
 #include "form/shade/colour.h"
 #include "form/shade/soup.h"
 
@@ -170,11 +171,6 @@ static void paint_band(band *b, const palette *p, bat_shading *out) {
     }
 }
 
-static int by_size(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The range of curvature: all but the most extreme corners. */
 static bat_status range_of(const bat_soup *soup, double *out) {
     *out = 0;
@@ -182,7 +178,7 @@ static bat_status range_of(const bat_soup *soup, double *out) {
     double *size = malloc(soup->corners * sizeof *size);
     if (!size) return BAT_MEMORY;
     for (size_t k = 0; k < soup->corners; k++) size[k] = fabs(soup->corner[k].value);
-    qsort(size, soup->corners, sizeof *size, by_size); /* no ties */
+    qsort(size, soup->corners, sizeof *size, bat_ascending); /* no ties */
     *out = size[(size_t)(usual * (double)(soup->corners - 1))];
     free(size);
     return BAT_OK;

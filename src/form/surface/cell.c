@@ -17,15 +17,20 @@ static void to_bezier(const bat_curve *axis, int span, double *points, int strid
     for (int i = 0; i <= p; i++) memcpy(points + 3 * i * stride, out + 3 * i, 3 * sizeof(double));
 }
 
+void bat_cell_gather(const bat_surface *surface, const int span[2], double *net) {
+    const int p = surface->axis[0].degree, q = surface->axis[1].degree;
+    for (int i = 0; i <= p; i++) {
+        const bat_curve row = bat_surface_stored_row(surface, span[0] - p + i);
+        memcpy(net + 3 * i * (q + 1), row.points + (size_t)(span[1] - q) * 3,
+               (size_t)(q + 1) * 3 * sizeof(double));
+    }
+}
+
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out) {
     const bat_curve *a = &surface->axis[0], *b = &surface->axis[1];
     const int p = a->degree, q = b->degree;
-    for (int i = 0; i <= p; i++) {
-        const bat_curve row = bat_surface_stored_row(surface, span[0] - p + i);
-        memcpy(out->net + 3 * i * (q + 1), row.points + (size_t)(span[1] - q) * 3,
-               (size_t)(q + 1) * 3 * sizeof(double));
-        to_bezier(b, span[1], out->net + 3 * i * (q + 1), 1);
-    }
+    bat_cell_gather(surface, span, out->net);
+    for (int i = 0; i <= p; i++) to_bezier(b, span[1], out->net + 3 * i * (q + 1), 1);
     for (int j = 0; j <= q; j++) to_bezier(a, span[0], out->net + 3 * j, q + 1);
     out->low[0] = out->low[1] = 0, out->high[0] = out->high[1] = 1;
     out->halvings = 0;

@@ -15,6 +15,8 @@ typedef struct bat_cell {
     int halvings;
 } bat_cell;
 
+/* The control points of a span of the surface, of which the span is an average, as the net of a cell. */
+void bat_cell_gather(const bat_surface *surface, const int span[2], double *net);
 /* The whole span as a cell. */
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
 /* Halves the cell in a direction: `cell` keeps the lower half, `upper` becomes the other one. */

@@ -36,7 +36,7 @@ bat_status bat_surface_eval_grid(const bat_surface *surface, size_t u_count, con
     const int planes = (order + 1) * (order + 2) / 2;
     double block[BAT_TILE_PLANES][PLANE], *plane[BAT_TILE_PLANES];
     bat_tile *tile;
-    status = bat_tile_create(surface, order, &tile);
+    status = bat_tile_create(surface, order, false, &tile);
     if (status != BAT_OK) return status;
     for (int n = 0; n < BAT_TILE_PLANES; n++) plane[n] = block[n];
     for (size_t start = 0; start < v_count; start += BAT_TILE) {

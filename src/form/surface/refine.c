@@ -86,8 +86,16 @@ bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction di
     return change(surface, direction, bat_curve_insert_knots, knot_count, knots, out);
 }
 
+/* Whether the knots are those that the surface has. */
+static bool has_knots(const bat_surface *surface, bat_direction direction, int count, const double *knots) {
+    return knots && count == bat_surface_knot_count(surface, direction) &&
+           memcmp(knots, bat_surface_knots(surface, direction), (size_t)count * sizeof *knots) == 0;
+}
+
 bat_status bat_surface_refine(const bat_surface *surface, bat_direction direction, int knot_count,
                               const double *knots, bat_surface **out) {
+    if (surface && out && has_knots(surface, direction, knot_count, knots))
+        return bat_surface_copy(surface, out);
     return change(surface, direction, bat_curve_refine, knot_count, knots, out);
 }
 

@@ -181,9 +181,10 @@ void bat_surface_box(const bat_surface *surface, double low[3], double high[3]) 
     for (int i = 0; i < surface->axis[0].count; i++) {
         const double *row = bat_surface_row(surface, i);
         for (int j = 0; j < surface->axis[1].count; j++)
-            for (int c = 0; c < 3; c++) {
-                low[c] = fmin(low[c], row[3 * j + c]);
-                high[c] = fmax(high[c], row[3 * j + c]);
+            for (int c = 0; c < 3; c++) { /* finite numbers: no call of fmin is needed */
+                const double x = row[3 * j + c];
+                low[c] = x < low[c] ? x : low[c];
+                high[c] = x > high[c] ? x : high[c];
             }
     }
 }

@@ -16,6 +16,7 @@ enum {
 struct bat_tile {
     const bat_surface *surface;
     int order, terms; /* terms: rows that meet in a span, degree + 1 */
+    bool apart;
     size_t count;
     const double *v;
     int span;       /* of u; the steps below belong to it; -1: none */
@@ -29,13 +30,14 @@ static double *row_of(const bat_tile *tile, int l, int k, int j) {
     return tile->rows + (size_t)((l * ORDERS + k) * tile->terms + j) * WIDTH;
 }
 
-bat_status bat_tile_create(const bat_surface *surface, int order, bat_tile **out) {
+bat_status bat_tile_create(const bat_surface *surface, int order, bool apart, bat_tile **out) {
     const int terms = surface->axis[0].degree + 1, used = order == 0 ? terms : (order + 1) * ORDERS * terms;
     const size_t head = (sizeof(bat_tile) + sizeof(double) - 1) / sizeof(double);
     double *block = malloc((head + (size_t)(order + 1 + used) * WIDTH + LINE) * sizeof *block);
     if (!block) return BAT_MEMORY;
     bat_tile *tile = (bat_tile *)(void *)block;
-    *tile = (bat_tile){.surface = surface, .order = order, .terms = terms, .work = block + head};
+    *tile = (bat_tile){.surface = surface, .order = order, .terms = terms, .apart = apart};
+    tile->work = block + head;
     tile->rows = tile->work + (size_t)(order + 1) * WIDTH;
     while ((uintptr_t)tile->rows % (LINE * sizeof(double)) != 0) tile->rows++;
     bat_tile_move(tile, 0, NULL);
@@ -74,6 +76,12 @@ BAT_CLONES static void step(const double *a, const double *b, double scale, size
     for (size_t c = 0; c < n; c++) out[c] = (b[c] - a[c]) * scale;
 }
 
+/* Points of 3 numbers, `stride` apart, to rows of x, y and z. */
+static void part(const double *from, size_t stride, size_t count, double *restrict to) {
+    for (size_t j = 0; j < count; j++, from += stride)
+        for (size_t c = 0; c < 3; c++) to[c * count + j] = from[c];
+}
+
 /* Stored row i at the v of the tile, and its derivatives. */
 static void fill_slot(bat_tile *tile, int i) {
     const bat_curve row = bat_surface_stored_row(tile->surface, i);
@@ -87,7 +95,10 @@ static void fill_slot(bat_tile *tile, int i) {
     for (int l = 0; l <= tile->order; l++) {
         double *to = row_of(tile, l, 0, slot);
         const double *from = tile->work + 3 * l;
-        for (size_t j = 0; j < tile->count; j++, from += size, to += 3) memcpy(to, from, 3 * sizeof *to);
+        if (tile->apart && l > 0)
+            part(from, (size_t)size, tile->count, to);
+        else
+            for (size_t j = 0; j < tile->count; j++, from += size, to += 3) memcpy(to, from, 3 * sizeof *to);
     }
 }
 
@@ -103,9 +114,13 @@ static void enter_span(bat_tile *tile, int span) {
         if (tile->held[i % tile->terms] != i) fill_slot(tile, i);
     for (int k = 1; k <= tile->order && k <= p; k++)
         for (int l = 0; l + k <= tile->order; l++)
-            for (int j = 0; j <= p - k; j++)
+            for (int j = 0; j <= p - k; j++) {
+                double *out = row_of(tile, l, k, j);
                 step(value_row(tile, span, l, k - 1, j), value_row(tile, span, l, k - 1, j + 1),
-                     (p - k + 1) / (t[j + 1] - t[j + k - p]), 3 * tile->count, row_of(tile, l, k, j));
+                     (p - k + 1) / (t[j + 1] - t[j + k - p]), 3 * tile->count,
+                     tile->apart ? tile->work : out);
+                if (tile->apart) part(tile->work, 3, tile->count, out);
+            }
     tile->span = span;
 }
 

@@ -128,12 +128,6 @@ static bat_status turn(const spindle *s, const bat_curve *profile, const bat_cur
     return bat_surface_finish(made, out);
 }
 
-static bool finite3(const double *p) {
-    for (int k = 0; k < 3; k++)
-        if (!(fabs(p[k]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
 static bat_status revolve(const spindle *s, const bat_curve *profile, double angle, double tolerance,
                           bat_surface **out, double *max_error) {
     const bool closed = fabs(angle) >= 2 * BAT_PI * (1 - 1e-14);
@@ -153,7 +147,8 @@ static bat_status revolve(const spindle *s, const bat_curve *profile, double ang
 bat_status bat_surface_revolve(const bat_curve *profile, const double origin[3], const double direction[3],
                                double angle, double tolerance, bat_surface **out, double *max_error) {
     if (!profile || !origin || !direction || !out) return BAT_ARGUMENT;
-    if (!finite3(origin) || !finite3(direction) || !isfinite(angle) || !isfinite(tolerance))
+    if (!bat_are_coordinates(origin, 3) || !bat_are_coordinates(direction, 3) || !isfinite(angle) ||
+        !isfinite(tolerance))
         return BAT_NUMBER;
     const spindle s = {vec_load(origin, 3), vec_unit(vec_load(direction, 3))};
     if (!(vec_norm(s.axis) > 0) || !(angle != 0) || !(fabs(angle) <= 2 * BAT_PI * (1 + 1e-14)) ||

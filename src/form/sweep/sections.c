@@ -1,4 +1,5 @@
 #include "form/sweep/sections.h"
+#include "base/order.h"
 
 #include <batten/refine.h>
 #include <stdlib.h>
@@ -34,11 +35,6 @@ static bat_status prepare(const bat_curve *curve, int degree, const double domai
     return status;
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* All knots of all curves, ascending, each once: knots that are nearly the same are replaced by the least of them, those
  * nearly at the domain's ends by the ends. Returns how many. */
 static int gather(int count, bat_curve *const *curves, const double domain[2], double *values) {
@@ -49,7 +45,7 @@ static int gather(int count, bat_curve *const *curves, const double domain[2], d
         memcpy(values + total, bat_curve_knots(curves[i]), (size_t)size * sizeof *values);
         total += size;
     }
-    qsort(values, (size_t)total, sizeof *values, ascending); /* no ties that can be told apart */
+    qsort(values, (size_t)total, sizeof *values, bat_ascending); /* no ties that can be told apart */
     values[0] = domain[0];
     for (int i = 1; i < total; i++)
         if (values[i] - values[kept - 1] > near) values[kept++] = values[i];

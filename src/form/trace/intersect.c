@@ -21,7 +21,7 @@ static bat_status read_options(const bat_intersect_options *options, bat_meet *m
         m->gap = options->tolerance, m->chord = options->chord, m->leaf = options->leaf;
     }
     for (int i = 0; i < 3; i++) {
-        if (!bat_gaze_finite(given[i], 1)) return BAT_NUMBER;
+        if (!bat_are_coordinates(given[i], 1)) return BAT_NUMBER;
         if (*given[i] < 0) return BAT_ARGUMENT;
     }
     if (!(m->gap > 0)) m->gap = usual_gap * m->size;
@@ -66,7 +66,7 @@ bat_status bat_surface_intersect(const bat_surface *a, const bat_surface *b,
 
 bat_status bat_tracks_curve(const bat_tracks *tracks, size_t i, double tolerance, bat_curve **out) {
     if (!tracks || !out || i >= tracks->count) return BAT_ARGUMENT;
-    if (!bat_gaze_finite(&tolerance, 1)) return BAT_NUMBER;
+    if (!bat_are_coordinates(&tolerance, 1)) return BAT_NUMBER;
     if (!(tolerance > 0)) return BAT_ARGUMENT;
     const bat_track *track = &tracks->list[i];
     const size_t count = track->closed ? track->count - 1 : track->count;

@@ -34,7 +34,8 @@ static void place(const void *user, const double point[3], double out[3]) {
 bat_status bat_surface_section(const bat_surface *surface, const double origin[3], const double normal[3],
                                double tolerance, bat_tracks **out) {
     if (!surface || !origin || !normal || !out) return BAT_ARGUMENT;
-    if (!bat_gaze_finite(origin, 3) || !bat_gaze_finite(normal, 3) || !bat_gaze_finite(&tolerance, 1))
+    if (!bat_are_coordinates(origin, 3) || !bat_are_coordinates(normal, 3) ||
+        !bat_are_coordinates(&tolerance, 1))
         return BAT_NUMBER;
     const plane p = {surface, vec_load(origin, 3), vec_unit(vec_load(normal, 3))};
     if (!(vec_norm(p.normal) > 0) || tolerance < 0) return BAT_ARGUMENT;

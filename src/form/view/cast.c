@@ -147,7 +147,7 @@ static bat_status prepare(const bat_canvas *canvas, casting *out) {
     *out = (casting){.canvas = canvas, .s = NAN};
     if (canvas->surface && !canvas->curve) return bat_surface_finder_create(canvas->surface, &out->finder);
     const double *way = canvas->curve ? canvas->along : canvas->normal;
-    if (!bat_gaze_finite(way, 3) || (!canvas->curve && !bat_gaze_finite(canvas->origin, 3)))
+    if (!bat_are_coordinates(way, 3) || (!canvas->curve && !bat_are_coordinates(canvas->origin, 3)))
         return BAT_NUMBER;
     out->direction = vec_unit(vec_load(way, 3));
     if (!(vec_norm(out->direction) > 0)) return BAT_ARGUMENT;

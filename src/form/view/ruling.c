@@ -1,5 +1,7 @@
 /* The direction in which the ruled surface of a line runs (docs/math/surfaces.md). */
 #include "form/view/ruling.h"
+#include "base/order.h"
+#include "curve/curve.h"
 #include "form/surface/surface.h"
 
 #include <stdlib.h>
@@ -36,11 +38,6 @@ static vec mean_normal(const bat_surface *surface, double u, const double domain
     return count > 0 ? vec_scale(sum, 1.0 / count) : sum;
 }
 
-static int by_size(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The median along the line of the sine of the angle between the gaze and the ruled surface. */
 static double median_sine(const bat_curve *line, const bat_gaze *gaze, vec d, const double domain[2]) {
     double sines[SAMPLES];
@@ -50,7 +47,7 @@ static double median_sine(const bat_curve *line, const bat_gaze *gaze, vec d, co
         const vec towards = bat_gaze_towards(gaze, vec_load(jet, 3));
         sines[i] = fabs(vec_dot(vec_unit(vec_load(jet + 3, 3)), vec_cross(d, towards)));
     }
-    qsort(sines, SAMPLES, sizeof *sines, by_size); /* no ties that can be told apart */
+    qsort(sines, SAMPLES, sizeof *sines, bat_ascending); /* no ties that can be told apart */
     return sines[SAMPLES / 2];
 }
 
@@ -59,7 +56,7 @@ bat_status bat_ruling_choose(const bat_surface *upright, double u, const bat_cur
     double domain[2], ends[3][3];
     vec d = vec_load(along, 3);
     bat_curve_domain(line, domain);
-    if (!bat_gaze_finite(along, 3)) return BAT_NUMBER;
+    if (!bat_are_coordinates(along, 3)) return BAT_NUMBER;
     *turned = false;
     if (!(vec_norm(d) > 0)) {
         const vec loop = normal_of_loop(line, domain);

@@ -1,20 +1,14 @@
 /* Views: their checks, the rays of pixels, and the pixels of points. */
 #include "form/view/view.h"
-#include <batten/curve.h>
+#include "curve/curve.h"
 
 static const double parallel = 1e-9; /* sine of the least angle between up and the gaze */
 
-bool bat_gaze_finite(const double *numbers, size_t count) {
-    for (size_t i = 0; i < count; i++)
-        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
 bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
     if (!view || !out) return BAT_ARGUMENT;
-    if (!bat_gaze_finite(view->eye, 3) || !bat_gaze_finite(view->target, 3) ||
-        !bat_gaze_finite(view->up, 3) || !bat_gaze_finite(view->size, 2) || !bat_gaze_finite(&view->fov, 1) ||
-        !bat_gaze_finite(&view->height, 1))
+    if (!bat_are_coordinates(view->eye, 3) || !bat_are_coordinates(view->target, 3) ||
+        !bat_are_coordinates(view->up, 3) || !bat_are_coordinates(view->size, 2) ||
+        !bat_are_coordinates(&view->fov, 1) || !bat_are_coordinates(&view->height, 1))
         return BAT_NUMBER;
     if (!(view->size[0] > 0 && view->size[1] > 0)) return BAT_ARGUMENT;
     if (!(view->fov >= 0 && view->fov < 180 && view->height >= 0)) return BAT_ARGUMENT;
@@ -42,7 +36,7 @@ bat_status bat_gaze_through(const bat_viewpoint *view, const bat_stroke *stroke,
     if (status != BAT_OK) return status;
     if (stroke->dimension != 2) return BAT_DIMENSION;
     if (stroke->count > BAT_POINTS_MAX) return BAT_COUNT;
-    return bat_gaze_finite(stroke->points, 2 * stroke->count) ? BAT_OK : BAT_NUMBER;
+    return bat_are_coordinates(stroke->points, 2 * stroke->count) ? BAT_OK : BAT_NUMBER;
 }
 
 bat_status bat_viewpoint_check(const bat_viewpoint *view) {
@@ -73,7 +67,7 @@ bat_status bat_viewpoint_ray(const bat_viewpoint *view, const double pixel[2], d
     bat_gaze gaze;
     bat_status status = bat_gaze_of(view, &gaze);
     if (status != BAT_OK) return status;
-    if (!bat_gaze_finite(pixel, 2)) return BAT_NUMBER;
+    if (!bat_are_coordinates(pixel, 2)) return BAT_NUMBER;
     const bat_sight ray = bat_gaze_ray(&gaze, pixel);
     vec_store(ray.from, origin);
     vec_store(ray.along, direction);
@@ -86,7 +80,7 @@ bat_status bat_viewpoint_project(const bat_viewpoint *view, const double point[3
     bat_gaze gaze;
     bat_status status = bat_gaze_of(view, &gaze);
     if (status != BAT_OK) return status;
-    if (!bat_gaze_finite(point, 3)) return BAT_NUMBER;
+    if (!bat_are_coordinates(point, 3)) return BAT_NUMBER;
     const vec way = vec_sub(vec_load(point, 3), gaze.eye);
     const double far = vec_dot(way, gaze.ahead);
     if (gaze.focus > 0 && !(far > 0)) return BAT_FAR;

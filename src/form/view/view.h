@@ -20,8 +20,6 @@ typedef struct bat_sight {
 bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out);
 /* The same, and checks a stroke in pixels: BAT_DIMENSION, BAT_COUNT, BAT_NUMBER. */
 bat_status bat_gaze_through(const bat_viewpoint *view, const bat_stroke *stroke, bat_gaze *out);
-/* Whether all numbers are finite and not too large. */
-bool bat_gaze_finite(const double *numbers, size_t count);
 bat_sight bat_gaze_ray(const bat_gaze *gaze, const double pixel[2]);
 /* The length of a pixel at a point, in document units, across the gaze; not below 0. */
 double bat_gaze_pixel(const bat_gaze *gaze, vec point);

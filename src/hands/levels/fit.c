@@ -7,6 +7,7 @@
 #include "hands/levels/fit.h"
 
 #include "base/bisect.h"
+#include "base/order.h"
 #include "curve/banded.h"
 #include "curve/curve.h"
 
@@ -87,19 +88,14 @@ static double parameter_at(const fit *f, double place) {
     return f->breaks[i] + (place - i) * (f->breaks[i + 1] - f->breaks[i]);
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* An open curve is covered from the first parameter to the last, a closed one all round except for the
  * longest gap. */
 static void find_sides(fit *f, size_t count, const double *u) {
     const bat_curve *curve = f->curve;
     double *at = f->places, room[2];
     for (size_t i = 0; i < count; i++) at[i] = bat_curve_reduce(curve, u[i]);
-    qsort(at, count, sizeof *at, ascending); /* no ties that could be told apart */
-    size_t last = count - 1;                 /* in the stroke's order, when the longest gap lies behind it */
+    qsort(at, count, sizeof *at, bat_ascending); /* no ties that could be told apart */
+    size_t last = count - 1; /* in the stroke's order, when the longest gap lies behind it */
     double gap = at[0] + curve->knots[curve->spread] - curve->knots[curve->degree] - at[last];
     for (size_t i = 1; i < count && curve->closed; i++)
         if (at[i] - at[i - 1] > gap) gap = at[i] - at[i - 1], last = i - 1;
