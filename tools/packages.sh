@@ -61,6 +61,7 @@ need_to_test() {
     need python3-pil /usr/lib/python3/dist-packages/PIL
     need python3-jsonschema /usr/lib/python3/dist-packages/jsonschema
     need librsvg2-bin rsvg-convert
+    need assimp-utils assimp
     need groff-base groff
     need nodejs node
     need npm npm

@@ -6,6 +6,8 @@
 #include "program.h"
 
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 int read_data(const char *name, data_reader *reader, void *out, bat_problem *problem) {
     char *data;
@@ -18,13 +20,52 @@ int read_data(const char *name, data_reader *reader, void *out, bat_problem *pro
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, problem);
 }
 
+/* ---- OBJECTs: JSON, or a file called .obj ---- */
+
+static bool is_obj(const char *name) {
+    const size_t length = strlen(name);
+    return length > 4 && strcasecmp(name + length - 4, ".obj") == 0;
+}
+
+static bat_status model_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_model_read(data, size, out, problem);
+}
+
+static bat_status obj_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_obj_read(data, size, out, problem);
+}
+
+int read_model(const char *name, bat_model *out) {
+    bat_problem problem;
+    return read_data(name, is_obj(name) ? obj_of : model_of, out, &problem);
+}
+
+/* Reads the one thing of its kind that an OBJ file holds; the other things are freed. */
+static int read_only_one(const char *name, const char *what, bat_model *model) {
+    int failed = read_model(name, model);
+    if (failed) return failed;
+    const size_t found = strcmp(what, "mesh") == 0    ? model->mesh != NULL
+                         : strcmp(what, "curve") == 0 ? model->curve_count
+                                                      : model->surface_count;
+    if (found == 1) return EXIT_DONE;
+    bat_model_clear(model);
+    return fail_data(name, NULL, "expected one %s, found %zu", what, found);
+}
+
 static bat_status curve_of(const char *data, size_t size, void *out, bat_problem *problem) {
     return bat_curve_read(data, size, out, problem);
 }
 
 int read_curve(const char *name, bat_curve **out) {
     bat_problem problem;
-    return read_data(name, curve_of, out, &problem);
+    bat_model model;
+    if (!is_obj(name)) return read_data(name, curve_of, out, &problem);
+    int failed = read_only_one(name, "curve", &model);
+    if (failed) return failed;
+    *out = model.curves[0];
+    model.curves[0] = NULL;
+    bat_model_clear(&model);
+    return EXIT_DONE;
 }
 
 typedef struct stroke_to {
@@ -37,15 +78,20 @@ static bat_status stroke_of(const char *data, size_t size, void *out, bat_proble
     return bat_stroke_read(data, size, to->stroke, to->block, problem);
 }
 
+static bat_status surface_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_surface_read(data, size, out, problem);
+}
+
 int read_surface(const char *name, bat_surface **out) {
-    char *data;
-    size_t size;
-    int failed = io_read(name, &data, &size);
+    bat_problem problem;
+    bat_model model;
+    if (!is_obj(name)) return read_data(name, surface_of, out, &problem);
+    int failed = read_only_one(name, "surface", &model);
     if (failed) return failed;
-    bat_problem problem = {.place = ""};
-    bat_status status = bat_surface_read(data, size, out, &problem);
-    free(data);
-    return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
+    *out = model.surfaces[0];
+    model.surfaces[0] = NULL;
+    bat_model_clear(&model);
+    return EXIT_DONE;
 }
 
 int read_stroke(const char *name, bat_stroke *out, void **block) {

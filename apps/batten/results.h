@@ -14,8 +14,11 @@
 typedef bat_status data_reader(const char *data, size_t size, void *out, bat_problem *problem);
 /* Reads a file with a reader; problem: as the reader left it. */
 int read_data(const char *name, data_reader *reader, void *out, bat_problem *problem);
+/* OBJECTs are JSON; a file called .obj is read as OBJ, and holds one of the kind that is wanted. */
 int read_curve(const char *name, bat_curve **out);
 int read_surface(const char *name, bat_surface **out);
+/* All of a file. */
+int read_model(const char *name, bat_model *out);
 /* Free *block with bat_free. */
 int read_stroke(const char *name, bat_stroke *out, void **block);
 

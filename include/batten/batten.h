@@ -16,6 +16,7 @@
 #include <batten/tangents.h>
 #include <batten/levels.h>
 #include <batten/surface.h>
+#include <batten/mesh.h>
 #include <batten/sweep.h>
 #include <batten/view.h>
 #include <batten/trace.h>

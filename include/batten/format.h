@@ -4,6 +4,7 @@
 
 #include <batten/document.h>
 #include <batten/levels.h>
+#include <batten/mesh.h>
 #include <batten/sketch.h>
 #include <batten/surface.h>
 #include <batten/sweep.h>
@@ -24,6 +25,37 @@ BAT_API bat_status bat_curve_write(const bat_curve *curve, char **text, size_t *
 /* One SURFACE. */
 BAT_API bat_status bat_surface_read(const char *text, size_t size, bat_surface **out, bat_problem *problem);
 BAT_API bat_status bat_surface_write(const bat_surface *surface, char **text, size_t *size);
+/* One MESH. BAT_NUMBER, BAT_PARAMETER, BAT_COUNT: problem names the vertex or the face. */
+BAT_API bat_status bat_polymesh_read(const char *text, size_t size, bat_polymesh **out, bat_problem *problem);
+BAT_API bat_status bat_polymesh_write(const bat_polymesh *mesh, char **text, size_t *size);
+/* Shapes in space, as modelling programs exchange them: a mesh (may be NULL), surfaces and curves, with all of which
+ * bat_model_clear releases it. */
+typedef struct bat_model {
+    bat_polymesh *mesh;
+    size_t surface_count, curve_count;
+    bat_surface **surfaces;
+    bat_curve **curves;
+    int left_out; /* statements of the file that stand for anything else */
+} bat_model;
+BAT_API void bat_model_clear(bat_model *model);
+/* The diagonal of the box of all vertices and control points. */
+BAT_API double bat_model_size(const bat_model *model);
+/* One MESH, SURFACE or CURVE of JSON, or a list of them with one mesh at most. An empty list is BAT_COUNT. */
+BAT_API bat_status bat_model_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
+BAT_API bat_status bat_model_write(const bat_model *model, char **text, size_t *size);
+/* Wavefront OBJ: faces, and B-spline curves and surfaces ("cstype bspline"). Vertices that only those use are none of
+ * the mesh; without faces, points and free forms the vertices are a cloud. BAT_UNSUPPORTED: weights that differ, or a
+ * part of a surface. Numbers survive bit for bit. */
+BAT_API bat_status bat_obj_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
+BAT_API bat_status bat_obj_write(const bat_model *model, char **text, size_t *size);
+/*
+ * Triangles within the tolerance of the surfaces (document units; 0: 1e-4 of the model's size), as binary STL, and as
+ * binary glTF 2.0 with unit normals, curves as line strips and clouds as points. Both hold floats of 32 bits, without
+ * units. Curves and vertices without faces are left out of STL. BAT_TOLERANCE (without a result): it would take over
+ * 16 million triangles; BAT_NUMBER: beyond the range of such floats; BAT_COUNT: nothing that the format can hold.
+ */
+BAT_API bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
+BAT_API bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
 /* One VIEW; and what a stroke is cast on (an ON of docs/format.md), released by bat_canvas_clear. */
 BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoint *out,
                                       bat_problem *problem);

@@ -93,8 +93,22 @@ static void refusals(void **unused) {
         {"v 0 0 0\nv 1 0 0 2\ncstype rat bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "line 7",
          BAT_UNSUPPORTED},
         {"v nan 0 0\n", "line 1", BAT_SYNTAX},
-        {"v 1e999 0 0\nv 0 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "line 7",
-         BAT_NUMBER}};
+        {"v 0 0 0\nv 1e999 0 0\n", "line 2", BAT_NUMBER},
+        {"v 0 0 0\nv 1 0 0\nf 1 2 -3\n", "line 3", BAT_SYNTAX},
+        {"v 0 0 0\nv 1 0 0\nf 1//1 2/1 3/1/1\n", "line 3", BAT_SYNTAX},
+        {"v 0 0 0\nf 0 1 1\n", "line 2", BAT_SYNTAX},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\ncstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 0 1 1\n"
+         "parm v 0 0 1\nend\n",
+         "line 10", BAT_KNOTS},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\ncstype bspline\ndeg 1 1\nsurf 0 .5 0 1 1 2 3 4\nparm u 0 0 1 "
+         "1\n"
+         "parm v 0 0 1 1\nend\n",
+         "line 10", BAT_UNSUPPORTED},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0 2\nv 1 1 1\ncstype rat bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 "
+         "0 1 "
+         "1\nparm v 0 0 1 1\nend\n",
+         "line 10", BAT_UNSUPPORTED},
+        {"surf 0 1 0\n", "line 1", BAT_SYNTAX}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bat_document *document = NULL;
         bat_svg_report report;

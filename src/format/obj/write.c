@@ -1,0 +1,118 @@
+/* Writes OBJ. Closed directions get as many points and knots more as their degree, before the first. */
+#include "curve/curve.h"
+#include "format/obj/obj.h"
+
+enum { ROW = 10 };
+
+/* Writes a blank and the number; the line is broken after every `row` numbers. */
+static void put(bat_text *text, uint64_t i, int row, double number) {
+    bat_text_string(text, i && i % (uint64_t)row == 0 ? " \\\n " : " ");
+    bat_text_number(text, number);
+}
+
+/* A direction as the file holds it: so many points, of which point i is the curve's own at(). */
+typedef struct axis {
+    int degree, own, count, before;
+    const double *knots;
+    double period;
+} axis;
+
+static axis axis_of(int degree, bool closed, size_t count, const double *knots) {
+    const int own = (int)count, before = closed ? degree : 0;
+    return (axis){degree, own, own + before, before, knots, closed ? knots[own] - knots[0] : 0};
+}
+
+static int at(const axis *a, int i) { return ((i - a->before) % a->own + a->own) % a->own; }
+
+static void put_knots(bat_text *text, const char *name, const axis *a) {
+    bat_text_string(text, name);
+    for (int i = 0; i < a->count + a->degree + 1; i++) {
+        int k = i - a->before, turns = 0;
+        for (; a->before && k < 0; k += a->own) turns--;
+        for (; a->before && k > a->own; k -= a->own) turns++;
+        put(text, (uint64_t)i + 1, ROW, a->knots[k] + turns * a->period);
+    }
+    bat_text_string(text, "\n");
+}
+
+static void put_vertex(bat_text *text, const double *point, int size) {
+    bat_text_string(text, "v");
+    for (int d = 0; d < 3; d++) put(text, 0, ROW, d < size ? point[d] : 0);
+    bat_text_string(text, "\n");
+}
+
+uint64_t bat_obj_put_curve(bat_text *text, const bat_curve *curve, uint64_t vertices) {
+    const int size = bat_curve_dimension(curve);
+    const axis a = axis_of(bat_curve_degree(curve), bat_curve_is_closed(curve), bat_curve_count(curve),
+                           bat_curve_knots(curve));
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < a.count; i++) put_vertex(text, bat_curve_points(curve) + at(&a, i) * size, size);
+    bat_text_string(text, "cstype bspline\ndeg ");
+    bat_text_integer(text, (uint64_t)a.degree);
+    bat_text_string(text, "\ncurv");
+    for (int i = 0; i < 2; i++) put(text, 0, ROW, domain[i]);
+    for (int i = 0; i < a.count; i++) put(text, (uint64_t)i + 2, ROW, (double)(vertices + (uint64_t)i + 1));
+    bat_text_string(text, "\n");
+    put_knots(text, "parm u", &a);
+    bat_text_string(text, "end\n");
+    return vertices + (uint64_t)a.count;
+}
+
+uint64_t bat_obj_put_surface(bat_text *text, const bat_surface *surface, uint64_t vertices) {
+    axis a[2];
+    uint64_t count = 0;
+    for (bat_direction d = BAT_U; d <= BAT_V; d++)
+        a[d] = axis_of(bat_surface_degree(surface, d), bat_surface_is_closed(surface, d),
+                       bat_surface_count(surface, d), bat_surface_knots(surface, d));
+    for (int j = 0; j < a[1].count; j++)
+        for (int i = 0; i < a[0].count; i++, count++)
+            put_vertex(text, bat_surface_row(surface, at(&a[0], i)) + 3 * at(&a[1], j), 3);
+    bat_text_string(text, "cstype bspline\ndeg ");
+    bat_text_integer(text, (uint64_t)a[0].degree);
+    bat_text_string(text, " ");
+    bat_text_integer(text, (uint64_t)a[1].degree);
+    bat_text_string(text, "\nsurf");
+    for (bat_direction d = BAT_U; d <= BAT_V; d++) {
+        double domain[2];
+        bat_surface_domain(surface, d, domain);
+        for (int k = 0; k < 2; k++) put(text, 0, ROW, domain[k]);
+    }
+    for (uint64_t i = 0; i < count; i++) put(text, i + 4, ROW, (double)(vertices + i + 1));
+    bat_text_string(text, "\n");
+    put_knots(text, "parm u", &a[0]);
+    put_knots(text, "parm v", &a[1]);
+    bat_text_string(text, "end\n");
+    return vertices + count;
+}
+
+static uint64_t put_mesh(bat_text *text, const bat_polymesh *mesh) {
+    const size_t count = bat_polymesh_vertex_count(mesh), faces = bat_polymesh_face_count(mesh);
+    for (size_t i = 0; i < count; i++) put_vertex(text, bat_polymesh_vertices(mesh) + 3 * i, 3);
+    if (faces == 0) { /* a cloud: also beside curves */
+        bat_text_string(text, "p");
+        for (size_t i = 0; i < count; i++) put(text, i, ROW, (double)(i + 1));
+        bat_text_string(text, "\n");
+    }
+    for (size_t f = 0; f < faces; f++) {
+        size_t size;
+        const int *corners = bat_polymesh_face(mesh, f, &size);
+        bat_text_string(text, "f");
+        for (size_t k = 0; k < size; k++) put(text, k, 2 * ROW, (double)corners[k] + 1);
+        bat_text_string(text, "\n");
+    }
+    return count;
+}
+
+bat_status bat_obj_write(const bat_model *model, char **out, size_t *size) {
+    if (!model || !out || !size) return BAT_ARGUMENT;
+    bat_text text = {0};
+    uint64_t vertices = model->mesh ? put_mesh(&text, model->mesh) : 0;
+    for (size_t i = 0; i < model->surface_count; i++)
+        vertices = bat_obj_put_surface(&text, model->surfaces[i], vertices);
+    for (size_t i = 0; i < model->curve_count; i++)
+        vertices = bat_obj_put_curve(&text, model->curves[i], vertices);
+    if (vertices > 0) return bat_text_finish(&text, out, size);
+    bat_text_free(&text);
+    return BAT_COUNT;
+}
