@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/view/views.h"
 #include "support/editing.h"
 #include <stdio.h>
 
@@ -565,6 +566,39 @@ static void a_curve_is_lifted_and_its_first_view_stays(void **state) {
     bat_editor_free(editor);
 }
 
+/* As many views as are kept, and no more; a way between two views ends at the second. */
+static void old_views_give_way(void **state) {
+    (void)state;
+    bat_views views = {.count = 0};
+    bat_stage stage = any_stage();
+    bat_view now = bat_view_defaults();
+    assert_false(bat_views_home(&views, &now) || bat_views_back(&views, &now));
+    for (int i = 0; i < BAT_VIEWS_KEPT + 7; i++) {
+        bat_view_orbit(&stage.view, 1, i + 1);
+        bat_views_leave(&views, &stage.view);
+    }
+    for (int i = BAT_VIEWS_KEPT + 6; i > 6; i--) {
+        assert_true(bat_views_back(&views, &now));
+        assert_true(now.tilt == i + 1);
+    }
+    assert_false(bat_views_back(&views, &now));
+    assert_false(bat_views_home(&views, &now)); /* it was never upright */
+    for (int k = 0; k < 2; k++) {
+        bat_view from = bat_view_defaults(), to = stage.view;
+        from.width = to.width, from.height = to.height;
+        bat_view_orbit(&to, 90, 60);
+        now = from;
+        bat_views_jump(&views, &from, &to);
+        bat_views_glide(&views, &now, 0.5);
+        assert_true(fabs(now.tilt - 30) < 0.011 && fabs(now.angle - 45) < 0.011);
+        assert_true(fabs(now.zoom - sqrt(from.zoom * to.zoom)) < 1e-12 * now.zoom);
+        bat_views_glide(&views, &now, k ? NAN : 1);
+        assert_true(now.tilt == 60 && now.angle == 90 && now.x == to.x && now.y == to.y);
+        bat_views_glide(&views, &now, 0); /* it has ended */
+        assert_true(now.tilt == 60);
+    }
+}
+
 static void fit_finds_everything(void **state) {
     (void)state;
     bat_editor *editor = drawing();
@@ -605,6 +639,7 @@ int main(void) {
         cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
         cmocka_unit_test(the_view_turns_to_a_plane),
         cmocka_unit_test(a_curve_is_lifted_and_its_first_view_stays),
+        cmocka_unit_test(old_views_give_way),
         cmocka_unit_test(what_is_seen_is_selected_and_moved),
         cmocka_unit_test(a_plane_that_faces_me_takes_the_stroke),
         cmocka_unit_test(fit_finds_everything),

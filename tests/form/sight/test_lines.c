@@ -158,6 +158,51 @@ static void squares_hide_each_other(void **state) {
     bat_curve_free(curve);
 }
 
+/* Of 72 inner knots (one of them double) an even choice of 63 is drawn; seen from above, each line in one piece. */
+static void of_many_knots_some_are_drawn(void **state) {
+    (void)state;
+    enum { ROWS = 76, KNOTS = ROWS + 3 };
+    double points[ROWS][2][3], u[KNOTS];
+    const double v[] = {0, 0, 1, 1};
+    for (int i = 0; i < KNOTS; i++) u[i] = fmin(fmax(i - 2, 0), ROWS - 2) - (i > 40 && i < ROWS);
+    u[KNOTS - 1] = u[KNOTS - 2] = u[KNOTS - 3] = u[KNOTS - 4] + 1;
+    for (int i = 0; i < ROWS; i++)
+        for (int j = 0; j < 2; j++)
+            points[i][j][0] = i / 40. - 1, points[i][j][1] = j - 0.5, points[i][j][2] = 0;
+    bat_surface *s = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){2, 1}, (const bool[2]){false, false},
+                                        (const size_t[2]){ROWS, 2}, &points[0][0][0],
+                                        (const int[2]){KNOTS, 4}, u, v, &s),
+                     BAT_OK);
+    const bat_viewpoint view = {.eye = {0, 0, 9}, .up = {0, 1, 0}, .size = {800, 600}, .height = 3};
+    const bat_line_scene scene = {1, (const bat_surface *const *)&s, 0, NULL};
+    bat_line_drawing *drawing = NULL;
+    assert_int_equal(bat_line_drawing_create(&view, &scene, &drawing), BAT_OK);
+    assert_true(fabs(length_of(drawing, BAT_LINE_PARAMETER, false) - 63 * 200) < 1);
+    assert_true(length_of(drawing, BAT_LINE_PARAMETER, true) == 0);
+    bat_line_drawing_free(drawing);
+    bat_surface_free(s);
+}
+
+/* What lies on itself is touched everywhere; what is far beside it changes nothing. */
+static void a_scene_that_is_not_whole_says_so(void **state) {
+    (void)state;
+    const double up[3] = {0, 0, 1}, beside[3] = {50, 0, 0}, before[3] = {-50, 0, 0};
+    bat_surface *surfaces[] = {solid_plane(origin, up, 1), solid_plane(beside, up, 1),
+                               solid_plane(before, up, 1), solid_plane(origin, up, 1)};
+    const bat_viewpoint view = {.eye = {0, 0, 9}, .up = {0, 1, 0}, .size = {800, 600}, .height = 6};
+    for (size_t count = 1; count <= 4; count++) {
+        const bat_line_scene scene = {count, (const bat_surface *const *)surfaces, 0, NULL};
+        bat_line_drawing *drawing = NULL;
+        assert_int_equal(bat_line_drawing_create(&view, &scene, &drawing), BAT_OK);
+        assert_true(bat_line_drawing_is_whole(drawing) == (count < 4));
+        if (count < 4)
+            assert_true(fabs(length_of(drawing, BAT_LINE_EDGE, false) - 800 * (double)count) < 0.2);
+        bat_line_drawing_free(drawing);
+    }
+    for (int i = 0; i < 4; i++) bat_surface_free(surfaces[i]);
+}
+
 static void a_sphere_is_its_circle(void **state) {
     (void)state;
     const bat_surface *sphere = solid_sphere(1, 24, 12);
@@ -227,8 +272,12 @@ static void failing_allocations_are_reported(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stretches_agree_with_rays),        cmocka_unit_test(squares_hide_each_other),
-        cmocka_unit_test(a_sphere_is_its_circle),           cmocka_unit_test(bad_data_are_refused),
+        cmocka_unit_test(stretches_agree_with_rays),
+        cmocka_unit_test(squares_hide_each_other),
+        cmocka_unit_test(a_sphere_is_its_circle),
+        cmocka_unit_test(bad_data_are_refused),
+        cmocka_unit_test(of_many_knots_some_are_drawn),
+        cmocka_unit_test(a_scene_that_is_not_whole_says_so),
         cmocka_unit_test(failing_allocations_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

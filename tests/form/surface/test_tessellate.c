@@ -300,9 +300,71 @@ static void only_what_moved_is_evaluated(void **state) {
     assert_int_equal(bat_tessellation_update(t, s, BAT_U, (const double[2]){NAN, 1}, range), BAT_NUMBER);
     assert_int_equal(bat_tessellation_update(t, s, BAT_U, (const double[2]){0, 1}, NULL), BAT_OK);
     assert_int_equal(bat_tessellation_update(NULL, s, BAT_U, (const double[2]){0, 1}, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tessellation_update(t, NULL, BAT_U, (const double[2]){0, 1}, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tessellation_update(t, s, BAT_U, NULL, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tessellation_update(t, s, BAT_U, (const double[2]){0, INFINITY}, NULL), BAT_NUMBER);
     assert_int_equal(range[0], 7);
     bat_tessellation_free(t);
     bat_surface_free(s), bat_surface_free(tube);
+}
+
+/* A sheet of 5 x 5 points over the square, folded a little. kind 1: the first row is one point; 2: the first column, too;
+ * 3: of degree 1, the first two rows are the same; 4: all of its rows are. */
+static bat_surface *degenerate(int kind) {
+    double points[5][5][3], knots[9];
+    const int degree = kind > 2 ? 1 : 3, count = 5 + degree + 1;
+    bat_surface *s = NULL;
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            const int row = kind == 4                                     ? 0
+                            : kind == 3 && i < 2                          ? 0
+                            : kind > 0 && kind < 3 && j == 0 && kind == 2 ? 0
+                                                                          : i;
+            const int column = kind > 0 && kind < 3 && i == 0 ? 0 : j;
+            points[i][j][0] = row, points[i][j][1] = column, points[i][j][2] = 0.1 * row * column;
+        }
+    for (int i = 0; i < count; i++) knots[i] = fmin(fmax(i - degree, 0), 5 - degree);
+    assert_int_equal(bat_surface_create((const int[2]){degree, degree}, (const bool[2]){false, false},
+                                        (const size_t[2]){5, 5}, &points[0][0][0],
+                                        (const int[2]){count, count}, knots, knots, &s),
+                     BAT_OK);
+    return s;
+}
+
+/* Every vertex has a normal, whatever collapses; triangles without area are left out; all of it can be moved. */
+static void what_collapses_has_normals(void **state) {
+    (void)state;
+    for (int kind = 0; kind < 5; kind++) {
+        bat_surface *s = degenerate(kind), *moved = NULL;
+        bat_mesh m;
+        bat_tessellate_report report;
+        bat_tessellation *t = divide(s, 1e-3, 0.2, &m, &report);
+        const double up[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2}, everywhere[2] = {-9, 9},
+                     first[2] = {0, 0.1};
+        for (size_t k = 0; k < m.rows * m.columns; k++)
+            assert_true(fabs(length(m.normals + 3 * k) - 1) < 1e-12);
+        for (size_t k = 0; k < m.triangle_count; k++) {
+            const int *corner = m.triangles + 3 * k;
+            double cross[3];
+            cross_of(m.points + 3 * corner[0], m.points + 3 * corner[1], m.points + 3 * corner[2], cross);
+            assert_true(length(cross) > 0);
+        }
+        assert_true((m.triangle_count == 0) == (kind == 4));
+        assert_int_equal(bat_surface_transform(s, up, &moved), BAT_OK);
+        assert_int_equal(bat_tessellation_update(t, moved, BAT_V, first, NULL), BAT_OK);
+        for (int d = 0; d < 2; d++)
+            assert_int_equal(bat_tessellation_update(t, moved, (bat_direction)d, everywhere, NULL), BAT_OK);
+        for (size_t i = 0; i < m.rows; i++)
+            for (size_t j = 0; j < m.columns; j++) {
+                double at[3];
+                const size_t k = 3 * (i * m.columns + j);
+                bat_surface_eval(moved, m.u[i], m.v[j], 0, at);
+                assert_true(distance(at, m.points + k) < 1e-12);
+                assert_true(fabs(length(m.normals + k) - 1) < 1e-12);
+            }
+        bat_tessellation_free(t);
+        bat_surface_free(s), bat_surface_free(moved);
+    }
 }
 
 static void limits(void **state) {
@@ -349,6 +411,7 @@ int main(void) {
         cmocka_unit_test(a_torus),
         cmocka_unit_test(a_crease_keeps_both_normals),
         cmocka_unit_test(only_what_moved_is_evaluated),
+        cmocka_unit_test(what_collapses_has_normals),
         cmocka_unit_test(limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "curve/curve.h"
 #include "support/alloc_fail.h"
+#include "support/random_surface.h"
 #include "support/solids.h"
 #include <batten/nearest.h>
 #include <batten/trace.h>
@@ -107,8 +108,34 @@ static void contacts_are_found(void **state) {
     expect("spheres, .001 in", solid_sphere(1, 24, 12),
            solid_move(solid_sphere(0.5, 24, 12), 0, 0.4, 0, 1.499, 0), 1, 1, 0);
     expect("figure of eight", solid_torus(1, 0.4, 32, 16), plane(0.6, 0, 0, 1, 0, 0), 2, 0, 1);
+    /* a loop less deep than the gap, which is 1e-4 of the ball's size */
+    expect("a dent", solid_sphere(1, 24, 12),
+           plane(0, 0.9998 * sin(0.7), 0.9998 * cos(0.7), 0, sin(0.7), cos(0.7)), 0, 0, 1);
     const double tilt = asin(0.4);
     expect("Villarceau", solid_torus(1, 0.4, 32, 16), plane(0, 0, 0, sin(tilt), 0, cos(tilt)), 4, 0, 2);
+}
+
+/* Small patches of any kind, knotted into each other: whatever is found lies on both, and is found the other way round. */
+static void random_patches(void **state) {
+    (void)state;
+    random_source r = {31};
+    size_t branches = 0, same = 0;
+    enum { PAIRS = 24 };
+    for (int number = 0; number < PAIRS; number++) {
+        bat_surface *s[2];
+        for (int k = 0; k < 2; k++)
+            s[k] = random_surface(&r, (const int[2]){1 + (number + k) % 3, 1 + number / 3 % 3},
+                                  (const int[2]){number % 3, (number + k) / 3 % 3}, (const int[2]){k, 1 - k});
+        bat_tracks *tracks = meet(s[0], s[1], 0.06), *other = meet(s[1], s[0], 0.06);
+        check_points(s[0], s[1], tracks);
+        check_points(s[1], s[0], other);
+        branches += bat_tracks_count(tracks);
+        same += bat_tracks_count(tracks) == bat_tracks_count(other);
+        bat_tracks_free(tracks), bat_tracks_free(other);
+        for (int k = 0; k < 2; k++) bat_surface_free(s[k]);
+    }
+    printf("%zu branches, %zu of %d pairs alike\n", branches, same, PAIRS);
+    assert_true(branches > PAIRS && 10 * same >= 9 * PAIRS);
 }
 
 /* x^2 + y^2 = .25 and x^2 + z^2 = .16 hold on the curve of two cylinders; the spline through it, too. */
@@ -217,6 +244,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(branches_are_counted),
         cmocka_unit_test(contacts_are_found),
+        cmocka_unit_test(random_patches),
         cmocka_unit_test(curves_are_within_the_tolerance),
         cmocka_unit_test(touching_along_a_curve_is_said),
         cmocka_unit_test(bad_data_are_refused),
