@@ -86,7 +86,8 @@ static void stroke(bat_editor *editor, random_source *r, double *time) {
     p.device = (bat_device)(random_int(r, 0, 5) > 3 ? random_int(r, 0, 2) : 0);
     p.contact = p.device == BAT_DEVICE_TOUCH ? 4 : 1;
     p.modifiers = random_int(r, 0, 7) ? 0 : BAT_SHIFT;
-    double from[2] = {random_between(r, 140, 900), random_between(r, 180, 720)};
+    const double x = random_between(r, 140, 900), y = random_between(r, 180, 720);
+    double from[2] = {x, y};
     if (random_int(r, 0, 3)) (void)at_the_line(editor, r, from);
     const double length = lengths[random_int(r, 0, 3)], angle = random_between(r, -3.2, 3.2);
     const double way[2] = {length * cos(angle), length * sin(angle)};
@@ -125,7 +126,8 @@ static void turn(bat_editor *editor, random_source *r, double *time) {
     p.time = *time += 400;
     p.buttons = BAT_BUTTON_SECONDARY;
     pen_event(&p, BAT_POINTER_DOWN, x, y);
-    pen_event(&p, BAT_POINTER_MOVE, x + random_between(r, -90, 90), y - random_between(r, -60, 180));
+    const double across = random_between(r, -90, 90), up = random_between(r, -60, 180);
+    pen_event(&p, BAT_POINTER_MOVE, x + across, y - up);
     pen_event(&p, BAT_POINTER_UP, x, y);
     *time = p.time;
 }
@@ -150,13 +152,15 @@ static void event(bat_editor *editor, random_source *r, double *time) {
     } else if (what < 10) {
         turn(editor, r, time);
     } else if (what < 12) {
-        bat_editor_command(editor, tools[which % 5]);
+        bat_editor_command(editor, tools[(size_t)which % (sizeof tools / sizeof *tools)]);
     } else if (what < 14) {
-        bat_editor_command(editor, commands[which % 22]);
+        bat_editor_command(editor, commands[(size_t)which % (sizeof commands / sizeof *commands)]);
     } else if (what < 16) {
-        bat_editor_key(editor, keys[which % 9], true, which % 5 ? 0 : BAT_SHIFT, *time);
+        bat_editor_key(editor, keys[(size_t)which % (sizeof keys / sizeof *keys)], true,
+                       which % 5 ? 0 : BAT_SHIFT, *time);
     } else if (what < 17) {
-        bat_editor_set(editor, properties[which % 7], which % 4);
+        bat_editor_set(editor, properties[(size_t)which % (sizeof properties / sizeof *properties)],
+                       which % 4);
     } else if (what < 18) {
         bat_editor_select(editor, some, which % 2);
     } else if (what < 19) {

@@ -248,6 +248,15 @@ static void what_cannot_be_swept(void **state) {
     options.scale.constant = NAN;
     assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_NUMBER);
     options = bat_sweep_defaults();
+    options = bat_sweep_defaults(), options.frame = (bat_frame_rule)9;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_ARGUMENT);
+    options = bat_sweep_defaults(), options.size = 1;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_ARGUMENT);
+    options = bat_sweep_defaults(), options.has_first = true, options.first[1] = INFINITY;
+    assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_NUMBER);
+    assert_int_equal(bat_sweep_create(path, NULL, NULL, &sweep), BAT_ARGUMENT);
+    assert_int_equal(bat_sweep_create(path, profile, NULL, NULL), BAT_ARGUMENT);
+    options = bat_sweep_defaults();
     options.twist.curve = corner; /* over 0 to 2 */
     assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_PARAMETER);
     const double knots[] = {0.5, 0.5, 1, 1};
