@@ -42,7 +42,24 @@ static void add_surface(bat_document *document, bat_surface *surface, double siz
     bat_surface_free(surface);
 }
 
-/* Curves on the page and off it, a sheet, a torus, a ball with poles, and a plane at a slant. */
+static double hills(double x, double y) { return 0.2 * sin(2.1 * x) * cos(1.3 * y); }
+
+/* Its ends are not clamped: knots lie outside the domain. */
+static bat_surface *loose_sheet(void) {
+    enum { SIDE = 7, KNOTS = SIDE + 4 };
+    bat_surface *sheet = solid_sheet(SIDE, hills), *loose = NULL;
+    double points[3 * SIDE * SIDE], knots[KNOTS];
+    for (int i = 0; i < KNOTS; i++) knots[i] = i;
+    for (int i = 0; i < SIDE; i++)
+        memcpy(points + 3 * SIDE * i, bat_surface_row(sheet, i), 3 * SIDE * sizeof *points);
+    if (bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false}, (const size_t[2]){SIDE, SIDE},
+                           points, (const int[2]){KNOTS, KNOTS}, knots, knots, &loose) != BAT_OK)
+        abort();
+    bat_surface_free(sheet);
+    return loose;
+}
+
+/* Curves on the page and off it, sheets, a torus, a ball with poles, and a plane at a slant. */
 static bat_editor *space(void) {
     bat_document *document = NULL;
     bat_object *plane = NULL;
@@ -56,6 +73,7 @@ static bat_editor *space(void) {
     bat_document_insert(document, bat_document_count(document), plane);
     bat_object_release(plane);
     add_surface(document, sheet_create(), 1, 0, 0);
+    add_surface(document, loose_sheet(), 200, 250, 600);
     add_surface(document, solid_torus(1, 0.4, 8, 6), 90, 800, 300);
     add_surface(document, solid_move(solid_sphere(0.7, 6, 3), 0, 1, 0, 0, 0), 120, 800, 600);
     return editor_of(document);

@@ -1,6 +1,5 @@
 /* Redrawing the lit line: while the pen is down and when it is lifted, by the same calls. */
 #include "editor/tools/surface/state.h"
-#include "base/real.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
@@ -9,14 +8,6 @@
 #include <string.h>
 
 static const double GAIN_TOLD = 1.25, GAIN_MOST = 4;
-
-/* The length of a pixel at the line's grip, document units. */
-static double pixel_at(const bat_viewpoint *view, const double point[3]) {
-    double pixel[2], depth = 0;
-    if (view->height > 0) return view->height / view->size[1];
-    if (bat_viewpoint_project(view, point, pixel, &depth) != BAT_OK) return 0;
-    return 2 * depth * bat_tan(view->fov * (BAT_PI / 360)) / view->size[1];
-}
 
 /* Reach, locks and ruling, as the properties say. */
 static void settings_of(const bat_context *c, const bat_surface *surface, bat_line_edit *out) {
@@ -37,9 +28,7 @@ static void settings_of(const bat_context *c, const bat_surface *surface, bat_li
 
 bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
     const bat_surface *surface = bat_surfacing_surface(c, s);
-    double point[3];
     if (!surface) return false;
-    bat_surface_eval(surface, s->lit.at[0], s->lit.at[1], 0, point);
     *out = (bat_line_edit){.object = s->lit.object,
                            .direction = s->lit.direction,
                            .at = s->lit.at[s->lit.direction],
@@ -47,8 +36,8 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .count = s->count,
                            .pixels = s->pixels};
     settings_of(c, surface, out);
-    out->tolerance = fmin(
-        fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel_at(&s->seen, point), 1e-12), 1e12);
+    const double pixel = s->seen.height / s->seen.size[1]; /* the stage is seen in parallel */
+    out->tolerance = fmin(fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel, 1e-12), 1e12);
     return true;
 }
 
