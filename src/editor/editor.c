@@ -38,6 +38,8 @@ bat_status bat_editor_create(bat_editor **out) {
     editor->session.stepped = bat_choice_follow;
     editor->session.mirror = bat_symmetry_finish;
     editor->stage = bat_stage_defaults();
+    editor->stage.casters = &editor->casters;
+    editor->casters.document = &editor->session.document;
     editor->notices.notice = BAT_STRING_COUNT;
     bat_scene_init(&editor->scene);
     bat_settings_init(&editor->settings);
@@ -58,6 +60,7 @@ void bat_editor_free(bat_editor *editor) {
     if (editor->session.document) bat_toolbox_interrupt(&editor->context);
     bat_toolbox_free(&editor->toolbox);
     bat_scene_free(&editor->scene);
+    bat_casters_free(&editor->casters);
     bat_overlay_free(&editor->overlay);
     bat_choice_free(&editor->choice);
     bat_session_free(&editor->session);

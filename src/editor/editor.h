@@ -16,6 +16,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
+#include "editor/view/casters.h"
 #include "editor/view/stage.h"
 #include "editor/view/views.h"
 
@@ -27,6 +28,7 @@ struct bat_editor {
     bat_session session;
     bat_notices notices;
     bat_stage stage;
+    bat_casters casters;
     bat_views views;
     bat_input input;
     bat_choice choice;

@@ -38,21 +38,32 @@ static const char *hint(bat_context *c) {
     return tool->is->hint ? bat_word(c, tool->is->hint(c, tool->state)) : "";
 }
 
+/* What a stroke lands on, in words. */
+static const char *ground_word(const bat_context *c, const bat_ground *ground) {
+    const int at = bat_document_find(c->session->document, ground->object);
+    const bat_object *object = ground->object ? bat_document_at(c->session->document, at) : NULL;
+    const char *name = object ? bat_object_name(object) : "";
+    if (!ground->type->numbers) return bat_word(c, BAT_STRING_THE_PAGE);
+    if (!object) return bat_word(c, BAT_STRING_ITS_PLANE);
+    if (bat_object_is_made_of_curves(object)) return bat_word(c, BAT_STRING_A_RULED);
+    if (*name && strlen(name) < NAME_LONG) return name;
+    return bat_word(c, bat_object_surface(object) ? BAT_STRING_A_SURFACE : BAT_STRING_A_PLANE);
+}
+
 /* The hint; before it, where this is not plain, what a stroke would land on. */
 static const char *whole_hint(bat_editor *editor) {
     bat_context *c = &editor->context;
-    const bat_stage *stage = c->stage;
-    const char *text = hint(c), *ground = bat_word(c, BAT_STRING_THE_PAGE),
-               *on = bat_word(c, BAT_STRING_HINT_ON);
+    const bat_slot *tool = bat_toolbox_tool(c);
+    const bat_stage *stage = tool->is->lands ? tool->is->lands(c, tool->state) : NULL;
+    const char *text = hint(c), *on = bat_word(c, BAT_STRING_HINT_ON);
+    if (!stage) stage = c->stage;
     if (!bat_toolbox_has(c, BAT_DRAWS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
         (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2))
         return text;
-    const int at = stage->ground.object ? bat_document_find(c->session->document, stage->ground.object) : -1;
-    const char *name = at < 0 ? "" : bat_object_name(bat_document_at(c->session->document, at));
-    if (at >= 0) ground = *name && strlen(name) < NAME_LONG ? name : bat_word(c, BAT_STRING_A_PLANE);
     const char *hole = strchr(on, '%');
     if (!hole) return text;
-    snprintf(editor->hint, sizeof editor->hint, "%.*s%s%s%s", (int)(hole - on), on, ground, hole + 1, text);
+    snprintf(editor->hint, sizeof editor->hint, "%.*s%s%s%s", (int)(hole - on), on,
+             ground_word(c, &stage->ground), hole + 1, text);
     return editor->hint;
 }
 

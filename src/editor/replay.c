@@ -72,7 +72,7 @@ static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem 
     bat_edit edit = {0};
     bat_curve *curve = NULL;
     bat_sketch_report report;
-    bat_status status = bat_edit_read(json, &edit, problem);
+    bat_status status = bat_edit_read(json, editor->context.stage->casters, &edit, problem);
     if (status == BAT_OK) {
         status = bat_edit_compute(&editor->context, &edit, NULL, &curve, &report);
         if (status == BAT_TOLERANCE && edit.accepted) status = BAT_OK;

@@ -77,6 +77,12 @@ static bat_status opened(const bat_curve *curve, bat_curve **out) {
 
 static bat_status reversed(const bat_curve *curve, bat_curve **out) { return bat_curve_reverse(curve, out); }
 
+/* Its first view: the curve as it is seen from straight above. */
+static bat_status flattened(const bat_curve *curve, bat_curve **out) {
+    if (bat_curve_dimension(curve) == 2) return BAT_STATE;
+    return bat_curve_to_dimension(curve, 2, out);
+}
+
 /* A function that makes one curve from another, and how many it has changed; curves for which it returns BAT_STATE
  * stay. */
 typedef struct making {
@@ -144,6 +150,10 @@ bat_status bat_command_curve_close(bat_context *c, bat_command_id id) {
 bat_status bat_command_curve_open(bat_context *c, bat_command_id id) {
     (void)id;
     return each(c, opened, BAT_STRING_STEP_OPEN, BAT_STRING_NOTICE_SELECT_CLOSED);
+}
+bat_status bat_command_to_page(bat_context *c, bat_command_id id) {
+    (void)id;
+    return each(c, flattened, BAT_STRING_STEP_TO_PAGE, BAT_STRING_NOTICE_SELECT_SPACE);
 }
 bat_status bat_command_curve_reverse(bat_context *c, bat_command_id id) {
     (void)id;

@@ -398,11 +398,13 @@ static void read_mirror(reader *r, bat_mirror *mirror) {
                                       "mirror", "a place and a direction of length 1", r->problem);
 }
 
-bat_status bat_edit_read(const bat_json *json, bat_edit *out, bat_problem *problem) {
+bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_edit *out,
+                         bat_problem *problem) {
     static const double one = 1, three = 3, none = 0;
     bat_samples samples = out->samples;
     bat_samples_clear(&samples);
     *out = (bat_edit){.samples = samples, .stage = bat_stage_defaults(), .style = bat_style_defaults()};
+    out->stage.casters = casters;
     const char *name = bat_json_text(json, bat_json_member(json, 1, "do"));
     out->kind = bat_edit_named(name ? name : "");
     if (out->kind == BAT_EDIT_COUNT)

@@ -63,7 +63,7 @@ bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const d
                            double pressure, double time, const double tilt[2]) {
     bat_hit hit;
     if (samples->count == BAT_SAMPLES_MAX) return BAT_COUNT;
-    bat_status status = bat_stage_place(stage, pixel, &hit);
+    bat_status status = bat_stage_place(stage, pixel, samples->count ? &samples->last : NULL, &hit);
     if (status != BAT_OK) return status;
     const int dimension = bat_stage_dimension(stage);
     const bool apart = dimension == 3 || bat_stage_tilted(stage);
@@ -73,6 +73,7 @@ bat_status bat_samples_add(bat_samples *samples, const bat_stage *stage, const d
         samples->room = 0; /* the block has other columns */
     }
     if (samples->count == samples->room && grow(samples) != BAT_OK) return BAT_MEMORY;
+    samples->last = hit;
     size_t i = samples->count++;
     for (int k = 0; k < 2; k++) {
         samples->pixels[2 * i + (size_t)k] = pixel[k];

@@ -20,6 +20,7 @@ typedef struct bat_samples {
     double *pressure, *time;
     double *tilt; /* x y, degrees */
     double start; /* host's time of the first sample */
+    bat_hit last; /* where the last one lies */
 } bat_samples;
 
 /* Empties it; the memory is kept. */

@@ -14,7 +14,7 @@
 
 typedef struct facts {
     int roots, groups, layers; /* number of roots; groups and layers among them */
-    int open, closed;          /* number of curves */
+    int open, closed, space;   /* number of curves; of those in space */
     bool page;                 /* there is a page to align a single root to */
 } facts;
 
@@ -34,8 +34,11 @@ static bat_status find(const bat_context *c, facts *f) {
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             const int curves = bat_object_is_made_of_curves(object) ? bat_object_curve_count(object) : 0;
-            for (int j = 0; j < curves; j++)
-                ++*(bat_curve_is_closed(bat_object_curve(object, j)) ? &f->closed : &f->open);
+            for (int j = 0; j < curves; j++) {
+                const bat_curve *curve = bat_object_curve(object, j);
+                ++*(bat_curve_is_closed(curve) ? &f->closed : &f->open);
+                f->space += bat_curve_dimension(curve) == 3;
+            }
         }
     }
     free(roots);
@@ -62,6 +65,7 @@ static bool possible(const facts *f, bat_command_id id, bool point) {
     case BAT_COMMAND_CURVE_CLOSE: return f->open > 0;
     case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
+    case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
     case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;

@@ -22,7 +22,7 @@ bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], 
         if (!within_reach(&scene->entries[i], point, within)) continue;
         if (!bat_object_is_made_of_curves(object)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
-            if (bat_curve_dimension(bat_object_curve(object, j)) != dimension) continue;
+            if (dimension && bat_curve_dimension(bat_object_curve(object, j)) != dimension) continue;
             const bat_finder *finder = bat_scene_finder(scene, i, j);
             if (!finder) continue;
             bat_near near;

@@ -1,21 +1,25 @@
 #include "editor/show/disc.h"
-#include "base/real.h"
+#include "base/vec.h"
+#include "editor/view/curve_ground.h"
 #include <math.h>
 
 enum { SIDES = 32 };
 static const double RADIUS = 12;        /* px, seen from straight above */
 static const double SLANTED = 0.258819; /* sine of 15 degrees */
 static const double SHARE = 0.35;       /* of the window: half the side of a plane as shown */
+static const double TALL = 0.25;        /* of a curve's size: its ruled surface, to either side */
 static const float PALER = 0.35F;
 
 void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *overlay) {
     double x[3], y[3], at[2], rim[3];
     bat_hit hit;
     if (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2) return;
-    if (bat_stage_place(stage, pixel, &hit) != BAT_OK) return;
-    bat_ground_axes(&stage->ground, x, y);
+    if (bat_stage_place(stage, pixel, NULL, &hit) != BAT_OK) return;
+    const vec normal = vec_load(hit.normal, 3), across = vec_any_normal(normal);
+    vec_store(across, x);
+    vec_store(vec_cross(normal, across), y);
     bat_overlay_item(overlay, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-    if (overlay->count && bat_stage_slant(stage) < SLANTED)
+    if (overlay->count && bat_stage_slant_at(stage, &hit) < SLANTED)
         overlay->items[overlay->count - 1].opacity = PALER;
     for (int i = 0; i < SIDES; i++) {
         const double angle = 2 * BAT_PI * i / SIDES, r = RADIUS * hit.pixel;
@@ -26,9 +30,20 @@ void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *o
     bat_path_close(&overlay->path);
 }
 
+void bat_ruled_show(const bat_curve *curve, const double along[3], bat_overlay *overlay) {
+    double points[2 * BAT_RULED_POINTS * 3], at[2];
+    bat_ruled_outline(curve, along, TALL * bat_curve_size(curve), points);
+    bat_overlay_item(overlay, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
+    for (int i = 0; i < 2 * BAT_RULED_POINTS; i++) {
+        bat_map_look(overlay->path.map, 3, points + 3 * i, at);
+        (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
+    }
+    bat_path_close(&overlay->path);
+}
+
 void bat_plane_show(const bat_stage *stage, bat_overlay *overlay) {
     double x[3], y[3], at[2], size[2], corner[3];
-    if (bat_stage_dimension(stage) == 2) return;
+    if (stage->ground.type->numbers != BAT_GROUND_NUMBERS) return;
     bat_stage_window(stage, size);
     const double half = SHARE * fmin(size[0], size[1]) * bat_stage_pixel(stage);
     const double *origin = stage->ground.numbers;

@@ -12,4 +12,7 @@ void bat_disc_show(const bat_stage *stage, const double pixel[2], bat_overlay *o
 /* A translucent piece of the plane about its origin; nothing on the page. */
 void bat_plane_show(const bat_stage *stage, bat_overlay *overlay);
 
+/* A translucent piece of the ruled surface of a curve. */
+void bat_ruled_show(const bat_curve *curve, const double along[3], bat_overlay *overlay);
+
 #endif

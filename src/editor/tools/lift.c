@@ -11,6 +11,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
+#include "editor/show/disc.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
@@ -19,9 +20,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RULINGS = 48, SAMPLES_MOST = 20000 };
+enum { SAMPLES_MOST = 20000 };
 static const double REACH = 12;    /* px to a curve that a tap selects */
-static const double TALL = 0.25;   /* of the curve's size: how far the surface is shown to either side */
 static const double TOLERANCE = 1; /* px */
 static const double STILL = 4;     /* px that a tap may travel */
 
@@ -176,32 +176,11 @@ static void update(bat_context *c, void *state) {
     if (l->down && l->due && l->count > 1) compute(c, l);
 }
 
-/* The curve `by` above itself, as a polyline: the path goes there and, from the second, back. */
-static void edge(const bat_curve *curve, double by, bool back, bat_overlay *list) {
-    double domain[2], at[2];
-    bat_curve_domain(curve, domain);
-    for (int i = 0; i <= RULINGS; i++) {
-        double place[BAT_DIMENSION_MAX] = {0};
-        const double share = (double)(back ? RULINGS - i : i) / RULINGS;
-        bat_curve_eval(curve, domain[0] + share * (domain[1] - domain[0]), 0, place);
-        if (bat_curve_dimension(curve) == 2) place[2] = 0;
-        place[2] -= by;
-        bat_map_look(list->path.map, 3, place, at);
-        (i || back ? bat_path_line : bat_path_move)(&list->path, at[0], at[1]);
-    }
-}
-
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     const bat_lifting *l = state;
     bat_id id;
     const bat_curve *curve = target(c, &id);
-    if (curve && bat_stage_tilted(c->stage)) {
-        const double tall = TALL * bat_curve_size(curve);
-        bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-        edge(curve, tall, false, list);
-        edge(curve, -tall, true, list);
-        bat_path_close(&list->path);
-    }
+    if (curve && bat_stage_tilted(c->stage)) bat_ruled_show(curve, (double[]){0, 0, 1}, list);
     if (!l->down) return;
     bat_overlay_item(list, BAT_ROLE_INK, BAT_ITEM_STROKED, 1.5F);
     for (size_t i = 0; i < l->count; i++) {

@@ -73,6 +73,8 @@ typedef struct bat_tool {
     void (*update)(bat_context *c, void *state);
     void (*overlay)(bat_context *c, void *state, bat_overlay *overlay);
     bat_string (*hint)(const bat_context *c, const void *state);
+    /* Where a stroke lands, or would; NULL: on the stage as it is. */
+    const struct bat_stage *(*lands)(const bat_context *c, const void *state);
     bat_cursor (*cursor)(const bat_context *c, const void *state);
     /* out: zeroed before the call. */
     void (*readout)(const bat_context *c, const void *state, bat_readout *out);

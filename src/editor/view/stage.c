@@ -5,22 +5,24 @@
 
 static const double AWAY = 1000; /* of the eye from the page, in windows */
 
-bat_stage bat_stage_defaults(void) { return (bat_stage){bat_view_defaults(), bat_ground_page()}; }
+bat_stage bat_stage_defaults(void) {
+    return (bat_stage){.view = bat_view_defaults(), .ground = bat_ground_page()};
+}
 
 int bat_stage_dimension(const bat_stage *stage) { return stage->ground.type->dimension; }
 
-bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hit *out) {
+bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], const bat_hit *last, bat_hit *out) {
     bat_ray ray = bat_view_ray(&stage->view, pixel);
     bat_hit hit = {.pixel = bat_view_pixel(&stage->view)};
-    bat_status status = stage->ground.type->hit(&stage->ground, &ray, &hit);
+    bat_status status = stage->ground.type->hit(&stage->ground, stage->casters, &ray, last, &hit);
     if (status == BAT_OK) *out = hit;
     return status;
 }
 
 bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[2]) {
-    const bat_stage page = {stage->view, bat_ground_page()};
+    const bat_stage page = {.view = stage->view, .ground = bat_ground_page()};
     bat_hit hit;
-    if (bat_stage_place(&page, pixel, &hit) != BAT_OK) return false;
+    if (bat_stage_place(&page, pixel, NULL, &hit) != BAT_OK) return false;
     memcpy(at, hit.at, 2 * sizeof *at);
     return true;
 }
@@ -42,6 +44,13 @@ static double normal_of(const bat_stage *stage, double normal[3]) {
 double bat_stage_slant(const bat_stage *stage) {
     double normal[3];
     return normal_of(stage, normal);
+}
+
+double bat_stage_slant_at(const bat_stage *stage, const bat_hit *hit) {
+    double right[3], down[3], ahead[3], along = 0;
+    bat_view_axes(&stage->view, right, down, ahead);
+    for (int k = 0; k < 3; k++) along += hit->normal[k] * ahead[k];
+    return fabs(along);
 }
 
 void bat_stage_face(bat_stage *stage) {

@@ -12,17 +12,21 @@
 typedef struct bat_stage {
     bat_view view;
     bat_ground ground;
+    struct bat_casters
+        *casters; /* casters.h: of the document whose curves and surfaces can be grounds; NULL: none */
 } bat_stage;
 
 bat_stage bat_stage_defaults(void);
 /* The dimension of points: 2 on the page, otherwise 3. */
 int bat_stage_dimension(const bat_stage *stage);
-/* Where the pen is on the ground. BAT_SINGULAR: the ground is seen edge-on; BAT_NUMBER: too far away. */
-bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], bat_hit *out);
+/* Where the pen is on the ground. last: where it was before on the same stroke, or NULL. Statuses as in ground.h. */
+bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], const bat_hit *last, bat_hit *out);
 /* Where the pen is on the page, whatever the ground; false: the page is seen edge-on, or too far away. */
 bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[2]);
 /* The sine of the angle at which the ground is seen: 1 from straight above, 0 edge-on. */
 double bat_stage_slant(const bat_stage *stage);
+/* The same where it was hit. */
+double bat_stage_slant_at(const bat_stage *stage, const bat_hit *hit);
 /* Turns the view so that the ground is seen from straight above. */
 void bat_stage_face(bat_stage *stage);
 /* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */

@@ -2,6 +2,8 @@
  * the surface that it shall lie on. */
 #include "curve/curve.h"
 #include "curve/roots.h"
+#include "form/surface/surface.h"
+#include "form/view/cast.h"
 #include "form/view/view.h"
 #include <batten/bezier.h>
 
@@ -10,13 +12,13 @@
 static const double edge_on = 0.0871557427476581736; /* sine of 5 degrees */
 static const double far_out = 4;                     /* times the curve's size */
 
-/* A canvas made ready, and where the last sample landed. */
-typedef struct casting {
-    const bat_canvas *canvas;
+typedef struct bat_caster {
+    const bat_surface *surface; /* borrowed */
     bat_surface_finder *finder; /* of a surface */
     vec origin, direction;      /* unit: a plane's normal, or the direction in which a curve is ruled */
     bat_curve *curve;           /* in space */
-    double size;                /* of the curve */
+    vec middle;                 /* of the curve or the surface */
+    double size;                /* of the curve or the surface */
     double *bezier, *breaks;
     int pieces;
     double domain[2], s; /* s: NaN before the first sample has landed */
@@ -132,7 +134,7 @@ static void on_surface(casting *c, const bat_sight *ray, bat_cast_point *out) {
         if (!c->failed && count > 0) out->fate = BAT_CAST_BEHIND;
         return;
     }
-    const bool smooth = bat_surface_normal(c->canvas->surface, hit.u, hit.v, normal) == BAT_OK;
+    const bool smooth = bat_surface_normal(c->surface, hit.u, hit.v, normal) == BAT_OK;
     if (smooth && !(fabs(vec_dot(vec_load(normal, 3), ray->along)) >= edge_on)) {
         out->fate = BAT_CAST_EDGE_ON;
         return;
@@ -143,9 +145,27 @@ static void on_surface(casting *c, const bat_sight *ray, bat_cast_point *out) {
 
 /* ---- the stroke ---- */
 
+/* The middle and the size of what n points span. */
+static void measure(casting *c, size_t n, const double *points) {
+    vec low = vec_load(points, 3), high = low;
+    for (size_t i = 1; i < n; i++) {
+        const vec p = vec_load(points + 3 * i, 3);
+        low = (vec){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (vec){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+    c->middle = vec_scale(vec_add(low, high), 0.5);
+    c->size = vec_norm(vec_sub(high, low));
+}
+
+static bat_status prepare_surface(const bat_surface *surface, casting *out) {
+    out->surface = surface;
+    measure(out, (size_t)surface->axis[0].spread * (size_t)surface->axis[1].spread, surface->points);
+    return bat_surface_finder_create(surface, &out->finder);
+}
+
 static bat_status prepare(const bat_canvas *canvas, casting *out) {
-    *out = (casting){.canvas = canvas, .s = NAN};
-    if (canvas->surface && !canvas->curve) return bat_surface_finder_create(canvas->surface, &out->finder);
+    *out = (casting){.s = NAN};
+    if (canvas->surface && !canvas->curve) return prepare_surface(canvas->surface, out);
     const double *way = canvas->curve ? canvas->along : canvas->normal;
     if (!bat_are_coordinates(way, 3) || (!canvas->curve && !bat_are_coordinates(canvas->origin, 3)))
         return BAT_NUMBER;
@@ -155,6 +175,7 @@ static bat_status prepare(const bat_canvas *canvas, casting *out) {
     if (!canvas->curve) return BAT_OK;
     bat_status status = bat_curve_to_dimension(canvas->curve, 3, &out->curve);
     if (status != BAT_OK) return status;
+    measure(out, bat_curve_count(out->curve), bat_curve_points(out->curve));
     out->size = bat_curve_size(out->curve);
     bat_curve_domain(out->curve, out->domain);
     out->pieces = bat_curve_segment_count(out->curve);
@@ -171,6 +192,16 @@ static void release(casting *c) {
     bat_curve_free(c->curve);
 }
 
+static void cast(casting *c, const bat_sight *ray, bat_cast_point *out) {
+    *out = (bat_cast_point){.fate = BAT_CAST_MISSED};
+    if (c->curve)
+        on_ruled(c, ray, out);
+    else if (c->surface)
+        on_surface(c, ray, out);
+    else
+        on_plane(c, ray, out);
+}
+
 bat_status bat_cast(const bat_viewpoint *view, const bat_stroke *stroke, const bat_canvas *canvas,
                     bat_cast_point *out, size_t *landed) {
     if (!stroke || !canvas || (stroke->count > 0 && !out)) return BAT_ARGUMENT;
@@ -182,19 +213,43 @@ bat_status bat_cast(const bat_viewpoint *view, const bat_stroke *stroke, const b
     size_t kept = 0;
     for (size_t i = 0; i < stroke->count && status == BAT_OK; i++) {
         const bat_sight ray = bat_gaze_ray(&gaze, stroke->points + 2 * i);
-        out[i] = (bat_cast_point){.fate = BAT_CAST_MISSED};
-        if (c.curve)
-            on_ruled(&c, &ray, &out[i]);
-        else if (canvas->surface)
-            on_surface(&c, &ray, &out[i]);
-        else
-            on_plane(&c, &ray, &out[i]);
+        cast(&c, &ray, &out[i]);
         kept += out[i].fate == BAT_CAST_LANDED;
         if (c.failed) status = BAT_MEMORY;
     }
     release(&c);
     if (status == BAT_OK && landed) *landed = kept;
     return status;
+}
+
+/* ---- one ray at a time ---- */
+
+bat_status bat_caster_create(const bat_canvas *canvas, bat_caster **out) {
+    casting *c = malloc(sizeof *c);
+    bat_status status = c ? prepare(canvas, c) : BAT_MEMORY;
+    if (status == BAT_OK)
+        *out = c;
+    else
+        bat_caster_free(c);
+    return status;
+}
+
+void bat_caster_free(bat_caster *caster) {
+    if (!caster) return;
+    release(caster);
+    free(caster);
+}
+
+bat_status bat_caster_line(bat_caster *caster, const double from[3], const double along[3], double last,
+                           bat_cast_point *out) {
+    bat_sight ray = {vec_load(from, 3), vec_load(along, 3)};
+    /* It starts before all that can be met. */
+    const double ahead = vec_dot(vec_sub(caster->middle, ray.from), ray.along);
+    ray.from = vec_add(ray.from, vec_scale(ray.along, ahead - (2 + far_out) * caster->size));
+    caster->s = last;
+    caster->failed = false;
+    cast(caster, &ray, out);
+    return caster->failed ? BAT_MEMORY : BAT_OK;
 }
 
 void bat_canvas_clear(bat_canvas *canvas) {

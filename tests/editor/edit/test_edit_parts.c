@@ -271,7 +271,7 @@ static bat_edit edit_of(const char *members, double x0, double x1, double rise) 
     }
     at += sprintf(at, "]}}");
     assert_int_equal(bat_json_parse(text, (size_t)(at - text), &json, NULL), BAT_OK);
-    assert_int_equal(bat_edit_read(&json, &edit, NULL), BAT_OK);
+    assert_int_equal(bat_edit_read(&json, NULL, &edit, NULL), BAT_OK);
     bat_json_free(&json);
     return edit;
 }

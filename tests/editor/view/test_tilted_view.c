@@ -59,7 +59,7 @@ static void it_is_the_camera_of_the_library(void **state) {
         bat_stage_look(&stage, 2, flat, seen);
         bat_stage_project(&stage, seen, pixel);
         const double slant = fabs(stage.view.tilt - 90);
-        bat_status status = bat_stage_place(&stage, pixel, &hit);
+        bat_status status = bat_stage_place(&stage, pixel, NULL, &hit);
         if (slant > 5.01) {
             assert_int_equal(status, BAT_OK);
             assert_true(apart(hit.at, flat, 3) < 1e-7);

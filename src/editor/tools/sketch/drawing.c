@@ -50,6 +50,10 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
     bat_status status = bat_samples_add(samples, &s->edit.stage, pixel, event->pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
+    if (samples->count && (status == BAT_SINGULAR || status == BAT_FAR || status == BAT_NUMBER)) {
+        s->dropped++;
+        return BAT_OK;
+    }
     if (status != BAT_OK) return status;
     s->travelled = fmax(s->travelled,
                         bat_hypot(event->x - samples->pixels[0], event->y - samples->pixels[1]));
@@ -58,7 +62,7 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
 }
 
 static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
-    bool edge_on = status == BAT_SINGULAR && !s->edit.samples.count;
+    bool edge_on = (status == BAT_SINGULAR || status == BAT_FAR) && !s->edit.samples.count;
     bat_sketching_end_stroke(s);
     if (edge_on)
         bat_notice_edge_on(c);
@@ -72,11 +76,12 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
     bat_samples samples = s->edit.samples;
     samples.count = 0;
     s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
-                         .stage = *c->stage,
+                         .stage = bat_sketching_stage(c, &pick),
                          .options = options(c),
                          .style = bat_styling_new(c),
                          .mirror = bat_symmetry(c),
                          .samples = samples};
+    if (bat_stage_dimension(&s->edit.stage) != 2) s->edit.mirror.on = false;
     if (forced) {
         s->edit.object = pick.object;
         s->edit.curve = pick.curve;
@@ -90,6 +95,7 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
     s->pick = pick;
     s->forced = forced;
     s->travelled = 0;
+    s->dropped = 0;
     s->smoothing = s->nothing = false;
     s->predicted_count = 0;
     bat_hold_begin(&s->hold, event);

@@ -104,7 +104,8 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bool strayed = false;
-    bat_status status = make(c, s, &curve, &report, &strayed);
+    const bool beside = 3 * s->dropped > s->dropped + s->edit.samples.count;
+    bat_status status = beside ? BAT_FAR : make(c, s, &curve, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
         if (s->edit.kind == BAT_EDIT_NEW) {
             s->edit.object = bat_document_new_id(c->session->document);
@@ -121,5 +122,6 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     } else {
         bat_sketching_say_failed(c, s, status);
     }
+    bat_sketching_say_dropped(c, s, beside);
     bat_sketching_end_stroke(s);
 }

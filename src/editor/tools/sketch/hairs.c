@@ -150,7 +150,7 @@ void bat_hairs_note(const bat_context *c, bat_hairs *h, const bat_edit *edit, bo
     const bat_samples *samples = &edit->samples;
     const int at = joined ? h->count : 0;
     h->count = 0;
-    if ((!redraws(edit) && edit->kind != BAT_EDIT_NEW) || !samples->count) return;
+    if ((!redraws(edit) && edit->kind != BAT_EDIT_NEW) || !samples->count || samples->dimension == 3) return;
     if (!joined) {
         h->object = edit->object;
         h->curve = edit->curve;

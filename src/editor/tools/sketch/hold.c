@@ -43,6 +43,8 @@ static bat_status lay(const bat_hold *hold, bat_edit *edit, const double *points
             pixel[k] = fmin(fmax(bat_samples_round(points[2 * i + k], 100), -BAT_PIXELS_MAX), BAT_PIXELS_MAX);
         const double time = bat_samples_round(last * (double)i / (double)(count - 1), 100);
         status = bat_samples_add(&edit->samples, &edit->stage, pixel, pressure, time, upright);
+        if (edit->samples.count && (status == BAT_SINGULAR || status == BAT_FAR || status == BAT_NUMBER))
+            status = BAT_OK; /* beside the ground */
     }
     return status;
 }

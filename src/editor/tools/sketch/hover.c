@@ -6,6 +6,8 @@
 #include "editor/scene/seen.h"
 #include "editor/session/session.h"
 #include "editor/tools/sketch/parts.h"
+#include "editor/show/disc.h"
+#include "editor/view/curve_ground.h"
 #include "editor/view/stage.h"
 
 static const double REACH = 12, REACH_TOUCH = 24; /* px: reach of the pen for curves */
@@ -17,8 +19,27 @@ bat_pick bat_sketching_pick_at(bat_context *c, const double pixel[2], bat_device
     double point[2];
     bat_seen_sync(c);
     bat_stage_seen(c->stage, pixel, point);
-    return bat_pick_curve(c->scene, bat_stage_dimension(c->stage), point,
-                          reach(device) * bat_stage_pixel(c->stage));
+    return bat_pick_curve(c->scene, 0, point, reach(device) * bat_stage_pixel(c->stage));
+}
+
+bat_stage bat_sketching_stage(const bat_context *c, const bat_pick *pick) {
+    bat_stage stage = *c->stage;
+    const bat_document *document = c->session->document;
+    const bat_object *object = bat_document_at(document, bat_document_find(document, pick->object));
+    if (!object || pick->curve < 0 || pick->curve >= bat_object_curve_count(object)) return stage;
+    const bat_curve *curve = bat_object_curve(object, pick->curve);
+    stage.ground = bat_curve_dimension(curve) == 2
+                       ? bat_ground_page()
+                       : bat_ground_of_curve(c->stage, pick->object, pick->curve, curve);
+    return stage;
+}
+
+void bat_sketching_show_ground(const bat_context *c, const bat_stage *stage, bat_overlay *overlay) {
+    const bat_ground *ground = &stage->ground;
+    const int dimension = bat_stage_dimension(stage), curve = (int)ground->numbers[4];
+    if (!bat_ground_rules(ground, ground->object, curve)) return;
+    const bat_curve *line = bat_edit_target_in(c->session->document, dimension, ground->object, curve);
+    if (line) bat_ruled_show(line, ground->numbers, overlay);
 }
 
 void bat_sketching_hover(bat_context *c, void *state, const bat_pointer *event) {
@@ -43,6 +64,7 @@ void bat_sketching_look(bat_context *c, bat_sketching *s) {
         !s->hover_changed)
         return;
     s->pick = s->hovering ? bat_sketching_pick_at(c, s->hover, s->device) : (bat_pick){0};
+    s->over = bat_sketching_stage(c, &s->pick);
     s->pick_revision = c->session->revision;
     s->pick_stage = *stage;
     s->hover_changed = false;

@@ -113,6 +113,30 @@ static bat_status take(bat_context *c, bat_meaning *m, int entry, int index, con
     return status == BAT_NUMBER ? BAT_OK : status; /* too far out to be near anything */
 }
 
+/* Whether the curve passes at u where the ground is, within two pixels; its place, which is zeroed before. */
+static bool meets(const bat_curve *curve, double u, const bat_stage *stage, double *at) {
+    bat_hit hit;
+    double seen[2], pixel[2], apart = 0;
+    bat_curve_eval(curve, u, 0, at);
+    bat_stage_look(stage, bat_curve_dimension(curve), at, seen);
+    bat_stage_project(stage, seen, pixel);
+    if (bat_stage_place(stage, pixel, NULL, &hit) != BAT_OK) return false;
+    for (int k = 0; k < 3; k++) apart = bat_hypot(apart, at[k] - hit.at[k]);
+    return apart <= 2 * hit.pixel;
+}
+
+/* Whether a curve in space passes, near a place of the stroke, where the ground is. */
+static bool on_ground(bat_context *c, const bat_stage *stage, int entry, int index, const double point[2]) {
+    const bat_object *object = c->scene->entries[entry].object;
+    const bat_finder *finder = bat_scene_finder(c->scene, entry, index);
+    double at[BAT_DIMENSION_MAX] = {0};
+    bat_near near;
+    if (bat_ground_rules(&stage->ground, bat_object_id(object), index)) return true;
+    if (!finder) return false;
+    bat_finder_nearest(finder, point, &near);
+    return meets(bat_object_curve(object, index), near.u, stage, at);
+}
+
 /* Curves near one place of the stroke, in the order in which they lie. */
 static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage, const double point[2],
                           double within) {
@@ -132,6 +156,7 @@ static bat_status look_at(bat_context *c, bat_meaning *m, const bat_stage *stage
             const bat_curve *curve = bat_object_curve(entry->object, j);
             double own[4];
             if (bat_curve_dimension(curve) != dimension || has(m, bat_object_id(entry->object), j)) continue;
+            if (dimension == 3 && !on_ground(c, stage, i, j, point)) continue;
             const bat_curve *seen = count > 1 ? bat_scene_seen(c->scene, i, j) : NULL;
             if (seen) hull(seen, own);
             if (!seen || boxes_meet(own, box)) status = take(c, m, i, j, map, meant);
@@ -199,18 +224,6 @@ static const bat_edit_kind KINDS[] = {
 
 static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_reading *reading, int part) {
     return &m->curves[reading->part[part].line];
-}
-
-/* Whether the curve passes at u where the ground is, within two pixels; its place, which is zeroed before. */
-static bool meets(const bat_curve *curve, double u, const bat_stage *stage, double *at) {
-    bat_hit hit;
-    double seen[2], pixel[2], apart = 0;
-    bat_curve_eval(curve, u, 0, at);
-    bat_stage_look(stage, bat_curve_dimension(curve), at, seen);
-    bat_stage_project(stage, seen, pixel);
-    if (bat_stage_place(stage, pixel, &hit) != BAT_OK) return false;
-    for (int k = 0; k < 3; k++) apart = bat_hypot(apart, at[k] - hit.at[k]);
-    return apart <= 2 * hit.pixel;
 }
 
 static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {

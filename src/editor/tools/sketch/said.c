@@ -39,3 +39,14 @@ void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status
     else
         bat_notice_failure(c, status);
 }
+
+void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused) {
+    char number[32];
+    snprintf(number, sizeof number, "%zu", s->dropped);
+    if (refused)
+        bat_notice_value(c, BAT_STRING_NOTICE_LANDED_NOT, number);
+    else if (s->dropped)
+        bat_notice_value(c, BAT_STRING_NOTICE_NOT_LANDED, number);
+    else if (s->edit.samples.last.beside)
+        bat_notice(c, BAT_STRING_NOTICE_BESIDE);
+}

@@ -104,6 +104,7 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
     for (int i = 1; i < s->edit.part_count; i++)
         bat_sketching_highlight(c, overlay, dimension, s->edit.part[i].object, s->edit.part[i].curve);
     if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
+    bat_sketching_show_ground(c, &s->edit.stage, overlay);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {

@@ -54,6 +54,12 @@ static void update(bat_context *c, void *state) {
         bat_sketching_look(c, s);
 }
 
+/* What a stroke would land on. */
+static void show_landing(const bat_context *c, const bat_sketching *s, bat_overlay *list) {
+    bat_sketching_show_ground(c, &s->over, list);
+    bat_disc_show(&s->over, s->hover, list);
+}
+
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_sketching *s = state;
     if (s->again.fits && bat_sketching_readings(c, s)) bat_sketching_show_refit(c, s, list);
@@ -61,10 +67,16 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     if (s->state == BAT_SKETCHING_DRAWING)
         bat_sketching_show_stroke(c, s, list);
     else if (s->hovering)
-        bat_disc_show(c->stage, s->hover, list);
+        show_landing(c, s, list);
     if (s->state != BAT_SKETCHING_DRAWING && s->pick.object && !c->input->holding_pan &&
         bat_contacts_clear(c))
-        bat_sketching_highlight(c, list, bat_stage_dimension(c->stage), s->pick.object, s->pick.curve);
+        bat_sketching_highlight(c, list, bat_stage_dimension(&s->over), s->pick.object, s->pick.curve);
+}
+
+static const bat_stage *lands(const bat_context *c, const void *state) {
+    const bat_sketching *s = state;
+    (void)c;
+    return s->state == BAT_SKETCHING_DRAWING ? &s->edit.stage : s->pick.object ? &s->over : NULL;
 }
 
 static const char *check(const bat_context *c, const void *state) {
@@ -128,6 +140,7 @@ const bat_tool *bat_tool_sketch(void) {
                                   .update = update,
                                   .overlay = overlay,
                                   .hint = bat_sketching_hint,
+                                  .lands = lands,
                                   .cursor = bat_sketching_cursor,
                                   .readout = readout,
                                   .readings = readings,

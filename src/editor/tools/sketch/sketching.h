@@ -36,6 +36,7 @@ typedef struct bat_sketching {
     bat_pick pick;          /* IDLE: what would be redrawn */
     uint64_t pick_revision; /* of the document it was picked from */
     bat_stage pick_stage;
+    bat_stage over; /* what a stroke would land on */
 
     /* DRAWING */
     bat_edit edit;         /* made by the stroke under the pen */
@@ -45,6 +46,7 @@ typedef struct bat_sketching {
     bat_meaning meaning;   /* its possible meanings */
     bool nothing;          /* none of its possible meanings is allowed */
     bool smoothing;        /* Alt was held at some point of the stroke */
+    size_t dropped;        /* samples that do not land on the ground */
     double travelled;      /* pixels, the greatest distance from the first sample */
     bat_sketch_live *live; /* NULL: none yet (it starts when needed) */
     size_t fed;            /* samples fed to the session */
