@@ -8,6 +8,9 @@ include(cmake/words.cmake)
 # The files in which a stroke spends its time: compiled for speed, the rest for size.
 set_source_files_properties(src/curve/lsq.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
+# Grids of surfaces, which a tilted view is painted with.
+set_source_files_properties(src/form/surface/tile.c src/form/surface/grid.c src/form/surface/grid_normals.c
+  PROPERTIES COMPILE_OPTIONS "-O3")
 
 function(add_module target name)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/web/module/print.c ${ARGN})

@@ -18,6 +18,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         demand(!wrong, wrong);
     }
     bat_editor_frame(editor);
+    const bat_space *space = bat_editor_space(editor);
+    demand(!space || space->count <= 2 * (uint32_t)bat_document_count(bat_editor_document(editor)),
+           "too many buffers");
+    demand(strlen(bat_space_constants()) > 0, "no constants");
     bat_editor_command(editor, "cancel");
     while (bat_editor_command(editor, "redo") == BAT_OK) {
     }

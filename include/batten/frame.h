@@ -154,6 +154,50 @@ typedef struct bat_frame {
     uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;
 
+/* ---- a tilted view, painted with a depth ---- */
+
+enum { BAT_SPACE_TRIANGLES = 0, BAT_SPACE_LINES = 1 };
+
+/* Buffers of an object. The same id, kind and version mean the same data, except for what `moved` says. */
+typedef struct bat_space_item {
+    uint32_t id, version;
+    uint32_t kind;
+    uint32_t colour; /* 0xRRGGBBAA; of triangles 0: that of the look */
+    float width;     /* of lines, view pixels */
+    float opacity;
+    uint32_t cap;           /* of lines: bat_cap */
+    uint32_t rows, columns; /* of vertices, row after row; a line of points has one column */
+    uint32_t index_count;
+    const int
+        *indices; /* of triangles: three vertices each, anticlockwise seen from the side of the normals */
+    /* Triangles: point, normal and curvature (of the looks that show it), 7 numbers a vertex. Lines: point and length so
+     * far, 4 numbers; length 0 begins another line; the first point and the last are there twice. */
+    const float *vertices;
+    uint32_t moved[4]; /* rows and columns that changed since the last call: first, end, first, end */
+} bat_space_item;
+
+/* Matrices are by columns, four numbers each. */
+typedef struct bat_space {
+    float clip[16];  /* from vertices to clip coordinates of a canvas with whole device pixels */
+    float eye[16];   /* to directions and places as the eye has them: right, up, towards it */
+    float before[2]; /* added to z and w of clip coordinates, times w: lines on a surface are before it */
+    float scale;     /* view pixels per document unit, where the view turns */
+    uint32_t perspective; /* 0: parallel */
+    uint32_t look;        /* matte, zebra, Gauss curvature, mean curvature, lines */
+    uint32_t count;
+    const bat_space_item *items; /* back to front; what has an opacity below 1 goes last */
+    double range;                /* curvature: colours run from -range to range */
+    uint32_t legend[3];          /* 0xRRGGBBAA: the colours of -range, 0 and range */
+} bat_space;
+
+/* The drawing as the last frame showed it, without its overlay, page, fills and pictures: for a host that has a depth buffer.
+ * NULL: the view is face-on, or memory ran out; then the frame's static list is to be painted as it is. Owned by the
+ * editor, valid until the next call that is not const. */
+BAT_API const bat_space *bat_editor_space(bat_editor *editor);
+/* The constants of the looks in the language of OpenGL ES 3 shaders: a constant for each number and colour, and the
+ * function `float matte(vec3 normal)`. */
+BAT_API const char *bat_space_constants(void);
+
 /* Brings the lists up to date. Owned by the editor, valid until the next call that is not const. */
 BAT_API const bat_frame *bat_editor_frame(bat_editor *editor);
 

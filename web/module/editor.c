@@ -46,6 +46,8 @@ int editor_set_state(bat_editor *editor, uint32_t id, int hidden, int locked);
 MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
 MODULE_EXPORT(editor_read_only) void editor_read_only(bat_editor *editor, int on);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
+MODULE_EXPORT(editor_space) const bat_space *editor_space(bat_editor *editor);
+MODULE_EXPORT(space_constants) const char *space_constants(void);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
 MODULE_EXPORT(editor_compact) int editor_compact(bat_editor *editor);
 MODULE_EXPORT(editor_replay)
@@ -242,6 +244,13 @@ const bat_frame *editor_frame(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_frame(editor);
 }
+
+const bat_space *editor_space(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_space(editor);
+}
+
+const char *space_constants(void) { return bat_space_constants(); }
 
 const char *editor_journal(const bat_editor *editor, size_t *size) {
     MODULE_CHECK(editor);

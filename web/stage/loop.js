@@ -1,5 +1,6 @@
 // The frame loop: paints the engine's frame and passes it to everything that shows part of it.
 
+import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Cursor, Role, names } from '../engine/codes.js';
 
@@ -24,6 +25,9 @@ export class Loop {
     this.noticeVersion = 0;
     this.jumps = -1; // of the view, as far as shown
     this.jumped = 0; // when the last one was first seen, while it is under way
+    this.deep = false;
+    /** @type {import('./space.js').Space | undefined} */
+    this.space = undefined;
     /** Frames painted and the time taken, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
@@ -68,6 +72,10 @@ export class Loop {
       return;
     }
     const made = performance.now();
+    if (frame.tilt) {
+      this.#deepen();
+    }
+    this.space?.show(frame);
     painter.paint(frame);
     panel.show(frame);
     this.#tell(frame);
@@ -79,6 +87,16 @@ export class Loop {
     this.cost.engine += made - start;
     this.cost.paint += performance.now() - made;
     requests.grant(frame.requests);
+  }
+
+  /** Fetches what paints a tilted view with a depth; until then it is painted as lines. */
+  async #deepen() {
+    if (!this.deep) {
+      this.deep = true;
+      const { Space } = await want(import('./space.js'));
+      this.space = new Space(this.shell);
+      this.wake();
+    }
   }
 
   /**

@@ -101,6 +101,8 @@ export class Painter {
     this.onpicture = () => {};
     this.overlayEmpty = true;
     this.stale = true;
+    /** Only the page, fills and pictures are painted here; the rest has a depth (space.js). */
+    this.flat = false;
     this.timer = 0;
     /** Requests another frame. */
     this.onidle = () => {};
@@ -356,7 +358,7 @@ export class Painter {
       context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
       context.fill(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
     }
-    if (item.flags & Flag.STROKED) {
+    if (item.flags & Flag.STROKED && !(own && this.flat)) {
       context.strokeStyle = own ? this.theme.colour(item.stroke) : look.stroke;
       const width = item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width;
       context.lineWidth = Math.max(width, HAIRLINE / zoom);

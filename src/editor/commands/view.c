@@ -3,6 +3,7 @@
 #include "editor/input/input.h"
 #include "editor/pick/pivot.h"
 #include "editor/scene/seen.h"
+#include "editor/scene/space.h"
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
@@ -115,6 +116,17 @@ bat_status bat_command_switch(bat_context *c, bat_command_id id) {
     *value = *value == 0;
     if (property == BAT_PROPERTY_SNAP)
         bat_notice(c, *value != 0 ? BAT_STRING_NOTICE_SNAP_ON : BAT_STRING_NOTICE_SNAP_OFF);
+    return BAT_OK;
+}
+
+bat_status bat_command_look(bat_context *c, bat_command_id id) {
+    (void)id;
+    bat_seen_sync(c);
+    if (!bat_stage_tilted(c->stage) || !bat_space_shows_surface(c->scene)) return BAT_STATE;
+    double *value = &c->settings->values[BAT_PROPERTY_LOOK];
+    *value = *value + 1 < BAT_LOOK_COUNT ? *value + 1 : 0;
+    bat_notice_value(c, BAT_STRING_NOTICE_LOOK,
+                     bat_word(c, (bat_string)(BAT_STRING_LOOK_MATTE + (int)*value)));
     return BAT_OK;
 }
 

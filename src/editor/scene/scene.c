@@ -1,6 +1,7 @@
 #include "editor/scene/scene.h"
 #include "curve/curve.h"
 #include "document/nesting.h"
+#include "editor/scene/solid.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,7 @@ static void free_lines(bat_scene_entry *entry) {
 
 static void free_entry(bat_scene_entry *entry) {
     free_lines(entry);
+    if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
     bat_object_release(entry->object);
 }
@@ -32,6 +34,7 @@ void bat_scene_free(bat_scene *scene) {
     for (int i = 0; i < scene->count; i++) free_entry(&scene->entries[i]);
     free(scene->entries);
     free(scene->items);
+    if (scene->space) bat_space_free(scene->space);
     bat_scene_init(scene);
 }
 
@@ -109,7 +112,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         item->picture = (uint32_t)bat_picture_digest(picture);
     }
     if (style->stroked) item->flags |= BAT_ITEM_STROKED;
-    if (style->filled) item->flags |= BAT_ITEM_FILLED;
+    if (style->filled && !bat_object_surface(entry->object)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     double more = reach(style);
     for (int i = 0; i < 4; i++)
@@ -210,8 +213,7 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
     dirty_all(scene);
 }
 
-/* The item as painted: in outline mode, or pale. */
-static bat_item painted(const bat_scene *scene, const bat_scene_entry *entry) {
+bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry) {
     bat_item item = entry->item;
     if (scene->outline && item.role == BAT_ROLE_OBJECT) {
         item.flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
@@ -272,7 +274,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
                 status = BAT_MEMORY;
             }
         }
-        items[item_count++] = painted(scene, entry);
+        items[item_count++] = bat_scene_painted(scene, entry);
     }
     free(scene->items);
     scene->items = items;

@@ -26,6 +26,7 @@ typedef struct bat_scene_entry {
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
     bool pale;             /* not isolated */
     bat_scene_line *lines; /* one per curve; NULL until requested */
+    struct bat_solid *solid; /* scene/solid.h: its buffers in space; NULL until requested */
 } bat_scene_entry;
 
 typedef struct bat_scene {
@@ -46,12 +47,15 @@ typedef struct bat_scene {
     const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
     uint32_t isolated;              /* the isolation's version as shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
+    struct bat_space_kept *space;   /* scene/space.h; NULL until requested */
 } bat_scene;
 
 void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
 /* Sets how the next sync shows the document: in outline mode; with everything not isolated pale. */
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
+/* The item of an entry as it is painted: in outline mode, or pale. */
+bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry);
 /* Mirrors the document. BAT_MEMORY: the scene is unchanged, or lacks some paths until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);
 /* Sees the drawing as the stage does: when it has turned, paths, boxes and finders are made anew. */

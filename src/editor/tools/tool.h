@@ -7,6 +7,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_TOOL_H
 #define BATTEN_EDITOR_TOOLS_TOOL_H
 
+#include "editor/scene/solid.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
@@ -78,6 +79,8 @@ typedef struct bat_tool {
     bat_cursor (*cursor)(const bat_context *c, const void *state);
     /* out: zeroed before the call. */
     void (*readout)(const bat_context *c, const void *state, bat_readout *out);
+    /* The surface that it makes of an object's; false: none. */
+    bool (*guise)(const bat_context *c, const void *state, bat_guise *out);
     /* The number of other readings offered for the last step; 0: it cannot be read otherwise. */
     uint32_t (*readings)(const bat_context *c, const void *state);
     bool (*over)(const bat_context *c, const void *state); /* the pointer is over something of the tool */

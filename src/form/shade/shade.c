@@ -4,8 +4,8 @@
  * and its reciprocal in perspective.
  */
 #include "form/shade/shade.h"
-#include "base/order.h"
 #include "form/shade/colour.h"
+#include "form/shade/curving.h"
 #include "form/shade/soup.h"
 
 #include <math.h>
@@ -13,8 +13,6 @@
 #include <string.h>
 
 enum { BAND = 32 /* pixels high */, SIDE = BAT_SHADE_SIDE, SAMPLES = SIDE * SIDE };
-
-static const double usual = 0.95; /* share of the corners whose curvature the range of colours holds */
 
 /* Samples of a band. */
 typedef struct band {
@@ -171,15 +169,13 @@ static void paint_band(band *b, const palette *p, bat_shading *out) {
     }
 }
 
-/* The range of curvature: all but the most extreme corners. */
 static bat_status range_of(const bat_soup *soup, double *out) {
     *out = 0;
     if (soup->corners == 0) return BAT_OK;
     double *size = malloc(soup->corners * sizeof *size);
     if (!size) return BAT_MEMORY;
-    for (size_t k = 0; k < soup->corners; k++) size[k] = fabs(soup->corner[k].value);
-    qsort(size, soup->corners, sizeof *size, bat_ascending); /* no ties */
-    *out = size[(size_t)(usual * (double)(soup->corners - 1))];
+    for (size_t k = 0; k < soup->corners; k++) size[k] = soup->corner[k].value;
+    *out = bat_curving_range(soup->corners, size);
     free(size);
     return BAT_OK;
 }

@@ -1,5 +1,6 @@
 /* Triangles as they are seen: surfaces divided finely enough for the picture, in pixels, cut off at the near plane. */
 #include "form/shade/soup.h"
+#include "form/shade/curving.h"
 
 #include <limits.h>
 #include <math.h>
@@ -52,24 +53,6 @@ static bat_status make_room(bat_soup *soup, size_t corners, size_t triangles) {
         soup->owner = owner, soup->triangle_room = room;
     }
     return BAT_OK;
-}
-
-static double curvature_at(const bat_surface *surface, double u, double v, bat_look look) {
-    double gauss, mean;
-    if (bat_surface_curvature(surface, u, v, &gauss, &mean) != BAT_OK) return NAN;
-    return look == BAT_LOOK_GAUSS ? gauss : mean;
-}
-
-/* Where there is no curvature (a pole), that of a neighbour just inside. */
-static double value_of(const bat_surface *surface, const bat_mesh *m, size_t i, size_t j, bat_look look) {
-    if (look != BAT_LOOK_GAUSS && look != BAT_LOOK_MEAN) return 0;
-    const double u = m->u[i], v = m->v[j];
-    const double x = u + 1e-2 * (m->u[i + 1 < m->rows ? i + 1 : i - 1] - u);
-    const double y = v + 1e-2 * (m->v[j + 1 < m->columns ? j + 1 : j - 1] - v);
-    double value = curvature_at(surface, u, v, look);
-    if (!isfinite(value)) value = curvature_at(surface, x, v, look);
-    if (!isfinite(value)) value = curvature_at(surface, u, y, look);
-    return isfinite(value) ? value : 0;
 }
 
 /* x and y relative to the middle, times the depth: set right by `project` once nothing lies behind the near plane. */
@@ -130,7 +113,7 @@ static bat_status put_mesh(bat_soup *soup, const bat_surface *surface, const bat
         for (size_t j = 0; j < m->columns; j++) {
             const size_t k = 3 * (i * m->columns + j);
             soup->corner[soup->corners++] = corner_of(&soup->gaze, m->points + k, m->normals + k,
-                                                      value_of(surface, m, i, j, look));
+                                                      bat_curving_value(surface, m, i, j, look));
         }
     for (size_t k = 0; status == BAT_OK && k < m->triangle_count; k++) {
         const int corner[3] = {(int)first + m->triangles[3 * k], (int)first + m->triangles[3 * k + 1],

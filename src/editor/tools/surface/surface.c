@@ -290,6 +290,15 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
     if (s->preview) out->report = &s->said;
 }
 
+static bool guise(const bat_context *c, const void *state, bat_guise *out) {
+    (void)c;
+    const bat_surfacing *s = state;
+    if (!s->preview) return false;
+    *out = (bat_guise){.object = s->lit.object, .surface = s->preview, .direction = s->lit.direction};
+    memcpy(out->moved, s->report.redraw.moved, sizeof out->moved);
+    return true;
+}
+
 static void end(void *state) {
     bat_surfacing *s = state;
     bat_surfacing_drop(s);
@@ -319,6 +328,7 @@ const bat_tool *bat_tool_surface(void) {
                                   .busy = busy,
                                   .update = update,
                                   .readout = readout,
+                                  .guise = guise,
                                   .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,

@@ -1,0 +1,15 @@
+/* What is still of a tilted view, for a host that paints it with a depth: the camera, and the buffers of all objects. */
+#ifndef BATTEN_EDITOR_SCENE_SPACE_H
+#define BATTEN_EDITOR_SCENE_SPACE_H
+
+#include "editor/scene/scene.h"
+#include "editor/scene/solid.h"
+
+/* The picture as the stage sees it, of the objects as the scene has them. guise may be NULL. NULL: the view is face-on, or
+ * memory ran out. Owned by the scene, valid until it changes. */
+const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, bat_look look,
+                              const bat_guise *guise);
+/* Whether a surface is seen. */
+bool bat_space_shows_surface(const bat_scene *scene);
+
+#endif

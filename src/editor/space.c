@@ -1,0 +1,15 @@
+/* The tilted view in space: the scene, in the guise that a tool gives it. */
+#include "editor/scene/space.h"
+#include "editor/editor.h"
+#include "form/shade/shader.h"
+
+const bat_space *bat_editor_space(bat_editor *editor) {
+    const bat_context *c = &editor->context;
+    const bat_slot *tool = bat_toolbox_tool(c);
+    bat_guise guise;
+    const bool guised = tool->is->guise && tool->is->guise(c, tool->state, &guise);
+    return bat_space_of(c->scene, c->stage, (bat_look)c->settings->values[BAT_PROPERTY_LOOK],
+                        guised ? &guise : NULL);
+}
+
+const char *bat_space_constants(void) { return bat_shader_constants(); }

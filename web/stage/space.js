@@ -1,0 +1,381 @@
+// The tilted view with a depth: WebGL 2, two programs, one for surfaces and one for lines. The engine owns all that is
+// painted; here it is kept in buffers of the graphics card, and only what has moved is sent there again. Without WebGL 2
+// the drawing stays on the still canvas, as lines.
+
+import { dress } from '../page/build.js';
+import { word } from '../page/words.js';
+import { LINES, SURFACES } from './shaders.js';
+
+/** @typedef {import('../engine/types.js').Frame} Frame */
+/** @typedef {ReturnType<Space['read']>} Picture */
+/** @typedef {NonNullable<Picture>['items'][number]} Solid */
+/** @typedef {{ version: number, array: WebGLVertexArrayObject, vertices: WebGLBuffer, indices: WebGLBuffer | null, used: boolean }} Kept */
+
+const CORNER = 28; // bytes of a vertex of triangles: point, normal, curvature
+const POINT = 16; // bytes of a point of a line: point, length so far
+const LINE_LOOK = 4;
+const CURVATURES = [2, 3];
+const THINNEST = 0.75; // view pixels: as on the still canvas
+const HIDDEN = { fainter: 0.4, thinner: 0.7 };
+const FLOAT = 5126; // as WebGL numbers it
+
+export class Space {
+  /** @param {import('../main.js').Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    this.canvas = document.createElement('canvas');
+    this.canvas.className = 'layer';
+    this.canvas.id = 'space';
+    this.canvas.ariaHidden = 'true';
+    this.canvas.hidden = true;
+    /** @type {Map<string, Kept>} */
+    this.kept = new Map();
+    this.shown = '';
+    /** For tests and measurements: pictures painted, bytes sent. */
+    this.counts = { painted: 0, sent: 0, whole: 0 };
+    this.gl = this.canvas.getContext('webgl2', { antialias: true, alpha: true, premultipliedAlpha: true });
+    if (!this.gl) {
+      shell.notices.say(word('shell.no-depth'));
+      return;
+    }
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // it may be restored
+      this.#leave();
+      shell.wake();
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.#prepare();
+      shell.wake();
+    });
+    this.#prepare();
+    shell.painter.still.after(this.canvas);
+    this.#legend();
+  }
+
+  /** Programs and buffers, for a new context. */
+  #prepare() {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const constants = this.shell.engine.guard(() => this.shell.engine.string(this.shell.engine.wasm.space_constants()), '');
+    this.kept.clear();
+    this.shown = '';
+    this.surfaces = this.#program(SURFACES.vertex, constants + SURFACES.fragment);
+    this.lines = this.#program(LINES.vertex, LINES.fragment);
+    gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.polygonOffset(1.5, 1);
+  }
+
+  /** @param {string} vertex @param {string} fragment */
+  #program(vertex, fragment) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const program = /** @type {WebGLProgram} */ (gl.createProgram());
+    for (const [type, text] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]])) {
+      const shader = /** @type {WebGLShader} */ (gl.createShader(type));
+      gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${text}`);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
+      const shaders = gl.getAttachedShaders(program) ?? [];
+      throw new Error([gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))].join('\n'));
+    }
+    /** @type {Record<string, WebGLUniformLocation | null>} */
+    const at = {};
+    for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; i--) {
+      const { name } = /** @type {WebGLActiveInfo} */ (gl.getActiveUniform(program, i));
+      at[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, at };
+  }
+
+  /** The button that changes the look, and the colours of curvature. */
+  #legend() {
+    const { engine, stage, wake } = this.shell;
+    this.box = document.createElement('div');
+    this.box.className = 'looks';
+    this.box.hidden = true;
+    this.button = document.createElement('button');
+    this.button.type = 'button';
+    this.button.addEventListener('click', () => {
+      engine.command('look-next');
+      wake();
+    });
+    this.scale = document.createElement('div');
+    this.scale.className = 'scale';
+    this.scale.append(document.createElement('i'), ...['', '', ''].map(() => document.createElement('span')));
+    this.box.append(this.button, this.scale);
+    void dress('styles/space.css').then(() => stage.after(/** @type {HTMLElement} */ (this.box)));
+  }
+
+  /** The drawing is painted as lines, on the still canvas. */
+  #leave() {
+    const { painter } = this.shell;
+    this.shown = '';
+    this.canvas.hidden = true;
+    if (this.box) {
+      this.box.hidden = true;
+    }
+    if (painter.flat) {
+      painter.flat = false;
+      painter.retheme();
+      return true;
+    }
+    return false;
+  }
+
+  /**
+   * Paints a tilted view. Called before the still canvas is painted, which then leaves lines and surfaces out.
+   * @param {Frame} frame
+   */
+  show(frame) {
+    const { painter } = this.shell;
+    if (!this.gl || this.gl.isContextLost()) {
+      return;
+    }
+    const picture = frame.tilt ? this.read() : null;
+    if (!picture) {
+      this.#leave();
+      return;
+    }
+    if (!painter.flat) {
+      painter.flat = true;
+      painter.retheme();
+    }
+    this.canvas.hidden = false;
+    if (this.canvas.width !== painter.still.width || this.canvas.height !== painter.still.height) {
+      this.canvas.width = painter.still.width;
+      this.canvas.height = painter.still.height;
+      this.shown = '';
+    }
+    this.#keep(picture);
+    const shown = [picture.look, painter.ratio, this.shell.theme.dark, ...picture.clip,
+      ...picture.items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
+    if (shown !== this.shown || picture.items.some(({ kind, moved }) => kind === 0 && moved[0] < moved[1])) {
+      this.shown = shown;
+      this.#paint(picture);
+    }
+    this.#tell(picture);
+  }
+
+  /** What the engine has to paint. Arrays are views into its memory, valid until the next call. */
+  read() {
+    const { engine } = this.shell;
+    const at = engine.guard(() => engine.wasm.editor_space(engine.editor), 0);
+    if (!at) {
+      return null;
+    }
+    const { layout } = engine;
+    const view = engine.view();
+    const buffer = engine.wasm.memory.buffer;
+    const place = (/** @type {number} */ base, /** @type {string} */ name) => base + layout[name];
+    const word32 = (/** @type {number} */ base, /** @type {string} */ name) => view.getUint32(place(base, name), true);
+    const single = (/** @type {number} */ base, /** @type {string} */ name) => view.getFloat32(place(base, name), true);
+    const first = word32(at, 'space.items');
+    return {
+      clip: new Float32Array(buffer, place(at, 'space.clip'), 16),
+      eye: new Float32Array(buffer, place(at, 'space.eye'), 16),
+      before: new Float32Array(buffer, place(at, 'space.before'), 2),
+      scale: single(at, 'space.scale'),
+      perspective: word32(at, 'space.perspective'),
+      look: word32(at, 'space.look'),
+      range: view.getFloat64(place(at, 'space.range'), true),
+      legend: [...new Uint32Array(buffer, place(at, 'space.legend'), 3)],
+      items: Array.from({ length: word32(at, 'space.count') }, (_, i) => {
+        const item = first + i * layout['solid.size'];
+        const get = (/** @type {string} */ name) => word32(item, `solid.${name}`);
+        return {
+          id: get('id'),
+          version: get('version'),
+          kind: get('kind'),
+          colour: get('colour'),
+          width: single(item, 'solid.width'),
+          opacity: single(item, 'solid.opacity'),
+          cap: get('cap'),
+          rows: get('rows'),
+          columns: get('columns'),
+          indices: new Uint32Array(buffer, get('indices'), get('index_count')),
+          vertices: get('vertices'),
+          moved: [...new Uint32Array(buffer, place(item, 'solid.moved'), 4)],
+        };
+      }),
+    };
+  }
+
+  /** Brings the buffers up to date. @param {NonNullable<Picture>} picture */
+  #keep(picture) {
+    for (const one of this.kept.values()) {
+      one.used = false;
+    }
+    for (const solid of picture.items) {
+      const name = `${solid.kind} ${solid.id}`;
+      const kept = this.kept.get(name) ?? this.#make(solid, name);
+      kept.used = true;
+      if (kept.version !== solid.version) {
+        this.#sendAll(kept, solid);
+      } else if (solid.kind === 0 && solid.moved[0] < solid.moved[1]) {
+        this.#sendMoved(kept, solid);
+      }
+    }
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    for (const [name, one] of this.kept) {
+      if (!one.used) {
+        gl.deleteVertexArray(one.array);
+        gl.deleteBuffer(one.vertices);
+        gl.deleteBuffer(one.indices);
+        this.kept.delete(name);
+      }
+    }
+  }
+
+  /** @param {Solid} solid @param {string} name @returns {Kept} */
+  #make(solid, name) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const array = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
+    const vertices = /** @type {WebGLBuffer} */ (gl.createBuffer());
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, vertices);
+    let indices = null;
+    if (solid.kind === 0) {
+      indices = gl.createBuffer();
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+      [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], i) => {
+        gl.enableVertexAttribArray(i);
+        gl.vertexAttribPointer(i, size, FLOAT, false, CORNER, offset);
+      });
+    } else { // a quadrangle for each piece of the line, which also sees the pieces beside it
+      for (let i = 0; i < 4; i++) {
+        gl.enableVertexAttribArray(i);
+        gl.vertexAttribPointer(i, 4, FLOAT, false, POINT, POINT * i);
+        gl.vertexAttribDivisor(i, 1);
+      }
+    }
+    const kept = { version: 0, array, vertices, indices, used: true };
+    this.kept.set(name, kept);
+    return kept;
+  }
+
+  /** @param {Kept} kept @param {Solid} solid */
+  #sendAll(kept, solid) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const bytes = solid.rows * solid.columns * (solid.kind === 0 ? CORNER : POINT);
+    gl.bindVertexArray(kept.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, kept.vertices);
+    gl.bufferData(gl.ARRAY_BUFFER, new Uint8Array(this.shell.engine.wasm.memory.buffer, solid.vertices, bytes), gl.DYNAMIC_DRAW);
+    if (kept.indices) {
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, solid.indices, gl.STATIC_DRAW);
+      this.counts.whole++;
+    }
+    kept.version = solid.version;
+    this.counts.sent += bytes + solid.indices.byteLength;
+  }
+
+  /** Rows that moved are sent in one piece; of columns, the piece of each row. @param {Kept} kept @param {Solid} solid */
+  #sendMoved(kept, { columns, moved: [row, end, first, last], vertices }) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const { buffer } = this.shell.engine.wasm.memory;
+    const whole = first === 0 && last === columns;
+    gl.bindBuffer(gl.ARRAY_BUFFER, kept.vertices);
+    for (let i = row; i < end; i += whole ? end - row : 1) {
+      const from = CORNER * (i * columns + first);
+      const bytes = CORNER * (last - first) * (whole ? end - row : 1);
+      gl.bufferSubData(gl.ARRAY_BUFFER, from, new Uint8Array(buffer, vertices + from, bytes));
+      this.counts.sent += bytes;
+    }
+  }
+
+  /** @param {NonNullable<Picture>} picture */
+  #paint(picture) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.depthMask(true);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const solid = picture.items.filter(({ kind }) => kind === 0);
+    const opaque = solid.filter(({ opacity }) => opacity >= 1);
+    const lines = picture.items.filter(({ kind }) => kind === 1);
+    const paper = picture.look === LINE_LOOK; // only hides what is behind it
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.colorMask(!paper, !paper, !paper, !paper);
+    this.#paintSurfaces(picture, paper ? solid : opaque);
+    gl.colorMask(true, true, true, true);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+    gl.depthMask(false);
+    gl.depthFunc(gl.GREATER);
+    this.#paintLines(picture, lines, true);
+    gl.depthFunc(gl.LEQUAL);
+    this.#paintLines(picture, lines, false);
+    if (!paper) {
+      this.#paintSurfaces(picture, solid.filter((one) => !opaque.includes(one)));
+    }
+    gl.bindVertexArray(null);
+    this.counts.painted++;
+  }
+
+  /** A colour of the drawing as the theme shows it. @param {number} rgba @param {number} opacity */
+  #colour(rgba, opacity) {
+    const [red, green, blue, alpha] = (this.shell.theme.colour(rgba).match(/[\d.]+/g) ?? []).map(Number);
+    return [red / 255, green / 255, blue / 255, alpha * opacity];
+  }
+
+  /** @param {NonNullable<Picture>} picture @param {Solid[]} solids */
+  #paintSurfaces({ clip, eye, perspective, look, range }, solids) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const { program, at } = /** @type {NonNullable<typeof this.surfaces>} */ (this.surfaces);
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(at.clip, false, clip);
+    gl.uniformMatrix4fv(at.eye, false, eye);
+    gl.uniform1f(at.deep, perspective);
+    gl.uniform1i(at.look, look);
+    gl.uniform1f(at.range, range);
+    for (const { id, colour, opacity, indices } of solids) {
+      gl.uniform4fv(at.colour, colour ? this.#colour(colour, opacity) : [-1, 0, 0, opacity]);
+      gl.bindVertexArray(this.kept.get(`0 ${id}`)?.array ?? null);
+      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+    }
+  }
+
+  /** @param {NonNullable<Picture>} picture @param {Solid[]} lines @param {boolean} hidden the parts that are */
+  #paintLines({ clip, before, scale }, lines, hidden) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const { ratio } = this.shell.painter;
+    const { program, at } = /** @type {NonNullable<typeof this.lines>} */ (this.lines);
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(at.clip, false, clip);
+    gl.uniform2fv(at.before, before);
+    gl.uniform2f(at.middle, this.canvas.width / 2, this.canvas.height / 2);
+    gl.uniform1f(at.dash, hidden ? scale / 11 : 0);
+    for (const { id, colour, opacity, width, cap, rows } of lines) {
+      gl.uniform1i(at.cap, cap);
+      gl.uniform4fv(at.colour, this.#colour(colour, opacity * (hidden ? HIDDEN.fainter : 1)));
+      gl.uniform1f(at.wide, Math.max(width, THINNEST) * ratio * 0.5 * (hidden ? HIDDEN.thinner : 1));
+      gl.bindVertexArray(this.kept.get(`1 ${id}`)?.array ?? null);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows - 3);
+    }
+  }
+
+  /** The look's name on its button, and the range of curvature. @param {NonNullable<Picture>} picture */
+  #tell({ look, range, legend, items }) {
+    if (!this.box || !this.button || !this.scale) {
+      return;
+    }
+    const name = word(`look.${['matte', 'zebra', 'gauss', 'mean', 'lines'][look]}`);
+    this.box.hidden = !items.some(({ kind }) => kind === 0);
+    const curved = CURVATURES.includes(look);
+    const told = [name, range, word('command.look-next')].join('\n');
+    if (told === this.box.dataset.told) {
+      return;
+    }
+    this.box.dataset.told = told;
+    this.button.textContent = name;
+    this.button.title = word('command.look-next');
+    this.scale.hidden = !curved;
+    const end = Number(range.toPrecision(2)).toString();
+    const [bar, ...marks] = /** @type {HTMLElement[]} */ ([...this.scale.children]);
+    [`−${end}`, '0', `+${end}`].forEach((text, i) => {
+      marks[i].textContent = text;
+    });
+    bar.style.background = `linear-gradient(to right, ${legend.map((rgba) => `#${rgba.toString(16).padStart(8, '0')}`).join()})`;
+  }
+}
