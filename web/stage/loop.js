@@ -94,8 +94,10 @@ export class Loop {
     if (!this.deep) {
       this.deep = true;
       const { Space } = await want(import('./space.js'));
-      this.space = new Space(this.shell);
-      this.wake();
+      if (await this.shell.whole.complete()) {
+        this.space = new Space(this.shell);
+        this.wake();
+      }
     }
   }
 

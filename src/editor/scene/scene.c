@@ -1,5 +1,6 @@
 #include "editor/scene/scene.h"
 #include "curve/curve.h"
+#include "document/kind.h"
 #include "document/nesting.h"
 #include "editor/scene/solid.h"
 #include <math.h>
@@ -112,7 +113,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         item->picture = (uint32_t)bat_picture_digest(picture);
     }
     if (style->stroked) item->flags |= BAT_ITEM_STROKED;
-    if (style->filled && !bat_object_surface(entry->object)) item->flags |= BAT_ITEM_FILLED;
+    if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     double more = reach(style);
     for (int i = 0; i < 4; i++)
