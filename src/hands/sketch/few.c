@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2, CALMER = 1 };
+enum { FEWER = 2, MORE = 3, MORE_KEPT = 2, MOST = 24, SWEEPS = 2, CALM_SWEEPS = 1, CALMER = 2 };
 /* Density of knots: (1 - even) |F''''|^power / its mean + even. */
 static const struct {
     double power, even;
@@ -15,8 +15,8 @@ static const double of_range = 0.04, of_mean = 0.05; /* what counts as an extrem
 static const double near = 1.6;       /* times what is allowed: then moving the knots is tried */
 static const double shift = 0.3;      /* of the gap to the next knot, that a knot is moved by */
 static const double work_few = 1.5e5; /* some 3 ms */
-static const double most_change =
-    1.15;                       /* of the fair curve's change of curvature, or up to CALMER knots more */
+/* Of the fair curve's change of curvature; over the first a knot more is tried, over the second one more than that. */
+static const double most_change = 1.05, much_change = 1.26;
 static const double even = 0.2; /* of the greatest curvature, that an arc's may differ by */
 static const double not_fair = 1.01, each_bump = 0.5; /* off, of what is near enough but less fair */
 
@@ -151,6 +151,9 @@ static void place(bat_local_machine *k, int count, int law) {
 /* Whether the curve ends where the stroke does. */
 static bool is_free(const bat_local_problem *q) { return q->side[0].pins + q->side[1].pins <= 2; }
 
+/* How far a curve is off whose change of curvature alone is too great. */
+static double change_off(double change) { return 1 + (not_fair - 1) * (1 - most_change / change); }
+
 /* How far the last solve is from what is allowed; 1: just within, and as fair as can be; up to not_fair: within, and its
  * curvature changes too much. INFINITY: no less than most. */
 static double off(bat_local_machine *k, bool fine, double most) {
@@ -165,8 +168,8 @@ static double off(bat_local_machine *k, bool fine, double most) {
                      (b.inflections > k->fair.inflections ? b.inflections - k->fair.inflections : 0);
     const double base = fmax(sqrt(worst), more > 0 || !fine ? not_fair + each_bump * more : 0);
     if (base > 1 || !is_free(k->problem)) return base > 1 ? fmax(base, not_fair) : base;
-    const double excess = b.change / (most_change * k->fair.change);
-    return excess > 1 ? 1 + (not_fair - 1) * (1 - 1 / excess) : base;
+    const double change = b.change / k->fair.change;
+    return change > most_change ? change_off(change) : base;
 }
 
 static double try_off(bat_local_machine *k, double most, bat_status *status) {
@@ -178,11 +181,12 @@ static double try_off(bat_local_machine *k, double most, bat_status *status) {
     return INFINITY;
 }
 
-/* Moves knots of k->spare, which are `least` off, to either side while that helps. The last solve is of k->trial. */
+/* Moves knots of k->spare, which are `least` off, to either side while that helps; once more where only the change of
+ * curvature is too great. The last solve is of k->trial. */
 static double move(bat_local_machine *k, double least, double most_work, bat_status *status) {
     const bat_local_problem *q = k->problem;
     const int n = k->spare.count;
-    for (int j = 0; j < 2 * n * SWEEPS; j++) {
+    for (int j = 0; j < 2 * n * (least < not_fair ? SWEEPS + CALM_SWEEPS : SWEEPS); j++) {
         const int i = j / 2 % n;
         const double *w = k->spare.w;
         const double before = i > 0 ? w[i - 1] : 0, after = i + 1 < n ? w[i + 1] : q->end;
@@ -211,6 +215,7 @@ static double best_places(bat_local_machine *k, int count, double most_work, bat
 bat_status bat_local_few(bat_local_machine *k) {
     const bat_local_problem *q = k->problem;
     const int now = k->best.count, fewest = bat_local_fewest(q);
+    int met = now;                                    /* the count that first came near enough */
     int most = now + (is_free(q) ? MORE : MORE_KEPT); /* a curve redrawn often must not grow */
     const double most_work = k->work + work_few;
     bat_status status = BAT_OK;
@@ -224,9 +229,10 @@ bat_status bat_local_few(bat_local_machine *k) {
         false; /* with few knots the least change of curvature is what is wanted, not that of the fair curve */
     for (int n = now > fewest + FEWER ? now - FEWER : fewest; n <= most && least > 1; n++) {
         if (status != BAT_OK || k->work > most_work) break;
+        if (n > met + 1 && least <= change_off(much_change)) break;
         const double now_off = best_places(k, n, most_work, &status);
         if (!(now_off < least)) continue;
-        if (!(least < not_fair)) most = n + CALMER < most ? n + CALMER : most;
+        if (!(least < not_fair)) met = n, most = n + CALMER < most ? n + CALMER : most;
         least = now_off, found = true;
         bat_knots_copy(&k->best, &k->spare);
     }
