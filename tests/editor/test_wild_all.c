@@ -52,7 +52,7 @@ static void wild_sessions(void **state) {
         bat_editor_free(editor);
     }
     /* Sessions that do something, of every kind. */
-    if (undone < 20 * SESSIONS || shapes < 3 || images < SESSIONS / 2 || guides < SESSIONS / 2 ||
+    if (undone < 20 * SESSIONS || shapes < 3 || images < SESSIONS / 4 || guides < SESSIONS / 4 ||
         surfaces < SESSIONS / 4)
         fail_msg("%d steps; sessions with levels %d, pictures %d, guides %d, surfaces %d", undone, shapes,
                  images, guides, surfaces);

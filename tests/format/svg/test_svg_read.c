@@ -326,6 +326,17 @@ static void an_edited_drawing_wins(void **state) {
     back = read_svg(text);
     assert_true(report.edited && bat_document_count(back) == 1);
     bat_document_free(back);
+    char *from = strstr(text, "{&quot;batten&quot;"),
+         *to = strstr(from ? from : text, "</"); /* nothing there */
+    assert_true(from && to);
+    memmove(from, to, strlen(to) + 1);
+    back = read_svg(text);
+    assert_true(report.edited && !report.native && bat_document_count(back) == 1);
+    bat_document_free(back);
+    change(text, " digest=\"", " digesz=\""); /* of no drawing */
+    back = read_svg(text);
+    assert_true(report.edited && !report.native && bat_document_count(back) == 1);
+    bat_document_free(back);
     bat_free(text);
     bat_document_free(source);
 }
