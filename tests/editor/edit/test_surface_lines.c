@@ -178,9 +178,10 @@ static void locked_edges_stay(void **state) {
 /* Each word replaced by each of many: refused with a reason and no change, or done and replayed. */
 static void spoilt_lines(void **state) {
     (void)state;
-    static const char *const values[] = {
-        "null",   "-1",      "0.5",   "1e300", "4294967296", "true",    "\"v\"",     "\"\"",       "[]", "{}",
-        "[null]", "[[0,0]]", "[1,2]", "[0]",   "[0,1,2,3]",  "[0,0,0]", "[4,0,0,0]", "[1,0,0.5,0]"};
+    static const char *const values[] = {"null",       "3",       "-1",        "0.5",        "1e300",
+                                         "4294967296", "true",    "\"v\"",     "\"\"",       "[]",
+                                         "{}",         "[null]",  "[[0,0]]",   "[1,2]",      "[0]",
+                                         "[0,1,2,3]",  "[0,0,0]", "[4,0,0,0]", "[1,0,0.5,0]"};
     double pixels[2 * SAMPLES];
     bat_surface *surface = surface_of(0);
     bat_line_edit edit = bump(surface, BAT_V, 40, pixels);
