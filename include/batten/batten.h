@@ -3,6 +3,7 @@
 #define BATTEN_BATTEN_H
 
 #include <batten/base.h>
+#include <batten/camera.h>
 #include <batten/curve.h>
 #include <batten/refine.h>
 #include <batten/bezier.h>

@@ -2,6 +2,7 @@
 #ifndef BATTEN_FORMAT_H
 #define BATTEN_FORMAT_H
 
+#include <batten/camera.h>
 #include <batten/document.h>
 #include <batten/levels.h>
 #include <batten/mesh.h>
@@ -68,6 +69,8 @@ typedef struct bat_sweep_source {
 } bat_sweep_source;
 BAT_API bat_status bat_sweep_read(const char *text, size_t size, bat_sweep_source *out, bat_problem *problem);
 BAT_API void bat_sweep_source_clear(bat_sweep_source *source);
+/* One MOVE; of a path with levels, the finest curve is taken. */
+BAT_API bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

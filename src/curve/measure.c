@@ -2,6 +2,7 @@
 #include <batten/measure.h>
 
 #include <batten/nearest.h>
+#include "curve/hodograph.h"
 #include "curve/lsq.h"
 #include "base/real.h"
 #include "curve/roots.h"
@@ -13,121 +14,19 @@ enum { ORDERS = BAT_DEGREE_MAX + 1 };
 
 /* ---- Length ---- */
 
-/* C' with respect to u, as a polynomial of the local coordinate of one slot, divided by a power of two that
- * makes its coefficients at most 1: squares neither overflow nor vanish. Lengths taken from it are in units
- * of that scale. */
-typedef struct hodograph {
-    int terms, dimension;
-    double middle, half;
-    double scale;
-    double density; /* error allowed per unit of u */
-    double noise;   /* what the speed may be wrong by, from rounding */
-    double c[ORDERS * BAT_DIMENSION_MAX];
-} hodograph;
-
-static void rescale(hodograph *h, double density) {
-    double greatest = 0, sum = 0, slope = 0;
-    int exponent = 0;
-    const int count = h->terms * h->dimension;
-    for (int i = 0; i < count; i++) greatest = fmax(greatest, fabs(h->c[i]));
-    if (isfinite(greatest)) frexp(greatest, &exponent);
-    h->scale = ldexp(1, exponent);
-    for (int i = 0; i < count; i++) {
-        h->c[i] = ldexp(h->c[i], -exponent);
-        sum += fabs(h->c[i]);
-        slope += (double)(i / h->dimension) * fabs(h->c[i]);
-    }
-    /* From the sum, and from u: in a span that is narrow for where it lies, few digits of the place in it are
-     * left. */
-    h->noise = DBL_EPSILON * (4 * sum + (1 + fabs(h->middle) / h->half) * slope);
-    h->density = density / h->scale;
-}
-
-static void hodograph_of(const bat_curve *curve, int slot, double density, hodograph *out) {
-    const int p = curve->degree, m = curve->dimension, w = p + 1;
-    const double *t = curve->knots + p + slot;
-    const double *P = curve->points + (size_t)slot * (size_t)m;
-    double T[ORDERS * ORDERS];
-    bat_lsq_transform(curve, slot, T);
-    out->terms = p, out->dimension = m, out->middle = t[0] + 0.5 * (t[1] - t[0]),
-    out->half = 0.5 * (t[1] - t[0]);
-    for (int k = 1; k <= p; k++)
-        for (int c = 0; c < m; c++) {
-            double sum = 0; /* relative to the first point: far from the origin no digits are lost */
-            for (int j = 1; j < w; j++) sum += T[k * w + j] * (P[j * m + c] - P[c]);
-            out->c[(k - 1) * m + c] = sum * k / out->half;
-        }
-    rescale(out, density);
-}
-
-static double speed(const hodograph *h, double u) {
-    const double s = (u - h->middle) / h->half;
-    double sum = 0;
-    for (int c = 0; c < h->dimension; c++) {
-        double d = 0;
-        for (int k = h->terms - 1; k >= 0; k--) d = d * s + h->c[k * h->dimension + c];
-        sum += d * d;
-    }
-    return sqrt(sum);
-}
-
-/* Gauss-Legendre, eight nodes. */
-static double gauss(const hodograph *h, double a, double b) {
-    static const double node[4] = {0.1834346424956498049394761, 0.5255324099163289858177390,
-                                   0.7966664774136267395915539, 0.9602898564975362316835609};
-    static const double weight[4] = {0.3626837833783619829651504, 0.3137066458778872873379622,
-                                     0.2223810344533744705443560, 0.1012285362903762591525314};
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = 0;
-    for (int i = 0; i < 4; i++)
-        sum += weight[i] * (speed(h, middle - half * node[i]) + speed(h, middle + half * node[i]));
-    return sum * half;
-}
-
-/* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to what is allowed per unit
- * of u, or as well as rounding lets them. At a cusp only one branch goes deep, and the depth is limited. */
-static double adapt(const hodograph *h, double a, double b, double whole, double relative, int depth) {
-    const double middle = 0.5 * (a + b);
-    const double left = gauss(h, a, middle), right = gauss(h, middle, b), sum = left + right;
-    const double gap = fabs(sum - whole);
-    if (depth == 0 || !(gap > relative * sum && gap > (h->density + h->noise) * (b - a)) ||
-        !(middle > a && middle < b))
-        return sum;
-    return adapt(h, a, middle, left, relative, depth - 1) + adapt(h, middle, b, right, relative, depth - 1);
-}
-
-/* In units of the scale. */
-static double piece_length(const hodograph *h, double a, double b, double relative) {
-    return b > a ? adapt(h, a, b, gauss(h, a, b), relative, 40) : 0;
-}
-
-/* Error allowed per unit of u, from the length of the control polygon. */
-static double density_of(const bat_curve *curve, double relative) {
-    double sum = 0;
-    const int m = curve->dimension;
-    for (int i = 1; i < curve->spread; i++) {
-        double d = 0;
-        for (int c = 0; c < m; c++)
-            d = bat_hypot(d, curve->points[(size_t)i * (size_t)m + (size_t)c] -
-                                 curve->points[(size_t)(i - 1) * (size_t)m + (size_t)c]);
-        sum += d;
-    }
-    return 0.1 * relative * sum / (curve->knots[curve->spread] - curve->knots[curve->degree]);
-}
-
 static double sane(double relative) { return !(relative > 1e-14) ? 1e-14 : relative > 1 ? 1 : relative; }
 
 /* Within the domain, a <= b. */
 static double length_inside(const bat_curve *curve, double a, double b, double relative) {
     if (!(b > a)) return 0;
     const double *t = curve->knots;
-    const double density = density_of(curve, relative);
+    const double density = bat_hodograph_density(curve, relative);
     double sum = 0;
-    hodograph h;
+    bat_hodograph h;
     for (int i = bat_span(curve, a, -1); i < curve->spread && t[i] < b; i++) {
         if (!(t[i + 1] > t[i])) continue;
-        hodograph_of(curve, i - curve->degree, density, &h);
-        sum += h.scale * piece_length(&h, a > t[i] ? a : t[i], b < t[i + 1] ? b : t[i + 1], relative);
+        bat_hodograph_of(curve, i - curve->degree, density, &h);
+        sum += h.scale * bat_hodograph_length(&h, a > t[i] ? a : t[i], b < t[i + 1] ? b : t[i + 1], relative);
     }
     return sum;
 }
@@ -147,26 +46,6 @@ double bat_curve_length(const bat_curve *curve, double u0, double u1, double rel
     return sum;
 }
 
-/* Where the length from a reaches s, forwards, a <= u <= b in one slot; total: the length of a..b. Both in units of the
- * scale. */
-static double invert(const hodograph *h, double a, double b, double s, double total, double relative) {
-    const double near = fmax(0.1 * relative, 4 * DBL_EPSILON) * total + h->noise * (b - a);
-    double low = a, high = b, before = 0, u = a + (b - a) * (s / total);
-    for (int step = 0; step < 100; step++) {
-        if (!(u > low && u < high)) u = 0.5 * (low + high);
-        if (!(u > low && u < high)) break;
-        const double at = before + piece_length(h, low, u, relative), miss = s - at;
-        if (fabs(miss) <= near) return u;
-        const double v = speed(h, u);
-        if (miss > 0)
-            low = u, before = at;
-        else
-            high = u;
-        u = v > 0 ? u + miss / v : high;
-    }
-    return u;
-}
-
 double bat_curve_at_length(const bat_curve *curve, double u0, double s, double relative) {
     if (isnan(u0) || isnan(s)) return (double)NAN;
     const int p = curve->degree;
@@ -175,7 +54,7 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
     if (isnan(from)) return from;
     if (s == 0) return curve->closed ? u0 : from;
     relative = sane(relative);
-    const double density = density_of(curve, relative);
+    const double density = bat_hodograph_density(curve, relative);
     double shift = curve->closed ? u0 - from : 0; /* the turn in which the result lies */
     if (curve->closed) {
         const double all = length_inside(curve, start, end, relative);
@@ -185,7 +64,7 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
         if (s == 0) return from + shift;
     }
     double u = from, rest = fabs(s);
-    hodograph h;
+    bat_hodograph h;
     if (s > 0) {
         for (int i = bat_span(curve, u, -1);; i++) {
             if (i >= curve->spread) {
@@ -193,9 +72,9 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
                 i = p, u = start, shift += period;
             }
             if (!(t[i + 1] > t[i])) continue;
-            hodograph_of(curve, i - p, density, &h);
-            const double all = piece_length(&h, u, t[i + 1], relative), left = rest / h.scale;
-            if (left < all) return invert(&h, u, t[i + 1], left, all, relative) + shift;
+            bat_hodograph_of(curve, i - p, density, &h);
+            const double all = bat_hodograph_length(&h, u, t[i + 1], relative), left = rest / h.scale;
+            if (left < all) return bat_hodograph_at_length(&h, u, t[i + 1], left, all, relative) + shift;
             rest -= h.scale * all, u = t[i + 1];
             if (rest <= 0) return u + shift;
         }
@@ -206,9 +85,9 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
             i = curve->spread - 1, u = end, shift -= period;
         }
         if (!(t[i + 1] > t[i])) continue;
-        hodograph_of(curve, i - p, density, &h);
-        const double all = piece_length(&h, t[i], u, relative), left = rest / h.scale;
-        if (left < all) return invert(&h, t[i], u, all - left, all, relative) + shift;
+        bat_hodograph_of(curve, i - p, density, &h);
+        const double all = bat_hodograph_length(&h, t[i], u, relative), left = rest / h.scale;
+        if (left < all) return bat_hodograph_at_length(&h, t[i], u, all - left, all, relative) + shift;
         rest -= h.scale * all, u = t[i];
         if (rest <= 0) return u + shift;
     }

@@ -1,4 +1,4 @@
-/* The promise of base.h about threads: concurrent const calls on one surface, one sweep. */
+/* The promise of base.h about threads: concurrent const calls on one surface, one sweep, one camera move. */
 #include "alike.h"
 #include "support/random_surface.h"
 
@@ -135,6 +135,50 @@ static void const_calls_on_a_sweep(void **state) {
     bat_curve_free(path), bat_curve_free(profile);
 }
 
+/* ---- camera moves ---- */
+
+static uint64_t look_through(const void *shared, int seed) {
+    const bat_camera *camera = shared;
+    const double times[2] = {0.5 * seed, 3.5};
+    bat_camera_pose pose[3] = {{.u = 0}};
+    double domain[2] = {0}, held[2] = {0};
+    size_t count = 0;
+    bat_camera *copy = NULL;
+    bat_camera_domain(camera, domain);
+    bat_camera_at(camera, 0.2 * seed, &pose[0]);
+    bat_camera_at_time(camera, seed, &pose[1]);
+    uint64_t d = add_doubles(add_doubles(bat_digest_begin(), pose[0].rotation, 4), pose[1].rotation, 4);
+    d = add(d, (uint64_t)bat_camera_sample(camera, 2, times, pose));
+    d = bat_digest_double(add_doubles(d, pose[1].rotation, 4), bat_camera_length(camera) + domain[1]);
+    d = bat_digest_double(d, bat_camera_duration(camera) + bat_camera_least_norm(camera) +
+                                 bat_camera_gain(camera, 1));
+    d = add(add(d, bat_camera_held(camera, 1, held)), (uint64_t)bat_camera_levels(camera));
+    const double *keys = bat_camera_base(camera, &count);
+    d = add_doubles(d, keys, 4 * (int)count);
+    if (bat_camera_details(camera, 1)) d = bat_digest_curve(d, bat_camera_details(camera, 1));
+    d = add(d, (uint64_t)bat_camera_copy(camera, &copy));
+    bat_camera_free(copy);
+    return d;
+}
+
+static void const_calls_on_a_camera(void **state) {
+    (void)state;
+    const double points[12] = {0, 0, 0, 5, 1, 0, 6, 7, 2, 0, 8, 5}, knots[4] = {0, 0, 1, 1},
+                 keys[8] = {0, 0, 0, 1, 0, 1, 0, 1}, details[6] = {0.1, 0, 0, 0, 0.2, 0};
+    bat_curve *path = NULL;
+    bat_camera *camera = NULL;
+    const bat_rotation_curve base = {1, false, 2, keys, 4, knots};
+    bat_camera_options options = bat_camera_defaults();
+    options.mode = BAT_CAMERA_ALONG, options.base = &base;
+    assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &path), BAT_OK);
+    assert_int_equal(bat_camera_create(path, &options, &camera), BAT_OK);
+    assert_int_equal(bat_camera_add_level(camera, 4, knots, 2, details), BAT_OK);
+    assert_alike(look_through, camera, 5);
+    bat_camera_free(camera), bat_curve_free(path);
+}
+
+/* ---- lines ---- */
+
 static uint64_t add_lines(uint64_t digest) {
     const bat_viewpoint view = {.eye = {3, -40, 5}, .up = {0, 0, 1}, .size = {40, 40}, .fov = 40};
     const double corners[] = {-1, -1, 0, -1, 1, 1, 1, -1, 0, 1, 1, 2}, knots[] = {0, 0, 1, 1};
@@ -224,6 +268,7 @@ static void const_calls_on_a_surface(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(const_calls_on_a_sweep),
+        cmocka_unit_test(const_calls_on_a_camera),
         cmocka_unit_test(const_calls_on_a_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,7 @@
 /* Sweeps (multilevel-2016, section 5; docs/math/surfaces.md). */
 #include "form/sweep/sweep.h"
 #include "base/options.h"
+#include "curve/frames_converged.h"
 
 #include <batten/measure.h>
 #include <batten/refine.h>
@@ -8,9 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double corner = 1e-6;    /* radians: a path that turns more at a knot has a corner there */
-static const double converged = 1e-9; /* radians */
-enum { STEPS = 16, STEPS_MOST = 1024 };
+static const double corner = 1e-6; /* radians: a path that turns more at a knot has a corner there */
 
 static const bat_sweep_options DEFAULTS = {
     .size = sizeof DEFAULTS, .frame = BAT_FRAMES_RMF, .scale = {1, NULL}};
@@ -47,40 +46,6 @@ static bool own_function(const bat_function *from, bat_function *to, bat_status 
     return *status == BAT_OK;
 }
 
-/* How far two chains are apart at the knots and in the middles of spans, in radians. */
-static double chains_apart(const bat_curve *path, const bat_frame_chain *a, const bat_frame_chain *b) {
-    double worst = 0;
-    for (int i = path->degree; i < path->spread; i++)
-        for (int half = 1; half <= 2; half++) {
-            const double u = path->knots[i] + (path->knots[i + 1] - path->knots[i]) * 0.5 * half;
-            bat_frame3 x, y;
-            bat_frame_chain_at(a, u, &x), bat_frame_chain_at(b, u, &y);
-            worst = fmax(worst, vec_norm(vec_sub(vec_load(x.s, 3), vec_load(y.s, 3))));
-        }
-    return worst;
-}
-
-/* Rotation-minimising frames are of fourth order in the steps: the finer chain is 15 times as close as the two are. */
-static bat_status converge(const bat_curve *path, bat_frame_options *options, bat_frame_chain **out) {
-    bat_frame_chain *coarse = NULL, *fine = NULL;
-    options->substeps = STEPS;
-    bat_status status = bat_frame_chain_create(path, options, &coarse);
-    while (status == BAT_OK && options->rule == BAT_FRAMES_RMF && options->substeps < STEPS_MOST) {
-        options->substeps *= 2;
-        status = bat_frame_chain_create(path, options, &fine);
-        if (status != BAT_OK) break;
-        const bool done = chains_apart(path, coarse, fine) <= 15 * converged;
-        bat_frame_chain_free(coarse);
-        coarse = fine, fine = NULL;
-        if (done) break;
-    }
-    if (status == BAT_OK)
-        *out = coarse;
-    else
-        bat_frame_chain_free(coarse);
-    return status;
-}
-
 static bat_status take_path(const bat_curve *path, bat_sweep *sweep) {
     bat_curve *space = NULL;
     bat_status status = bat_curve_to_dimension(path, 3, &space);
@@ -103,7 +68,8 @@ static bat_status take_frames(const bat_curve *path, const bat_sweep_options *op
     memcpy(frames.first, options->first, sizeof frames.first);
     for (int k = 0; k < 3; k++)
         if (frames.has_first && !(fabs(frames.first[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    bat_status status = converge(options->has_first ? sweep->path : path, &frames, &sweep->chain);
+    bat_status status = bat_frame_chain_converged(options->has_first ? sweep->path : path, &frames,
+                                                  &sweep->chain);
     if (status != BAT_OK || !sweep->path->closed || options->frame != BAT_FRAMES_RMF) return status;
     const double length = bat_curve_length(sweep->path, sweep->domain[0], sweep->domain[1], 1e-12);
     sweep->turning = -bat_frame_chain_holonomy(sweep->chain) / length;

@@ -1,0 +1,92 @@
+/* Any bytes as a MOVE. Whatever can be read gives poses that are finite, unit, and not opposed from one to the next, and can
+ * be turned. */
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { TIMES = 9 };
+
+static void check_pose(const bat_camera_pose *pose, const double domain[2]) {
+    double length = 0;
+    for (int k = 0; k < 4; k++) length += pose->rotation[k] * pose->rotation[k];
+    if (!(fabs(length - 1) < 1e-9)) abort();
+    if (!(pose->u >= domain[0] && pose->u <= domain[1]) || !(pose->distance >= 0) || !isfinite(pose->fov))
+        abort();
+    for (int k = 0; k < 3; k++)
+        if (!isfinite(pose->position[k])) abort();
+}
+
+static void check_samples(const bat_camera *camera) {
+    double times[TIMES], domain[2];
+    bat_camera_pose poses[TIMES];
+    bat_camera_domain(camera, domain);
+    for (int i = 0; i < TIMES; i++) times[i] = bat_camera_duration(camera) * i / (TIMES - 2);
+    if (bat_camera_sample(camera, TIMES, times, poses) != BAT_OK) abort();
+    for (int i = 0; i < TIMES; i++) {
+        double along = 0;
+        check_pose(&poses[i], domain);
+        for (int k = 0; k < 4 && i > 0; k++) along += poses[i].rotation[k] * poses[i - 1].rotation[k];
+        if (along < 0) abort();
+        if (i > 0 && poses[i].distance < poses[i - 1].distance) abort(); /* time runs back */
+    }
+    bat_camera_at_time(camera, times[3], &poses[0]);
+    if (poses[0].u != poses[3].u) abort();
+    if (!(bat_camera_length(camera) >= 0) || !(bat_camera_least_norm(camera) >= 1e-6)) abort();
+}
+
+static void check_edits(const bat_camera *from) {
+    bat_camera *camera = NULL;
+    double domain[2], held[2];
+    bat_camera_pose before, after;
+    const double aside[4] = {0.1, 0.2, 0, 1};
+    size_t count = 0;
+    if (bat_camera_copy(from, &camera) != BAT_OK) abort();
+    bat_camera_domain(camera, domain);
+    const double u = domain[0] + 0.4 * (domain[1] - domain[0]);
+    bat_camera_held(camera, 1, held);
+    bat_camera_at(camera, u, &before);
+    const int level = bat_camera_levels(camera);
+    if (bat_camera_turn(camera, level, u, aside) == BAT_OK) {
+        double along = 0;
+        bat_camera_at(camera, u, &after);
+        check_pose(&after, domain);
+        for (int k = 0; k < 4; k++) along += after.rotation[k] * aside[k] / sqrt(1.05);
+        if (!(fabs(along) > 1 - 1e-6)) abort();
+    }
+    if (bat_camera_details(camera, level) && bat_camera_gain(camera, level) != 0)
+        if (bat_camera_set_gain(camera, level, 0.5) != BAT_OK) abort();
+    bat_camera_turn_base(camera, aside);
+    const double *keys = bat_camera_base(camera, &count);
+    if ((count > 0) != (keys != NULL)) abort();
+    bat_camera_free(camera);
+}
+
+static void check_defaults(void) {
+    static const double knots[5] = {0, 0, 1, 1, 1};
+    bat_camera_options options;
+    bat_camera_options_init(&options, sizeof options);
+    bat_curve *path = NULL;
+    bat_camera *camera = NULL;
+    const double points[4] = {0, 0, 1, 1};
+    double values[3] = {1, 0, 2};
+    if (bat_curve_create_clamped(2, 1, 2, points, &path) != BAT_OK) abort();
+    options.mode = BAT_CAMERA_ALONG;
+    if (bat_camera_create(path, &options, &camera) != BAT_OK) abort();
+    if (bat_camera_add_level(camera, 5, knots, 1, points) == BAT_OK) abort();
+    if (bat_pool_ascending(3, values) != BAT_OK || values[0] != 0.5 || values[2] != 2) abort();
+    bat_camera_free(camera), bat_curve_free(path);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    bat_camera *camera = NULL;
+    bat_problem problem;
+    static bool begun;
+    if (!begun) check_defaults(), begun = true;
+    if (bat_camera_read((const char *)data, size, &camera, &problem) != BAT_OK) return 0;
+    check_samples(camera), check_edits(camera);
+    bat_camera_free(camera);
+    return 0;
+}

@@ -1,0 +1,136 @@
+/*
+ * Batten: camera moves. A path, and how the camera is turned along it: a base of quaternions, and levels of detail over
+ * it in the camera's own axes, so that the sweep of a gaze and its shake can be edited apart; a field of view; and
+ * timing. M(u) = T(u) R(u). A camera looks along its -z, with y up. Rotations are unit quaternions x, y, z, w. Source:
+ * multilevel-2016, section 5; docs/math/camera.md (math 4).
+ */
+#ifndef BATTEN_CAMERA_H
+#define BATTEN_CAMERA_H
+
+#include <batten/function.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    BAT_CAMERA_LEVELS_MAX = 24,
+    BAT_CAMERA_SAMPLES_MAX = 10000000 /* the most that a host should ask for at once */
+};
+
+typedef enum bat_camera_mode {
+    BAT_CAMERA_FREE,   /* the base turns the camera in the world */
+    BAT_CAMERA_ALONG,  /* the base turns it in the path's rotation-minimising frame: x, y, z = r, s, -t */
+    BAT_CAMERA_LOOK_AT /* a target and a direction up turn it; there is no base */
+} bat_camera_mode;
+
+/* A B-spline of quaternions, 4 numbers a point, of any length above 0: they are made unit, and each is given the sign
+ * that is nearer to the one before it. On a closed one that turns once round, the last and the first are opposed even
+ * so; the spline is then antiperiodic, as it has to be. */
+typedef struct bat_rotation_curve {
+    int degree;
+    bool closed;
+    size_t count;
+    const double *points;
+    size_t knot_count;
+    const double *knots;
+} bat_rotation_curve;
+
+typedef struct bat_camera_options {
+    size_t size; /* of this struct, as base.h says */
+    bat_camera_mode mode;
+    const bat_rotation_curve *base; /* free: needed; along: NULL is no turn at all; look-at: not read */
+    bool has_first;                 /* along. first: s at the start, projected on the normal plane there */
+    double first[3];
+    const bat_curve *target_curve; /* look-at; its domain is mapped to the path's. NULL: */
+    double target[3];
+    double up[3];
+    bat_function fov;    /* degrees, over the path's domain; vertical */
+    double duration;     /* seconds */
+    bat_function timing; /* the share of the distance, over the share of the time; without a curve: even */
+} bat_camera_options;
+
+/* The defaults: free, up +z, 40 degrees, 4 seconds, even. */
+BAT_API void bat_camera_options_init(bat_camera_options *options, size_t size);
+static inline bat_camera_options bat_camera_defaults(void) {
+    bat_camera_options options;
+    bat_camera_options_init(&options, sizeof options);
+    return options;
+}
+
+typedef struct bat_camera bat_camera;
+
+/*
+ * options may be NULL: the defaults, which lack a base. Copies what it needs. The domains of base, levels and target are mapped to the path's. A path may stay in one place, as
+ * on a tripod: u then runs evenly. BAT_ARGUMENT: no base where one is needed, or the duration is not above 0;
+ * BAT_NUMBER: a number is not finite, or the duration above 1e9; BAT_SINGULAR: quaternions of the base cancel (at
+ * some u their spline is shorter than 1e-6) or one is zero, `up` is zero, or the camera is at its target all the time;
+ * BAT_PARAMETER: a function's domain is not 0 to 1, or timing does not run from 0 to 1 or falls.
+ */
+BAT_API bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *options,
+                                     bat_camera **out);
+BAT_API bat_status bat_camera_copy(const bat_camera *camera, bat_camera **out);
+BAT_API void bat_camera_free(bat_camera *camera); /* NULL is fine */
+
+/*
+ * Adds a level on top: q^j = q^{j-1} exp(D^j), with D^j a B-spline of rotation vectors in radians, 3 numbers a point,
+ * in the camera's own axes. Degree and closedness are those of the base; without one it is cubic, and closed as the
+ * path is. BAT_COUNT: BAT_CAMERA_LEVELS_MAX there are; else as bat_curve_create.
+ */
+BAT_API bat_status bat_camera_add_level(bat_camera *camera, int knot_count, const double *knots, size_t count,
+                                        const double *details);
+BAT_API int bat_camera_levels(const bat_camera *camera);
+/* The details of level 1..k as a curve; owned by the camera, valid until it changes. NULL: no such level. */
+BAT_API const bat_curve *bat_camera_details(const bat_camera *camera, int level);
+BAT_API double bat_camera_gain(const bat_camera *camera, int level);
+/* As bat_shape_set_gain: 0 mutes a level's details, 1 leaves them as they are. Within +-1e6, else BAT_NUMBER. */
+BAT_API bat_status bat_camera_set_gain(bat_camera *camera, int level, double gain);
+
+/*
+ * Turns the camera at u so that what it shows there, all levels together, is `rotation` (of any length above 0), by the
+ * least change of the coefficients of one level: level 1..k, or 0, the base, whose quaternions are turned from the left;
+ * details ride along. Within 1e-12 radians; BAT_TOLERANCE: the base does not get there, BAT_UNSUPPORTED: there is no base;
+ * BAT_ARGUMENT: no such level, or its gain is 0. On failure the camera is as it was.
+ */
+BAT_API bat_status bat_camera_turn(bat_camera *camera, int level, double u, const double rotation[4]);
+/* Turns the whole base from the left; details keep every bit. BAT_UNSUPPORTED: there is no base. */
+BAT_API bat_status bat_camera_turn_base(bat_camera *camera, const double rotation[4]);
+/* The quaternions of the base, made unit, 4 numbers each; owned by the camera. *count: how many. NULL: none. */
+BAT_API const double *bat_camera_base(const bat_camera *camera, size_t *count);
+
+/* The path's domain, its length, the time that the move takes. */
+BAT_API void bat_camera_domain(const bat_camera *camera, double domain[2]);
+BAT_API double bat_camera_length(const bat_camera *camera);
+BAT_API double bat_camera_duration(const bat_camera *camera);
+/* How short the spline of the base becomes, of 1: below 0.3 the camera turns fast between two of its quaternions, and which
+ * way is hardly determined. 1 without a base. */
+BAT_API double bat_camera_least_norm(const bat_camera *camera);
+/* The intervals of u in which a camera that looks at something is within 1e-6 of the path's size from it, and keeps the
+ * gaze that it had before. At most `room` are written, 2 numbers each; returns how many there are. */
+BAT_API size_t bat_camera_held(const bat_camera *camera, size_t room, double *out);
+
+typedef struct bat_camera_pose {
+    double time, u, distance;
+    double position[3];
+    double rotation[4];
+    double fov; /* degrees */
+} bat_camera_pose;
+
+/* u is treated as in bat_curve_eval, and the time not filled in; the sign of the rotation is that of the base. No
+ * allocation, here and below. */
+BAT_API void bat_camera_at(const bat_camera *camera, double u, bat_camera_pose *out);
+/* Where the camera is at a time, which is clamped to the move's. */
+BAT_API void bat_camera_at_time(const bat_camera *camera, double time, bat_camera_pose *out);
+/* At many times, in any order: each rotation has the sign that is nearer to the one before it. BAT_NUMBER: a time is not
+ * finite. Some microseconds each at most. */
+BAT_API bat_status bat_camera_sample(const bat_camera *camera, size_t count, const double *times,
+                                     bat_camera_pose *out);
+
+/* Makes a list of numbers non-decreasing with the least change, in the sense of least squares, by pooling neighbours
+ * that fall: what keeps time from running back. BAT_COUNT: more than BAT_POINTS_MAX. O(count). */
+BAT_API bat_status bat_pool_ascending(size_t count, double *values);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,37 @@
+/* Internal: a camera move. */
+#ifndef BATTEN_FORM_CAMERA_H
+#define BATTEN_FORM_CAMERA_H
+
+#include "form/camera/gaze.h"
+#include "form/camera/pace.h"
+#include "form/camera/rotation.h"
+
+#include <batten/frames.h>
+
+typedef struct bat_camera_level {
+    bat_curve *details;
+    double gain;
+} bat_camera_level;
+
+struct bat_camera {
+    bat_camera_options options; /* what it points to is the camera's own */
+    bat_curve *path;            /* in space */
+    double domain[2];
+    bat_rotation base;      /* no keys: none */
+    bat_frame_chain *chain; /* along */
+    bat_gaze gaze;          /* look-at */
+    bat_pace pace;
+    int levels;
+    bat_camera_level level[BAT_CAMERA_LEVELS_MAX];
+};
+
+/* A share of the domain, 0 to 1. */
+double bat_camera_share(const bat_camera *camera, double u);
+/* What the base is relative to. */
+quat bat_camera_ground(const bat_camera *camera, double u);
+/* The rotation of levels 0..top at u, relative to the ground. */
+quat bat_camera_up_to(const bat_camera *camera, int top, double u);
+/* The detail of a level as it shows. */
+quat bat_camera_detail(const bat_camera *camera, int level, double u);
+
+#endif
