@@ -22,14 +22,16 @@ static vec log_near(quat q, vec d) {
     return vec_add(v, vec_scale(axis, 2 * BAT_PI * turns));
 }
 
-/* Basis functions at a share of a curve's domain; their weights N_i / sum N^2. Returns the first point's index. */
-static int weights_at(const bat_curve *curve, double start, double width, double share, double *weights) {
-    int first = 0;
+/* The weights N_i / sum N^2 of the points that are felt at a share of a curve's domain, the first of them and those after
+ * it, of n in a ring: on a closed curve of few points several basis functions belong to one. Returns how many. */
+static int weights_at(const bat_curve *curve, double u, int n, int *first, double *weights) {
     double sum = 0;
-    bat_curve_basis(curve, start + width * share, &first, weights);
-    for (int i = 0; i <= curve->degree; i++) sum += weights[i] * weights[i];
-    for (int i = 0; i <= curve->degree; i++) weights[i] /= sum;
-    return first;
+    bat_curve_basis(curve, u, first, weights);
+    for (int i = curve->degree; i >= n; i--) weights[i - n] += weights[i];
+    const int felt = curve->degree < n ? curve->degree + 1 : n;
+    for (int i = 0; i < felt; i++) sum += weights[i] * weights[i];
+    for (int i = 0; i < felt; i++) weights[i] /= sum;
+    return felt;
 }
 
 static bat_status turn_level(bat_camera *camera, int number, double u, quat target) {
@@ -39,7 +41,8 @@ static bat_status turn_level(bat_camera *camera, int number, double u, quat targ
     if (level->gain == 0) return BAT_ARGUMENT;
     bat_curve_domain(old, domain);
     const double share = bat_camera_share(camera, u), width = domain[1] - domain[0];
-    const int first = weights_at(old, domain[0], width, share, weights), n = old->count;
+    int first = 0;
+    const int n = old->count, felt = weights_at(old, domain[0] + width * share, n, &first, weights);
     quat above = quat_one;
     for (int l = number + 1; l <= camera->levels; l++)
         above = quat_mul(above, bat_camera_detail(camera, l, u));
@@ -52,7 +55,7 @@ static bat_status turn_level(bat_camera *camera, int number, double u, quat targ
     double *points = malloc(3 * (size_t)n * sizeof *points);
     if (!points) return BAT_MEMORY;
     memcpy(points, bat_curve_points(old), 3 * (size_t)n * sizeof *points);
-    for (int i = 0; i <= old->degree; i++) {
+    for (int i = 0; i < felt; i++) {
         double *p = points + 3 * ((first + i) % n);
         p[0] += weights[i] * delta.x, p[1] += weights[i] * delta.y, p[2] += weights[i] * delta.z;
     }
@@ -68,10 +71,11 @@ static bat_status turn_level(bat_camera *camera, int number, double u, quat targ
 /* One step: the keys that are felt at a share turn from the left by their weights of a rotation. */
 static bat_status turn_keys(bat_rotation *base, double share, quat by) {
     double weights[BAT_DEGREE_MAX + 1];
-    const int first = weights_at(base->xyz, base->domain[0], base->domain[1] - base->domain[0], share,
-                                 weights);
+    int first = 0;
+    const double u = base->domain[0] + (base->domain[1] - base->domain[0]) * share;
+    const int felt = weights_at(base->xyz, u, (int)base->count, &first, weights);
     const vec d = quat_log(by.w < 0 ? quat_scale(by, -1) : by);
-    for (int i = 0; i <= base->xyz->degree; i++) {
+    for (int i = 0; i < felt; i++) {
         double *key = base->keys + 4 * ((size_t)(first + i) % base->count);
         quat_store(quat_unit(quat_mul(quat_exp(vec_scale(d, weights[i])), quat_load(key))), key);
     }
