@@ -1,32 +1,37 @@
 /* The commands that choose what the pen draws on. */
 #include "document/document.h"
 #include "editor/choice/choice.h"
+#include "editor/input/input.h"
 #include "editor/pick/pivot.h"
+#include "editor/pick/surface.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/commands.h"
-#include "editor/tables/words.h"
 #include "editor/view/curve_ground.h"
 #include "editor/view/stage.h"
 
-/* The next object in the drawing, after the present ground, that can be drawn on, or the first; none in a hidden
- * layer. */
-static const bat_object *next_ground(const bat_context *c, bat_ground *out) {
+/* The next plane in the drawing, after the present ground, or the first; none in a hidden layer. */
+static const bat_object *next_plane(const bat_context *c) {
     const bat_document *document = c->session->document;
     int now = c->stage->ground.object ? bat_document_find(document, c->stage->ground.object) : -1;
     int count = bat_document_count(document);
     for (int i = 1; i <= count; i++) {
         int at = (now + i) % count;
         const bat_object *object = bat_document_at(document, at);
-        if (!bat_document_level(document, at).hidden && bat_ground_of(object, out)) return object;
+        if (!bat_document_level(document, at).hidden && bat_object_plane(object)) return object;
     }
     return NULL;
 }
 
-static void draw_on(bat_context *c, const bat_object *plane) {
-    const char *name = bat_object_name(plane);
-    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, *name ? name : bat_word(c, BAT_STRING_A_PLANE));
+/* The surface under the pen, or the one that is selected. */
+static const bat_object *meant_surface(bat_context *c) {
+    const bat_selection *selection = &c->choice->selection;
+    const bat_document *document = c->session->document;
+    const bat_object *found = c->input->pen_near ? bat_pick_surface(c, c->input->pen) : NULL;
+    if (found || selection->count != 1) return found;
+    found = bat_document_at(document, bat_document_find(document, selection->ids[0]));
+    return found && bat_object_surface(found) ? found : NULL;
 }
 
 /* A new plane to draw on. */
@@ -39,10 +44,7 @@ static bat_status draw_on_new(bat_context *c, const double origin[3], const doub
         status = bat_transaction_insert(c, bat_document_count(c->session->document), plane);
         status = bat_transaction_end(c, status, BAT_STRING_STEP_PLANE);
     }
-    if (status == BAT_OK && bat_ground_of(plane, &c->stage->ground))
-        draw_on(c, plane);
-    else
-        bat_notice_failure(c, status);
+    if (status != BAT_OK || !bat_ground_take(c, plane)) bat_notice_failure(c, status);
     bat_object_release(plane);
     return status;
 }
@@ -77,15 +79,12 @@ bat_status bat_command_plane_of_curve(bat_context *c, bat_command_id id) {
 bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
     if (id == BAT_COMMAND_DRAW_ON_PAGE) {
         if (!c->stage->ground.object) return BAT_STATE;
-        c->stage->ground = bat_ground_page();
-        bat_notice(c, BAT_STRING_NOTICE_ON_PAGE);
+        bat_ground_take(c, NULL);
         return BAT_OK;
     }
-    const bat_object *ground = next_ground(c, &c->stage->ground);
-    if (!ground) {
-        bat_notice(c, BAT_STRING_NOTICE_NO_PLANE);
-        return BAT_STATE;
-    }
-    draw_on(c, ground);
-    return BAT_OK;
+    const bat_object *ground = meant_surface(c);
+    if (!ground) ground = next_plane(c);
+    if (ground && bat_ground_take(c, ground)) return BAT_OK;
+    bat_notice(c, BAT_STRING_NOTICE_NO_PLANE);
+    return BAT_STATE;
 }

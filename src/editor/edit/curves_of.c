@@ -10,7 +10,7 @@ const bat_curve *bat_edit_target_in(const bat_document *document, int dimension,
     const bat_object *found = bat_document_at(document, bat_document_find(document, object));
     if (!found || curve < 0 || curve >= bat_object_curve_count(found)) return NULL;
     const bat_curve *target = bat_object_curve(found, curve);
-    return bat_curve_dimension(target) == dimension ? target : NULL;
+    return !dimension || bat_curve_dimension(target) == dimension ? target : NULL;
 }
 
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve) {

@@ -8,7 +8,8 @@
 #include <batten/editor.h>
 #include <batten/levels.h>
 
-/* The curve that an edit works on, of the given dimension or planar; NULL when the document has no such curve. */
+/* The curve that an edit works on, of the given dimension (0: any) or planar; NULL when the document has no such
+ * curve. */
 const bat_curve *bat_edit_target_in(const bat_document *document, int dimension, bat_id object, int curve);
 const bat_curve *bat_edit_target(const bat_document *document, bat_id object, int curve);
 /* The object without one of its curves; *out NULL when none is left. */

@@ -22,10 +22,12 @@ void bat_fair_range(const bat_curve *curve, double u, double reach, double range
 
 bat_status bat_fair_curve(const bat_curve *curve, const double range[2], double limit, double pixel,
                           bat_curve **out) {
-    double points[2 * SAMPLES];
+    const int dimension = bat_curve_dimension(curve);
+    double points[BAT_DIMENSION_MAX * SAMPLES];
     for (int i = 0; i < SAMPLES; i++)
-        bat_curve_eval(curve, range[0] + (range[1] - range[0]) * i / (SAMPLES - 1), 0, points + 2 * i);
-    bat_stroke stroke = {.dimension = 2, .count = SAMPLES, .points = points};
+        bat_curve_eval(curve, range[0] + (range[1] - range[0]) * i / (SAMPLES - 1), 0,
+                       points + dimension * i);
+    bat_stroke stroke = {.dimension = dimension, .count = SAMPLES, .points = points};
     bat_sketch_options options = bat_sketch_defaults();
     bat_sketch_report report;
     options.pixel = pixel;

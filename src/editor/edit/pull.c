@@ -15,7 +15,7 @@ static const double SAME = 1e-12,
 typedef struct row {
     int node; /* the node that it keeps smooth; -1: none */
     int count, points[ENTRIES];
-    double weights[ENTRIES], delta[2];
+    double weights[ENTRIES], delta[BAT_DIMENSION_MAX];
     double size; /* sum of the squares of its weights, including those of pinned points */
 } row;
 
@@ -25,7 +25,7 @@ typedef struct system {
     int pulls, reached[REACHED], reached_count; /* control points that the pulls depend on */
     int count;
     row rows[ROWS];
-    double gram[ROWS][ROWS], share[ROWS][2];
+    double gram[ROWS][ROWS], share[ROWS][BAT_DIMENSION_MAX];
 } system;
 
 static bool is_reached(const system *s, int point) {
@@ -111,7 +111,7 @@ static void gather(system *s, int count, const double *u, const double *delta, b
     }
     for (int k = 0; k < count; k++) {
         row *r = add_place(s, u[k]);
-        memcpy(r->delta, delta + 2 * k, sizeof r->delta);
+        memcpy(r->delta, delta + s->curve->dimension * k, (size_t)s->curve->dimension * sizeof *delta);
         for (int i = 0; i < r->count; i++)
             if (!is_reached(s, r->points[i])) s->reached[s->reached_count++] = r->points[i];
     }
@@ -154,7 +154,7 @@ static bat_status solve(system *s) {
             for (int k = 0; k < j; k++) s->gram[j][k] = 0;
         s->gram[j][j] = root;
     }
-    for (int c = 0; c < 2; c++) {
+    for (int c = 0; c < s->curve->dimension; c++) {
         for (int i = 0; i < n; i++) {
             double sum = s->rows[n - 1 - i].delta[c];
             for (int k = 0; k < i; k++) sum -= s->gram[i][k] * s->share[k][c];
@@ -170,11 +170,12 @@ static bat_status solve(system *s) {
 
 /* A copy whose points may still be changed. */
 static bat_status begin(const bat_curve *curve, bat_curve **out) {
-    bat_status status = bat_curve_allocate(curve->degree, 2, curve->closed, curve->count, out);
+    bat_status status = bat_curve_allocate(curve->degree, curve->dimension, curve->closed, curve->count, out);
     if (status != BAT_OK) return status;
     memcpy(bat_curve_own_knots(*out), bat_curve_knots(curve),
            (size_t)bat_curve_knot_count(curve) * sizeof(double));
-    memcpy(bat_curve_own_points(*out), bat_curve_points(curve), 2 * (size_t)curve->count * sizeof(double));
+    memcpy(bat_curve_own_points(*out), bat_curve_points(curve),
+           (size_t)curve->dimension * (size_t)curve->count * sizeof(double));
     return BAT_OK;
 }
 
@@ -191,26 +192,33 @@ bat_status bat_pull(const bat_curve *curve, int count, const double *u, const do
     bat_curve *moved = NULL;
     if (status == BAT_OK) status = begin(curve, &moved);
     if (status != BAT_OK) return status;
+    const int size = curve->dimension;
     double *points = bat_curve_own_points(moved);
     for (int k = 0; k < s.count; k++) {
         const row *r = &s.rows[k];
         const double *share = s.share[s.count - 1 - k];
-        for (int i = 0; i < r->count && (share[0] != 0 || share[1] != 0); i++)
-            for (int c = 0; c < 2; c++) points[2 * r->points[i] + c] += r->weights[i] * share[c];
+        bool moves = false;
+        for (int c = 0; c < size; c++) moves = moves || share[c] != 0;
+        for (int i = 0; i < r->count && moves; i++)
+            for (int c = 0; c < size; c++) points[size * r->points[i] + c] += r->weights[i] * share[c];
     }
     return bat_curve_finish(moved, out);
 }
 
 /* Turns the opposite handle into line with the one that has moved, keeping its length. */
-static void turn_opposite(double *points, int moved, int on, int opposite) {
-    double *far = points + 2 * opposite, *at = points + 2 * on, *near = points + 2 * moved;
-    double away[2] = {at[0] - near[0], at[1] - near[1]}, length = bat_hypot(away[0], away[1]);
-    double kept = bat_hypot(far[0] - at[0], far[1] - at[1]);
+static void turn_opposite(int size, double *points, int moved, int on, int opposite) {
+    double *far = points + size * opposite, *at = points + size * on, *near = points + size * moved;
+    double away[BAT_DIMENSION_MAX], length = 0, kept = 0;
+    for (int c = 0; c < size; c++) {
+        away[c] = at[c] - near[c];
+        length = bat_hypot(length, away[c]);
+        kept = bat_hypot(kept, far[c] - at[c]);
+    }
     if (!(length > 0)) return;
-    for (int c = 0; c < 2; c++) far[c] = at[c] + away[c] * (kept / length);
+    for (int c = 0; c < size; c++) far[c] = at[c] + away[c] * (kept / length);
 }
 
-bat_status bat_pull_point(const bat_curve *curve, int index, const double delta[2], bool alone,
+bat_status bat_pull_point(const bat_curve *curve, int index, const double *delta, bool alone,
                           bat_curve **out) {
     bat_smooth_node node;
     bat_curve *moved = NULL;
@@ -219,14 +227,15 @@ bat_status bat_pull_point(const bat_curve *curve, int index, const double delta[
     if (status != BAT_OK) return status;
     double *points = bat_curve_own_points(moved);
     bool tied = !alone && bat_smooth_node_of(curve, index, &node);
-    for (int c = 0; c < 2; c++) points[2 * index + c] += delta[c];
+    const int size = curve->dimension;
+    for (int c = 0; c < size; c++) points[size * index + c] += delta[c];
     if (tied && index == node.on) {
-        for (int c = 0; c < 2; c++) {
-            points[2 * node.in + c] += delta[c];
-            points[2 * node.out + c] += delta[c];
+        for (int c = 0; c < size; c++) {
+            points[size * node.in + c] += delta[c];
+            points[size * node.out + c] += delta[c];
         }
     } else if (tied) {
-        turn_opposite(points, index, node.on, index == node.in ? node.out : node.in);
+        turn_opposite(size, points, index, node.on, index == node.in ? node.out : node.in);
     }
     return bat_curve_finish(moved, out);
 }

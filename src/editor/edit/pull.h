@@ -9,7 +9,8 @@ enum { BAT_PULLS_MAX = 2 };
 /*
  * Moves C(u_k) by delta_k, k < count, as bat_curve_drag does, with the least sum of squares of the control points'
  * moves, under two conditions: an end of an open curve stays where it is unless u is that end, and at a smooth node
- * (smooth_node.h) the handles stay in line and in proportion. The points move by exactly their deltas. Planar curves.
+ * (smooth_node.h) the handles stay in line and in proportion. The points move by exactly their deltas. delta: of the curve's
+ * dimension, one after the other.
  * BAT_SINGULAR: the points cannot move independently. Cost: O(n) for the copy.
  */
 bat_status bat_pull(const bat_curve *curve, int count, const double *u, const double *delta, bat_curve **out);
@@ -17,7 +18,7 @@ bat_status bat_pull(const bat_curve *curve, int count, const double *u, const do
  * Moves a control point by delta. A smooth node takes its handles along; when one handle of a smooth node moves, the
  * other keeps its length and turns to stay in line. alone: nothing else moves.
  */
-bat_status bat_pull_point(const bat_curve *curve, int index, const double delta[2], bool alone,
+bat_status bat_pull_point(const bat_curve *curve, int index, const double *delta, bool alone,
                           bat_curve **out);
 
 #endif

@@ -1,5 +1,5 @@
 #include "editor/edit/smooth_node.h"
-#include "base/real.h"
+#include "base/vec.h"
 #include "curve/curve.h"
 #include <math.h>
 
@@ -13,12 +13,13 @@ bool bat_smooth_node_at(const bat_curve *curve, int on, bat_smooth_node *node) {
     if (!curve->closed && (u <= knots[p] || u >= knots[curve->spread])) return false; /* an end */
     bat_smooth_node found = {(on + n - 1) % n, on, (on + 1) % n, bat_curve_reduce(curve, u), 1};
     if (found.in == found.out) return false;
-    const double *points = bat_curve_points(curve), *in = points + 2 * found.in, *at = points + 2 * on,
-                 *out = points + 2 * found.out;
-    double a[2] = {at[0] - in[0], at[1] - in[1]}, b[2] = {out[0] - at[0], out[1] - at[1]};
-    double along = a[0] * b[0] + a[1] * b[1], across = a[0] * b[1] - a[1] * b[0];
-    if (!(along > 0 && fabs(across) < SMOOTH * along)) return false;
-    found.ratio = bat_hypot(b[0], b[1]) / bat_hypot(a[0], a[1]);
+    const int size = curve->dimension;
+    const double *points = bat_curve_points(curve);
+    const vec in = vec_load(points + size * found.in, size), at = vec_load(points + size * on, size),
+              out = vec_load(points + size * found.out, size), a = vec_sub(at, in), b = vec_sub(out, at);
+    const double along = vec_dot(a, b);
+    if (!(along > 0 && vec_norm(vec_cross(a, b)) < SMOOTH * along)) return false;
+    found.ratio = vec_norm(b) / vec_norm(a);
     *node = found;
     return true;
 }

@@ -77,7 +77,7 @@ static bool place_of(const bat_object *object, int index, double out[2]) {
     }
     int curve;
     const bat_curve *found = curve_of(object, &index, &curve);
-    if (!found) return false;
+    if (!found || bat_curve_dimension(found) != 2) return false;
     bat_handle_place(found, &(bat_handle){.kind = BAT_HANDLE_POINT, .index = index}, out);
     return true;
 }

@@ -36,6 +36,18 @@ bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], 
     return best;
 }
 
+bool bat_pick_on(bat_scene *scene, bat_id object, int curve, const double point[2], bat_near *near) {
+    for (int i = 0; i < scene->count; i++) {
+        if (bat_object_id(scene->entries[i].object) != object) continue;
+        const bat_finder *finder = curve < bat_object_curve_count(scene->entries[i].object)
+                                       ? bat_scene_finder(scene, i, curve)
+                                       : NULL;
+        if (finder) bat_finder_nearest(finder, point, near);
+        return finder != NULL;
+    }
+    return false;
+}
+
 bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within) {
     return bat_pick_curve(scene, 2, point, within);
 }

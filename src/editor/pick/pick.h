@@ -11,9 +11,11 @@ typedef struct bat_pick {
     bat_near near;
 } bat_pick;
 
-/* The curve of that dimension whose picture is nearest to the point (drawing coordinates) and within `within`; among
+/* The curve of that dimension (0: any) whose picture is nearest to the point (drawing coordinates) and within `within`; among
  * equals the frontmost. near.point lies on the picture. */
 bat_pick bat_pick_curve(bat_scene *scene, int dimension, const double point[2], double within);
+/* The place nearest to the point on the picture of one curve; false: it is not there. */
+bool bat_pick_on(bat_scene *scene, bat_id object, int curve, const double point[2], bat_near *near);
 /* The planar curve nearest to the point and within `within`. */
 bat_pick bat_pick_nearest(bat_scene *scene, const double point[2], double within);
 /* The end of an open planar curve nearest to the point and within `within`; one curve is left out (object 0: none).

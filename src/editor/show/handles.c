@@ -2,6 +2,7 @@
 #include "curve/curve.h"
 #include "base/real.h"
 #include <math.h>
+#include <string.h>
 
 static const double POINT_RADIUS = 3, KNOT_RADIUS = 3.5, RING_STEP = 3, ONE_RADIUS = 5.5; /* px */
 static const float POLYGON_WIDTH = 1, RING_WIDTH = 1.25F;
@@ -71,12 +72,25 @@ void bat_knots_reached(const bat_curve *curve, double u, double range[2]) {
     }
 }
 
-bool bat_handle_find(const bat_curve *curve, const double point[2], double reach, bat_handle *out) {
-    const double *points = bat_curve_points(curve);
-    double best = reach, u;
+/* Where a control point, and where a place on the curve, is seen. */
+static void point_seen(const bat_curve *curve, const bat_stage *stage, int index, double at[2]) {
+    const int dimension = bat_curve_dimension(curve);
+    bat_stage_look(stage, dimension, bat_curve_points(curve) + dimension * index, at);
+}
+
+static void place_seen(const bat_curve *curve, const bat_stage *stage, double u, double at[2]) {
+    double place[BAT_DIMENSION_MAX];
+    bat_curve_eval(curve, u, 0, place);
+    bat_stage_look(stage, bat_curve_dimension(curve), place, at);
+}
+
+bool bat_handle_find(const bat_curve *curve, const bat_stage *stage, const double point[2], double reach,
+                     bat_handle *out) {
+    double best = reach, u, at[2];
     bool found = false;
     for (int i = 0; i < bat_point_count(curve); i++) {
-        double d = distance(points + 2 * i, point);
+        point_seen(curve, stage, i, at);
+        double d = distance(at, point);
         if (d > best || (found && d == best)) continue;
         best = d;
         found = true;
@@ -85,8 +99,7 @@ bool bat_handle_find(const bat_curve *curve, const double point[2], double reach
     }
     if (found) out->u = bat_handle_greville(curve, out->index);
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL); after = u) {
-        double at[2];
-        bat_curve_eval(curve, u, 0, at);
+        place_seen(curve, stage, u, at);
         double d = distance(at, point);
         if (d > best || (found && d == best)) continue;
         best = d;
@@ -98,13 +111,19 @@ bool bat_handle_find(const bat_curve *curve, const double point[2], double reach
     return found;
 }
 
-void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double out[2]) {
-    if (handle->kind == BAT_HANDLE_POINT) {
-        out[0] = bat_curve_points(curve)[2 * handle->index];
-        out[1] = bat_curve_points(curve)[2 * handle->index + 1];
-    } else {
+void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double *out) {
+    const size_t size = (size_t)bat_curve_dimension(curve);
+    if (handle->kind == BAT_HANDLE_POINT)
+        memcpy(out, bat_curve_points(curve) + size * (size_t)handle->index, size * sizeof *out);
+    else
         bat_curve_eval(curve, handle->u, 0, out);
-    }
+}
+
+void bat_handle_seen(const bat_curve *curve, const bat_stage *stage, const bat_handle *handle, double at[2]) {
+    if (handle->kind == BAT_HANDLE_POINT)
+        point_seen(curve, stage, handle->index, at);
+    else
+        place_seen(curve, stage, handle->u, at);
 }
 
 /* ---- display ---- */
@@ -121,7 +140,7 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
     int multiplicity, marks = 0;
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, NULL) && marks < MARKS_MAX; after = u) {
-        bat_curve_eval(curve, u, 0, at);
+        place_seen(curve, stage, u, at);
         if (!in_sight(stage, at)) continue;
         bat_overlay_mark(overlay, at, KNOT_RADIUS * pixel);
         marks++;
@@ -131,17 +150,23 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
     for (double after = -INFINITY; bat_knot_next(curve, after, &u, &multiplicity) && marks < MARKS_MAX;
          after = u) {
         if (multiplicity < 2) continue;
-        bat_curve_eval(curve, u, 0, at);
+        place_seen(curve, stage, u, at);
         if (!in_sight(stage, at)) continue;
         for (int i = 1; i < multiplicity; i++)
             bat_overlay_mark(overlay, at, (KNOT_RADIUS + RING_STEP * i) * pixel);
         marks++;
     }
     if (bat_curve_is_closed(curve)) return;
-    double domain[2], frame[4];
+    static const double nowhere[BAT_DIMENSION_MAX] = {0};
+    const int dimension = bat_curve_dimension(curve);
+    double domain[2], frame[4], jet[2 * BAT_DIMENSION_MAX], zero[2];
     bat_curve_domain(curve, domain);
+    bat_stage_look(stage, dimension, nowhere, zero);
     for (int k = 0; k < 2; k++) {
-        bat_curve_eval(curve, domain[k], 1, frame);
+        bat_curve_eval(curve, domain[k], 1, jet);
+        bat_stage_look(stage, dimension, jet, frame);
+        bat_stage_look(stage, dimension, jet + dimension, frame + 2);
+        for (int i = 0; i < 2; i++) frame[2 + i] -= zero[i];
         double length = bat_hypot(frame[2], frame[3]), half = 6 * pixel;
         if (!(length > 0)) continue;
         double x = -frame[3] / length * half, y = frame[2] / length * half;
@@ -151,16 +176,19 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
 }
 
 void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
-    const double *points = bat_curve_points(curve);
     int count = bat_point_count(curve), marks = 0;
-    double pixel = bat_stage_pixel(stage);
+    double pixel = bat_stage_pixel(stage), at[2];
     bat_overlay_item(overlay, BAT_ROLE_POLYGON, BAT_ITEM_STROKED, POLYGON_WIDTH);
-    bat_overlay_polyline(overlay, (size_t)count, points);
+    for (int i = 0; i < count; i++) {
+        point_seen(curve, stage, i, at);
+        (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
+    }
     if (bat_curve_is_closed(curve)) bat_path_close(&overlay->path);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     for (int i = 0; i < count && marks < MARKS_MAX; i++) {
-        if (!in_sight(stage, points + 2 * i)) continue;
-        bat_overlay_square(overlay, points + 2 * i, POINT_RADIUS * pixel);
+        point_seen(curve, stage, i, at);
+        if (!in_sight(stage, at)) continue;
+        bat_overlay_square(overlay, at, POINT_RADIUS * pixel);
         marks++;
     }
 }
@@ -168,7 +196,7 @@ void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const
 void bat_handles_show_one(bat_overlay *overlay, const bat_curve *curve, const bat_handle *handle,
                           bat_role role, const bat_stage *stage) {
     double at[2], radius = ONE_RADIUS * bat_stage_pixel(stage);
-    bat_handle_place(curve, handle, at);
+    bat_handle_seen(curve, stage, handle, at);
     bat_overlay_item(overlay, role, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     if (handle->kind == BAT_HANDLE_POINT)
         bat_overlay_square(overlay, at, radius * 0.8);

@@ -31,14 +31,17 @@ int bat_knot_held(const bat_curve *curve, double u);
 /* The knot nearest to u; false when the curve has none. */
 bool bat_knot_near(const bat_curve *curve, double u, double *knot);
 
-/* The control point or knot of the curve nearest to the point and within `reach`; among equals the control point.
- * Sets kind, index and u of *out. */
-bool bat_handle_find(const bat_curve *curve, const double point[2], double reach, bat_handle *out);
+/* The control point or knot of the curve that is seen nearest to the point (drawing coordinates) and within `reach`; among
+ * equals the control point. Sets kind, index and u of *out. */
+bool bat_handle_find(const bat_curve *curve, const bat_stage *stage, const double point[2], double reach,
+                     bat_handle *out);
 /* The Greville abscissa of a control point: the mean of its p inner knots. */
 double bat_handle_greville(const bat_curve *curve, int index);
 /* The stretch that changes when the curve is pulled at u: the support of the basis functions there. */
 void bat_knots_reached(const bat_curve *curve, double u, double range[2]);
-void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double out[2]);
+/* Where it is, of the curve's dimension; where it is seen, in drawing coordinates. */
+void bat_handle_place(const bat_curve *curve, const bat_handle *handle, double *out);
+void bat_handle_seen(const bat_curve *curve, const bat_stage *stage, const bat_handle *handle, double at[2]);
 
 /* Knots as diamonds, with one ring for each further multiplicity; the ends of open curves as bars across. */
 void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);

@@ -153,7 +153,7 @@ void bat_insight_show(bat_context *c, const bat_curve *made, bat_overlay *overla
     bat_curve *seen = NULL; /* a curve in space as it is seen from above: without its height */
     if (bat_curve_to_dimension(curve, 2, &seen) != BAT_OK) return;
     if (comb) bat_comb_show(overlay, seen, c->stage);
-    if (knots) bat_handles_show_knots(overlay, seen, c->stage);
+    if (knots) bat_handles_show_knots(overlay, curve, c->stage);
     bat_curve_free(seen);
     if (length && c->input->pen_near) {
         double domain[2], at[2];

@@ -31,6 +31,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/unit.h"
 #include "editor/view/stage.h"
+#include "editor/view/way.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/pull.h"
@@ -54,7 +55,7 @@ static double reach(const bat_context *c, const bat_pointing *p, double pixels) 
 
 /* The chosen curve; NULL when there is none or it is gone. */
 static const bat_curve *chosen_curve(const bat_context *c, const bat_pointing *p) {
-    return p->object ? bat_edit_target(c->session->document, p->object, p->curve) : NULL;
+    return p->object ? bat_edit_target_in(c->session->document, 0, p->object, p->curve) : NULL;
 }
 
 static void choose_nothing(bat_pointing *p) {
@@ -109,9 +110,9 @@ static bool is_end(const bat_curve *curve, const bat_handle *handle) {
 static bool handle_at(const bat_context *c, const bat_pointing *p, const bat_curve *curve,
                       const double point[2], const bat_pick *pick, bat_handle *out) {
     double at[2];
-    if (!bat_handle_find(curve, point, reach(c, p, HANDLE_REACH), out)) return false;
+    if (!bat_handle_find(curve, c->stage, point, reach(c, p, HANDLE_REACH), out)) return false;
     if (!pick->object || is_end(curve, out)) return true;
-    bat_handle_place(curve, out, at);
+    bat_handle_seen(curve, c->stage, out, at);
     double distance = bat_hypot(at[0] - point[0], at[1] - point[1]);
     return distance <= pick->near.distance + reach(c, p, HANDLE_LEAD);
 }
@@ -122,7 +123,7 @@ static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
     bat_handle handle = {0};
     bat_seen_sync(c);
     bat_stage_seen(c->stage, pixel, point);
-    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, p, CURVE_REACH));
+    bat_pick pick = bat_pick_curve(c->scene, 0, point, reach(c, p, CURVE_REACH));
     const bat_curve *curve = chosen_curve(c, p);
     if (curve && handle_at(c, p, curve, point, &pick, &handle)) {
         handle.object = p->object;
@@ -130,7 +131,7 @@ static bat_handle find(bat_context *c, bat_pointing *p, const double pixel[2]) {
         return handle;
     }
     if (!pick.object) return (bat_handle){0};
-    curve = bat_edit_target(c->session->document, pick.object, pick.curve);
+    curve = bat_edit_target_in(c->session->document, 0, pick.object, pick.curve);
     if (!curve || !handle_at(c, p, curve, point, &pick, &handle)) {
         handle.kind = BAT_HANDLE_CURVE;
         handle.index = 0;
@@ -152,21 +153,27 @@ static bool is_tied(const bat_pointing *p, const bat_curve *curve, const bat_han
 }
 
 static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_curve *base,
-                        const bat_handle *grip, const double delta[2], bat_curve **out) {
+                        const bat_handle *grip, const double delta[3], bat_curve **out) {
     const bat_handle *held = &p->chosen;
     bool alone = c->modifiers & BAT_ALT || !is_tied(p, base, grip);
     if (grip->kind == BAT_HANDLE_POINT) return bat_pull_point(base, grip->index, delta, alone, out);
-    double u[2] = {grip->u, held->u}, deltas[4] = {delta[0], delta[1], 0, 0};
+    double u[2] = {grip->u, held->u}, deltas[2 * BAT_DIMENSION_MAX] = {0};
+    memcpy(deltas, delta, (size_t)bat_curve_dimension(base) * sizeof *delta);
     bool holds = held->kind == BAT_HANDLE_KNOT && held->object == grip->object &&
                  held->curve == grip->curve && held->u != grip->u;
     bat_status status = holds ? bat_pull(base, 2, u, deltas, out) : BAT_SINGULAR;
     return status == BAT_SINGULAR ? bat_pull(base, 1, u, deltas, out) : status;
 }
 
-/* From the press to the pen, document units; the grip snaps, Shift constrains to angle steps. */
-static void drag_delta(bat_context *c, bat_pointing *p, double delta[2]) {
-    double from[2], to[2], held[2];
+/* From the press to the pen, document units; face-on the grip snaps on the page, Shift constrains to angle steps. False:
+ * the pen cannot tell. */
+static bool drag_delta(bat_context *c, bat_pointing *p, double delta[3]) {
+    double from[2], to[2], held[3];
     int own = bat_document_find(c->session->document, p->grip.object);
+    if (bat_stage_tilted(c->stage) || bat_curve_dimension(p->base) != 2) {
+        c->snap->kind = BAT_SNAP_NONE;
+        return bat_stage_way(c->stage, p->base, p->start, p->at, false, delta);
+    }
     bat_stage_seen(c->stage, p->start, from);
     bat_stage_seen(c->stage, p->at, to);
     bat_handle_place(p->base, &p->grip, held);
@@ -177,6 +184,7 @@ static void drag_delta(bat_context *c, bat_pointing *p, double delta[2]) {
         bat_snap_point(c, 1, &own, place);
     delta[0] = place[0] - held[0];
     delta[1] = place[1] - held[1];
+    return true;
 }
 
 static void release(bat_pointing *p) {
@@ -192,18 +200,18 @@ static void give_up(bat_context *c, bat_pointing *p, bat_status status) {
 }
 
 static void drag(bat_context *c, bat_pointing *p) {
-    double delta[2];
+    double delta[3];
     bat_curve *curve = NULL;
     if (!p->dragging || !p->due) return;
     p->due = false;
-    drag_delta(c, p, delta);
+    if (!drag_delta(c, p, delta)) return;
     bat_status status = moved(c, p, p->base, &p->grip, delta, &curve);
     if (status == BAT_OK) status = bat_put_curve(c, p->grip.object, p->grip.curve, curve);
     if (status != BAT_OK) give_up(c, p, status);
 }
 
 static void begin_drag(bat_context *c, bat_pointing *p) {
-    const bat_curve *target = bat_edit_target(c->session->document, p->grip.object, p->grip.curve);
+    const bat_curve *target = bat_edit_target_in(c->session->document, 0, p->grip.object, p->grip.curve);
     bat_status status = target ? bat_curve_copy(target, &p->base) : BAT_STATE;
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
@@ -464,7 +472,7 @@ static bat_status step(bat_context *c, bat_pointing *p, int direction) {
                 bat_id id = bat_object_id(bat_document_at(c->session->document, i));
                 if (pass == 0 && !bat_selection_has(&c->choice->selection, id)) continue;
                 if (bat_seen_out_of_reach(c, i)) continue;
-                if (!(curve = bat_edit_target(c->session->document, id, 0))) continue;
+                if (!(curve = bat_edit_target_in(c->session->document, 0, id, 0))) continue;
                 choose_curve(c, p, id, 0);
             }
         if (!curve) return BAT_STATE;
@@ -501,15 +509,13 @@ bool bat_pointing_chosen(bat_context *c, double place[2]) {
     bat_pointing *p = bat_pointing_of(c);
     settle(c, p);
     const bat_curve *curve = chosen_curve(c, p);
-    if (!curve || !p->chosen.kind) return false;
+    if (!curve || !p->chosen.kind || bat_curve_dimension(curve) != 2) return false;
     bat_handle_place(curve, &p->chosen, place);
     return true;
 }
 
-bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
-    bat_pointing *p = bat_pointing_of(c);
-    const bat_curve *curve = chosen_curve(c, p);
-    if (!curve || !p->chosen.kind) return BAT_STATE;
+/* Moves the handle that is chosen; delta: of the curve's dimension. */
+static bat_status shift(bat_context *c, bat_pointing *p, const bat_curve *curve, const double delta[3]) {
     bat_curve *after = NULL;
     bat_status status = moved(c, p, curve, &p->chosen, delta, &after);
     if (status == BAT_OK)
@@ -519,9 +525,23 @@ bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
     return done(c, status);
 }
 
+bat_status bat_pointing_shift(bat_context *c, const double delta[2]) {
+    bat_pointing *p = bat_pointing_of(c);
+    const bat_curve *curve = chosen_curve(c, p);
+    const double way[3] = {delta[0], delta[1], 0};
+    return curve && p->chosen.kind ? shift(c, p, curve, way) : BAT_STATE;
+}
+
 static bat_status nudge(bat_context *c, double x, double y) {
-    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_stage_pixel(c->stage);
-    return bat_pointing_shift(c, (double[]){x * far, y * far});
+    bat_pointing *p = bat_pointing_of(c);
+    const bat_curve *curve = chosen_curve(c, p);
+    const double pixels = c->modifiers & BAT_SHIFT ? 10 : 1, far = pixels * bat_stage_pixel(c->stage);
+    double way[3];
+    if (!bat_stage_tilted(c->stage)) return bat_pointing_shift(c, (double[]){x * far, y * far});
+    if (!curve || !p->chosen.kind ||
+        !bat_stage_way(c->stage, curve, (double[]){0, 0}, (double[]){x * pixels, y * pixels}, false, way))
+        return BAT_STATE;
+    return shift(c, p, curve, way);
 }
 
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
@@ -595,7 +615,8 @@ static void show_length(const bat_context *c, const bat_pointing *p, bat_overlay
     double at[2], length = bat_curve_length(curve, p->stretch[0], p->stretch[1], 1e-6);
     char text[64];
     bat_unit_write(c, length, text);
-    bat_curve_eval(curve, (p->stretch[0] + p->stretch[1]) / 2, 0, at);
+    const bat_handle middle = {.kind = BAT_HANDLE_CURVE, .u = (p->stretch[0] + p->stretch[1]) / 2};
+    bat_handle_seen(curve, c->stage, &middle, at);
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 14, -14, text);
 }
 
@@ -603,8 +624,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_pointing *p = state;
     const bat_handle *hot = p->dragging ? &p->grip : &p->hot;
     const bat_curve *curve = chosen_curve(c, p);
-    const bat_curve *under = hot->object ? bat_edit_target(c->session->document, hot->object, hot->curve)
-                                         : NULL;
+    const bat_curve *under = hot->object
+                                 ? bat_edit_target_in(c->session->document, 0, hot->object, hot->curve)
+                                 : NULL;
     if (c->input->holding_pan) under = NULL;
     bool other = under && under != curve;
     if (other) {
@@ -632,7 +654,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     if (p->dragging) return BAT_STRING_HINT_DRAGGING;
     if (p->measured) return BAT_STRING_HINT_MEASURED;
     if (p->hot.kind == BAT_HANDLE_POINT) {
-        const bat_curve *curve = bat_edit_target(c->session->document, p->hot.object, p->hot.curve);
+        const bat_curve *curve = bat_edit_target_in(c->session->document, 0, p->hot.object, p->hot.curve);
         return curve && is_tied(p, curve, &p->hot) ? BAT_STRING_HINT_TIED : BAT_STRING_HINT_CONTROL_POINT;
     }
     if (p->hot.kind == BAT_HANDLE_KNOT) return BAT_STRING_HINT_KNOT;

@@ -47,6 +47,12 @@ static bat_ground plane_of(const spread *s) {
     return bat_ground_plane(origin, x, y);
 }
 
+bool bat_curve_normal(const bat_curve *curve, double normal[3]) {
+    const spread s = measure(curve);
+    vec_store(straight(&s) ? vec_any_normal(s.across) : s.normal, normal);
+    return s.planar;
+}
+
 bool bat_ground_of_planar(const bat_curve *curve, bat_ground *out) {
     const spread s = measure(curve);
     if (s.planar) *out = plane_of(&s);

@@ -4,6 +4,10 @@
 
 #include "editor/view/stage.h"
 
+/* The normal of the curve's plane, or best plane, of length 1; of a straight curve some direction across it. Whether the
+ * curve is planar and not straight. */
+bool bat_curve_normal(const bat_curve *curve, double normal[3]);
+
 /* The plane of a planar curve; false: it has none of its own, since it is not planar, or straight. */
 bool bat_ground_of_planar(const bat_curve *curve, bat_ground *out);
 

@@ -181,6 +181,8 @@ bool bat_ground_of(const bat_object *object, bat_ground *out) {
     return found;
 }
 
+bool bat_ground_bounded(const bat_ground *ground) { return ground->type >= &GROUNDS[2]; }
+
 void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]) {
     static const double page[6] = {1, 0, 0, 0, 1, 0};
     const double *axes = ground->type == &GROUNDS[1] ? ground->numbers + 3 : page;

@@ -53,6 +53,8 @@ bat_ground bat_ground_plane(const double origin[3], const double x[3], const dou
 bat_ground bat_ground_ruled(bat_id object, int curve, const double along[3]);
 /* Whether it is the ruled surface of this curve. */
 bool bat_ground_rules(const bat_ground *ground, bat_id object, int curve);
+/* Whether rays can miss it. */
+bool bat_ground_bounded(const bat_ground *ground);
 /* Two directions that span it, of length 1, at right angles; for what is not a plane those of the page. */
 void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]);
 /* Whether both lie in the same place, whichever object they are. */

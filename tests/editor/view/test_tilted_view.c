@@ -268,8 +268,7 @@ static void with_a_pen_one_finger_turns_a_tilted_view(void **state) {
 
 static void what_is_not_ready_for_it_is_refused_and_home_offered(void **state) {
     (void)state;
-    static const char *const tools[] = {"tool-points", "tool-smooth", "tool-eraser", "tool-tangents",
-                                        "tool-line",   "tool-levels", "tool-span"};
+    static const char *const tools[] = {"tool-eraser", "tool-tangents", "tool-line", "tool-span"};
     bat_editor *editor = drawing();
     const uint64_t first = digest(editor);
     for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {

@@ -56,7 +56,7 @@ static double radius(const bat_context *c) {
 static double pressed(const bat_context *c, const smoothing *b) { return b->brush.pressure * radius(c); }
 
 static const bat_curve *target(const bat_context *c, const smoothing *b) {
-    return b->object ? bat_edit_target(c->session->document, b->object, b->curve) : NULL;
+    return b->object ? bat_edit_target_in(c->session->document, 0, b->object, b->curve) : NULL;
 }
 
 /* Half of the chord that a circle cuts at this distance from its centre. */
@@ -69,7 +69,7 @@ static void look(bat_context *c, smoothing *b) {
     b->object = 0;
     bat_seen_sync(c);
     bat_stage_seen(c->stage, b->brush.at, point);
-    bat_pick pick = bat_pick_nearest(c->scene, point, r);
+    bat_pick pick = bat_pick_curve(c->scene, 0, point, r);
     if (!pick.object) return;
     b->object = pick.object;
     b->curve = pick.curve;
@@ -88,7 +88,7 @@ static void paint(bat_context *c, smoothing *b) {
     bat_near near;
     if (!curve) return;
     bat_stage_seen(c->stage, b->brush.at, point);
-    if (bat_curve_nearest(curve, point, &near) != BAT_OK || near.distance > r) return;
+    if (!bat_pick_on(c->scene, b->object, b->curve, point, &near) || near.distance > r) return;
     bat_curve_domain(curve, domain);
     double period = domain[1] - domain[0], turns = 0;
     if (bat_curve_is_closed(curve)) turns = floor((b->u - near.u) / period + 0.5) * period;
@@ -199,7 +199,7 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
     double pixel = bat_stage_pixel(c->stage), limit = c->settings->values[BAT_PROPERTY_SMOOTH_LIMIT] * pixel;
-    const bat_curve *curve = bat_edit_target(c->session->document, on->object, on->curve);
+    const bat_curve *curve = bat_edit_target_in(c->session->document, 0, on->object, on->curve);
     bat_curve *faired = NULL;
     (void)state;
     if (!curve) return BAT_ARGUMENT;

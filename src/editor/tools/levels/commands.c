@@ -96,7 +96,7 @@ bat_status bat_command_levels_copy(bat_context *c, bat_command_id id) {
 
 bat_status bat_leveling_copy_to(bat_context *c, bat_id object, int curve) {
     const bat_shape *from = bat_leveling_shape(c);
-    const bat_curve *target = bat_edit_target(c->session->document, object, curve);
+    const bat_curve *target = bat_edit_target_in(c->session->document, 0, object, curve);
     if (!from || !target) return BAT_STATE;
     const bat_shape *there = bat_object_shape(
         bat_document_at(c->session->document, bat_document_find(c->session->document, object)), curve);

@@ -28,6 +28,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/way.h"
 #include "base/real.h"
 #include "editor/pick/pick.h"
 #include "editor/edit/curves_of.h"
@@ -52,11 +53,11 @@ static const bat_curve *active(const bat_context *c) {
     return shape && !bat_leveling_of(c)->apart ? bat_shape_curve(shape, bat_leveling_of(c)->level) : NULL;
 }
 
-static double near_point(const bat_curve *curve, const double at[2], int *index) {
-    const double *points = bat_curve_points(curve);
-    double best = INFINITY;
+static double near_point(const bat_curve *curve, const bat_stage *stage, const double at[2], int *index) {
+    double best = INFINITY, seen[2];
     for (int i = 0; i < bat_point_count(curve); i++) {
-        double d = bat_hypot(points[2 * i] - at[0], points[2 * i + 1] - at[1]);
+        bat_handle_seen(curve, stage, &(bat_handle){.kind = BAT_HANDLE_POINT, .index = i}, seen);
+        double d = bat_hypot(seen[0] - at[0], seen[1] - at[1]);
         if (d < best) best = d, *index = i;
     }
     return best;
@@ -69,10 +70,10 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
     double point[2];
     bat_seen_sync(c);
     bat_stage_seen(c->stage, pixel, point);
-    bat_pick pick = bat_pick_nearest(c->scene, point, reach(c, CURVE_REACH));
+    bat_pick pick = bat_pick_curve(c->scene, 0, point, reach(c, CURVE_REACH));
     const bat_curve *polygon = l->copying ? NULL : active(c);
     int index = 0;
-    double distance = polygon ? near_point(polygon, point, &index) : INFINITY;
+    double distance = polygon ? near_point(polygon, c->stage, point, &index) : INFINITY;
     if (distance <= reach(c, HANDLE_REACH) &&
         (!pick.object || distance <= pick.near.distance + reach(c, HANDLE_LEAD)))
         return (bat_handle){BAT_HANDLE_POINT, l->object, l->curve, index, 0};
@@ -84,7 +85,7 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
 
 /* Moves the grip of the session's shape by delta from its original position. */
 static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
-                        const double delta[2]) {
+                        const double delta[3]) {
     if (grip->kind == BAT_HANDLE_POINT) return bat_shape_live_move(live, grip->index, 1, delta);
     bat_status status = bat_shape_live_drag_finest(live, grip->u, delta, CLOSE * bat_stage_pixel(c->stage),
                                                    NULL);
@@ -94,7 +95,7 @@ static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_ha
 
 /* The same, as a separate shape. */
 static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
-                         const double delta[2], bat_shape **out) {
+                         const double delta[3], bat_shape **out) {
     bat_shape *shape = NULL;
     bat_status status = moved(c, live, grip, delta);
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
@@ -125,20 +126,27 @@ static void give_up(bat_context *c, bat_status status) {
     tell(c, status);
 }
 
-static void drag(bat_context *c) {
-    bat_leveling *l = bat_leveling_of(c);
+/* From the press to the pen; Alt: along the curve's normal. False: the pen cannot tell. */
+static bool drag_delta(bat_context *c, const bat_leveling *l, double delta[3]) {
     double from[2], to[2];
-    if (!l->dragging || !l->due) return;
-    l->due = false;
+    const bat_curve *curve = bat_shape_curve(bat_shape_live_shape(l->live), 0);
+    const bool rises = (c->modifiers & BAT_ALT) && bat_curve_dimension(curve) == 3;
+    c->snap->kind = BAT_SNAP_NONE;
+    if (!bat_stage_way(c->stage, curve, l->start, l->at, rises, delta)) return false;
+    if (!(c->modifiers & BAT_SHIFT) || bat_stage_tilted(c->stage) || rises) return true;
     bat_stage_seen(c->stage, l->start, from);
     bat_stage_seen(c->stage, l->at, to);
-    double delta[2] = {to[0] - from[0], to[1] - from[1]};
-    if (c->modifiers & BAT_SHIFT) {
-        bat_snap_angle(c, from, to);
-        for (int k = 0; k < 2; k++) delta[k] = to[k] - from[k];
-    } else {
-        c->snap->kind = BAT_SNAP_NONE;
-    }
+    bat_snap_angle(c, from, to);
+    for (int k = 0; k < 2; k++) delta[k] = to[k] - from[k];
+    return true;
+}
+
+static void drag(bat_context *c) {
+    bat_leveling *l = bat_leveling_of(c);
+    double delta[3];
+    if (!l->dragging || !l->due) return;
+    l->due = false;
+    if (!drag_delta(c, l, delta)) return;
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
@@ -257,7 +265,7 @@ static bat_status step(bat_context *c, int direction) {
     for (int i = 0; i < bat_document_count(c->session->document) && !l->object;
          i++) { /* the first curve of all */
         bat_id id = bat_object_id(bat_document_at(c->session->document, i));
-        if (bat_edit_target(c->session->document, id, 0) && !bat_seen_out_of_reach(c, i))
+        if (bat_edit_target_in(c->session->document, 0, id, 0) && !bat_seen_out_of_reach(c, i))
             bat_leveling_choose(c, id, 0);
     }
     const bat_curve *polygon = active(c);
@@ -271,8 +279,11 @@ static bat_status step(bat_context *c, int direction) {
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_leveling *l = bat_leveling_of(c);
     if (l->chosen < 0 || !active(c)) return BAT_STATE;
-    double far = (c->modifiers & BAT_SHIFT ? 10 : 1) * bat_stage_pixel(c->stage);
-    const double delta[2] = {x * far, y * far};
+    const double far = c->modifiers & BAT_SHIFT ? 10 : 1;
+    double delta[3] = {x * far * bat_stage_pixel(c->stage), y * far * bat_stage_pixel(c->stage), 0};
+    if (bat_stage_tilted(c->stage) &&
+        !bat_stage_way(c->stage, active(c), (double[]){0, 0}, (double[]){x * far, y * far}, false, delta))
+        return BAT_STATE;
     const bat_handle grip = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
     bat_shape_live *live = NULL;
     bat_shape *shape = NULL;
@@ -343,11 +354,15 @@ static void show_axis(const bat_context *c, bat_overlay *list, bat_role role, si
     double pixel = bat_stage_pixel(c->stage), last[2] = {INFINITY, INFINITY};
     bat_overlay_item(list, role, BAT_ITEM_STROKED, 1.5F);
     for (size_t i = 0; i < count; i++) {
-        const double *p = frames[i].point, *v = across ? frames[i].s : frames[i].t;
+        const double *v = across ? frames[i].s : frames[i].t;
+        double p[2], tip[3], end[2];
+        for (int k = 0; k < 3; k++) tip[k] = frames[i].point[k] + AXIS * pixel * v[k];
+        bat_stage_look(c->stage, 3, frames[i].point, p);
+        bat_stage_look(c->stage, 3, tip, end);
         if (bat_hypot(p[0] - last[0], p[1] - last[1]) < AXES_APART * pixel) continue;
         last[0] = p[0], last[1] = p[1];
         bat_path_move(&list->path, p[0], p[1]);
-        bat_path_line(&list->path, p[0] + AXIS * pixel * v[0], p[1] + AXIS * pixel * v[1]);
+        bat_path_line(&list->path, end[0], end[1]);
     }
 }
 
@@ -388,7 +403,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     const bat_handle *hot = l->dragging ? &l->grip : &l->hot;
     const bat_curve *chosen = bat_leveling_curve(c), *under = NULL;
     if (hot->object && !c->input->holding_pan)
-        under = bat_edit_target(c->session->document, hot->object, hot->curve);
+        under = bat_edit_target_in(c->session->document, 0, hot->object, hot->curve);
     if (under && under != chosen) line(list, BAT_ROLE_HIGHLIGHT, 3, under);
     if (!shape) return;
     int level = l->apart ? 0 : l->level;

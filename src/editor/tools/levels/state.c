@@ -28,7 +28,7 @@ void bat_leveling_free(bat_leveling *l) {
 
 const bat_curve *bat_leveling_curve(const bat_context *c) {
     const bat_leveling *l = bat_leveling_of(c);
-    return l->object ? bat_edit_target(c->session->document, l->object, l->curve) : NULL;
+    return l->object ? bat_edit_target_in(c->session->document, 0, l->object, l->curve) : NULL;
 }
 
 const bat_shape *bat_leveling_shape(const bat_context *c) {

@@ -76,7 +76,7 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
     bat_samples samples = s->edit.samples;
     samples.count = 0;
     s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
-                         .stage = bat_sketching_stage(c, &pick),
+                         .stage = bat_sketching_stage(c, &pick, pixel),
                          .options = options(c),
                          .style = bat_styling_new(c),
                          .mirror = bat_symmetry(c),

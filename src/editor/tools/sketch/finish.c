@@ -1,9 +1,15 @@
 /* When the pen is lifted: the meaning of the whole stroke is carried out. */
 #include "editor/edit/arrange.h"
+#include "base/real.h"
 #include "editor/edit/curves_of.h"
+#include "editor/pick/surface.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tools/sketch/parts.h"
+#include "editor/view/stage.h"
+#include <string.h>
+
+static const double DOUBLE_TAP = 400, NEAR = 8; /* ms, px */
 
 /* Computes the curve fitted to the stroke, by itself or as a level of a curve. */
 static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
@@ -88,6 +94,17 @@ static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat
     bat_sketching_keep(c, s);
 }
 
+/* A second tap on a surface makes it the ground, or the page again. */
+static void tapped(bat_context *c, bat_sketching *s) {
+    const double *at = s->edit.samples.pixels;
+    const double far = bat_hypot(at[0] - s->tap[0], at[1] - s->tap[1]);
+    const bool twice = s->tap_time > 0 && c->time - s->tap_time <= DOUBLE_TAP && far <= NEAR;
+    memcpy(s->tap, at, sizeof s->tap);
+    s->tap_time = twice ? 0 : c->time;
+    const bat_object *surface = twice ? bat_pick_surface(c, at) : NULL;
+    if (surface) bat_ground_take(c, bat_object_id(surface) == c->stage->ground.object ? NULL : surface);
+}
+
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return;
@@ -104,6 +121,7 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     bat_curve *curve = NULL;
     bat_sketch_report report;
     bool strayed = false;
+    const bool left = s->edit.samples.last.beside;
     const bool beside = 3 * s->dropped > s->dropped + s->edit.samples.count;
     bat_status status = beside ? BAT_FAR : make(c, s, &curve, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
@@ -121,7 +139,8 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
         }
     } else {
         bat_sketching_say_failed(c, s, status);
+        if (status == BAT_DOT) tapped(c, s);
     }
-    bat_sketching_say_dropped(c, s, beside);
+    bat_sketching_say_dropped(c, s, beside, left);
     bat_sketching_end_stroke(s);
 }

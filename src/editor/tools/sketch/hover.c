@@ -22,8 +22,17 @@ bat_pick bat_sketching_pick_at(bat_context *c, const double pixel[2], bat_device
     return bat_pick_curve(c->scene, 0, point, reach(device) * bat_stage_pixel(c->stage));
 }
 
-bat_stage bat_sketching_stage(const bat_context *c, const bat_pick *pick) {
+/* The stage as it is; where the ground is a surface, and not under the pen, the page takes its place. */
+static bat_stage stage_under(const bat_context *c, const double pixel[2]) {
     bat_stage stage = *c->stage;
+    bat_hit hit;
+    if (bat_ground_bounded(&stage.ground) && bat_stage_place(&stage, pixel, NULL, &hit) == BAT_FAR)
+        stage.ground = bat_ground_page();
+    return stage;
+}
+
+bat_stage bat_sketching_stage(const bat_context *c, const bat_pick *pick, const double pixel[2]) {
+    bat_stage stage = stage_under(c, pixel);
     const bat_document *document = c->session->document;
     const bat_object *object = bat_document_at(document, bat_document_find(document, pick->object));
     if (!object || pick->curve < 0 || pick->curve >= bat_object_curve_count(object)) return stage;
@@ -64,7 +73,7 @@ void bat_sketching_look(bat_context *c, bat_sketching *s) {
         !s->hover_changed)
         return;
     s->pick = s->hovering ? bat_sketching_pick_at(c, s->hover, s->device) : (bat_pick){0};
-    s->over = bat_sketching_stage(c, &s->pick);
+    s->over = bat_sketching_stage(c, &s->pick, s->hover);
     s->pick_revision = c->session->revision;
     s->pick_stage = *stage;
     s->hover_changed = false;

@@ -15,8 +15,8 @@ void bat_sketching_end(void *state);
 
 /* ---- hover.c: the pen above the drawing ---- */
 bat_pick bat_sketching_pick_at(bat_context *c, const double pixel[2], bat_device device);
-/* Where a stroke that begins at the pick lands: on the ground of its curve, else on the one in use. */
-bat_stage bat_sketching_stage(const bat_context *c, const bat_pick *pick);
+/* Where a stroke lands that begins at the pixel, at the pick: on the ground of its curve, else on the one in use. */
+bat_stage bat_sketching_stage(const bat_context *c, const bat_pick *pick, const double pixel[2]);
 /* The ruled surface that it lands on, translucent. */
 void bat_sketching_show_ground(const bat_context *c, const bat_stage *stage, bat_overlay *overlay);
 void bat_sketching_hover(bat_context *c, void *state, const bat_pointer *event);
@@ -58,8 +58,8 @@ bat_string bat_sketching_outcome(const bat_edit *edit, bool strayed, bool closed
 void bat_sketching_say_done(bat_context *c, const bat_edit *edit, const bat_sketch_report *report,
                             bool strayed, bool closed);
 void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status status);
-/* How many samples did not land, and that the stroke ran beside its surface; refused: so many that the stroke was. */
-void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused);
+/* How many samples did not land; refused: so many that the stroke was; left: it went on beside its surface. */
+void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused, bool left);
 
 /* ---- pending.c: a fit that awaits confirmation ---- */
 void bat_sketching_keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report);

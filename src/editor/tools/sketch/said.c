@@ -40,13 +40,13 @@ void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status
         bat_notice_failure(c, status);
 }
 
-void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused) {
+void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused, bool left) {
     char number[32];
     snprintf(number, sizeof number, "%zu", s->dropped);
     if (refused)
         bat_notice_value(c, BAT_STRING_NOTICE_LANDED_NOT, number);
     else if (s->dropped)
         bat_notice_value(c, BAT_STRING_NOTICE_NOT_LANDED, number);
-    else if (s->edit.samples.last.beside)
+    else if (left)
         bat_notice(c, BAT_STRING_NOTICE_BESIDE);
 }

@@ -56,6 +56,7 @@ static void update(bat_context *c, void *state) {
 
 /* What a stroke would land on. */
 static void show_landing(const bat_context *c, const bat_sketching *s, bat_overlay *list) {
+    if (!s->over.ground.type) return; /* not looked yet */
     bat_sketching_show_ground(c, &s->over, list);
     bat_disc_show(&s->over, s->hover, list);
 }
@@ -76,7 +77,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
 static const bat_stage *lands(const bat_context *c, const void *state) {
     const bat_sketching *s = state;
     (void)c;
-    return s->state == BAT_SKETCHING_DRAWING ? &s->edit.stage : s->pick.object ? &s->over : NULL;
+    return s->state == BAT_SKETCHING_DRAWING    ? &s->edit.stage
+           : s->hovering && s->over.ground.type ? &s->over
+                                                : NULL;
 }
 
 static const char *check(const bat_context *c, const void *state) {

@@ -39,17 +39,18 @@ typedef struct bat_sketching {
     bat_stage over; /* what a stroke would land on */
 
     /* DRAWING */
-    bat_edit edit;         /* made by the stroke under the pen */
-    bat_steady steady;     /* between the pen and the samples */
-    bat_hold hold;         /* a stroke held at its end becomes a figure */
-    bool forced;           /* its meaning was given in advance */
-    bat_meaning meaning;   /* its possible meanings */
-    bool nothing;          /* none of its possible meanings is allowed */
-    bool smoothing;        /* Alt was held at some point of the stroke */
-    size_t dropped;        /* samples that do not land on the ground */
-    double travelled;      /* pixels, the greatest distance from the first sample */
-    bat_sketch_live *live; /* NULL: none yet (it starts when needed) */
-    size_t fed;            /* samples fed to the session */
+    bat_edit edit;           /* made by the stroke under the pen */
+    bat_steady steady;       /* between the pen and the samples */
+    bat_hold hold;           /* a stroke held at its end becomes a figure */
+    bool forced;             /* its meaning was given in advance */
+    bat_meaning meaning;     /* its possible meanings */
+    double tap[2], tap_time; /* of the last dot: view pixels, ms */
+    bool nothing;            /* none of its possible meanings is allowed */
+    bool smoothing;          /* Alt was held at some point of the stroke */
+    size_t dropped;          /* samples that do not land on the ground */
+    double travelled;        /* pixels, the greatest distance from the first sample */
+    bat_sketch_live *live;   /* NULL: none yet (it starts when needed) */
+    size_t fed;              /* samples fed to the session */
     bool preview_due;
     bat_sketching_preview preview;
     size_t predicted_count;

@@ -1,0 +1,47 @@
+#include "editor/view/way.h"
+#include "base/vec.h"
+#include "editor/view/curve_ground.h"
+
+static const double SLANTED = 0.25881904510252076;   /* sine of 15 degrees */
+static const double EDGE_ON = 0.0871557427476581736; /* sine of 5 degrees */
+
+/* Along the plane with this normal, as far as is seen. */
+static bool across(vec seen, vec gaze, vec normal, double way[3]) {
+    const double slant = vec_dot(gaze, normal);
+    if (!(fabs(slant) >= EDGE_ON)) return false;
+    vec_store(vec_sub(seen, vec_scale(gaze, vec_dot(seen, normal) / slant)), way);
+    return true;
+}
+
+/* Along the normal, as far as it is seen to go the same way. */
+static bool along(vec seen, vec gaze, vec normal, double way[3]) {
+    const vec shown = vec_reject(normal, gaze);
+    const double square = vec_dot(shown, shown);
+    if (!(square >= EDGE_ON * EDGE_ON)) return false;
+    vec_store(vec_scale(normal, vec_dot(seen, shown) / square), way);
+    return true;
+}
+
+bool bat_stage_way(const bat_stage *stage, const bat_curve *curve, const double from[2], const double to[2],
+                   bool rise, double way[3]) {
+    double right[3], down[3], ahead[3], a[2], b[2];
+    vec normal = {0, 0, 1};
+    way[2] = 0;
+    if (bat_curve_dimension(curve) == 2 && !bat_stage_tilted(stage) && !rise) {
+        bat_stage_seen(stage, from, a);
+        bat_stage_seen(stage, to, b);
+        for (int k = 0; k < 2; k++) way[k] = b[k] - a[k];
+        return true;
+    }
+    bat_view_axes(&stage->view, right, down, ahead);
+    const double pixel = bat_stage_pixel(stage);
+    const vec gaze = vec_load(ahead, 3),
+              seen = vec_add(vec_scale(vec_load(right, 3), (to[0] - from[0]) * pixel),
+                             vec_scale(vec_load(down, 3), (to[1] - from[1]) * pixel));
+    if (bat_curve_dimension(curve) == 2) return !rise && across(seen, gaze, normal, way);
+    double best[3];
+    const bool planar = bat_curve_normal(curve, best);
+    normal = vec_load(best, 3);
+    if (rise) return along(seen, gaze, normal, way);
+    return across(seen, gaze, planar && fabs(vec_dot(normal, gaze)) >= SLANTED ? normal : gaze, way);
+}
