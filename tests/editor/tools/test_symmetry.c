@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/editing.h"
+#include <batten/nearest.h>
 
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
@@ -125,6 +126,27 @@ static void across_the_axis_one_curve(void **state) {
     assert_true(bat_curve_is_closed(curve(editor, 3)));
     assert_int_equal(round_trip(editor, first), 4);
     bat_editor_free(editor);
+}
+
+/* Where a stroke meets the axis at a slant, the curve turns there, C2, and stays within the tolerance of the stroke. */
+static void slanted_over_the_axis(void **state) {
+    (void)state;
+    for (int degrees = -75; degrees <= 75; degrees += 15) {
+        bat_editor *editor = symmetric();
+        const uint64_t first = digest(editor);
+        const double angle = degrees * acos(-1) / 180, x = 300 * cos(angle), y = 300 * sin(angle);
+        line(editor, 500 - x, 400 - y, 500 + x / 2, 400 + y / 2, 0);
+        assert_int_equal(count(editor), 1);
+        is_whole(curve(editor, 0));
+        for (int i = 0; i <= 300; i++) {
+            const double p[2] = {500 - x * i / 300, 400 - y * i / 300};
+            bat_near near;
+            assert_int_equal(bat_curve_nearest(curve(editor, 0), p, &near), BAT_OK);
+            assert_true(near.distance <= 1);
+        }
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_editor_free(editor);
+    }
 }
 
 static void a_ring_over_the_axis(void **state) {
@@ -617,6 +639,7 @@ static void the_ghost_is_what_will_be(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(one_side_is_both_sides),
                                        cmocka_unit_test(across_the_axis_one_curve),
+                                       cmocka_unit_test(slanted_over_the_axis),
                                        cmocka_unit_test(a_ring_over_the_axis),
                                        cmocka_unit_test(along_the_axis_one_line),
                                        cmocka_unit_test(what_crosses_often_gets_an_image),
