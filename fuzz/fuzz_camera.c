@@ -64,6 +64,19 @@ static void check_edits(const bat_camera *from) {
     bat_camera_free(camera);
 }
 
+static void check_keys(const bat_camera *camera) {
+    bat_camera_key *keys = NULL;
+    size_t count = 0, size = 0;
+    char *bytes = NULL;
+    const double extent = bat_curve_size(bat_camera_path(camera));
+    if (bat_camera_keys(camera, extent > 0 ? 0.1 * extent : 1, 0.5, &count, &keys) != BAT_OK) abort();
+    if (count < 2 || keys[0].time != 0 || keys[count - 1].time != bat_camera_duration(camera)) abort();
+    for (size_t i = 1; i < count; i++)
+        if (!((float)keys[i].time > (float)keys[i - 1].time)) abort();
+    bat_free(keys);
+    if (count < 100 && bat_gltf_write_move(camera, extent, 0.5, &bytes, &size) == BAT_OK) bat_free(bytes);
+}
+
 static void check_defaults(void) {
     static const double knots[5] = {0, 0, 1, 1, 1};
     bat_camera_options options;
@@ -86,7 +99,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static bool begun;
     if (!begun) check_defaults(), begun = true;
     if (bat_camera_read((const char *)data, size, &camera, &problem) != BAT_OK) return 0;
-    check_samples(camera), check_edits(camera);
+    check_samples(camera), check_edits(camera), check_keys(camera);
     bat_camera_free(camera);
     return 0;
 }

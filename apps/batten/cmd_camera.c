@@ -29,8 +29,9 @@ static int read_request(const cli_arguments *arguments, samples *out) {
     const char *file = arguments_value(arguments, "--out");
     *out = (samples){.times = NULL};
     if (rate == at) return fail_usage(arguments->command, "one of --fps and --at is needed");
-    if (file && !ends_in(file, ".csv"))
-        return fail_usage(arguments->command, "--out: expected a file that ends in .csv, found %s", file);
+    if (file && !ends_in(file, ".csv") && !ends_in(file, ".glb"))
+        return fail_usage(arguments->command, "--out: expected a file that ends in .csv or .glb, found %s",
+                          file);
     const int failed = arguments_number(arguments, "--fps", 1e-9, 1e9, &out->rate);
     return !failed && at ? arguments_numbers(arguments, "--at", &out->times, &out->count) : failed;
 }
@@ -96,6 +97,20 @@ static int write_table(const char *file, const samples *s) {
     return failed;
 }
 
+static int write_scene(const char *move, const char *file, const bat_camera *camera) {
+    char *bytes = NULL;
+    size_t size = 0;
+    const bat_status status = bat_gltf_write_move(camera, 0, 0, &bytes, &size);
+    if (status == BAT_MEMORY) return fail_memory();
+    if (status == BAT_NUMBER)
+        return fail_data(move, "fov",
+                         "expected fields of view between 0 and 180 degrees, and numbers up to 3e38");
+    if (status != BAT_OK) return fail_data(move, NULL, "%s", bat_status_message(status));
+    const int failed = io_write(file, bytes, size);
+    bat_free(bytes);
+    return failed;
+}
+
 /* What a person should know of a move that is otherwise fine. */
 static void warn(const char *file, const bat_camera *camera) {
     double held[2];
@@ -124,7 +139,9 @@ static int run(const cli_arguments *arguments) {
     if (!failed) failed = spread(file, camera, &s);
     if (!failed) {
         warn(file, camera);
-        failed = out ? write_table(out, &s) : print_samples(camera, &s);
+        failed = !out                   ? print_samples(camera, &s)
+                 : ends_in(out, ".glb") ? write_scene(file, out, camera)
+                                        : write_table(out, &s);
     }
     bat_camera_free(camera);
     free(s.times), free(s.poses);
@@ -133,7 +150,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_camera = {
     .name = "camera",
-    .usage = "MOVE (--fps N | --at T,T,...) [--out OUT.csv]",
+    .usage = "MOVE (--fps N | --at T,T,...) [--out OUT.(csv|glb)]",
     .summary = "Where a camera is, and how it is turned, along a move.",
     .details =
         "MOVE names path, orientation with its levels, field of view and timing. Prints times, parameters,\n"
@@ -142,6 +159,7 @@ const cli_command command_camera = {
     .operands = 1,
     .options = {{"--fps", "N", "samples a second, from 0 to the end"},
                 {"--at", "T,T,...", "samples at these times, in seconds; clamped to the move"},
-                {"--out", "OUT.csv", "writes a table of time, position, rotation and field of view"}},
+                {"--out", "OUT.(csv|glb)",
+                 "writes a table, or a camera that moves as binary glTF, with as many keys as it needs"}},
     .run = run,
 };

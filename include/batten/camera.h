@@ -98,7 +98,8 @@ BAT_API bat_status bat_camera_turn_base(bat_camera *camera, const double rotatio
 /* The quaternions of the base, made unit, 4 numbers each; owned by the camera. *count: how many. NULL: none. */
 BAT_API const double *bat_camera_base(const bat_camera *camera, size_t *count);
 
-/* The path's domain, its length, the time that the move takes. */
+/* The path in space, owned by the camera; its domain, its length, the time that the move takes. */
+BAT_API const bat_curve *bat_camera_path(const bat_camera *camera);
 BAT_API void bat_camera_domain(const bat_camera *camera, double domain[2]);
 BAT_API double bat_camera_length(const bat_camera *camera);
 BAT_API double bat_camera_duration(const bat_camera *camera);
@@ -125,6 +126,23 @@ BAT_API void bat_camera_at_time(const bat_camera *camera, double time, bat_camer
  * finite. Some microseconds each at most. */
 BAT_API bat_status bat_camera_sample(const bat_camera *camera, size_t count, const double *times,
                                      bat_camera_pose *out);
+
+/* A key of the move for players that interpolate between keys by cubic (Hermite) spans and make rotations unit, as those of
+ * glTF do: position, rotation x y z w, field of view in degrees; and the slopes, a second, at which they are reached and
+ * left. */
+typedef struct bat_camera_key {
+    double time;
+    double value[8], arrive[8], leave[8];
+} bat_camera_key;
+
+/*
+ * Keys so close that what such a player shows is within `place` of the camera's position and within `angle` radians of its
+ * rotation (and field of view): at the ends of spans of all that the move is made of, and halved where that is not enough.
+ * Times differ by 2^-20 of the duration at least; a gaze that jumps, past its target, jumps within that. *out: bat_free.
+ * BAT_ARGUMENT: a tolerance is not above 0; BAT_TOLERANCE: a million keys are not enough.
+ */
+BAT_API bat_status bat_camera_keys(const bat_camera *camera, double place, double angle, size_t *count,
+                                   bat_camera_key **out);
 
 /* Makes a list of numbers non-decreasing with the least change, in the sense of least squares, by pooling neighbours
  * that fall: what keeps time from running back. BAT_COUNT: more than BAT_POINTS_MAX. O(count). */

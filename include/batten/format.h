@@ -57,6 +57,12 @@ BAT_API bat_status bat_obj_write(const bat_model *model, char **text, size_t *si
  */
 BAT_API bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
 BAT_API bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
+/* A camera move as binary glTF 2.0: a camera whose node is animated by cubic spans (bat_camera_keys; place 0: 1e-4 of the
+ * path's size, angle 0: 0.1 degrees, in radians), and the path as a line strip. A field of view that changes is in the
+ * extension KHR_animation_pointer, which players may pass over. BAT_NUMBER: a field of view is not between 0 and 180
+ * degrees, or as above. */
+BAT_API bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,
+                                       size_t *size);
 /* One VIEW; and what a stroke is cast on (an ON of docs/format.md), released by bat_canvas_clear. */
 BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoint *out,
                                       bat_problem *problem);

@@ -1,6 +1,9 @@
 """camera: against splines, quadrature and frames computed in numpy and scipy; what the contract says of bad data."""
 import csv
 import io
+import json
+import struct
+import subprocess
 import unittest
 
 import numpy
@@ -273,6 +276,78 @@ class LookAt(Camera):
         made = self.camera(move, "--at", "0,0.5,1,1.5,2")
         numpy.testing.assert_allclose(angles(made["rotations"][[0, 0, 4]], made["rotations"][[1, 2, 3]]), 0, atol=1e-12)
         self.assertAlmostEqual(angles(made["rotations"][:1], made["rotations"][4:])[0], numpy.pi, delta=1e-9)
+
+
+class Player(Camera):
+    """Reads the file as a player does: cubic spans by glTF's formula, rotations made unit, numbers as 32-bit floats."""
+
+    def played(self, move, *words):
+        name = self.folder / "scene.glb"
+        self.done("camera", self.file("move.json", move), "--fps", "2", "--out", str(name), *words)
+        data = name.read_bytes()
+        magic, version, total, length = struct.unpack_from("<4sIII", data)
+        self.assertEqual((magic, version, total), (b"glTF", 2, len(data)))
+        scene, numbers = json.loads(data[20:20 + length]), data[28 + length:]
+
+        def read(index):
+            accessor = scene["accessors"][index]
+            view = scene["bufferViews"][accessor["bufferView"]]
+            size = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+            return numpy.frombuffer(numbers, "<f4", accessor["count"] * size, view["byteOffset"]).astype(float).reshape(-1, size)
+
+        tracks = {}
+        (animation,) = scene["animations"]
+        for channel in animation["channels"]:
+            sampler = animation["samplers"][channel["sampler"]]
+            self.assertEqual(sampler["interpolation"], "CUBICSPLINE")
+            times, values = read(sampler["input"])[:, 0], read(sampler["output"])
+            self.assertTrue((numpy.diff(times) > 0).all())
+            tracks[channel["target"]["path"]] = times, values.reshape(len(times), 3, -1)
+        return scene, tracks
+
+    def at(self, track, time):
+        times, values = track
+        i = numpy.clip(numpy.searchsorted(times, time, "right") - 1, 0, len(times) - 2)
+        length = (times[i + 1] - times[i])[:, None]
+        x = numpy.clip((time - times[i])[:, None] / length, 0, 1)
+        y = 1 - x
+        return (values[i, 1] * y * y * (1 + 2 * x) + values[i, 2] * length * x * y * y + values[i + 1, 1] * x * x * (3 - 2 * x)
+                - values[i + 1, 0] * length * x * x * y)
+
+    def agrees(self, move, duration, place, angle, fov):
+        scene, tracks = self.played(move)
+        times = RANDOM.uniform(0, duration, 300)
+        own = self.camera(move, "--at", ",".join(map(repr, times.tolist())))
+        self.assertLess(numpy.linalg.norm(self.at(tracks["translation"], times) - own["positions"], axis=1).max(), place)
+        self.assertLess(numpy.degrees(angles(self.at(tracks["rotation"], times), own["rotations"]).max()), angle)
+        lens = scene["cameras"][0]["perspective"]
+        if "pointer" in tracks:
+            self.assertEqual(scene["extensionsUsed"], ["KHR_animation_pointer"])
+            self.assertLess(abs(numpy.degrees(self.at(tracks["pointer"], times)[:, 0]) - own["fov"]).max(), .1)
+        else:
+            numpy.testing.assert_allclose(own["fov"], fov)
+        self.assertAlmostEqual(numpy.degrees(lens["yfov"]), fov, delta=1e-4)
+        return scene, tracks
+
+    def test_moves(self):
+        for _ in range(3):
+            move = Free.move(Free)
+            scene, tracks = self.agrees(move, 5, 1e-4 * 18, .1, 30)
+            self.assertIn("pointer", tracks)
+            self.assertEqual([m["primitives"][0]["mode"] for m in scene["meshes"]], [3])
+        look = {"path": clamped([[-9, .2, 10], [-6, .2, 10], [-2, 0, 10], [2, 0, 10], [6, 0, 10], [9, 0, 10]]),
+                "orientation": {"mode": "look-at", "target": [0, 0, 0]}, "timing": {"duration": 2}}
+        self.agrees(look, 2, 1e-4 * 18, .1, 40)
+        told = subprocess.run(["assimp", "info", str(self.folder / "scene.glb")], capture_output=True).stdout.decode()
+        self.assertRegex(told, r"Cameras:\s+1\n")
+        self.assertRegex(told, r"Animations:\s+1\n")
+
+    def test_tripod(self):
+        turn = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0, 0, 1], [0, 0, 1, 1]]}
+        scene, _ = self.agrees({"path": clamped([[3, 4, 5]] * 6), "orientation": {"mode": "free", "base": turn}}, 4, 1e-4, .1, 40)
+        self.assertNotIn("meshes", scene)
+        self.bad({"path": clamped([[3, 4, 5]] * 6), "fov": 180, "orientation": {"mode": "free", "base": turn}}, "180", "--fps", "2", "--out", str(self.folder / "x.glb"))
+        self.assertFalse((self.folder / "x.glb").exists())
 
 
 class Bad(Camera):

@@ -156,6 +156,14 @@ static uint64_t look_through(const void *shared, int seed) {
     const double *keys = bat_camera_base(camera, &count);
     d = add_doubles(d, keys, 4 * (int)count);
     if (bat_camera_details(camera, 1)) d = bat_digest_curve(d, bat_camera_details(camera, 1));
+    bat_camera_key *list = NULL;
+    char *bytes = NULL;
+    size_t size = 0;
+    d = add(d, (uint64_t)bat_camera_keys(camera, 1, 0.5, &count, &list));
+    d = add(bat_digest_curve(d, bat_camera_path(camera)), count);
+    bat_free(list);
+    const bat_status written = bat_gltf_write_move(camera, 1, 0.5, &bytes, &size);
+    d = add_text(d, written, &bytes, &size);
     d = add(d, (uint64_t)bat_camera_copy(camera, &copy));
     bat_camera_free(copy);
     return d;

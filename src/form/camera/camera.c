@@ -255,6 +255,7 @@ void bat_camera_domain(const bat_camera *camera, double domain[2]) {
     domain[0] = camera->domain[0], domain[1] = camera->domain[1];
 }
 
+const bat_curve *bat_camera_path(const bat_camera *camera) { return camera->path; }
 double bat_camera_length(const bat_camera *camera) { return bat_pace_length(&camera->pace); }
 double bat_camera_duration(const bat_camera *camera) { return camera->options.duration; }
 double bat_camera_least_norm(const bat_camera *camera) { return camera->base.least; }

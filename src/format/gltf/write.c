@@ -3,13 +3,16 @@
 #include "format/model/floats.h"
 #include "format/model/model.h"
 
+#include "base/real.h"
+
 #include <math.h>
+#include <stdlib.h>
 
 enum { FLOAT = 5126, UNSIGNED = 5125, VERTICES = 34962, INDICES = 34963 };
 enum { HEADER = 12, CHUNK = 8 };
 
 typedef struct writer {
-    bat_text accessors, views, meshes, nodes, scene, numbers;
+    bat_text accessors, views, meshes, nodes, scene, numbers, move;
     unsigned accessor_count, part_count;
 } writer;
 
@@ -24,7 +27,7 @@ static void put_accessor(writer *w, size_t from, size_t count, int type, int tar
     bat_text_string(&w->views, separator);
     put_member(&w->views, "{\"buffer\":0,\"byteOffset\":", from);
     put_member(&w->views, ",\"byteLength\":", w->numbers.size - from);
-    put_member(&w->views, ",\"target\":", (uint64_t)target);
+    if (target) put_member(&w->views, ",\"target\":", (uint64_t)target);
     bat_text_string(&w->views, "}");
     bat_text_string(&w->accessors, separator);
     put_member(&w->accessors, "{\"bufferView\":", w->accessor_count++);
@@ -102,7 +105,97 @@ static bat_status put_part(writer *w, const bat_part *part) {
     return BAT_OK;
 }
 
+/* ---- a camera that moves ---- */
+
+/* What is read by a player from `count` keys: for each the slope at which a value is reached, the value, and the slope at
+ * which it is left. */
+static void put_track(writer *w, const bat_camera_key *keys, size_t count, int first, int size, double scale,
+                      const char *shape) {
+    const size_t from = w->numbers.size;
+    for (size_t i = 0; i < count; i++) {
+        const double *const rows[3] = {keys[i].arrive, keys[i].value, keys[i].leave};
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < size; c++) bat_text_float(&w->numbers, scale * rows[r][first + c]);
+    }
+    put_accessor(w, from, 3 * count, FLOAT, 0, shape);
+    bat_text_string(&w->accessors, "}");
+}
+
+static void put_times(writer *w, const bat_camera_key *keys, size_t count) {
+    const size_t from = w->numbers.size;
+    for (size_t i = 0; i < count; i++) bat_text_float(&w->numbers, keys[i].time);
+    put_accessor(w, from, count, FLOAT, 0, "SCALAR");
+    bat_text_string(&w->accessors, ",\"min\":[0],\"max\":[");
+    bat_text_number(&w->accessors, (double)(float)keys[count - 1].time);
+    bat_text_string(&w->accessors, "]}");
+}
+
+static void put_sampler(bat_text *text, unsigned times, unsigned track, const char *separator) {
+    put_member(text, "{\"input\":", times);
+    put_member(text, ",\"output\":", times + 1 + track);
+    bat_text_string(text, ",\"interpolation\":\"CUBICSPLINE\"}");
+    bat_text_string(text, separator);
+}
+
+static void put_channel(bat_text *text, unsigned track, unsigned node, const char *path) {
+    put_member(text, "{\"sampler\":", track);
+    put_member(text, ",\"target\":{\"node\":", node);
+    bat_text_string(text, ",\"path\":\"");
+    bat_text_string(text, path);
+    bat_text_string(text, "\"}}");
+}
+
+/* Nothing but an extension moves a field of view, which players may pass over: they keep the first one. */
+static void put_zoom(writer *w, const bat_camera_key *keys, size_t count) {
+    put_track(w, keys, count, 7, 1, BAT_PI / 180, "SCALAR");
+    bat_text_string(
+        &w->move,
+        ",{\"sampler\":2,\"target\":{\"path\":\"pointer\",\"extensions\":{\"KHR_animation_pointer\":"
+        "{\"pointer\":\"/cameras/0/perspective/yfov\"}}}}");
+}
+
+static void put_animation(writer *w, const bat_camera_key *keys, size_t count, bool zooms) {
+    const unsigned node = w->part_count, times = w->accessor_count;
+    bat_text_string(&w->nodes, node ? ",\n" : "");
+    bat_text_string(&w->nodes, "{\"camera\":0,\"name\":\"camera\"}");
+    put_member(&w->scene, node ? "," : "", node);
+    put_times(w, keys, count);
+    put_track(w, keys, count, 0, 3, 1, "VEC3");
+    put_track(w, keys, count, 3, 4, 1, "VEC4");
+    bat_text_string(&w->move, ",\n\"animations\":[{\"samplers\":[");
+    put_sampler(&w->move, times, 0, ",");
+    put_sampler(&w->move, times, 1, zooms ? "," : "");
+    if (zooms) put_sampler(&w->move, times, 2, "");
+    bat_text_string(&w->move, "],\"channels\":[");
+    put_channel(&w->move, 0, node, "translation");
+    bat_text_string(&w->move, ",");
+    put_channel(&w->move, 1, node, "rotation");
+    if (zooms) put_zoom(w, keys, count);
+    bat_text_string(&w->move, zooms ? "]}],\n\"extensionsUsed\":[\"KHR_animation_pointer\"]" : "]}]");
+}
+
+static bat_status put_keys(writer *w, const bat_camera_key *keys, size_t count, double near) {
+    bool zooms = false;
+    for (size_t i = 0; i < count; i++) {
+        if (!(keys[i].value[7] > 0 && keys[i].value[7] < 180)) return BAT_NUMBER;
+        if (bat_floats_check(keys[i].arrive, 8) != BAT_OK || bat_floats_check(keys[i].value, 8) != BAT_OK ||
+            bat_floats_check(keys[i].leave, 8) != BAT_OK)
+            return BAT_NUMBER;
+        zooms = zooms || keys[i].value[7] != keys[0].value[7] || keys[i].leave[7] != 0;
+    }
+    bat_text_string(&w->move, ",\n\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":");
+    bat_text_number(&w->move, keys[0].value[7] * (BAT_PI / 180));
+    bat_text_string(&w->move, ",\"znear\":");
+    bat_text_number(&w->move, near);
+    bat_text_string(&w->move, "}}]");
+    put_animation(w, keys, count, zooms);
+    return BAT_OK;
+}
+
+/* ---- the file ---- */
+
 static void put_list(bat_text *text, const char *name, const bat_text *list) {
+    if (list->size == 0 && !list->failed) return; /* lists must not be empty */
     bat_text_string(text, ",\n\"");
     bat_text_string(text, name);
     bat_text_string(text, "\":[");
@@ -118,7 +211,8 @@ static void put_json(const writer *w, bat_text *text) {
     bat_text_add(text, w->scene.data, w->scene.size);
     bat_text_string(text, "]}],\n\"materials\":[{\"doubleSided\":true,\"pbrMetallicRoughness\":"
                           "{\"metallicFactor\":0,\"roughnessFactor\":0.6}}]");
-    text->failed = text->failed || w->scene.failed;
+    text->failed = text->failed || w->scene.failed || w->move.failed;
+    bat_text_add(text, w->move.data, w->move.size);
     put_list(text, "nodes", &w->nodes);
     put_list(text, "meshes", &w->meshes);
     put_list(text, "accessors", &w->accessors);
@@ -148,16 +242,45 @@ static bat_status put_file(const writer *w, char **bytes, size_t *size) {
     return status;
 }
 
-bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    if (!model || !bytes || !size) return BAT_ARGUMENT;
+static void clear(writer *w) {
+    bat_text *const texts[] = {&w->accessors, &w->views,   &w->meshes, &w->nodes,
+                               &w->scene,     &w->numbers, &w->move};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) bat_text_free(texts[i]);
+}
+
+static bat_status put_model(writer *w, const bat_model *model, double tolerance) {
     bat_parts parts;
-    writer w = {.part_count = 0};
     bat_status status = bat_parts_create(model, tolerance, &parts);
     if (status != BAT_OK) return status;
-    for (size_t i = 0; i < parts.count && status == BAT_OK; i++) status = put_part(&w, &parts.part[i]);
+    for (size_t i = 0; i < parts.count && status == BAT_OK; i++) status = put_part(w, &parts.part[i]);
     bat_parts_clear(&parts);
+    return status;
+}
+
+bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
+    if (!model || !bytes || !size) return BAT_ARGUMENT;
+    writer w = {.part_count = 0};
+    bat_status status = put_model(&w, model, tolerance);
     if (status == BAT_OK) status = w.part_count ? put_file(&w, bytes, size) : BAT_COUNT;
-    bat_text *const texts[] = {&w.accessors, &w.views, &w.meshes, &w.nodes, &w.scene, &w.numbers};
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) bat_text_free(texts[i]);
+    clear(&w);
+    return status;
+}
+
+bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,
+                               size_t *size) {
+    if (!camera || !bytes || !size) return BAT_ARGUMENT;
+    writer w = {.part_count = 0};
+    bat_camera_key *keys = NULL;
+    size_t count = 0;
+    bat_curve *path = (bat_curve *)bat_camera_path(camera); /* read only */
+    const bat_model model = {.curve_count = 1, .curves = &path};
+    const double extent = bat_curve_size(path);
+    if (!(place > 0)) place = 1e-4 * (extent > 0 ? extent : 1);
+    bat_status status = bat_camera_keys(camera, place, angle > 0 ? angle : 0.1 * BAT_PI / 180, &count, &keys);
+    if (status == BAT_OK && extent > 0) status = put_model(&w, &model, place);
+    if (status == BAT_OK) status = put_keys(&w, keys, count, 1e-3 * (extent > 0 ? extent : 1));
+    if (status == BAT_OK) status = put_file(&w, bytes, size);
+    free(keys);
+    clear(&w);
     return status;
 }

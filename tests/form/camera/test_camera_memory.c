@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include <batten/bezier.h>
 #include <batten/format.h>
 #include "support/alloc_fail.h"
 
@@ -39,6 +40,11 @@ static bat_status everything(const char *text) {
         if (status == BAT_OK) status = bat_camera_turn(copy, 0, 0.5, rotation);
     }
     if (status == BAT_OK && bat_camera_levels(copy) > 0) status = bat_camera_turn(copy, 1, 0.5, rotation);
+    char *bytes = NULL;
+    size_t size = 0;
+    if (status == BAT_OK) status = bat_gltf_write_move(camera, 1, 0.5, &bytes, &size);
+    assert_true((status == BAT_OK) == (bytes != NULL));
+    bat_free(bytes);
     bat_camera_free(camera), bat_camera_free(copy);
     return status;
 }
