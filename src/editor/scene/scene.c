@@ -153,6 +153,14 @@ static int former(const bat_scene *scene, int first, const bat_object *object, b
     return -1;
 }
 
+/* What takes an object's place takes over its buffers. */
+static bat_solid *take_solid(bat_scene_entry *entry) {
+    bat_solid *solid = entry->solid;
+    entry->solid = NULL;
+    if (solid) solid->old = true;
+    return solid;
+}
+
 /* Makes entries for the document's objects: those that still exist are moved over, the rest are dropped and counted
  * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
@@ -173,6 +181,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
             find_box(scene, &entries[i]);
             found = former(scene, old, object, false); /* replaced: keeps the two walks in step */
             if (found >= 0) old = found + 1;
+            if (found >= 0) entries[i].solid = take_solid(&scene->entries[found]);
         }
     }
     for (int i = 0; i < scene->count; i++)

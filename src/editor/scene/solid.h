@@ -35,6 +35,8 @@ typedef struct bat_solid {
     float *points; /* of the lines; the first and the last are there twice */
     uint32_t point_count;
     float low[3], high[3]; /* of all */
+    bool old;              /* the object has been replaced since: set by the scene */
+    bool coarse;           /* what moved is too bent for its triangles */
     bool guised;           /* it shows a guise, which differs there: */
     bat_direction direction;
     double differs[2];

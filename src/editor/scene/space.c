@@ -161,16 +161,18 @@ static bool update(bat_scene *scene, const bat_grain *grain, const bat_guise *gu
 static bat_status measure(const bat_scene *scene, bat_look look, bat_space_kept *kept) {
     uint32_t newest = 0;
     size_t count = 0;
+    bool guised = false;
     bat_mesh mesh;
     for (int i = 0; i < scene->count; i++) {
         const bat_solid *s = scene->entries[i].solid;
         if (!s || !s->mesh || scene->entries[i].hidden) continue;
         bat_tessellation_mesh(s->mesh, &mesh);
         count += mesh.rows * mesh.columns;
-        newest = s->version > newest ? s->version : newest;
+        newest = s->line_version > newest ? s->line_version : newest;
+        guised = guised || s->guised;
     }
     if (look != BAT_LOOK_GAUSS && look != BAT_LOOK_MEAN) newest = 0;
-    if (newest == kept->measured) return BAT_OK;
+    if (newest == kept->measured || (guised && kept->measured)) return BAT_OK;
     double *values = newest ? malloc(count * sizeof *values) : NULL;
     if (newest && !values) return BAT_MEMORY;
     count = 0;

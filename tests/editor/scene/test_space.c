@@ -212,6 +212,40 @@ static void only_what_moves_is_made_anew(void **state) {
     }
 }
 
+/* When the pen is lifted, and undo brings back what was, the buffers are those of the surface that is there now; little of
+ * them is sent again. */
+static void a_surface_replaced_keeps_its_triangles(void **state) {
+    (void)state;
+    bat_editor *editor = with(fine_sheet());
+    pen p = begin_redraw(editor, 1);
+    const uint32_t version = item_of(space_of(editor), BAT_SPACE_TRIANGLES, SHEET)->version;
+    const uint64_t first = digest(editor);
+    double last[2];
+    project(editor, 1, 0.9, last);
+    pen_event(&p, BAT_POINTER_UP, last[0], last[1]);
+    for (int i = 0; i < 3; i++) {
+        const bat_space_item sheet = *item_of(space_of(editor), BAT_SPACE_TRIANGLES, SHEET);
+        const bat_surface *surface = bat_object_surface(bat_document_at(bat_editor_document(editor), 1));
+        const bat_solid *solid = editor->context.scene->entries[1].solid;
+        bat_mesh mesh;
+        bat_tessellation_mesh(solid->mesh, &mesh);
+        assert_int_equal(sheet.version, version);
+        assert_true((digest(editor) == first) == (i == 1));
+        assert_true(i == 0 ? sheet.moved[1] == 0 : sheet.moved[0] > 0 && sheet.moved[1] < sheet.rows);
+        for (size_t k = 0; k < mesh.rows * mesh.columns; k++) {
+            double point[3];
+            bat_surface_eval(surface, mesh.u[k / mesh.columns], mesh.v[k % mesh.columns], 0, point);
+            for (size_t c = 0; c < 3; c++) {
+                const double off = (double)solid->corners[BAT_SOLID_CORNER * k + c] + solid->grain.origin[c] -
+                                   point[c];
+                assert_true(fabs(off) < 1e-3);
+            }
+        }
+        assert_int_equal(bat_editor_command(editor, i == 0 ? "undo" : "redo"), i < 2 ? BAT_OK : BAT_STATE);
+    }
+    bat_editor_free(editor);
+}
+
 static void the_look_belongs_to_the_view(void **state) {
     (void)state;
     bat_editor *editor = with_sheet();
@@ -283,9 +317,12 @@ static void shaders_get_the_table_of_light(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_where_the_overlay_is),   cmocka_unit_test(only_what_moves_is_made_anew),
-        cmocka_unit_test(the_look_belongs_to_the_view), cmocka_unit_test(what_is_hidden_is_not_there),
-        cmocka_unit_test(any_allocation_may_fail),      cmocka_unit_test(shaders_get_the_table_of_light)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(it_is_where_the_overlay_is),
+                                       cmocka_unit_test(only_what_moves_is_made_anew),
+                                       cmocka_unit_test(a_surface_replaced_keeps_its_triangles),
+                                       cmocka_unit_test(the_look_belongs_to_the_view),
+                                       cmocka_unit_test(what_is_hidden_is_not_there),
+                                       cmocka_unit_test(any_allocation_may_fail),
+                                       cmocka_unit_test(shaders_get_the_table_of_light)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
