@@ -1,4 +1,5 @@
 #include "form/surface/cell.h"
+#include "base/lanes.h"
 #include "curve/lsq.h"
 
 #include <math.h>
@@ -23,6 +24,45 @@ void bat_cell_gather(const bat_surface *surface, const int span[2], double *net)
         const bat_curve row = bat_surface_stored_row(surface, span[0] - p + i);
         memcpy(net + 3 * i * (q + 1), row.points + (size_t)(span[1] - q) * 3,
                (size_t)(q + 1) * 3 * sizeof(double));
+    }
+}
+
+void bat_cell_shares(const bat_curve *axis, int span, double *out) {
+    const int p = axis->degree;
+    double unit[MOST], bezier[MOST];
+    bat_curve one = *axis; /* only this span */
+    one.dimension = 1, one.knots = axis->knots + (span - p), one.points = unit;
+    for (int i = 0; i <= p; i++) {
+        for (int k = 0; k <= p; k++) unit[k] = k == i;
+        bat_lsq_bezier(&one, p, bezier);
+        for (int k = 0; k <= p; k++) out[k * (p + 1) + i] = bezier[k];
+    }
+}
+
+/* For `lines` lines of p + 1 points, `stride` numbers apart. */
+BAT_INLINE void share_lines(const int p, int lines, int apart, int stride, const double *shares,
+                            double *net) {
+    for (int k = 0; k < lines; k++) {
+        double *line = net + k * apart, old[3 * MOST];
+        for (int i = 0; i <= p; i++)
+            for (int c = 0; c < 3; c++) old[3 * i + c] = line[i * stride + c];
+        for (int i = 0; i <= p; i++)
+            for (int c = 0; c < 3; c++) {
+                double sum = 0;
+                for (int j = 0; j <= p; j++) sum += shares[i * (p + 1) + j] * old[3 * j + c];
+                line[i * stride + c] = sum;
+            }
+    }
+}
+
+void bat_cell_share(const int degree[2], const double *const shares[2], double *net) {
+    const int p = degree[0], q = degree[1], row = 3 * (q + 1);
+    if (p == 3 && q == 3) { /* the usual case, unrolled */
+        share_lines(3, 4, 12, 3, shares[1], net);
+        share_lines(3, 4, 3, 12, shares[0], net);
+    } else {
+        share_lines(q, p + 1, row, 3, shares[1], net);
+        share_lines(p, q + 1, 3, row, shares[0], net);
     }
 }
 

@@ -17,6 +17,10 @@ typedef struct bat_cell {
 
 /* The control points of a span of the surface, of which the span is an average, as the net of a cell. */
 void bat_cell_gather(const bat_surface *surface, const int span[2], double *net);
+/* The Bézier points of a span of an axis as sums of its p + 1 control points: (p + 1)^2 shares, row by row. */
+void bat_cell_shares(const bat_curve *axis, int span, double *out);
+/* The net that bat_cell_gather gave, as that of a cell, by the shares of both directions. */
+void bat_cell_share(const int degree[2], const double *const shares[2], double *net);
 /* The whole span as a cell. */
 void bat_cell_of(const bat_surface *surface, const int span[2], bat_cell *out);
 /* Halves the cell in a direction: `cell` keeps the lower half, `upper` becomes the other one. */

@@ -43,6 +43,19 @@ static void fill(bat_surface_finder *finder, bat_box *rows) {
         }
 }
 
+static size_t shares_of(const bat_curve *axis) { return (size_t)((axis->degree + 1) * (axis->degree + 1)); }
+
+static void fill_shares(bat_surface_finder *finder) {
+    for (int d = 0; d < 2; d++) {
+        const bat_curve *axis = &finder->surface->axis[d];
+        for (int i = 0; i < finder->spans[d]; i++) {
+            const int span = axis->degree + i;
+            if (axis->knots[span] < axis->knots[span + 1])
+                bat_cell_shares(axis, span, finder->shares[d] + (size_t)i * shares_of(axis));
+        }
+    }
+}
+
 bat_status bat_surface_finder_create(const bat_surface *surface, bat_surface_finder **out) {
     if (!surface || !out) return BAT_ARGUMENT;
     bat_surface_finder finder = {.surface = surface, .whole = NOTHING};
@@ -52,7 +65,10 @@ bat_status bat_surface_finder_create(const bat_surface *surface, bat_surface_fin
     }
     const size_t spans = (size_t)finder.spans[0] * (size_t)finder.spans[1];
     const size_t blocks = (size_t)finder.blocks[0] * (size_t)finder.blocks[1];
-    bat_surface_finder *made = malloc(sizeof *made + (spans + blocks) * sizeof(bat_box));
+    size_t shares[2];
+    for (int d = 0; d < 2; d++) shares[d] = (size_t)finder.spans[d] * shares_of(&surface->axis[d]);
+    bat_surface_finder *made = malloc(sizeof *made + (spans + blocks) * sizeof(bat_box) +
+                                      (shares[0] + shares[1]) * sizeof(double));
     bat_box *rows = malloc((size_t)surface->axis[0].spread * (size_t)finder.spans[1] * sizeof *rows);
     if (!made || !rows) {
         free(made), free(rows);
@@ -60,8 +76,11 @@ bat_status bat_surface_finder_create(const bat_surface *surface, bat_surface_fin
     }
     finder.span = (bat_box *)(void *)(made + 1), finder.block = finder.span + spans;
     for (size_t i = 0; i < blocks; i++) finder.block[i] = NOTHING;
+    finder.shares[0] = (double *)(void *)(finder.block + blocks),
+    finder.shares[1] = finder.shares[0] + shares[0];
     *made = finder;
     fill(made, rows);
+    fill_shares(made);
     free(rows);
     *out = made;
     return BAT_OK;
@@ -87,6 +106,15 @@ bat_status bat_finder_seen(const bat_surface_finder *finder, bat_surface **out) 
                ((size_t)axis[d].spread + (size_t)axis[d].degree + 1) * sizeof(double));
     (*out)->size = finder->surface->size;
     return BAT_OK;
+}
+
+void bat_finder_share(const bat_surface_finder *finder, const int span[2], double *net) {
+    const bat_curve *axis = finder->surface->axis;
+    const int degree[2] = {axis[0].degree, axis[1].degree};
+    const double *shares[2];
+    for (int d = 0; d < 2; d++)
+        shares[d] = finder->shares[d] + (size_t)(span[d] - degree[d]) * shares_of(&axis[d]);
+    bat_cell_share(degree, shares, net);
 }
 
 void bat_finder_see(const bat_surface_finder *finder, const int span[2], const double *origin,

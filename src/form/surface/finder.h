@@ -15,10 +15,13 @@ struct bat_surface_finder {
     int spans[2], blocks[2]; /* counts; spans that are empty have their box, too */
     bat_box *span, *block;   /* rows along u */
     bat_box whole;
+    double *shares[2]; /* of each span of u, of v: bat_cell_shares */
 };
 
 /* The numbers of a span (from 0) as stored knot intervals; false: the span is empty. */
 bool bat_finder_span(const bat_surface_finder *finder, int i, int j, int span[2]);
+/* The net of a span, as bat_cell_gather gave it, as that of a cell. */
+void bat_finder_share(const bat_surface_finder *finder, const int span[2], double *net);
 /* Room for the surface in other coordinates: knots, but no points yet. */
 bat_status bat_finder_seen(const bat_surface_finder *finder, bat_surface **out);
 /* Fills in the points of a span: axes . (point - origin); axes: 3 rows, or NULL: the identity. */

@@ -80,20 +80,25 @@ static void add(search *s, const double x[2]) {
 
 /* ---- One cell ---- */
 
-typedef struct range {
-    double low, high;
-} range;
-
-static range along(const search *s, const double *net, double x, double y, double z) {
-    range r = {INFINITY, -INFINITY};
-    for (int i = 0; i < (s->degree[0] + 1) * (s->degree[1] + 1); i++, net += 3) {
-        const double d = x * net[0] + y * net[1] + z * net[2];
-        r.low = d < r.low ? d : r.low, r.high = d > r.high ? d : r.high; /* no NaN: quicker than fmin */
+/* Whether the net's box along (x, y) and across it, widened by `slack`, holds zero. Flags, as they need not wait for one
+ * another like a least and a greatest number. */
+static bool box_holds_zero(const search *s, const double *net, double x, double y, double slack) {
+    const int count = (s->degree[0] + 1) * (s->degree[1] + 1);
+    int low = 0, high = 0, left = 0, right = 0;
+    for (int i = 0; i < count; i++, net += 3) {
+        const double along = x * net[0] + y * net[1], across = x * net[1] - y * net[0];
+        low |= along <= slack, high |= along >= -slack;
+        left |= across <= slack, right |= across >= -slack;
     }
-    return r;
+    return low & high & left & right;
 }
 
-static bool has_zero(range r, double rounding) { return r.low <= rounding && r.high >= -rounding; }
+static bool is_behind(const search *s, const double *net) {
+    const int count = (s->degree[0] + 1) * (s->degree[1] + 1);
+    int before = 0;
+    for (int i = 0; i < count; i++) before |= net[3 * i + 2] >= s->behind;
+    return !before;
+}
 
 /* How far a cell reaches along u (0) or v (1) in the image: the sum of the vectors from end to end of its two
  * sides in that direction. */
@@ -117,17 +122,14 @@ static double longest(const search *s, const double *net, int direction) {
 }
 
 static bool may_hit(const search *s, const double *net) {
-    if (along(s, net, 0, 0, 1).high < s->behind) return false;
-    if (!has_zero(along(s, net, 1, 0, 0), s->rounding) || !has_zero(along(s, net, 0, 1, 0), s->rounding))
-        return false;
+    if (is_behind(s, net) || !box_holds_zero(s, net, 1, 0, s->rounding)) return false;
     double u[2], v[2];
     extent(s, net, 0, u);
     extent(s, net, 1, v);
     const double a = bat_hypot(u[0], u[1]), b = bat_hypot(v[0], v[1]);
     if (!(fmax(a, b) > 0)) return true;
     const double x = (a > b ? u[0] : v[0]) / fmax(a, b), y = (a > b ? u[1] : v[1]) / fmax(a, b);
-    return has_zero(along(s, net, -y, x, 0), 2 * s->rounding) &&
-           has_zero(along(s, net, x, y, 0), 2 * s->rounding);
+    return box_holds_zero(s, net, x, y, 2 * s->rounding);
 }
 
 /* Whether every step of the net along u turns the same way to every step along v: the map is then one-to-one. */
@@ -222,11 +224,12 @@ static int across(const search *s, const bat_cell *cell) {
     return cell->high[direction] - cell->low[direction] > smallest * smallest ? direction : 1 - direction;
 }
 
-static void search_span(search *s, bat_cell *stack) {
+static void search_span(search *s, const bat_surface_finder *finder, bat_cell *stack) {
     int top = 0, cells = 0;
     bat_cell_gather(s->seen, s->span, stack->net); /* cheaper than the cell, and tells most of what misses */
     if (!may_hit(s, stack->net)) return;
-    bat_cell_of(s->seen, s->span, stack);
+    bat_finder_share(finder, s->span, stack->net);
+    stack->low[0] = stack->low[1] = 0, stack->high[0] = stack->high[1] = 1, stack->halvings = 0;
     while (top >= 0 && cells++ < CELLS_MAX && !s->failed) {
         bat_cell *cell = stack + top--;
         double x[2];
@@ -273,7 +276,7 @@ static void search_block(search *s, const bat_surface_finder *f, const ray *r, i
     for (int j = block * BAT_FINDER_BLOCK; j < end && j < f->spans[1] && !s->failed; j++) {
         if (!may_meet(r, &f->span[i * f->spans[1] + j]) || !bat_finder_span(f, i, j, s->span)) continue;
         bat_finder_see(f, s->span, r->from, r->axes, s->seen);
-        search_span(s, stack);
+        search_span(s, f, stack);
     }
 }
 
