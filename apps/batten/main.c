@@ -33,6 +33,7 @@ static const cli_command *const commands[] = {
     &command_surface_intersect,
     &command_surface_convert,
     &command_cast,
+    &command_wire,
     &command_sweep,
     &command_revolve,
     &command_coons,

@@ -212,6 +212,14 @@ int write_surface(const bat_surface *surface, bat_text *report) {
     return fail_memory();
 }
 
+int write_mesh(const bat_polymesh *mesh, bat_text *report) {
+    char *data;
+    size_t size;
+    if (bat_polymesh_write(mesh, &data, &size) == BAT_OK) return write_reported(data, size, report);
+    bat_text_free(report);
+    return fail_memory();
+}
+
 int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,
                 const bat_sketch_options *options) {
     char reached[BAT_NUMBER_ROOM], asked[BAT_NUMBER_ROOM];

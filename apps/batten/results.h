@@ -31,6 +31,8 @@ int write_text(bat_text *text);
 int write_curve(const bat_curve *curve);
 /* Writes the surface with its report (JSON), which is released; NULL: without one. */
 int write_surface(const bat_surface *surface, bat_text *report);
+/* The same for a mesh. */
+int write_mesh(const bat_polymesh *mesh, bat_text *report);
 /* Writes the curve with its report (JSON), which is released. */
 int write_curve_reported(const bat_curve *curve, bat_text *report);
 /* Writes the curve with its report to standard output. */

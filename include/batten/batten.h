@@ -18,6 +18,7 @@
 #include <batten/levels.h>
 #include <batten/surface.h>
 #include <batten/mesh.h>
+#include <batten/wires.h>
 #include <batten/sweep.h>
 #include <batten/view.h>
 #include <batten/trace.h>

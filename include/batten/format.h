@@ -11,6 +11,7 @@
 #include <batten/sweep.h>
 #include <batten/tangents.h>
 #include <batten/view.h>
+#include <batten/wires.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,6 +78,16 @@ BAT_API bat_status bat_sweep_read(const char *text, size_t size, bat_sweep_sourc
 BAT_API void bat_sweep_source_clear(bat_sweep_source *source);
 /* One MOVE; of a path with levels, the finest curve is taken. */
 BAT_API bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem);
+/* WIRES, released by bat_wires_source_clear: wires, the curve that each becomes, and how they blend. */
+enum { BAT_WIRE_CURVES = 3 };
+typedef struct bat_wires_source {
+    size_t count;
+    bat_wire *wires;
+    bat_curve **curves, **owned; /* owned: reference, curve and domain curve (may be NULL) of each */
+    bat_wire_options options;
+} bat_wires_source;
+BAT_API bat_status bat_wires_read(const char *text, size_t size, bat_wires_source *out, bat_problem *problem);
+BAT_API void bat_wires_source_clear(bat_wires_source *source);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

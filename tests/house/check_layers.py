@@ -12,7 +12,7 @@ from sources import sources
 
 # The rooms of src/, from the bottom up: each may use those listed before it.
 ROOMS = [
-    "base", "text", "curve", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/mesh", "form/view", "form/sweep", "form/camera", "form/trace", "form/sight", "form/shade", "document", "format/json",
+    "base", "text", "curve", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/mesh", "form/wire", "form/view", "form/sweep", "form/camera", "form/trace", "form/sight", "form/shade", "document", "format/json",
     "kinds", "format/native", "format/svg", "format/curve", "format/model", "format/obj", "format/stl", "format/gltf", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface",
@@ -31,7 +31,7 @@ ROOM_OF_HEADER = {
     "base": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve", "function": "curve",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
-    "surface": "form/surface", "mesh": "form/mesh", "view": "form/view", "sweep": "form/sweep", "camera": "form/camera", "trace": "form/trace", "sight": "form/sight",
+    "surface": "form/surface", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "camera": "form/camera", "trace": "form/trace", "sight": "form/sight",
     "document": "document",
     "format": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",

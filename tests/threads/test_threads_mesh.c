@@ -1,4 +1,4 @@
-/* The promise of base.h about threads: concurrent const calls on one mesh. */
+/* The promise of base.h about threads: concurrent const calls on one mesh, one binding of wires. */
 #include "alike.h"
 
 static uint64_t look_at_mesh(const void *shared, int seed) {
@@ -33,7 +33,39 @@ static void const_calls_on_a_mesh(void **state) {
     bat_polymesh_free(mesh);
 }
 
+typedef struct bound {
+    bat_binding *binding;
+    bat_curve *curve;
+} bound;
+static uint64_t look_at_binding(const void *shared, int seed) {
+    const bound *b = shared;
+    double points[12] = {0};
+    const int edges[4] = {0, 1, 1, 2 + seed % 2};
+    size_t torn = 0;
+    bat_wire_report report = {.moved = 0};
+    uint64_t d = add(bat_digest_begin(), bat_binding_count(b->binding));
+    d = add(d, (uint64_t)bat_binding_torn(b->binding, 2, edges, 0, NULL, &torn));
+    d = add(d, (uint64_t)bat_binding_apply(b->binding, (const bat_curve *const *)&b->curve, points, &report,
+                                           NULL));
+    return add_doubles(add(add(d, torn), report.moved), points, 12);
+}
+static void const_calls_on_a_binding(void **state) {
+    (void)state;
+    const double line[6] = {0, 0, 0, 4, 0, 0}, other[6] = {0, 0, 1, 4, 1, 1};
+    const double points[12] = {0, 0, 0, 1, 1, 0, 2, 0, 1, 3, 9, 9};
+    bat_curve *reference = NULL;
+    bound b = {NULL, NULL};
+    assert_int_equal(bat_curve_create_clamped(3, 1, 2, line, &reference), BAT_OK);
+    assert_int_equal(bat_curve_create_clamped(3, 1, 2, other, &b.curve), BAT_OK);
+    const bat_wire wire = {reference, bat_function_of(2), bat_function_of(2), NULL};
+    assert_int_equal(bat_wires_bind(1, &wire, 4, points, NULL, &b.binding, NULL), BAT_OK);
+    assert_alike(look_at_binding, &b, 2);
+    bat_binding_free(b.binding);
+    bat_curve_free(reference), bat_curve_free(b.curve);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(const_calls_on_a_mesh)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(const_calls_on_a_mesh),
+                                       cmocka_unit_test(const_calls_on_a_binding)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
