@@ -1,5 +1,6 @@
 /* Any bytes as a MOVE. Whatever can be read gives poses that are finite, unit, and not opposed from one to the next, and can
  * be turned. */
+#include <batten/bezier.h>
 #include <batten/format.h>
 
 #include <math.h>
