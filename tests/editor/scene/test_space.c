@@ -109,7 +109,8 @@ static void it_is_where_the_overlay_is(void **state) {
     for (int i = 0; i < 200; i++) {
         view->width = any(300, 1200), view->height = any(300, 900), view->ratio = any(0.7, 3);
         view->x = any(-300, 600), view->y = any(-300, 600), view->zoom = any(0.2, 9);
-        bat_view_orbit(view, any(-180, 180), any(0.01, 180));
+        const double about = any(-180, 180), down = any(0.01, 180);
+        bat_view_orbit(view, about, down);
         const bat_space *space = space_of(editor);
         const bat_space_item *sheet = item_of(space, BAT_SPACE_TRIANGLES, SHEET);
         const bat_space_item *drawn = item_of(space, BAT_SPACE_LINES, (uint32_t)bat_object_id(line));
