@@ -2,6 +2,7 @@
 #include "curve/hodograph.h"
 
 #include "curve/lsq.h"
+#include "base/gauss.h"
 #include "base/real.h"
 
 #include <float.h>
@@ -55,18 +56,10 @@ double bat_hodograph_speed(const bat_hodograph *h, double u) {
     return sqrt(sum);
 }
 
-/* Gauss-Legendre, eight nodes. */
+static double speed_of(const void *context, double u) { return bat_hodograph_speed(context, u); }
+
 double bat_hodograph_gauss(const bat_hodograph *h, double a, double b) {
-    static const double node[4] = {0.1834346424956498049394761, 0.5255324099163289858177390,
-                                   0.7966664774136267395915539, 0.9602898564975362316835609};
-    static const double weight[4] = {0.3626837833783619829651504, 0.3137066458778872873379622,
-                                     0.2223810344533744705443560, 0.1012285362903762591525314};
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = 0;
-    for (int i = 0; i < 4; i++)
-        sum += weight[i] * (bat_hodograph_speed(h, middle - half * node[i]) +
-                            bat_hodograph_speed(h, middle + half * node[i]));
-    return sum * half;
+    return bat_gauss(speed_of, h, a, b);
 }
 
 /* Adaptive: accepted when two halves agree with the whole to `relative` of it, or to what is allowed per unit

@@ -4,6 +4,7 @@
  */
 #include "form/camera/gaze.h"
 
+#include "base/gauss.h"
 #include "curve/roots.h"
 
 #include <batten/measure.h>
@@ -61,7 +62,8 @@ static double upright_roll(const bat_gaze *g, double u) {
 }
 
 /* How fast the projection of `east` spins about z, in radians per unit of u. */
-static double spin(const bat_gaze *g, double u) {
+static double spin(const void *context, double u) {
+    const bat_gaze *g = context;
     vec w, w1;
     away(g, u, &w, &w1);
     const double length = vec_norm(w), high = vec_dot(g->east, w) / length;
@@ -69,17 +71,7 @@ static double spin(const bat_gaze *g, double u) {
     return below > 0 ? high * vec_dot(g->east, vec_cross(w, w1)) / below : 0;
 }
 
-static double spin_between(const bat_gaze *g, double a, double b) {
-    static const double node[4] = {0.1834346424956498049394761, 0.5255324099163289858177390,
-                                   0.7966664774136267395915539, 0.9602898564975362316835609};
-    static const double weight[4] = {0.3626837833783619829651504, 0.3137066458778872873379622,
-                                     0.2223810344533744705443560, 0.1012285362903762591525314};
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
-    double sum = 0;
-    for (int i = 0; i < 4; i++)
-        sum += weight[i] * (spin(g, middle - half * node[i]) + spin(g, middle + half * node[i]));
-    return sum * half;
-}
+static double spin_between(const bat_gaze *g, double a, double b) { return bat_gauss(spin, g, a, b); }
 
 static bool make_room(void **list, size_t count, size_t *room, size_t size) {
     if (count < *room) return true;
