@@ -39,7 +39,7 @@ for (const colorScheme of ['light', 'dark']) {
     await orbit([560, 150]);
     assert.ok(await tilt(page) > 100);
     await shot('behind');
-    await page.keyboard.press('a');
+    await page.keyboard.press('e');
     await hand.stroke([[500, 300], [700, 330]]);
     const now = await state(page);
     assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
