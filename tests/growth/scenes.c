@@ -295,8 +295,8 @@ static bat_editor *guides(int n) {
     return open(made, (const char *const[]){"tool-select", "show-rulers", "select-all", "guide-level", NULL});
 }
 
-/* n lines in space and, behind them, two planes; the pen draws on the first. */
-static bat_editor *planes(int n) {
+/* A drawing of n lines in space, which are planar. */
+static bat_document *in_space(int n) {
     bat_document *made = document();
     for (int i = 0; i < n; i++) {
         bat_curve *flat = wave(100, 100 + i % 600, 20, 8, false), *curve = NULL;
@@ -304,6 +304,29 @@ static bat_editor *planes(int n) {
         bat_curve_free(flat);
         add_curve(made, curve, 0);
     }
+    return made;
+}
+
+/* They are chosen, and a sheet behind them is seen in a tilted view. */
+static bat_editor *over_a_sheet(int n) {
+    static const double corners[12] = {300, 300, -50, 300, 500, -40, 600, 300, -50, 600, 500, -60},
+                        knots[4] = {0, 0, 1, 1};
+    bat_document *made = in_space(n);
+    bat_style style = bat_style_defaults();
+    bat_surface *sheet = NULL;
+    bat_object *object = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           corners, (const int[2]){4, 4}, knots, knots, &sheet) != BAT_OK ||
+        bat_object_create_surface(bat_document_new_id(made), "sheet", &style, sheet, &object) != BAT_OK)
+        abort();
+    bat_surface_free(sheet);
+    append(made, object, 0);
+    return open(made, (const char *const[]){"tool-select", "select-all", "orbit-up", NULL});
+}
+
+/* Behind them are two planes; the pen draws on the first. */
+static bat_editor *planes(int n) {
+    bat_document *made = in_space(n);
     for (int i = 0; i < 2; i++) {
         bat_object *plane = NULL;
         if (bat_object_create_plane(bat_document_new_id(made), "", (double[]){0, 0, 10.0 * i},
@@ -454,6 +477,7 @@ const growth_scene growth_scenes[] = {
     {"waypoints over n lines", waypoints},
     {"n guides", guides},
     {"n lines in space, and planes", planes},
+    {"n lines in space, and a sheet", over_a_sheet},
     {"n pictures", pictures},
     {"n lines, moved", stepped},
     {"n rings, half deleted", deleted},

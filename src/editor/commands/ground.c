@@ -16,10 +16,13 @@ static const bat_object *next_plane(const bat_context *c) {
     const bat_document *document = c->session->document;
     int now = c->stage->ground.object ? bat_document_find(document, c->stage->ground.object) : -1;
     int count = bat_document_count(document);
+    bat_ground ground;
     for (int i = 1; i <= count; i++) {
         int at = (now + i) % count;
         const bat_object *object = bat_document_at(document, at);
-        if (!bat_document_level(document, at).hidden && bat_object_plane(object)) return object;
+        if (!bat_document_level(document, at).hidden && bat_ground_of(object, &ground) &&
+            !bat_ground_bounded(&ground))
+            return object;
     }
     return NULL;
 }

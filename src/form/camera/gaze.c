@@ -220,6 +220,7 @@ static int by_size(const void *a, const void *b) {
 
 static size_t sort_places(places *p) {
     size_t kept = 0;
+    if (!p->u) return 0;
     qsort(p->u, p->count, sizeof *p->u, by_size); /* no ties */
     for (size_t i = 0; i < p->count; i++)
         if (kept == 0 || p->u[i] > p->u[kept - 1]) p->u[kept++] = p->u[i];

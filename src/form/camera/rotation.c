@@ -94,7 +94,7 @@ static bat_status make_curve(const bat_rotation *r, int degree, bool closed, int
 static bat_status make_curves(bat_rotation *r, int degree, bool closed, int knot_count, const double *knots) {
     bat_status status = make_curve(r, degree, closed, knot_count, knots, 0, 3, &r->xyz);
     if (status == BAT_OK) status = make_curve(r, degree, closed, knot_count, knots, 3, 1, &r->w);
-    if (status != BAT_OK) return status;
+    if (status != BAT_OK || !r->xyz || !r->w) return status;
     r->least = least_norm(r);
     return r->least >= cancelled ? BAT_OK : BAT_SINGULAR;
 }

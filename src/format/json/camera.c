@@ -45,7 +45,8 @@ static bat_status read_rows(const bat_fields *f, uint32_t list, const char *name
     if (bat_json_type_of(f->json, list) != BAT_JSON_LIST) return bat_fields_complain(f, list, name, expected);
     const uint32_t n = bat_json_count(f->json, list);
     double *rows = malloc(((size_t)n * size + 1) * sizeof *rows), *at = rows;
-    bat_status status = rows ? BAT_OK : bat_fields_say(f, list, BAT_MEMORY);
+    bat_status status = BAT_OK;
+    if (!rows) return bat_fields_say(f, list, BAT_MEMORY);
     for (uint32_t row = bat_json_first(f->json, list); row && status == BAT_OK;
          row = f->json->nodes[row].next) {
         if (bat_json_count(f->json, row) != size) status = bat_fields_complain(f, row, name, expected);
