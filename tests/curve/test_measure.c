@@ -262,8 +262,24 @@ static void distances(void **state) {
     bat_curve_free(one), bat_curve_free(two), bat_curve_free(space);
 }
 
+/* x = 8 u^3 + 3 u^4 rises from -5 to 11 over -1..1 and stands still at 0, where the first guess for the half is. */
+static void half_way_at_a_standstill(void **state) {
+    (void)state;
+    const double points[10] = {-5, 0, 1, 0, 3, 0, -7, 0, 11, 0},
+                 knots[10] = {-1, -1, -1, -1, -1, 1, 1, 1, 1, 1};
+    bat_curve *curve = NULL;
+    double at[2];
+    assert_int_equal(bat_curve_create(2, 4, false, 5, points, 10, knots, &curve), BAT_OK);
+    for (int k = 1; k < 64; k++) {
+        bat_curve_eval(curve, bat_curve_at_length(curve, -1, 0.25 * k, 1e-12), 0, at);
+        assert_true(fabs(at[0] - (-5 + 0.25 * k)) < 1e-9);
+    }
+    bat_curve_free(curve);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(parabola_length),
+                                       cmocka_unit_test(half_way_at_a_standstill),
                                        cmocka_unit_test(cusp_length),
                                        cmocka_unit_test(closed_length),
                                        cmocka_unit_test(length_at_every_scale),

@@ -86,6 +86,19 @@ static bool read_canvas(const char *text, bat_problem *problem) {
     return status == BAT_OK;
 }
 
+static bool read_camera(const char *text, bat_problem *problem) {
+    bat_camera *camera = NULL;
+    const bat_status status = bat_camera_read(text, strlen(text), &camera, problem);
+    assert_true((camera != NULL) == (status == BAT_OK));
+    if (camera) {
+        bat_camera_pose pose;
+        bat_camera_at_time(camera, 0.3 * bat_camera_duration(camera), &pose);
+        for (int k = 0; k < 3; k++) assert_true(isfinite(pose.position[k]) && isfinite(pose.rotation[k]));
+    }
+    bat_camera_free(camera);
+    return status == BAT_OK;
+}
+
 static bool read_sweep(const char *text, bat_problem *problem) {
     bat_sweep_source made = {.path = NULL};
     bat_status status = bat_sweep_read(text, strlen(text), &made, problem);
@@ -203,6 +216,20 @@ static void values_of_json(void **state) {
          "\"first\":{\"s\":[1,0,0]},\"twist\":{\"degree\":2,\"knots\":[0,0,0,1,1,1],\"values\":[0,2,0]},"
          "\"scale\":0.5}",
          read_sweep},
+        {"{\"path\":{\"degree\":2,\"closed\":true,\"knots\":[0,1,2,3,4],\"points\":[[0,0,9],[4,0,9],[4,4,9],["
+         "0,4,8]]},\"orientation\":{\"mode\":\"free\",\"base\":{\"degree\":1,\"closed\":true,\"knots\":[0,1,"
+         "2,3],\"points\":[[0,0,0,1],[0,0,1,1],[0,0,1,-0.5]]},\"levels\":[{\"knots\":[0,2,3,5],\"details\":[["
+         "0,0,0.1],[0.1,0,0],[0,0.2,0]],\"gain\":2}]},"
+         "\"timing\":{\"duration\":3,\"curve\":{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"values\":"
+         "[0,1]}}}",
+         read_camera},
+        {"{\"path\":{\"base\":{\"degree\":2,\"closed\":true,\"knots\":[0,1,2,3,4],\"points\":[[0,0,9],[4,0,9]"
+         ",[4,4,9],[0,4,8]]},\"levels\":[]},\"orientation\":{\"mode\":\"along\",\"first\":{\"s\":[0,0,1]}},"
+         "\"fov\":{\"degree\":1,\"knots\":[0,0,1,1],\"values\":[30,50]}}",
+         read_camera},
+        {"{\"path\":{\"degree\":2,\"closed\":true,\"knots\":[0,1,2,3,4],\"points\":[[0,0,9],[4,0,9],[4,4,9],["
+         "0,4,8]]},\"orientation\":{\"mode\":\"look-at\",\"target\":[2,2,0],\"up\":[0,0,1]}}",
+         read_camera},
         {"[{\"type\":\"move\",\"level\":1,\"index\":2,\"delta\":[1,2]},{\"type\":\"drag\",\"level\":0,\"u\":"
          "0.7,"
          "\"delta\":[3,4]},{\"type\":\"gain\",\"level\":1,\"value\":0.5},{\"type\":\"transform\",\"matrix\":["

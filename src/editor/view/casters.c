@@ -1,5 +1,7 @@
 #include "editor/view/casters.h"
 
+#include <string.h>
+
 static void forget(bat_casting *casting) {
     if (casting->caster) bat_caster_free(casting->caster);
     bat_object_release(casting->object);
@@ -8,14 +10,13 @@ static void forget(bat_casting *casting) {
 
 bat_status bat_casters_find(bat_casters *casters, bat_id object, int curve, const double along[3],
                             bat_casting **out) {
-    bat_casting *kept = casters ? &casters->kept : NULL;
-    const bat_document *document = casters ? *casters->document : NULL;
-    const bat_object *found = document ? bat_document_at(document, bat_document_find(document, object))
-                                       : NULL;
+    if (!casters) return BAT_STATE;
+    bat_casting *kept = &casters->kept;
+    const bat_document *document = *casters->document;
+    const bat_object *found = bat_document_at(document, bat_document_find(document, object));
     if (!found || curve >= bat_object_curve_count(found)) return BAT_STATE;
     *out = kept;
-    if (kept->object == found && kept->curve == curve && kept->along[0] == along[0] &&
-        kept->along[1] == along[1] && kept->along[2] == along[2])
+    if (kept->object == found && kept->curve == curve && memcmp(kept->along, along, sizeof kept->along) == 0)
         return BAT_OK;
     bat_casting made = {.object = bat_object_retain(found),
                         .curve = curve,

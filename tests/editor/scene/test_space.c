@@ -290,6 +290,47 @@ static void what_is_hidden_is_not_there(void **state) {
     bat_editor_free(editor);
 }
 
+/* Planes and guides have no buffers, fills without a line neither; they are no obstacle to what has. */
+static void other_things(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_object *object = NULL;
+    bat_style style = bat_style_defaults();
+    bat_curve *ring = pen_curve(250, 300, 40, 30, 9);
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    assert_int_equal(
+        bat_object_create_plane(21, "", (double[]){0, 0, 5}, (double[]){1, 0, 0, 0, 0.8, 0.6}, &object),
+        BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
+    bat_object_release(object);
+    assert_int_equal(bat_object_create_guide(22, 1, 40, &object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 1, object), BAT_OK);
+    bat_object_release(object);
+    style.filled = true, style.stroked = false; /* the path takes the ring over */
+    assert_int_equal(bat_object_create_path(23, "", &style, 1, &ring, &object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 2, object), BAT_OK);
+    bat_object_release(object);
+    for (int i = 0; i < 2; i++) {
+        bat_surface *sheet = i ? fine_sheet() : sheet_create();
+        assert_int_equal(sheet_add(document, (bat_id)(30 + i), sheet), BAT_OK);
+        bat_surface_free(sheet);
+    }
+    bat_editor *editor = editor_of(document);
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, "orbit-up");
+    for (int look = 0; look < BAT_LOOK_COUNT; look++) {
+        bat_editor_set(editor, "look", look);
+        const bat_space *space = space_of(editor);
+        for (uint32_t id = 21; id <= 23; id++)
+            for (uint32_t i = 0; i < space->count; i++) assert_true(space->items[i].id != id);
+        assert_true(space->count >= 2);
+    }
+    assert_int_equal(bat_editor_set_state(editor, 30, true, false), BAT_OK);
+    const bat_space *space = space_of(editor);
+    for (uint32_t i = 0; i < space->count; i++) assert_int_equal(space->items[i].id, 31);
+    bat_editor_free(editor);
+}
+
 static void any_allocation_may_fail(void **state) {
     (void)state;
     const long held = alloc_live();
@@ -323,6 +364,7 @@ int main(void) {
                                        cmocka_unit_test(a_surface_replaced_keeps_its_triangles),
                                        cmocka_unit_test(the_look_belongs_to_the_view),
                                        cmocka_unit_test(what_is_hidden_is_not_there),
+                                       cmocka_unit_test(other_things),
                                        cmocka_unit_test(any_allocation_may_fail),
                                        cmocka_unit_test(shaders_get_the_table_of_light)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/view/way.h"
 #include "support/space_wave.h"
 #include <batten/batten.h>
 #include <math.h>
@@ -138,11 +139,32 @@ static void the_brush_fairs_in_space(void **state) {
     bat_editor_free(editor);
 }
 
+/* Nothing can rise on the page, nor along a normal that points at the eye, nor slide on what is seen from its side. */
+static void ways_that_are_not(void **state) {
+    (void)state;
+    const double from[2] = {300, 300}, to[2] = {320, 280};
+    double way[3];
+    bat_editor *editor = with(wave(40, 60, 0), 0, 0, "tool-points");
+    bat_curve *flat = NULL;
+    const bat_curve *curve = curve_of(editor);
+    assert_int_equal(bat_curve_to_dimension(curve, 2, &flat), BAT_OK);
+    assert_false(bat_stage_way(&editor->stage, flat, from, to, true, way));
+    assert_true(bat_stage_way(&editor->stage, flat, from, to, false, way) && way[2] == 0);
+    assert_true(bat_stage_way(&editor->stage, curve, from, to, false, way));
+    const double level[9] = {0, 0, 0, 50, 0, 0, 0, 50, 0};
+    bat_curve *lies = NULL;
+    assert_int_equal(bat_curve_create_clamped(3, 2, 3, level, &lies), BAT_OK);
+    assert_false(bat_stage_way(&editor->stage, lies, from, to, true, way)); /* seen from above */
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, "orbit-up");
+    assert_true(bat_stage_way(&editor->stage, lies, from, to, true, way) && way[2] != 0);
+    bat_curve_free(flat), bat_curve_free(lies);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_point_is_dragged),
-        cmocka_unit_test(a_curve_is_pulled),
-        cmocka_unit_test(a_level_is_dragged_along_its_normal),
+        cmocka_unit_test(ways_that_are_not),        cmocka_unit_test(a_point_is_dragged),
+        cmocka_unit_test(a_curve_is_pulled),        cmocka_unit_test(a_level_is_dragged_along_its_normal),
         cmocka_unit_test(the_brush_fairs_in_space),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

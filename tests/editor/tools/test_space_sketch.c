@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/tools/sketch/parts.h"
+#include "editor/view/casters.h"
 #include "support/space_wave.h"
 #include <batten/batten.h>
 #include <math.h>
@@ -208,8 +210,35 @@ static void the_plane_of_a_curve_is_drawn_on(void **state) {
     bat_editor_free(editor);
 }
 
+/* What is under the pen may have gone: the ground is then as it was. */
+static void what_has_gone(void **state) {
+    (void)state;
+    const double at[2] = {300, 300};
+    bat_editor *editor = with(wave(40, 60, 1.3), 2, 1);
+    const bat_pick gone[] = {{.object = 99}, {.object = 1, .curve = -1}, {.object = 1, .curve = 5}};
+    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++) {
+        const bat_stage stage = bat_sketching_stage(&editor->context, &gone[i], at);
+        assert_true(bat_ground_same(&stage.ground, &editor->stage.ground));
+    }
+    bat_casters *casters = &editor->casters;
+    const double up[3] = {0, 0, 1}, aside[3] = {0, 0.6, 0.8};
+    bat_casting *one = NULL, *other = NULL;
+    assert_int_equal(bat_casters_find(NULL, 1, 0, up, &one), BAT_STATE);
+    assert_int_equal(bat_casters_find(casters, 99, 0, up, &one), BAT_STATE);
+    assert_int_equal(bat_casters_find(casters, 1, 5, up, &one), BAT_STATE);
+    assert_int_equal(bat_casters_find(casters, 1, 0, up, &one), BAT_OK);
+    const bat_caster *made = one->caster;
+    assert_int_equal(bat_casters_find(casters, 1, 0, up, &other), BAT_OK);
+    assert_ptr_equal(other->caster, made);
+    assert_int_equal(bat_casters_find(casters, 1, 0, aside, &other), BAT_OK);
+    assert_true(other->along[1] == 0.6);
+    assert_int_not_equal(bat_casters_find(casters, 1, -1, up, &one), BAT_OK); /* it has no surface */
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_has_gone),
         cmocka_unit_test(a_space_curve_is_redrawn_in_any_view),
         cmocka_unit_test(a_planar_curve_stays_planar),
         cmocka_unit_test(what_it_lands_on_is_shown),

@@ -145,6 +145,10 @@ static void what_cannot_be_written(void **state) {
     assert_int_equal(bat_gltf_write(&empty, 0, &bytes, &size), BAT_COUNT);
     assert_int_equal(bat_stl_write(&cloud, 0, &bytes, &size), BAT_COUNT);
     assert_int_equal(bat_stl_write(&far, 0, &bytes, &size), BAT_NUMBER);
+    assert_int_equal(bat_stl_write(NULL, 0, &bytes, &size), BAT_ARGUMENT);
+    assert_int_equal(bat_stl_write(&far, 0, NULL, &size), BAT_ARGUMENT);
+    assert_int_equal(bat_stl_write(&far, 0, &bytes, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_stl_write(&far, -1, &bytes, &size), BAT_ARGUMENT);
     assert_int_equal(bat_gltf_write(&far, 0, &bytes, &size), BAT_NUMBER);
     assert_int_equal(bat_gltf_write(&far, -1, &bytes, &size), BAT_ARGUMENT);
     assert_null(bytes);
