@@ -77,7 +77,8 @@ const columns = (page, flat) => page.evaluate((onStill) => {
   });
 }, flat);
 
-/** The same strokes in each column, within half a pixel across the stroke. @param {number} wide of a stroke, device pixels */
+/** The same strokes in each column, within half a pixel across the stroke; where a column only is near where one begins or
+ * ends, it grazes its side, and there is no place to compare. @param {number} wide of a stroke, device pixels */
 function agree(one, other, wide) {
   let [compared, alike] = [0, 0];
   one.forEach((strokes, x) => {
@@ -85,6 +86,9 @@ function agree(one, other, wide) {
       return;
     }
     alike++;
+    if ([x - 4, x + 4].some((k) => one[k]?.length !== strokes.length || other[k]?.length !== strokes.length)) {
+      return;
+    }
     strokes.forEach(([dark, height], i) => {
       const [same, there] = other[x][i];
       if (dark < 9 && same < 9) {
@@ -142,14 +146,17 @@ for (const deviceScaleFactor of [1, 1.5]) {
     t.after(() => server.close());
     const { page, hand } = await open(browser, server.address, { viewport: { width: 561, height: 421 }, deviceScaleFactor });
     await quiet(page);
-    const faceOn = await columns(page, true);
     await hand.stroke([[300, 250], [300, 246]], { pointerType: 'mouse', button: 'right', step: 1 });
     await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
     await quiet(page);
     const tilt = await page.evaluate(() => batten.engine.frame().tilt);
     assert.ok(tilt > 0 && tilt <= 1, `${tilt} degrees`);
     const wide = 2 * deviceScaleFactor * (await state(page)).zoom;
-    agree(faceOn, await columns(page, false), wide);
+    const slanted = await columns(page, false);
+    await page.keyboard.press('5');
+    await page.waitForFunction(() => batten.engine.frame().tilt === 0);
+    await quiet(page);
+    agree(await columns(page, true), slanted, wide);
     await tilted(page);
     agree(await columns(page, true), await columns(page, false), 2 * deviceScaleFactor * (await state(page)).zoom);
   });

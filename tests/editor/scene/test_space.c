@@ -313,7 +313,10 @@ static void other_things(void **state) {
     bat_object_release(object);
     for (int i = 0; i < 2; i++) {
         bat_surface *sheet = i ? fine_sheet() : sheet_create();
-        assert_int_equal(sheet_add(document, (bat_id)(30 + i), sheet), BAT_OK);
+        style.fill = 0x336699ff, style.stroked = i == 0;
+        assert_int_equal(bat_object_create_surface((bat_id)(30 + i), "", &style, sheet, &object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
+        bat_object_release(object);
         bat_surface_free(sheet);
     }
     bat_editor *editor = editor_of(document);
@@ -325,9 +328,19 @@ static void other_things(void **state) {
             for (uint32_t i = 0; i < space->count; i++) assert_true(space->items[i].id != id);
         assert_true(space->count >= 2);
     }
+    bat_editor_set(editor, "look", BAT_LOOK_GAUSS);
+    const double widest = space_of(editor)->range;
     assert_int_equal(bat_editor_set_state(editor, 30, true, false), BAT_OK);
     const bat_space *space = space_of(editor);
     for (uint32_t i = 0; i < space->count; i++) assert_int_equal(space->items[i].id, 31);
+    bat_editor_set_state(editor, 30, false, false), bat_editor_set_state(editor, 31, true, false);
+    assert_true(space_of(editor)->range != widest); /* of what is seen alone */
+    bat_editor_set_state(editor, 31, false, false);
+    assert_int_equal(bat_editor_select(editor, 31, false), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "isolate"), BAT_OK);
+    space = space_of(editor);
+    for (uint32_t i = 0; i < space->count; i++) /* the rest is pale */
+        assert_true((space->items[i].opacity < 0.5F) == (space->items[i].id != 31));
     bat_editor_free(editor);
 }
 
