@@ -50,7 +50,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(other);
     assert.match((await state(other)).notice, /Pasted/);
     assert.equal(await size(other), before + 1);
-    assert.equal(await other.evaluate(() => batten.engine.frame().selected), 1);
+    assert.equal(await other.evaluate(() => glance().selected), 1);
     await other.screenshot({ path: path.join(SCREENSHOTS, `clipboard-${colorScheme}-pasted.png`) });
     const [pasted] = await objects(other, 1);
     const zoom = (await state(other)).zoom;

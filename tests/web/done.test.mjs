@@ -40,7 +40,7 @@ test('the button on the barrel smooths, or moves the view', async (t) => {
   const { page, hand } = await open(browser, server.address);
   const over = await Promise.all([[500, 113], [560, 100], [640, 104]].map(([x, y]) => place(page, x, y)));
   const opened = await state(page);
-  const view = () => page.evaluate(() => batten.engine.frame().x);
+  const view = () => page.evaluate(() => glance().x);
   const x = await view();
   await hand.stroke(over, { button: 'right' });
   assert.equal(await view(), x);

@@ -35,22 +35,24 @@ async function tilted(page, steps = 3) {
 
 /** The strokes that each column of a picture crosses: how dark they are, and at which height, in device pixels. */
 const columns = (page, flat) => page.evaluate((onStill) => {
-  const { painter, loop, engine } = batten;
+  const { painter, loop } = batten;
   const { width, height } = painter.still;
   let data;
   if (onStill) {
     painter.flat = false;
-    painter.retheme();
-    const frame = engine.frame();
+    const frame = glance();
+    painter.paint(frame); // takes the items, of which only the curves are left below
     const paged = painter.list;
     painter.list = paged.filter(({ item }) => item.role === 0);
-    painter.paint(frame);
+    painter.retheme();
+    painter.paint({ ...frame, stillChanged: false });
     painter.list = paged;
+    painter.retheme();
     data = painter.still.getContext('2d').getImageData(0, 0, width, height).data;
   } else {
     const { gl } = loop.space;
     loop.space.shown = '';
-    loop.space.show(engine.frame());
+    loop.space.show(glance());
     const flipped = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, flipped);
     data = new Uint8Array(flipped.length);
@@ -141,7 +143,7 @@ for (const [name, bytes] of [['jug', JUG], ['sheet', SHEET]]) {
 }
 
 for (const deviceScaleFactor of [1, 1.5]) {
-  test(`a hardly tilted view is painted with a depth, at ${deviceScaleFactor} pixels`, async (t) => {
+  test(`lines lie where the still canvas has them, face-on and tilted, at ${deviceScaleFactor} pixels`, async (t) => {
     const server = await serve({ name: 'rings.svg', bytes: RINGS });
     t.after(() => server.close());
     const { page, hand } = await open(browser, server.address, { viewport: { width: 561, height: 421 }, deviceScaleFactor });
@@ -149,8 +151,17 @@ for (const deviceScaleFactor of [1, 1.5]) {
     await hand.stroke([[300, 250], [300, 246]], { pointerType: 'mouse', button: 'right', step: 1 });
     await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
     await quiet(page);
-    const tilt = await page.evaluate(() => batten.engine.frame().tilt);
+    const tilt = await page.evaluate(() => glance().tilt);
     assert.ok(tilt > 0 && tilt <= 1, `${tilt} degrees`);
+    const wide = 2 * deviceScaleFactor * (await state(page)).zoom;
+    const slanted = await columns(page, false);
+    agree(await columns(page, true), slanted, wide);
+    await page.keyboard.press('5');
+    await page.waitForFunction(() => glance().tilt === 0);
+    await quiet(page);
+    agree(await columns(page, true), slanted, wide);
+    await tilted(page);
+    agree(await columns(page, true), await columns(page, false), 2 * deviceScaleFactor * (await state(page)).zoom);
   });
 }
 

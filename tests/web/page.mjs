@@ -93,6 +93,15 @@ function countTimers() {
   };
   const moving = (animation) => animation.playState === 'running' && animation.effect.getComputedTiming().endTime < Infinity;
   const isQuiet = () => waiting.size === 0 && !document.getAnimations().some(moving);
+  // What the engine shows now. engine.frame() tells each change once: what a test takes, the page would never paint.
+  globalThis.glance = () => {
+    const { engine, painter } = globalThis.batten;
+    engine.stillVersion = -1;
+    const frame = engine.frame();
+    engine.stillVersion = -1;
+    painter.retheme();
+    return frame;
+  };
   globalThis.quiet = () => new Promise((done) => {
     const look = () => (isQuiet() ? done() : later(look, 5));
     look();

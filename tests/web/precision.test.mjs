@@ -18,7 +18,7 @@ after(async () => {
   server.close();
 });
 
-const labels = (page) => page.evaluate(() => batten.engine.frame().labels.map(({ role, text }) => [role, text]));
+const labels = (page) => page.evaluate(() => glance().labels.map(({ role, text }) => [role, text]));
 
 for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) {
   test(`rulers, guides, grid and snapping with a ${pointerType}, ${colorScheme}`, async () => {
@@ -52,7 +52,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     // An object dragged near the guide snaps to it, and a text says so.
     const at = await place(page, 592, 103.5);
     await hand.stroke([at, at], { pointerType });
-    const left = await page.evaluate(() => batten.engine.frame().selected);
+    const left = await page.evaluate(() => glance().selected);
     assert.equal(left, 1);
     await hand.stroke([at, [at[0] + 2, at[1] + 60], [at[0] + 2, at[1] + 61]], { pointerType, during: () => shot('snap') });
     await press('Control+z');

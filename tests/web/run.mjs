@@ -13,6 +13,14 @@ const all = fs.readdirSync(HERE).filter((file) => file.endsWith('.test.mjs')).ma
 let passed = 0;
 let failed = 0;
 
+// A frame that a test takes from the engine is one that the page does not paint (glance() in page.mjs keeps it whole).
+for (const file of all) {
+  if (/engine\.frame\(/.test(fs.readFileSync(file, 'utf8'))) {
+    failed++;
+    console.log(`FAIL  ${path.basename(file)} takes a frame from the page: use glance()`);
+  }
+}
+
 /** The error of a failed test, without the runner's wrapping. */
 function reason({ error }) {
   const cause = error?.cause ?? error ?? 'skipped';

@@ -27,7 +27,7 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await page.keyboard.press('v');
     const at = await place(page, 592, 103.5);
     await hand.stroke([at, at], { pointerType });
-    assert.equal(await page.evaluate(() => batten.engine.frame().selected), 1);
+    assert.equal(await page.evaluate(() => glance().selected), 1);
     await shot('selected');
     await hand.stroke([at, [at[0] + 40, at[1] - 30]], { pointerType });
     const moved = await state(page);
@@ -59,7 +59,7 @@ for (const colorScheme of ['light', 'dark']) {
     const { page, hand, context } = await open(browser, server.address, { colorScheme });
     const objects = () => page.evaluate(() =>
       JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
-    const selected = () => page.evaluate(() => batten.engine.frame().selected);
+    const selected = () => page.evaluate(() => glance().selected);
     const fresh = await state(page);
     await page.focus('#stage');
     await page.keyboard.press('v');
@@ -78,14 +78,14 @@ for (const colorScheme of ['light', 'dark']) {
     await page.mouse.dblclick(...at);
     await settle(page);
     assert.equal(await selected(), 1);
-    assert.ok((await page.evaluate(() => batten.engine.frame().labels.length)) > 0);
+    assert.ok((await page.evaluate(() => glance().labels.length)) > 0);
     await page.mouse.move(640, 200);
     await settle(page);
     assert.match((await state(page)).hint, /In a group/);
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-entered.png`) });
     await page.keyboard.press('Escape');
     await settle(page);
-    assert.equal(await page.evaluate(() => batten.engine.frame().labels.length), 0);
+    assert.equal(await page.evaluate(() => glance().labels.length), 0);
     assert.equal((await state(page)).check, '');
     await context.close();
   });
@@ -141,7 +141,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.deepEqual(await violations(page), [], 'the row of actions');
     await page.click('#actions [data-name="group"]');
     await settle(page);
-    assert.equal(await page.evaluate(() => batten.engine.frame().selected), 1);
+    assert.equal(await page.evaluate(() => glance().selected), 1);
     assert.ok((await shown()).includes('ungroup'));
     await page.keyboard.press('Control+Shift+a');
     await settle(page);

@@ -27,7 +27,7 @@ const shown = (page) => page.$$eval('#menu .command > [data-command]', (all) =>
   all.filter((one) => one.checkVisibility()).map((one) => one.dataset.command));
 const keys = (page, command) => page.evaluate((name) =>
   batten.engine.tables().commands.find((row) => row.name === name).keys, command);
-const tool = (page) => page.evaluate(() => batten.panel.tables.tools[batten.engine.frame().tool].name);
+const tool = (page) => page.evaluate(() => batten.panel.tables.tools[glance().tool].name);
 const type = async (page, key) => {
   await page.keyboard.press(key);
   await settle(page);

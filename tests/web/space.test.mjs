@@ -20,7 +20,7 @@ after(() => browser.close());
 /** What is painted of the drawing. */
 const pixels = async (page) => createHash('sha1').update(await page.evaluate(() =>
   document.getElementById('still').toDataURL())).digest('hex');
-const tilt = (page) => page.evaluate(() => batten.engine.frame().tilt);
+const tilt = (page) => page.evaluate(() => glance().tilt);
 
 for (const colorScheme of ['light', 'dark']) {
   test(`a right drag tilts the page, 5 brings it home, ${colorScheme}`, async (t) => {

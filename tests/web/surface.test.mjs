@@ -30,7 +30,7 @@ for (const colorScheme of ['light', 'dark']) {
     const { page, hand } = await open(browser, server.address, { colorScheme });
     const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `surface-${name}-${colorScheme}.png`) });
     const told = () => page.evaluate(() => {
-      const frame = batten.engine.frame();
+      const frame = glance();
       return { notice: frame.notice, hint: frame.hint, labels: frame.labels?.length };
     });
     const begun = await state(page);

@@ -18,7 +18,7 @@ after(async () => {
 });
 
 const objects = (page) => page.evaluate(() => batten.painter.list.length);
-const labels = (page) => page.evaluate(() => batten.engine.frame().labels.map((label) => label.text));
+const labels = (page) => page.evaluate(() => glance().labels.map((label) => label.text));
 /** The native document's last object. */
 const newest = (page) => page.evaluate(() =>
   JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.at(-1));
@@ -130,7 +130,7 @@ test('closing, moving, inserting, deleting, and a stroke that frees the curve', 
   // The sketch tool draws over a stretch of it.
   await page.keyboard.press('n');
   const along = await page.evaluate(() => {
-    const f = batten.engine.frame();
+    const f = glance();
     const item = f.still.at(-1);
     const p = item.path; // move x y, cubic ...
     const at = (t, k) => {

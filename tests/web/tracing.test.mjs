@@ -130,7 +130,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.focus('#stage');
     await page.keyboard.press('v');
     await hand.stroke([[x, y + 50], [x, y + 50]], { pointerType: 'mouse' });
-    assert.equal(await page.evaluate(() => batten.engine.frame().selected), 0);
+    assert.equal(await page.evaluate(() => glance().selected), 0);
     await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-locked.png`) });
     assert.equal((await state(page)).check, '');
     await context.close();
@@ -160,7 +160,7 @@ for (const colorScheme of ['light', 'dark']) {
       await hand.stroke([at, at], { pointerType: 'mouse' });
     }
     await page.waitForSelector('#setting-picture-span:focus');
-    const label = () => page.evaluate(() => batten.engine.frame().labels.map(({ text }) => text).join());
+    const label = () => page.evaluate(() => glance().labels.map(({ text }) => text).join());
     const span = (300 / await page.evaluate(() => batten.painter.painted.zoom)) * (25.4 / 96);
     assert.equal(await label(), `${Number(span.toFixed(3))} mm`);
     assert.equal(await page.inputValue('#setting-picture-span'), await label());
@@ -185,7 +185,7 @@ test('a crash of the module brings the picture back from the journal', async () 
   await settle(page);
   const { digest } = await state(page);
   await page.evaluate(() => {
-    batten.engine.frame();
+    glance();
     const { resize } = batten.engine;
     batten.engine.wasm = { ...batten.engine.wasm, editor_resize: () => batten.engine.module && (() => {
       throw new WebAssembly.RuntimeError('test');
