@@ -91,7 +91,7 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
         return BAT_DUTY_ORBIT;
     if (event->device == BAT_DEVICE_TOUCH && only_pens) return tilted ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
     if (c->session->read_only) return BAT_DUTY_NAVIGATE;
-    if (!tilted && (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS))) {
+    if (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS)) {
         turn(c, event->buttons & BAT_BUTTON_ERASER ? BAT_ERASES : BAT_SMOOTHS);
         return BAT_DUTY_TOOL;
     }
@@ -100,9 +100,8 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
     if (c->input->holding_pan || middle || barrel_is(c, event, BARREL_PANS) ||
         bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)
         return BAT_DUTY_NAVIGATE;
-    if (!(event->buttons & (tilted ? BAT_BUTTON_PRIMARY | BAT_BUTTON_ERASER : BAT_BUTTON_PRIMARY)))
-        return BAT_DUTY_IGNORED;
-    if (bat_toolbox_faces(c) && !(event->buttons & BAT_BUTTON_ERASER && tilted)) return BAT_DUTY_TOOL;
+    if (!(event->buttons & BAT_BUTTON_PRIMARY)) return BAT_DUTY_IGNORED;
+    if (bat_toolbox_faces(c)) return BAT_DUTY_TOOL;
     bat_notice_tilted(c);
     return BAT_DUTY_IGNORED;
 }

@@ -57,7 +57,7 @@ static const char *whole_hint(bat_editor *editor) {
     const bat_stage *stage = tool->is->lands ? tool->is->lands(c, tool->state) : NULL;
     const char *text = hint(c), *on = bat_word(c, BAT_STRING_HINT_ON);
     if (!stage) stage = c->stage;
-    if (!bat_toolbox_has(c, BAT_DRAWS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
+    if (!bat_toolbox_has(c, BAT_LANDS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
         (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2))
         return text;
     const char *hole = strchr(on, '%');
@@ -107,7 +107,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
-    if (bat_toolbox_has(c, BAT_DRAWS)) bat_plane_show(c->stage, overlay);
+    if (bat_toolbox_has(c, BAT_LANDS)) bat_plane_show(c->stage, overlay);
     show_selection(c, overlay);
     if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);

@@ -1,5 +1,6 @@
 /*
- * The line tool: drag to draw a straight line. Shift constrains it to steps of 15 degrees. Each further drag or click
+ * The line tool: drag to draw a straight line on the page, or on what the pen draws on instead. Shift constrains it to
+ * steps of 15 degrees. Each further drag or click
  * continues from the end of the last line, in the same curve, with a corner there; a click on that end, or Esc,
  * finishes it.
  *
@@ -11,10 +12,11 @@
 #include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
-#include "editor/pick/snap.h"
+#include "editor/pick/spot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/show/disc.h"
 #include "editor/show/overlay.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
@@ -31,38 +33,42 @@ typedef struct lining {
     bool pressed;            /* between down and up */
     bool began;              /* this press has placed the first point */
     bat_id object;           /* the curve being continued; 0: none yet */
-    double from[2], at[2];   /* document units */
+    int dimension;           /* of the curve, and of these places; the rest of them is 0 */
+    double from[3], at[3];   /* document units */
     double start[2], now[2]; /* view pixels: at the press; now */
 } lining;
 
-/* The curve being continued, as long as it ends where the last line did: undo or another tool may have changed it. */
+/* The curve being continued, as long as it ends where the last line did: undo or another tool may have changed it. A
+ * curve of the page goes on on the page only. */
 static const bat_curve *settle(const bat_context *c, lining *l) {
-    if (!l->object) return NULL;
-    const bat_curve *curve = bat_edit_target(c->session->document, l->object, 0);
-    bool good = curve && !bat_curve_is_closed(curve) && bat_curve_degree(curve) == 3;
+    const bool leaves = l->dimension == 2 && bat_stage_dimension(c->stage) != 2;
+    if (!l->object) {
+        if (leaves || !l->placed) l->dimension = bat_stage_dimension(c->stage);
+        return NULL;
+    }
+    const bat_curve *curve = bat_edit_target_in(c->session->document, l->dimension, l->object, 0);
+    bool good = curve && !leaves && !bat_curve_is_closed(curve) && bat_curve_degree(curve) == 3;
     if (good)
-        good = !memcmp(bat_curve_points(curve) + 2 * (bat_point_count(curve) - 1), l->from, sizeof l->from);
+        good = !memcmp(bat_curve_points(curve) + l->dimension * (bat_point_count(curve) - 1), l->from,
+                       (size_t)l->dimension * sizeof *l->from);
     if (good) return curve;
     l->object = 0;
-    l->placed = false;
+    l->placed = l->pressed = false;
+    l->dimension = bat_stage_dimension(c->stage);
     return NULL;
 }
 
-static void place(bat_context *c, lining *l, const bat_pointer *event) {
+/* Where the pen is; it stays where it was when that is nowhere on the ground. */
+static bat_status place(bat_context *c, lining *l, const bat_pointer *event) {
     l->now[0] = event->x;
     l->now[1] = event->y;
-    bat_stage_seen(c->stage, l->now, l->at);
-    if (c->modifiers & BAT_SHIFT && l->placed)
-        bat_snap_angle(c, l->from, l->at);
-    else
-        bat_snap_point(c, 0, NULL, l->at);
+    return bat_spot(c, l->now, 0, NULL, l->placed ? l->from : NULL, l->at);
 }
 
 static void hover(bat_context *c, void *state, const bat_pointer *event) {
     lining *l = state;
     settle(c, l);
-    l->hovering = true;
-    place(c, l, event);
+    l->hovering = place(c, l, event) == BAT_OK;
 }
 
 static void leave(bat_context *c, void *state) {
@@ -74,7 +80,10 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     lining *l = state;
     settle(c, l);
     bat_notice(c, BAT_STRING_COUNT);
-    place(c, l, event);
+    if (place(c, l, event) != BAT_OK) {
+        bat_notice_edge_on(c);
+        return;
+    }
     l->began = !l->placed;
     l->pressed = l->placed = true;
     if (l->began) memcpy(l->from, l->at, sizeof l->from);
@@ -87,27 +96,30 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 }
 
 /* Extends the curve (or nothing) by a straight piece: knot spacing equal to its length, a triple knot at the corner. */
-static bat_status straight(const bat_curve *before, const double from[2], const double to[2],
+static bat_status straight(const bat_curve *before, int dimension, const double from[3], const double to[3],
                            bat_curve **out) {
+    const size_t size = (size_t)dimension;
     int old = before ? bat_point_count(before) : 1, count = old + 3;
     double length = bat_hypot(to[0] - from[0], to[1] - from[1]), last = 0;
-    double *points = malloc((size_t)count * 2 * sizeof *points);
+    if (dimension == 3) length = bat_hypot(length, to[2] - from[2]);
+    double *points = malloc((size_t)count * size * sizeof *points);
     double *knots = malloc((size_t)(count + 4) * sizeof *knots);
     bat_status status = points && knots ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) {
         if (before) {
-            memcpy(points, bat_curve_points(before), (size_t)old * 2 * sizeof *points);
+            memcpy(points, bat_curve_points(before), (size_t)old * size * sizeof *points);
             memcpy(knots, bat_curve_knots(before), (size_t)(old + 3) * sizeof *knots);
             last = knots[old + 2];
         } else {
-            memcpy(points, from, 2 * sizeof *points);
+            memcpy(points, from, size * sizeof *points);
             memset(knots, 0, 4 * sizeof *knots);
         }
         for (int i = 1; i <= 3; i++)
-            for (int k = 0; k < 2; k++) points[2 * (old - 1 + i) + k] = from[k] + (to[k] - from[k]) * i / 3;
-        memcpy(points + 2 * (count - 1), to, 2 * sizeof *points);
+            for (int k = 0; k < dimension; k++)
+                points[dimension * (old - 1 + i) + k] = from[k] + (to[k] - from[k]) * i / 3;
+        memcpy(points + dimension * (count - 1), to, size * sizeof *points);
         for (int i = 0; i < 4; i++) knots[count + i] = last + length;
-        status = bat_curve_create(2, 3, false, (size_t)count, points, count + 4, knots, out);
+        status = bat_curve_create(dimension, 3, false, (size_t)count, points, count + 4, knots, out);
     }
     free(points);
     free(knots);
@@ -116,7 +128,7 @@ static bat_status straight(const bat_curve *before, const double from[2], const 
 
 static bat_status commit(bat_context *c, lining *l) {
     bat_curve *curve = NULL;
-    bat_status status = straight(settle(c, l), l->from, l->at, &curve);
+    bat_status status = straight(settle(c, l), l->dimension, l->from, l->at, &curve);
     if (status != BAT_OK) return status;
     if (l->object) return bat_commit_curve(c, l->object, 0, curve, BAT_STRING_STEP_LINE);
     status = bat_transaction_begin(c);
@@ -139,7 +151,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     l->pressed = false;
     bool clicked = bat_hypot(l->now[0] - l->start[0], l->now[1] - l->start[1]) <= CLICK;
     if (clicked && l->began) return; /* this click has placed the first point */
-    if (bat_hypot(l->at[0] - l->from[0], l->at[1] - l->from[1]) <= CLICK * bat_stage_pixel(c->stage)) {
+    if (bat_spots_apart(c, l->dimension, l->from, l->at) <= CLICK) {
         l->placed = false; /* a click on the end finishes the curve */
         l->object = 0;
         return;
@@ -187,14 +199,17 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     lining *l = state;
     settle(c, l);
+    if (l->hovering && !l->pressed) bat_disc_show(c->stage, l->now, list);
     if (!l->placed) return;
-    double pixel = bat_stage_pixel(c->stage);
+    double pixel = bat_stage_pixel(c->stage), seen[4];
+    bat_stage_look(c->stage, l->dimension, l->from, seen);
+    bat_stage_look(c->stage, l->dimension, l->at, seen + 2);
     if (l->pressed || l->hovering) {
         bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
-        bat_overlay_polyline(list, 2, (double[]){l->from[0], l->from[1], l->at[0], l->at[1]});
+        bat_overlay_polyline(list, 2, seen);
     }
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 2);
-    bat_overlay_circle(list, l->from, 4 * pixel);
+    bat_overlay_circle(list, seen, 4 * pixel);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {

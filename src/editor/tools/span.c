@@ -23,7 +23,7 @@
 #include <string.h>
 
 typedef struct bat_spanning {
-    double at[2][2]; /* document units */
+    double at[2][2]; /* on the page, where pictures lie */
     int count;
     int held; /* the one being dragged; -1: none */
 } bat_spanning;
@@ -34,14 +34,21 @@ static double distance(const bat_spanning *s) {
     return s->count < 2 ? 0 : bat_hypot(s->at[1][0] - s->at[0][0], s->at[1][1] - s->at[0][1]);
 }
 
-static void put(bat_context *c, bat_spanning *s, const bat_pointer *event) {
-    if (s->held >= 0) bat_stage_seen(c->stage, (double[]){event->x, event->y}, s->at[s->held]);
+/* False: the page is seen from its edge; the point stays where it was. */
+static bool put(bat_context *c, bat_spanning *s, const bat_pointer *event) {
+    return s->held >= 0 && bat_stage_on_page(c->stage, (double[]){event->x, event->y}, s->at[s->held]);
+}
+
+static void pixel_of(const bat_context *c, const double at[2], double pixel[2]) {
+    double seen[2];
+    bat_stage_look(c->stage, 2, at, seen);
+    bat_stage_project(c->stage, seen, pixel);
 }
 
 static int place_at(const bat_context *c, const bat_spanning *s, const bat_pointer *event) {
     double within = event->device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH, screen[2];
     for (int i = s->count - 1; i >= 0; i--) {
-        bat_stage_project(c->stage, s->at[i], screen);
+        pixel_of(c, s->at[i], screen);
         if (bat_hypot(screen[0] - event->x, screen[1] - event->y) <= within) return i;
     }
     return -1;
@@ -54,7 +61,10 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     if (s->held >= 0) return;
     if (s->count == 2) s->count = 0;
     s->held = s->count++;
-    put(c, s, event);
+    if (put(c, s, event)) return;
+    s->count--;
+    s->held = -1;
+    bat_notice_edge_on(c);
 }
 
 static void move(bat_context *c, void *state, const bat_pointer *event) {
@@ -64,6 +74,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_spanning *s = state;
+    if (s->held < 0) return; /* refused, or cancelled */
     put(c, s, event);
     s->held = -1;
     if (s->count == 2 && memcmp(s->at[0], s->at[1], sizeof s->at[0]) != 0)
@@ -87,19 +98,20 @@ static bool busy(const bat_context *c, const void *state) {
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_spanning *s = state;
-    double pixel = bat_stage_pixel(c->stage);
+    double pixel = bat_stage_pixel(c->stage), seen[2][2];
+    for (int i = 0; i < s->count; i++) bat_stage_look(c->stage, 2, s->at[i], seen[i]);
     if (s->count == 2) {
-        double middle[2] = {s->at[0][0] / 2 + s->at[1][0] / 2, s->at[0][1] / 2 + s->at[1][1] / 2};
+        double middle[2] = {seen[0][0] / 2 + seen[1][0] / 2, seen[0][1] / 2 + seen[1][1] / 2};
         char text[BAT_UNIT_ROOM];
         bat_overlay_item(list, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
-        bat_overlay_polyline(list, 2, s->at[0]);
+        bat_overlay_polyline(list, 2, seen[0]);
         bat_unit_write(c, distance(s), text);
         bat_overlay_label(list, BAT_ROLE_VALUE, middle, 0, -16, text);
     }
     bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED, 1.5F);
     for (int i = 0; i < s->count; i++) {
-        bat_overlay_circle(list, s->at[i], CROSS * pixel);
-        bat_overlay_mark(list, s->at[i], pixel);
+        bat_overlay_circle(list, seen[i], CROSS * pixel);
+        bat_overlay_mark(list, seen[i], pixel);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,9 +61,9 @@ bool bat_toolbox_has(const bat_context *c, unsigned trait) {
 }
 
 bool bat_toolbox_faces(const bat_context *c) {
-    const bat_slot *tool = bat_toolbox_tool(c);
-    const bool chosen = tool == bat_toolbox_chosen(c);
-    return !bat_stage_tilted(c->stage) || (chosen && bat_toolbox_has(c, BAT_TILTS));
+    const ptrdiff_t at = bat_toolbox_tool(c) - c->toolbox->slots; /* modes come after the tools */
+    return !bat_stage_tilted(c->stage) ||
+           (at < BAT_TOOL_COUNT && bat_tool_at((bat_tool_id)at)->traits & BAT_TILTS);
 }
 
 /* The tool that a panel control is dragging something of; NULL: none. */

@@ -266,24 +266,23 @@ static void with_a_pen_one_finger_turns_a_tilted_view(void **state) {
     bat_editor_free(editor);
 }
 
+/* All tools but Tangents work in a tilted view; what takes the window for the page does not, and says so. */
 static void what_is_not_ready_for_it_is_refused_and_home_offered(void **state) {
     (void)state;
-    static const char *const tools[] = {"tool-eraser", "tool-tangents", "tool-line", "tool-span"};
+    static const char *const commands[] = {"range", "guide-level", "symmetry-middle"};
     bat_editor *editor = drawing();
     const uint64_t first = digest(editor);
-    for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {
+    for (int i = 0; i < BAT_TOOL_COUNT; i++)
+        assert_true(i == BAT_TOOL_TANGENTS || bat_tool_at((bat_tool_id)i)->traits & BAT_TILTS);
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         bat_editor_command(editor, "view-upright");
-        bat_editor_command(editor, tools[i]);
         bat_editor_command(editor, "orbit-up");
-        pen p = pen_for(editor);
         const uint32_t said = bat_editor_frame(editor)->notice_version;
-        drag(&p, 210, 300, 500, 420);
+        assert_int_equal(bat_editor_command(editor, commands[i]), BAT_STATE);
         assert_true(digest(editor) == first);
         assert_true(bat_editor_frame(editor)->notice_version > said);
         assert_string_equal(bat_editor_frame(editor)->offer, "view-upright");
     }
-    assert_int_equal(bat_editor_command(editor, "nudge-left"), BAT_STATE);
-    assert_string_equal(bat_editor_frame(editor)->offer, "view-upright");
     assert_int_equal(bat_editor_command(editor, bat_editor_frame(editor)->offer), BAT_OK);
     assert_true(tilt_of(editor) == 0);
     bat_editor_free(editor);

@@ -1,6 +1,6 @@
 /*
- * The eraser. What its circle passes over is marked while it moves, and removed when it is lifted: a curve loses an
- * end, falls in two, or opens when it was closed. The eraser end of a pen is this tool, whichever tool is chosen.
+ * The eraser. What its circle is seen to pass over is marked while it moves, and removed when it is lifted: a curve loses
+ * an end, falls in two, or opens when it was closed. The eraser end of a pen is this tool, whichever tool is chosen.
  */
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
@@ -77,7 +77,7 @@ static void give_up(bat_context *c, erasing *b, bat_status status) {
 
 /* Erases from one position to the next, both in view pixels. */
 static void rub(bat_context *c, erasing *b, const double from[2], const double to[2]) {
-    const bat_scene *scene = c->scene;
+    bat_scene *scene = c->scene;
     double a[2], end[2], r = radius(c, b);
     bat_seen_sync(c);
     bat_stage_seen(c->stage, from, a);
@@ -85,15 +85,15 @@ static void rub(bat_context *c, erasing *b, const double from[2], const double t
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         const double *box = entry->box;
-        if (entry->hidden || entry->locked) continue;
+        if (entry->hidden || entry->locked || !bat_object_is_made_of_curves(entry->object)) continue;
         if (fmax(a[0], end[0]) + r < box[0] || fmin(a[0], end[0]) - r > box[2] ||
             fmax(a[1], end[1]) + r < box[1] || fmin(a[1], end[1]) - r > box[3])
             continue;
         for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
-            const bat_curve *curve = bat_object_curve(entry->object, j);
-            if (bat_curve_dimension(curve) != 2 || !bat_spans_near(curve, a, end, r)) continue;
+            const bat_curve *seen = bat_scene_seen(scene, i, j); /* at the same parameters */
+            if (!seen || !bat_spans_near(seen, a, end, r)) continue;
             rubbed_curve *rubbed = rubbed_of(b, bat_object_id(entry->object), j);
-            bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, curve, a, end, r) : BAT_MEMORY;
+            bat_status status = rubbed ? bat_spans_erase(&rubbed->spans, seen, a, end, r) : BAT_MEMORY;
             if (status != BAT_OK) {
                 give_up(c, b, status);
                 return;
@@ -221,7 +221,7 @@ static bat_status cut_all(bat_context *c, erasing *b) {
 
 static bat_status work(bat_context *c, void *state, const bat_stretch *on) {
     erasing *b = state;
-    const bat_curve *target = bat_edit_target(c->session->document, on->object, on->curve);
+    const bat_curve *target = bat_edit_target_in(c->session->document, 0, on->object, on->curve);
     double domain[2];
     if (!target) return BAT_ARGUMENT;
     bat_curve_domain(target, domain);
@@ -277,8 +277,8 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     if (!b->brush.hovering || c->input->holding_pan) return;
     bat_overlay_item(list, BAT_ROLE_ERASED, BAT_ITEM_STROKED, ERASED_WIDTH);
     for (int i = 0; i < b->count; i++) {
-        const bat_curve *curve = bat_edit_target(c->session->document, b->rubbed[i].object,
-                                                 b->rubbed[i].curve);
+        const bat_curve *curve = bat_edit_target_in(c->session->document, 0, b->rubbed[i].object,
+                                                    b->rubbed[i].curve);
         for (int k = 0; k < b->rubbed[i].spans.count && curve; k++)
             bat_overlay_stretch(list, curve, b->rubbed[i].spans.list[k][0], b->rubbed[i].spans.list[k][1]);
     }
