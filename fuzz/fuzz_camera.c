@@ -1,10 +1,12 @@
 /* Any bytes as a MOVE. Whatever can be read gives poses that are finite, unit, and not opposed from one to the next, and can
  * be turned. */
 #include <batten/bezier.h>
+#include <batten/document.h>
 #include <batten/format.h>
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -78,6 +80,30 @@ static void check_keys(const bat_camera *camera) {
     if (count < 100 && bat_gltf_write_move(camera, extent, 0.5, &bytes, &size) == BAT_OK) bat_free(bytes);
 }
 
+/* What is written is read back, bit for bit, as it is and as an object of a drawing. */
+static void check_text(const bat_camera *camera) {
+    const bat_style style = bat_style_defaults();
+    bat_camera *back = NULL, *again = NULL;
+    bat_object *object = NULL, *led = NULL;
+    char *text = NULL, *other = NULL;
+    size_t size, length;
+    if (bat_camera_write(camera, &text, &size) != BAT_OK) abort();
+    if (bat_camera_read(text, size, &back, NULL) != BAT_OK) abort();
+    if (bat_camera_mode_of(back) != bat_camera_mode_of(camera)) abort();
+    if (bat_camera_write(back, &other, &length) != BAT_OK || size != length || memcmp(text, other, size))
+        abort();
+    if (bat_camera_with_path(back, bat_camera_path(camera), &again) != BAT_OK) abort();
+    const bat_status made = bat_object_create_camera(3, "fly", &style, camera, 0, &object);
+    if (made != BAT_OK && made != BAT_NUMBER) abort();
+    if (made == BAT_OK) {
+        if (!bat_object_camera(object) || bat_object_followed(object) != 0) abort();
+        if (bat_object_with_camera(object, back, 2, &led) != BAT_OK || bat_object_followed(led) != 2) abort();
+    }
+    bat_object_release(object), bat_object_release(led);
+    bat_camera_free(back), bat_camera_free(again);
+    bat_free(text), bat_free(other);
+}
+
 static void check_defaults(void) {
     static const double knots[5] = {0, 0, 1, 1, 1};
     bat_camera_options options;
@@ -100,7 +126,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static bool begun;
     if (!begun) check_defaults(), begun = true;
     if (bat_camera_read((const char *)data, size, &camera, &problem) != BAT_OK) return 0;
-    check_samples(camera), check_edits(camera), check_keys(camera);
+    check_samples(camera), check_edits(camera), check_keys(camera), check_text(camera);
     bat_camera_free(camera);
     return 0;
 }

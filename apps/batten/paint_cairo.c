@@ -1,6 +1,7 @@
 #include "paint_cairo.h"
 #include "paint_bytes.h"
 
+#include "document/kind.h"
 #include "document/nesting.h"
 
 #include <batten/bezier.h>
@@ -152,7 +153,7 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, bat_document_at(document, i), &level);
-        if (level.hidden || !bat_object_is_drawn(bat_document_at(document, i))) continue;
+        if (level.hidden || !bat_object_is_painted(bat_document_at(document, i))) continue;
         bat_status status = paint_object(cairo, bat_document_at(document, i), 0.05 / scale);
         if (status != BAT_OK) return status;
     }

@@ -1,5 +1,6 @@
 #include "shade_shown.h"
 
+#include "document/kind.h"
 #include "document/nesting.h"
 #include "form/shade/colour.h"
 
@@ -15,7 +16,7 @@ bat_status each_shown(const bat_document *document, bat_status (*visit)(const ba
         const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, object, &level);
-        if (level.hidden || !bat_object_is_drawn(object)) continue;
+        if (level.hidden || !bat_object_is_painted(object)) continue;
         bat_status status = visit(object, user);
         if (status != BAT_OK) return status;
     }

@@ -70,6 +70,9 @@ typedef struct bat_camera bat_camera;
 BAT_API bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *options,
                                      bat_camera **out);
 BAT_API bat_status bat_camera_copy(const bat_camera *camera, bat_camera **out);
+/* A copy along another path, to whose domain everything else is mapped. BAT_UNSUPPORTED: there are levels without a base,
+ * and one of the two paths is closed, the other open; else as bat_camera_create. */
+BAT_API bat_status bat_camera_with_path(const bat_camera *camera, const bat_curve *path, bat_camera **out);
 BAT_API void bat_camera_free(bat_camera *camera); /* NULL is fine */
 
 /*
@@ -98,6 +101,8 @@ BAT_API bat_status bat_camera_turn_base(bat_camera *camera, const double rotatio
 /* The quaternions of the base, made unit, 4 numbers each; owned by the camera. *count: how many. NULL: none. */
 BAT_API const double *bat_camera_base(const bat_camera *camera, size_t *count);
 
+/* How the camera is turned. */
+BAT_API bat_camera_mode bat_camera_mode_of(const bat_camera *camera);
 /* The path in space, owned by the camera; its domain, its length, the time that the move takes. */
 BAT_API const bat_curve *bat_camera_path(const bat_camera *camera);
 BAT_API void bat_camera_domain(const bat_camera *camera, double domain[2]);

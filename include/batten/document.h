@@ -7,6 +7,7 @@
 #ifndef BATTEN_DOCUMENT_H
 #define BATTEN_DOCUMENT_H
 
+#include <batten/camera.h>
 #include <batten/levels.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
@@ -39,7 +40,7 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * some of whose curves are taken apart into levels, of which the finest is the curve; a container without curves,
  * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
  * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
- * whose curves are its lines at the knots, which cannot be replaced. */
+ * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -49,7 +50,8 @@ typedef enum bat_kind {
     BAT_KIND_IMAGE = 6,
     BAT_KIND_GUIDE = 7,
     BAT_KIND_PLANE = 8,
-    BAT_KIND_SURFACE = 9
+    BAT_KIND_SURFACE = 9,
+    BAT_KIND_CAMERA = 10
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -103,8 +105,16 @@ BAT_API bat_status bat_object_create_surface(bat_id id, const char *name, const 
 /* A copy with another surface. BAT_ARGUMENT: the object is not a surface. */
 BAT_API bat_status bat_object_with_surface(const bat_object *object, const bat_surface *surface,
                                            bat_object **out);
+/* Copies the move. follows: the object whose first curve is the path, which a document keeps so: when that curve changes,
+ * the path is the curve as it then is, and when it goes, the camera goes with it; 0: the path is the camera's own. Its
+ * curves show where it starts, and its own path. BAT_ARGUMENT: it follows itself. */
+BAT_API bat_status bat_object_create_camera(bat_id id, const char *name, const bat_style *style,
+                                            const bat_camera *camera, bat_id follows, bat_object **out);
+/* A copy with another move, or that follows another object. BAT_ARGUMENT: the object is not a camera. */
+BAT_API bat_status bat_object_with_camera(const bat_object *object, const bat_camera *camera, bat_id follows,
+                                          bat_object **out);
 /* A copy with other curves (ownership is taken), which is a path; all else, including its place in groups, is
- * kept. BAT_ARGUMENT, here and for a single curve or shape: the object is a surface, or of a kind without curves. */
+ * kept. BAT_ARGUMENT, here and for a single curve or shape: the object is a surface or a camera, or of a kind without curves. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
                                           bat_object **out);
 /* A copy in another group (0: in none), under another name (UTF-8), hidden or shown, locked or free. */
@@ -137,7 +147,7 @@ BAT_API bat_kind bat_object_kind(const bat_object *object);
 BAT_API const char *bat_object_name(const bat_object *object); /* never NULL */
 BAT_API const bat_style *bat_object_style(const bat_object *object);
 BAT_API int bat_object_curve_count(const bat_object *object);
-/* Whether it is nothing but its curves, so that others can take their place. Those of a surface only show it. */
+/* Whether it is nothing but its curves, so that others can take their place. Those of a surface or a camera only show it. */
 BAT_API bool bat_object_is_made_of_curves(const bat_object *object);
 BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
 /* The spline and how its curve is made; NULL when the object is not a spline. Its tangents and tension are never
@@ -157,6 +167,10 @@ bat_object_is_drawn(const bat_object *object); /* no group, guide or plane: it c
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
 /* Owned by the object; NULL when it is not a surface. */
 BAT_API const bat_surface *bat_object_surface(const bat_object *object);
+/* Owned by the object; NULL when it is not a camera. */
+BAT_API const bat_camera *bat_object_camera(const bat_object *object);
+/* The object whose first curve is its path; 0: its path is its own, or it is not a camera. */
+BAT_API bat_id bat_object_followed(const bat_object *object);
 /* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */
 BAT_API const double *bat_object_plane(const bat_object *object);
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */

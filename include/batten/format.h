@@ -78,6 +78,7 @@ BAT_API bat_status bat_sweep_read(const char *text, size_t size, bat_sweep_sourc
 BAT_API void bat_sweep_source_clear(bat_sweep_source *source);
 /* One MOVE; of a path with levels, the finest curve is taken. */
 BAT_API bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem);
+BAT_API bat_status bat_camera_write(const bat_camera *camera, char **text, size_t *size);
 /* WIRES, released by bat_wires_source_clear: wires, the curve that each becomes, and how they blend. */
 enum { BAT_WIRE_CURVES = 3 };
 typedef struct bat_wires_source {

@@ -194,6 +194,17 @@ bool bat_document_fits(const bat_document *document, int index) {
     return open && depth <= BAT_NESTING_MAX;
 }
 
+const bat_object *bat_document_source(const bat_document *document, const bat_object *object) {
+    const bat_id id = bat_object_followed(object);
+    const bat_object *source = id ? bat_document_at(document, bat_document_find(document, id)) : NULL;
+    return bat_object_is_made_of_curves(source) ? source : NULL;
+}
+
+bool bat_document_is_left(const bat_document *document, int index) {
+    const bat_object *object = bat_document_at(document, index);
+    return bat_object_followed(object) && !bat_document_source(document, object);
+}
+
 const char *bat_document_check(const bat_document *document) {
     if (!page_valid(document->page)) return "the page is out of range";
     for (int i = 0; i < document->list.count; i++) {
@@ -206,6 +217,8 @@ const char *bat_document_check(const bat_document *document) {
         if (wrong) return wrong;
     }
     if (!bat_list_holds(&document->list)) return "the list and its ids differ";
+    for (int i = 0; i < document->list.count; i++)
+        if (bat_document_is_left(document, i)) return "what an object follows is gone";
     return bat_document_check_nesting(document);
 }
 

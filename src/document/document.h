@@ -23,4 +23,9 @@ bool bat_document_fits(const bat_document *document, int index);
 /* NULL, or what is wrong with the groups: the last part of bat_document_check. O(objects), no memory. */
 const char *bat_document_check_nesting(const bat_document *document);
 
+/* The object whose first curve the object follows; NULL: none, or it is gone, or has no curve of its own. */
+const bat_object *bat_document_source(const bat_document *document, const bat_object *object);
+/* Whether what the object at index follows is not there. */
+bool bat_document_is_left(const bat_document *document, int index);
+
 #endif

@@ -20,7 +20,8 @@ typedef enum bat_trait {
         8, /* has at least one curve, and a full style; of a drawn kind without this, only the opacity has a meaning */
     BAT_MADE = 16,  /* its curves are computed from something else, which is edited instead */
     BAT_FIXED = 32, /* its curves only show what it is: no other curves can take their place */
-    BAT_SPACE = 64  /* lies in space: files that hold one are of version 2, which older programs refuse */
+    BAT_SPACE = 64, /* lies in space: files that hold one are of version 2, which older programs refuse */
+    BAT_AID = 128   /* seen while drawing; pictures leave it out */
 } bat_trait;
 
 typedef struct bat_kind_type {
@@ -44,6 +45,11 @@ typedef struct bat_kind_type {
     /* For objects that can be drawn on (a ground): the numbers that say where it lies, *count of them.
      * Journals call the ground by the kind's name. NULL: it is not a ground. */
     const double *(*ground)(const bat_object *object, int *count);
+    /* For objects that follow the first curve of another object (follow.h): its id, 0: none. follow: a copy that follows
+     * the object of that id, whose curve is now `path` (NULL: as it was); 0: nothing, and keeps the curve it has. *out
+     * NULL with BAT_OK: it is so already. NULL: the kind follows nothing. */
+    bat_id (*followed)(const bat_object *object);
+    bat_status (*follow)(const bat_object *object, bat_id id, const bat_curve *path, bat_object **out);
     /* JSON. write: writes the kind's own members, each with a comma before it. read: makes an object with this
      * id and name from the members of a node. NULL: it has no members. */
     void (*write)(const bat_object *object, struct bat_text *text);
@@ -54,6 +60,10 @@ typedef struct bat_kind_type {
 const bat_kind_type *bat_object_type(const bat_object *object);
 static inline bool bat_object_is(const bat_object *object, bat_trait trait) {
     return (bat_object_type(object)->traits & (unsigned)trait) != 0;
+}
+/* Seen in pictures, too. */
+static inline bool bat_object_is_painted(const bat_object *object) {
+    return bat_object_is(object, BAT_DRAWN) && !bat_object_is(object, BAT_AID);
 }
 /* A container that is not a layer: it is selected as one object. */
 static inline bool bat_object_is_mere_group(const bat_object *object) {

@@ -258,6 +258,9 @@ bat_id bat_object_parent(const bat_object *object) { return object->head.parent;
 bool bat_object_is_hidden(const bat_object *object) { return object->head.hidden; }
 bool bat_object_is_locked(const bat_object *object) { return object->head.locked; }
 bool bat_object_is_group(const bat_object *object) { return bat_object_is(object, BAT_HOLDS); }
+bat_id bat_object_followed(const bat_object *object) {
+    return object->type->followed ? object->type->followed(object) : 0;
+}
 bool bat_object_is_drawn(const bat_object *object) { return bat_object_is(object, BAT_DRAWN); }
 bool bat_object_is_made_of_curves(const bat_object *object) {
     return object && bat_object_is(object, BAT_CURVES) && !bat_object_is(object, BAT_FIXED);

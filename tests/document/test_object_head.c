@@ -16,9 +16,9 @@
 #include "support/xml.h"
 
 enum { ID = 12, PARENT = 3 };
-static const bat_kind kinds[] = {BAT_KIND_PATH,  BAT_KIND_SPLINE, BAT_KIND_GROUP,
-                                 BAT_KIND_LAYER, BAT_KIND_SHAPE,  BAT_KIND_IMAGE,
-                                 BAT_KIND_GUIDE, BAT_KIND_PLANE,  BAT_KIND_SURFACE};
+static const bat_kind kinds[] = {BAT_KIND_PATH,    BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
+                                 BAT_KIND_SHAPE,   BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE,
+                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -49,6 +49,8 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     bat_picture *picture = NULL;
     bat_shape *shape = NULL;
     bat_surface *sheet = NULL;
+    bat_camera *camera = NULL;
+    bat_camera_options along = bat_camera_defaults();
     bat_shape_options options = bat_shape_defaults();
     bat_curve *curve = pen_curve(10, 20, 10, 3, 12);
     switch (kind) {
@@ -75,6 +77,12 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         sheet = some_surface(&(random_source){4}, 8);
         assert_int_equal(bat_object_create_surface(id, "", &style, sheet, &object), BAT_OK);
         bat_surface_free(sheet);
+        break;
+    case BAT_KIND_CAMERA:
+        along.mode = BAT_CAMERA_ALONG;
+        assert_int_equal(bat_camera_create(curve, &along, &camera), BAT_OK);
+        assert_int_equal(bat_object_create_camera(id, "", &style, camera, 0, &object), BAT_OK);
+        bat_camera_free(camera);
         break;
     case BAT_KIND_PATH:
     case BAT_KIND_SHAPE:
@@ -164,7 +172,7 @@ static void every_copy_keeps_it(void **state) {
         }
         if (bat_object_curve_count(object)) {
             bat_curve *curves[2] = {pen_curve(0, 0, 5, 1, 5), pen_curve(0, 50, 5, 1, 5)};
-            const bat_status takes = bat_object_surface(object) ? BAT_ARGUMENT : BAT_OK;
+            const bat_status takes = bat_object_is_made_of_curves(object) ? BAT_OK : BAT_ARGUMENT;
             assert_int_equal(bat_object_with_curve(object, 0, curves[0], &copy), takes);
             if (copy) same_head(copy, object, ID, PARENT);
             become(&copy, NULL);

@@ -58,6 +58,15 @@ static void write_one(random_source *r, int objects) {
     bat_surface *surface = some_surface(r, objects);
     const bat_style style = bat_style_defaults();
     if (bat_object_create_surface(bat_document_new_id(document), "s", &style, surface, &made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
+    bat_object_release(made);
+    bat_camera_options along = bat_camera_defaults();
+    bat_camera *camera = NULL;
+    bat_curve *path = NULL;
+    along.mode = BAT_CAMERA_ALONG;
+    if (bat_surface_isocurve(surface, BAT_U, 0.5, &path) || bat_camera_create(path, &along, &camera)) abort();
+    if (bat_object_create_camera(bat_document_new_id(document), "c", &style, camera, 0, &made)) abort();
+    bat_camera_free(camera), bat_curve_free(path);
     bat_surface_free(surface);
     if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);

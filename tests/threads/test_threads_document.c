@@ -49,6 +49,14 @@ static bat_document *rich_document(void) {
     assert_int_equal(bat_object_create_surface(12, "surface", &style, sheet, &object), BAT_OK);
     put(document, object);
     bat_surface_free(sheet);
+    bat_camera *camera = NULL;
+    bat_camera_options options = bat_camera_defaults();
+    options.mode = BAT_CAMERA_ALONG;
+    assert_int_equal(bat_camera_create(bat_object_curve(bat_document_at(document, 0), 0), &options, &camera),
+                     BAT_OK);
+    assert_int_equal(bat_object_create_camera(13, "camera", &style, camera, 1, &object), BAT_OK);
+    put(document, object);
+    bat_camera_free(camera);
     return document;
 }
 
@@ -72,6 +80,8 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     if (bat_object_plane(object)) d = add_doubles(d, bat_object_plane(object), 9);
     const bat_surface *surface = bat_object_surface(object);
     if (surface) d = add_doubles(d, bat_surface_row(surface, 0), 3);
+    d = add(d, bat_object_followed(object));
+    if (bat_object_camera(object)) d = bat_digest_double(d, bat_camera_length(bat_object_camera(object)));
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
     const void *bytes = bat_picture_bytes(picture, &size);
@@ -118,6 +128,8 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
         d = add_object(d, bat_object_with_spline(object, bat_object_spline(object), &m), &m);
     if (bat_object_surface(object))
         d = add_object(d, bat_object_with_surface(object, bat_object_surface(object), &m), &m);
+    if (bat_object_camera(object))
+        d = add_object(d, bat_object_with_camera(object, bat_object_camera(object), 2, &m), &m);
     if (bat_object_picture(object)) {
         double matrix[6] = {2, 0, 0, 2, seed, 0};
         bat_picture *picture = bat_picture_retain(bat_object_picture(object));

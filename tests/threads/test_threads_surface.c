@@ -164,6 +164,12 @@ static uint64_t look_through(const void *shared, int seed) {
     bat_free(list);
     const bat_status written = bat_gltf_write_move(camera, 1, 0.5, &bytes, &size);
     d = add_text(d, written, &bytes, &size);
+    d = add(d, (uint64_t)bat_camera_mode_of(camera));
+    char *text = NULL;
+    size_t length = 0;
+    d = add_text(d, bat_camera_write(camera, &text, &length), &text, &length);
+    d = add(d, (uint64_t)bat_camera_with_path(camera, bat_camera_path(camera), &copy));
+    bat_camera_free(copy), copy = NULL;
     d = add(d, (uint64_t)bat_camera_copy(camera, &copy));
     bat_camera_free(copy);
     return d;

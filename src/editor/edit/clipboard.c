@@ -1,5 +1,6 @@
 /* The clipboard: copies the selection as an SVG file that keeps every knot, and pastes the contents of a file. */
 #include "document/document.h"
+#include "document/follow.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
@@ -43,6 +44,7 @@ static bat_status copy(const bat_context *c, char **text, size_t *size) {
     if (status == BAT_OK) status = bat_document_create(&part);
     if (status == BAT_OK && (status = bat_document_fill(part, listing.count, listing.objects)) == BAT_OK)
         listing.count = 0; /* ownership has passed on */
+    if (status == BAT_OK) status = bat_document_let_go(part);
     if (status == BAT_OK) status = bat_svg_write(part, true, text, size);
     bat_document_free(part);
     bat_listing_free(&listing);
@@ -104,22 +106,25 @@ static bat_status paste_one(bat_context *c, const bat_document *document, int i,
     const bat_object *object = bat_document_at(document, i);
     bat_id outer = bat_object_parent(object);
     bat_id parent = outer ? p->ids[bat_document_find(document, outer)] : p->parent;
+    bat_object *loose = NULL, *named = NULL, *placed = NULL, *moved = NULL, *led = NULL;
     if (bat_object_is(object, BAT_LAYER)) { /* its contents go into the active layer here */
         p->ids[i] = parent;
         return BAT_OK;
     }
-    bat_object *loose = NULL, *named = NULL, *placed = NULL, *moved = NULL;
-    p->ids[i] = bat_document_new_id(c->session->document);
     bat_status status = bat_object_with_parent(object, 0, &loose);
     if (status == BAT_OK) status = bat_object_with_id(loose, p->ids[i], &named);
     if (status == BAT_OK) status = bat_object_with_parent(named, parent, &placed);
     if (status == BAT_OK && !bat_object_is_group(placed))
         status = bat_affine_object(placed, matrix, false, &moved);
-    if (status == BAT_OK) status = bat_transaction_insert(c, p->index++, moved ? moved : placed);
+    const bat_id followed = bat_object_followed(object);
+    if (status == BAT_OK && followed)
+        status = bat_object_type(object)->follow(moved, p->ids[bat_document_find(document, followed)], NULL,
+                                                 &led);
+    if (status == BAT_OK) status = bat_transaction_insert(c, p->index++, led ? led : moved ? moved : placed);
     bat_object_release(loose);
     bat_object_release(named);
     bat_object_release(placed);
-    bat_object_release(moved);
+    bat_object_release(moved), bat_object_release(led);
     return status;
 }
 
@@ -133,6 +138,9 @@ static bat_status paste(bat_context *c, const bat_document *document, bool own) 
     first = p.index = bat_arrange_place(c, &p.parent);
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK) {
+        for (int i = 0; i < count; i++)
+            if (!bat_object_is(bat_document_at(document, i), BAT_LAYER))
+                p.ids[i] = bat_document_new_id(c->session->document);
         for (int i = 0; i < count && status == BAT_OK; i++) status = paste_one(c, document, i, matrix, &p);
         if (status == BAT_OK && p.index == first) status = BAT_STATE; /* it held nothing but layers */
         status = bat_transaction_end(c, status, BAT_STRING_STEP_PASTE);

@@ -1,4 +1,5 @@
 #include "document/document.h"
+#include "document/follow.h"
 #include "editor/session/record.h"
 #include "editor/session/context.h"
 #include "editor/session/history.h"
@@ -76,6 +77,24 @@ bat_status bat_transaction_remove(bat_context *c, int index) {
     return before ? add(c, index, before, NULL) : BAT_ARGUMENT;
 }
 
+/* Objects that follow a curve go where it goes: those whose curve is gone are removed, from the end, so that indices before
+ * them stay. */
+static bat_status follow(bat_context *c) {
+    const bat_document *document = c->session->document;
+    bat_status status = BAT_OK;
+    for (int i = bat_document_count(document) - 1; i >= 0 && status == BAT_OK; i--) {
+        bat_object *made = NULL;
+        if (bat_document_is_left(document, i)) {
+            status = bat_transaction_remove(c, i);
+            continue;
+        }
+        status = bat_document_follower(document, i, &made);
+        if (status == BAT_OK && made) status = bat_transaction_replace(c, i, made);
+        bat_object_release(made);
+    }
+    return status;
+}
+
 /* Whether any curve that was generated from other data is plain now. */
 static bool frees(const bat_transaction *transaction) {
     for (int i = 0; i < transaction->count; i++) {
@@ -104,6 +123,11 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
             bat_transaction_cancel(c);
             return mirrored;
         }
+    }
+    bat_status followed = follow(c);
+    if (followed != BAT_OK) {
+        bat_transaction_cancel(c);
+        return followed;
     }
     bool refused = bat_session_refuses(c);
     if (refused || !bat_deltas_hold(transaction->deltas, transaction->count, c->session->document)) {

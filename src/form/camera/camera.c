@@ -21,7 +21,7 @@ void bat_camera_options_init(bat_camera_options *options, size_t size) {
 
 void bat_camera_free(bat_camera *camera) {
     if (!camera) return;
-    bat_curve_free(camera->path);
+    bat_curve_free(camera->path), bat_curve_free(camera->given);
     bat_rotation_clear(&camera->base);
     bat_frame_chain_free(camera->chain);
     bat_gaze_clear(&camera->gaze);
@@ -98,6 +98,7 @@ bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *op
     if (!camera) return BAT_MEMORY;
     status = take_options(&full, camera);
     if (status == BAT_OK) status = bat_curve_to_dimension(path, 3, &camera->path);
+    if (status == BAT_OK) status = bat_curve_copy(path, &camera->given);
     if (status == BAT_OK) {
         bat_curve_domain(camera->path, camera->domain);
         status = take_gaze(path, &full, camera);
@@ -107,34 +108,6 @@ bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *op
         *out = camera;
     else
         bat_camera_free(camera);
-    return status;
-}
-
-bat_status bat_camera_copy(const bat_camera *camera, bat_camera **out) {
-    if (!camera || !out) return BAT_ARGUMENT;
-    bat_camera_options options = camera->options;
-    const bat_rotation *base = &camera->base;
-    const bat_curve *spline = base->xyz;
-    const bat_rotation_curve rotation = {
-        spline ? spline->degree : 0,
-        spline ? spline->closed : false,
-        base->count,
-        base->keys,
-        spline ? (size_t)bat_curve_knot_count(spline) - (base->antiperiodic ? base->count : 0) : 0,
-        spline ? bat_curve_knots(spline) : NULL};
-    options.base = base->keys ? &rotation : NULL;
-    bat_camera *copy = NULL;
-    bat_status status = bat_camera_create(camera->path, &options, &copy);
-    for (int l = 0; l < camera->levels && status == BAT_OK; l++) {
-        const bat_camera_level *level = &camera->level[l];
-        status = bat_curve_copy(level->details, &copy->level[l].details);
-        copy->level[l].gain = level->gain;
-        if (status == BAT_OK) copy->levels = l + 1;
-    }
-    if (status == BAT_OK)
-        *out = copy;
-    else
-        bat_camera_free(copy);
     return status;
 }
 
@@ -250,6 +223,8 @@ bat_status bat_camera_sample(const bat_camera *camera, size_t count, const doubl
 }
 
 /* ---- what it is ---- */
+
+bat_camera_mode bat_camera_mode_of(const bat_camera *camera) { return camera->options.mode; }
 
 void bat_camera_domain(const bat_camera *camera, double domain[2]) {
     domain[0] = camera->domain[0], domain[1] = camera->domain[1];

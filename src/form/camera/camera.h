@@ -16,6 +16,7 @@ typedef struct bat_camera_level {
 struct bat_camera {
     bat_camera_options options; /* what it points to is the camera's own */
     bat_curve *path;            /* in space */
+    bat_curve *given;           /* as it was given: one in the plane has the frames of the plane */
     double domain[2];
     bat_rotation base;      /* no keys: none */
     bat_frame_chain *chain; /* along */
@@ -29,6 +30,16 @@ struct bat_camera {
 double bat_camera_share(const bat_camera *camera, double u);
 /* What the base is relative to. */
 quat bat_camera_ground(const bat_camera *camera, double u);
+/* The base as it would be given; false: there is none. Borrows from the camera. */
+bool bat_camera_base_curve(const bat_camera *camera, bat_rotation_curve *out);
+/* Another camera of these parts. NULL in `options`: as in bat_camera_create. Copies the levels of `from`. */
+bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const bat_camera_options *options,
+                            bat_camera **out);
+/* The image under the matrix {a, b, c, d, e, f} of the page, z unchanged: a path is moved by it (NULL: the camera's own, else
+ * this one, which is there already), the gaze is turned by the rotation that is nearest to it; a mirrored camera sees what is
+ * mirrored as the camera saw it, left and right exchanged. */
+bat_status bat_camera_image(const bat_camera *camera, const double matrix[6], const bat_curve *path,
+                            bat_camera **out);
 /* The rotation of levels 0..top at u, relative to the ground. */
 quat bat_camera_up_to(const bat_camera *camera, int top, double u);
 /* The detail of a level as it shows. */

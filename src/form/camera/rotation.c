@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double rounding = 2e-15; /* of the square of a length */
 static const double cancelled = 1e-6; /* a spline that becomes shorter has no direction there */
 enum { TERMS = 2 * BAT_DEGREE_MAX + 1, DEPTH = 48 };
 
@@ -110,7 +111,9 @@ static bat_status take_keys(const bat_rotation_curve *given, bat_rotation *out) 
         const double length = quat_norm(q);
         if (!(length <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
         if (!(length > 0)) return BAT_SINGULAR;
-        quat_store(quat_unit(q), out->keys + 4 * i);
+        const bool unit = fabs(quat_dot(q, q) - 1) <=
+                          rounding; /* so that what was made unit keeps its bits */
+        quat_store(unit ? q : quat_unit(q), out->keys + 4 * i);
     }
     align(out, given->closed);
     return BAT_OK;

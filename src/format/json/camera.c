@@ -3,6 +3,8 @@
  * "target":[x,y,z] or CURVE, "up":[x,y,z], "levels":[{"knots":[..], "details":[..], "gain":1}, ..]}, "fov":FUNCTION,
  * "timing":{"duration":seconds, "curve":FUNCTION}}.
  */
+#include "format/json/camera.h"
+
 #include "format/json/curve.h"
 #include "format/json/function.h"
 #include "format/json/shape.h"
@@ -19,6 +21,7 @@ typedef struct move {
     double *knots, *points; /* of the base */
     bat_rotation_curve base;
     bat_camera_options options;
+    uint32_t node, orientation;
 } move;
 
 static void clear(move *m) {
@@ -27,9 +30,9 @@ static void clear(move *m) {
     bat_function_clear(&m->options.fov), bat_function_clear(&m->options.timing);
 }
 
-static bat_status read_path(const bat_fields *f, bat_curve **out) {
-    const uint32_t node = bat_json_member(f->json, 1, "path");
-    if (!node) return bat_fields_complain(f, 1, "path", "a curve, or a shape with levels");
+static bat_status read_path(const bat_fields *f, uint32_t move_node, bat_curve **out) {
+    const uint32_t node = bat_json_member(f->json, move_node, "path");
+    if (!node) return bat_fields_complain(f, move_node, "path", "a curve, or a shape with levels");
     if (!bat_json_member(f->json, node, "base") && !bat_json_member(f->json, node, "shape"))
         return bat_curve_from_json(f->json, node, out, f->problem);
     bat_shape *shape = NULL;
@@ -100,10 +103,11 @@ static bat_status read_target(const bat_fields *f, uint32_t object, move *m) {
     return status;
 }
 
-static bat_status read_orientation(const bat_fields *f, uint32_t node, move *m) {
+static bat_status read_orientation(const bat_fields *f, move *m) {
     bat_camera_options *o = &m->options;
+    const uint32_t node = m->orientation;
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
-        return bat_fields_complain(f, node ? node : 1, "orientation", "an object");
+        return bat_fields_complain(f, node ? node : m->node, "orientation", "an object");
     if (!bat_json_member(f->json, node, "mode"))
         return bat_fields_complain(f, node, "mode", "\"free\", \"along\" or \"look-at\"");
     int mode = 0;
@@ -125,8 +129,8 @@ static bat_status read_orientation(const bat_fields *f, uint32_t node, move *m) 
     return status;
 }
 
-static bat_status read_timing(const bat_fields *f, bat_camera_options *out) {
-    const uint32_t node = bat_json_member(f->json, 1, "timing");
+static bat_status read_timing(const bat_fields *f, uint32_t move_node, bat_camera_options *out) {
+    const uint32_t node = bat_json_member(f->json, move_node, "timing");
     if (!node) return BAT_OK;
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "timing", "an object with \"duration\"");
@@ -175,10 +179,11 @@ static bat_status read_levels(const bat_fields *f, uint32_t list, bat_camera *ca
 }
 
 /* Why there is no such camera. */
-static bat_status complain(const bat_fields *f, uint32_t orientation, const move *m, bat_status status) {
+static bat_status complain(const bat_fields *f, const move *m, bat_status status) {
+    const uint32_t orientation = m->orientation;
     const bool looks = m->options.mode == BAT_CAMERA_LOOK_AT;
     const uint32_t up = bat_json_member(f->json, orientation, "up"),
-                   timing = bat_json_member(f->json, 1, "timing");
+                   timing = bat_json_member(f->json, m->node, "timing");
     switch (status) {
     case BAT_SINGULAR:
         if (!looks)
@@ -198,31 +203,36 @@ static bat_status complain(const bat_fields *f, uint32_t orientation, const move
     }
 }
 
+bat_status bat_camera_from_json(const bat_json *json, uint32_t node, bat_camera **out, bat_problem *problem) {
+    const bat_fields f = {.json = json, .problem = problem};
+    move m = {.node = node, .options = bat_camera_defaults()};
+    bat_camera *camera = NULL;
+    if (bat_json_type_of(json, node) != BAT_JSON_OBJECT)
+        return bat_fields_complain(&f, node ? node : 1, "move", "an object");
+    m.orientation = bat_json_member(json, node, "orientation");
+    bat_status status = read_path(&f, node, &m.path);
+    if (status == BAT_OK) status = read_orientation(&f, &m);
+    if (status == BAT_OK) status = bat_fields_function(&f, node, "fov", &m.options.fov);
+    if (status == BAT_OK) status = read_timing(&f, node, &m.options);
+    if (status == BAT_OK) {
+        status = bat_camera_create(m.path, &m.options, &camera);
+        if (status != BAT_OK) complain(&f, &m, status);
+    }
+    if (status == BAT_OK) status = read_levels(&f, bat_json_member(json, m.orientation, "levels"), camera);
+    clear(&m);
+    if (status == BAT_OK)
+        *out = camera;
+    else
+        bat_camera_free(camera);
+    return status;
+}
+
 bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    const bat_fields f = {.json = &json, .problem = problem};
-    move m = {.path = NULL, .options = bat_camera_defaults()};
-    bat_camera *camera = NULL;
-    const uint32_t orientation = bat_json_member(&json, 1, "orientation");
-    if (bat_json_type_of(&json, 1) != BAT_JSON_OBJECT)
-        status = bat_fields_complain(&f, 1, "move", "an object");
-    if (status == BAT_OK) status = read_path(&f, &m.path);
-    if (status == BAT_OK) status = read_orientation(&f, orientation, &m);
-    if (status == BAT_OK) status = bat_fields_function(&f, 1, "fov", &m.options.fov);
-    if (status == BAT_OK) status = read_timing(&f, &m.options);
-    if (status == BAT_OK) {
-        status = bat_camera_create(m.path, &m.options, &camera);
-        if (status != BAT_OK) complain(&f, orientation, &m, status);
-    }
-    if (status == BAT_OK) status = read_levels(&f, bat_json_member(&json, orientation, "levels"), camera);
-    clear(&m);
+    status = bat_camera_from_json(&json, 1, out, problem);
     bat_json_free(&json);
-    if (status == BAT_OK)
-        *out = camera;
-    else
-        bat_camera_free(camera);
     return status;
 }

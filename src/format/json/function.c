@@ -68,3 +68,23 @@ bat_status bat_fields_function(const bat_fields *f, uint32_t object, const char 
                                      : "a number up to 1e75, found a greater one");
     return bat_json_say(f->json, node, status, message, f->problem);
 }
+
+void bat_function_to_json(const bat_function *function, bat_text *text) {
+    const bat_curve *curve = function->curve;
+    if (!curve) {
+        bat_text_number(text, function->constant);
+        return;
+    }
+    const size_t count = bat_curve_count(curve), width = (size_t)bat_curve_dimension(curve);
+    bat_text_string(text, "{\"degree\":");
+    bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
+    if (bat_curve_is_closed(curve)) bat_text_string(text, ",\"closed\":true");
+    bat_text_string(text, ",\"knots\":");
+    bat_numbers_to_json(bat_curve_knots(curve), (size_t)bat_curve_knot_count(curve), text);
+    bat_text_string(text, ",\"values\":[");
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0) bat_text_string(text, ",");
+        bat_text_number(text, bat_curve_points(curve)[i * width]);
+    }
+    bat_text_string(text, "]}");
+}

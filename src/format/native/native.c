@@ -3,6 +3,7 @@
 
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/follow.h"
 #include "text/base64.h"
 #include "format/json/curve.h"
 #include "format/json/fields.h"
@@ -130,6 +131,15 @@ static bat_status read_objects(const bat_fields *f, uint32_t list, bat_document 
     if (status != BAT_OK)
         while (count > 0) bat_object_release(objects[--count]);
     free(objects);
+    if (status == BAT_OK) {
+        status = bat_document_follow(document);
+        if (status != BAT_OK)
+            bat_json_say(f->json, list, status,
+                         status == BAT_ARGUMENT ? "follows: expected an object with a curve, found none"
+                                                : bat_status_message(status),
+                         f->problem);
+        if (status != BAT_OK) return status;
+    }
     const char *wrong = status == BAT_OK ? bat_document_check_nesting(document) : NULL;
     if (wrong) status = bat_json_say(f->json, list, BAT_ARGUMENT, wrong, f->problem);
     return status;

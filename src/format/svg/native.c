@@ -1,4 +1,5 @@
 /* The native document embedded in an SVG file. */
+#include "document/kind.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/native/native.h"
@@ -33,10 +34,11 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     for (int i = 0; i < bat_document_count(native); i++) {
         const bat_object *object = bat_document_at(native, i);
         const bat_style *style = bat_object_style(object);
-        report->paths += bat_object_is_drawn(object);
-        report->curves += bat_object_curve_count(object);
+        report->paths += bat_object_is_painted(object);
+        if (bat_object_is_painted(object)) report->curves += bat_object_curve_count(object);
         /* Objects that paint nothing are not read from the drawing, but the native document has them. */
-        if (bat_object_is_drawn(object) && !style->stroked && !style->filled && *invisible > 0) --*invisible;
+        if (bat_object_is_painted(object) && !style->stroked && !style->filled && *invisible > 0)
+            --*invisible;
     }
     bat_document_free(*document);
     *document = native;

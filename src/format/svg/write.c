@@ -222,7 +222,7 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
             open_group(text, object, unique[i]);
         else if (bat_object_picture(object))
             write_image(text, object, unique[i], level.hidden, digest);
-        else if (bat_object_is_drawn(object))
+        else if (bat_object_is_painted(object))
             status = write_object(text, object, unique[i], level.hidden, &outline, digest);
     }
     for (int k = 0; k < nesting.depth; k++) bat_text_string(text, "</g>\n");
