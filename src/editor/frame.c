@@ -103,7 +103,8 @@ static void show_pivot(const bat_context *c, bat_overlay *overlay) {
 static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout *made,
                          bat_overlay *overlay) {
     const bool faces = bat_toolbox_faces(c);
-    bat_overlay_begin(overlay, c->scene->origin, c->scene->tilted ? c->scene->map : NULL);
+    bat_overlay_begin(overlay, c->scene->origin, c->scene->tilted ? c->scene->map : NULL,
+                      c->scene->tolerance);
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);

@@ -20,6 +20,7 @@ const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 /** Numbers in paths that can be painted within a frame; a heavier view is moved first and repainted when idle. */
 const LIGHT = 15000;
 const IDLE = 90; // milliseconds without a move
+const CORNERS = 13; // numbers in the path around a picture
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
 
 /**
@@ -103,6 +104,8 @@ export class Painter {
     this.stale = true;
     /** Only the page, fills and pictures are painted here; the rest has a depth (space.js). */
     this.flat = false;
+    /** Paints a picture in perspective. @type {typeof import('./warp.js').warp | undefined} */
+    this.warp = undefined;
     this.timer = 0;
     /** Requests another frame. */
     this.onidle = () => {};
@@ -242,7 +245,7 @@ export class Painter {
         continue;
       }
       if (item.role === Role.IMAGE) {
-        this.#drawPicture(context, item, corners);
+        this.#drawPicture(context, item, corners, frame.zoom);
       } else {
         this.#draw(context, item, shape, frame.zoom);
       }
@@ -255,8 +258,9 @@ export class Painter {
    * @param {CanvasRenderingContext2D} context
    * @param {Item} item
    * @param {Float32Array} path around the corners: command, x, y each
+   * @param {number} zoom
    */
-  #drawPicture(context, item, path) {
+  #drawPicture(context, item, path, zoom) {
     const bitmap = this.pictures.get(item.picture);
     if (bitmap === undefined) {
       this.pictures.set(item.picture, null);
@@ -265,10 +269,17 @@ export class Painter {
     if (!bitmap) {
       return;
     }
-    const [, x, y, , xRight, yRight, , , , , xDown, yDown] = path;
+    const [, x, y, , xRight, yRight, , xFar, yFar, , xDown, yDown] = path;
     const { width, height } = bitmap;
     context.save();
     context.globalAlpha = item.opacity;
+    if (this.warp && (path.length !== CORNERS || Math.hypot(x - xRight + xFar - xDown, y - yRight + yFar - yDown) > 0.1 / zoom)) {
+      if (path.length === CORNERS) { // else it reaches behind the eye
+        this.warp(context, bitmap, [[x, y], [xRight, yRight], [xFar, yFar], [xDown, yDown]]);
+      }
+      context.restore();
+      return;
+    }
     context.transform((xRight - x) / width, (yRight - y) / width, (xDown - x) / height, (yDown - y) / height, x, y);
     context.drawImage(bitmap, 0, 0);
     context.restore();

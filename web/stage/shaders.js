@@ -60,23 +60,27 @@ out vec2 at;
 out float s;
 flat out float size;
 flat out vec2 ends;
-vec4 see(vec4 x) {
-  vec4 c = clip * vec4(x.xyz, 1);
+vec4 see(vec4 x) { return clip * vec4(x.xyz, 1); }
+vec4 put(vec4 c) {
   return vec4(c.xy / c.w * middle, (c.z + before.x * c.w) / (c.w + before.y * c.w), c.w);
 }
 void main() {
   vec4 A = see(a), B = see(b);
-  if (b.w <= a.w || A.w <= 0. || B.w <= 0.) { // from one line to the next
+  float start = A.z + A.w, stop = B.z + B.w; // before the near plane, or behind the eye
+  if (b.w <= a.w || (start <= 0. && stop <= 0.)) { // from one line to the next, or not seen
     gl_Position = vec4(2, 2, 2, 1);
     return;
   }
+  float from = start < 0. ? start / (start - stop) : 0., to = stop < 0. ? start / (start - stop) : 1.;
+  vec4 whole = B - A, P = see(p), Q = see(q);
+  B = put(A + to * whole), A = put(A + from * whole);
   bool end = (gl_VertexID & 1) == 1;
   float side = (gl_VertexID & 2) == 2 ? 1. : -1., reach = wide + 1.;
   size = length(B.xy - A.xy);
   vec2 d = size > 1e-4 ? (B.xy - A.xy) / size : vec2(1, 0), across = vec2(-d.y, d.x);
-  vec4 other = see(end ? q : p), here = end ? B : A;
+  vec4 there = end ? Q : P, other = put(there), here = end ? B : A;
   vec2 way = end ? other.xy - B.xy : A.xy - other.xy;
-  ends = vec2(a.w == 0., q.w <= b.w);
+  ends = vec2(a.w == 0. || from > 0. || P.z + P.w <= 0., q.w <= b.w || to < 1. || Q.z + Q.w <= 0.);
   bool last = (end ? ends.y : ends.x) > 0.;
   float turn = last || length(way) < 1e-4 ? 0. : dot(normalize(way), d);
   vec2 off = across * side * reach + d * (end ? reach : -reach);
@@ -86,7 +90,7 @@ void main() {
     off = vec2(-mean.y, mean.x) * side * reach / dot(mean, d);
     at.x = end ? size : 0.;
   }
-  s = end ? b.w : a.w;
+  s = mix(a.w, b.w, end ? to : from);
   gl_Position = vec4((here.xy + off) / middle, here.z, 1);
 }`,
   fragment: `

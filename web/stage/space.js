@@ -5,6 +5,7 @@
 import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
 import { LINES, SURFACES } from './shaders.js';
+import { warp } from './warp.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {ReturnType<Space['read']>} Picture */
@@ -33,6 +34,8 @@ export class Space {
     this.shown = '';
     /** For tests and measurements: pictures painted, bytes sent. */
     this.counts = { painted: 0, sent: 0, whole: 0 };
+    shell.painter.warp = warp;
+    this.#switch();
     this.gl = this.canvas.getContext('webgl2', { antialias: true, alpha: true, premultipliedAlpha: true });
     if (!this.gl) {
       shell.notices.say(word('shell.no-depth'));
@@ -90,6 +93,32 @@ export class Space {
     return { program, at };
   }
 
+  /** Beside the dial: perspective or not. */
+  #switch() {
+    const { engine, stage, wake } = this.shell;
+    this.deep = document.createElement('button');
+    this.deep.type = 'button';
+    this.deep.className = 'deep';
+    this.deep.dataset.command = 'perspective';
+    this.deep.hidden = true;
+    this.deep.innerHTML = '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M2 19h20L16 6H8zM12 6v13M5.5 12h13"/></svg>';
+    this.deep.addEventListener('click', () => {
+      engine.command('perspective');
+      wake();
+    });
+    void dress('styles/space.css').then(() => stage.after(/** @type {HTMLElement} */ (this.deep)));
+  }
+
+  /** @param {Frame} frame */
+  #tellDeep({ tilt }) {
+    const button = /** @type {HTMLButtonElement} */ (this.deep);
+    button.hidden = !tilt;
+    if (tilt) {
+      button.ariaPressed = String(this.shell.engine.get('perspective') !== 0);
+      button.title = button.ariaLabel = word('command.perspective');
+    }
+  }
+
   /** The button that changes the look, and the colours of curvature. */
   #legend() {
     const { engine, stage, wake } = this.shell;
@@ -131,6 +160,7 @@ export class Space {
    */
   show(frame) {
     const { painter } = this.shell;
+    this.#tellDeep(frame);
     if (!this.gl || this.gl.isContextLost()) {
       return;
     }

@@ -2,6 +2,7 @@
 #include "editor/tools/span.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
+#include "editor/pick/pivot.h"
 #include "editor/session/context.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
@@ -29,6 +30,7 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
     if (id == BAT_PROPERTY_PICTURE_OPACITY) return bat_tracing_fade(c, value);
     if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
     c->settings->values[id] = value;
+    if (id == BAT_PROPERTY_PERSPECTIVE) bat_perspective_follow(c);
     return bat_property_at(id)->group == BAT_GROUP_LEVELS ? bat_leveling_set(c, id, value) : BAT_OK;
 }
 

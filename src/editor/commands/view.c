@@ -130,6 +130,15 @@ bat_status bat_command_look(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
+bat_status bat_command_perspective(bat_context *c, bat_command_id id) {
+    double *value = &c->settings->values[BAT_PROPERTY_PERSPECTIVE];
+    (void)id;
+    *value = *value == 0;
+    bat_perspective_follow(c);
+    bat_notice(c, *value != 0 ? BAT_STRING_NOTICE_PERSPECTIVE : BAT_STRING_NOTICE_PARALLEL);
+    return BAT_OK;
+}
+
 bat_status bat_command_draw_new(bat_context *c, bool down) {
     c->input->drawing_new = down;
     return BAT_OK;

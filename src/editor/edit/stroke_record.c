@@ -165,8 +165,8 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     const bat_view *view = &edit->stage.view;
     bat_line_numbers(line,
                      (double[]){view->x, view->y, view->zoom, view->angle, view->tilt, view->pivot[0],
-                                view->pivot[1], view->pivot[2]},
-                     view->tilt != 0    ? 8
+                                view->pivot[1], view->pivot[2], view->fov, view->width, view->height},
+                     view->tilt != 0    ? (view->fov > 0 ? 11 : 8)
                      : view->angle != 0 ? 4
                                         : 3,
                      1);
@@ -347,22 +347,27 @@ static void read_parts(reader *r, bat_edit *edit) {
 
 static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
     const double far = BAT_COORDINATE_MAX;
-    const double low[8] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far},
-                 high[8] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180, 180, far, far, far};
+    const double size = BAT_PIXELS_MAX, wide = 170; /* degrees */
+    const double
+        low[11] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far, 1, 1, 1},
+        high[11] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180, 180, far, far, far, wide, size, size};
     uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
     uint32_t count = bat_json_count(json, list);
-    double numbers[8] = {0};
-    bool good = count == 3 || count == 4 || count == 8;
+    double numbers[11] = {0};
+    bool good = count == 3 || count == 4 || count == 8 || count == 11;
     for (uint32_t k = 0; k < count && good; k++, node = json->nodes[node].next) {
         numbers[k] = item_number(json, node);
         good = numbers[k] >= low[k] && numbers[k] <= high[k];
     }
     if (!good)
         return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view",
-                                 "[x, y, zoom], [x, y, zoom, angle] or the 8 numbers of a tilted view",
+                                 "[x, y, zoom], [x, y, zoom, angle] or the 8 or 11 numbers of a tilted view",
                                  problem);
     *view = bat_view_defaults();
-    if (count == 8) memcpy(view->pivot, numbers + 5, sizeof view->pivot);
+    if (count >= 8) memcpy(view->pivot, numbers + 5, sizeof view->pivot);
+    view->fov = numbers[8];
+    view->width = numbers[9];
+    view->height = numbers[10];
     bat_view_orbit(view, numbers[3], numbers[4]);
     view->x = numbers[0];
     view->y = numbers[1];

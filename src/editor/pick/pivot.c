@@ -4,6 +4,7 @@
 #include "editor/choice/choice.h"
 #include "editor/scene/seen.h"
 #include "editor/session/session.h"
+#include "editor/tables/settings.h"
 #include <math.h>
 
 static const double REACH = 24; /* px */
@@ -73,4 +74,9 @@ void bat_pivot_set(bat_context *c, const double *pixel) {
     bat_stage_middle(c->stage, centre); /* nothing is there */
     at[2] = 0;
     if (bat_stage_on_page(c->stage, centre, at)) bat_view_set_pivot(&c->stage->view, at);
+}
+
+void bat_perspective_follow(bat_context *c) {
+    if (bat_stage_tilted(c->stage)) bat_pivot_set(c, NULL);
+    c->stage->view.fov = c->settings->values[BAT_PROPERTY_PERSPECTIVE] != 0 ? BAT_FOV : 0;
 }

@@ -7,5 +7,7 @@
 /* Sets the view's pivot: the point of a curve at the pixel, if one is there (pixel may be NULL); else the middle of the
  * selection; else of all that is seen, the page included. */
 void bat_pivot_set(bat_context *c, const double *pixel);
+/* The view is in perspective, or not, as the setting says; lengths at the pivot, which is chosen anew, stay. */
+void bat_perspective_follow(bat_context *c);
 
 #endif

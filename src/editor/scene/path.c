@@ -1,5 +1,6 @@
 #include "editor/scene/path.h"
-#include "editor/view/stage.h"
+#include "editor/scene/image.h"
+#include "editor/view/view.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdlib.h>
@@ -44,10 +45,73 @@ void bat_path_copy(bat_path *path, const float *commands, size_t count) {
     if (end) memcpy(end, commands, count * sizeof *commands);
 }
 
+/* ---- in perspective ---- */
+
+static bool deep(const bat_path *path) {
+    static const double still[4] = {0, 0, 0, 1};
+    return path->map && memcmp(path->map + 8, still, sizeof still) != 0;
+}
+
+typedef struct pen {
+    bat_path *path;
+    bool down, lifted; /* some piece was behind the eye */
+} pen;
+
+static void draw(void *host, const double u[2], const double cubic[8]) {
+    pen *p = host;
+    (void)u;
+    if (cubic && !p->down) bat_path_move(p->path, cubic[0], cubic[1]);
+    if (cubic) bat_path_cubic(p->path, cubic + 2);
+    p->down = cubic != NULL;
+    p->lifted = p->lifted || !cubic;
+}
+
+static void deep_curve(bat_path *path, const bat_curve *curve) {
+    pen p = {.path = path};
+    if (bat_image_walk(curve, path->map, path->tolerance, draw, &p) != BAT_OK)
+        path->failed = true;
+    else if (bat_curve_is_closed(curve) && p.down && !p.lifted)
+        bat_path_close(path);
+}
+
+/* The point of the edge from a to b at which it passes the near plane. */
+static void pass(const double *map, int dimension, const double *a, const double *b, double at[2]) {
+    const double from = bat_map_depth(map, dimension, a), to = bat_map_depth(map, dimension, b);
+    /* a little on this side of it */
+    const double t = (BAT_VIEW_NEAR * (1 + 1e-6) - from) / (to - from);
+    double point[BAT_DIMENSION_MAX] = {0};
+    for (int d = 0; d < dimension; d++) point[d] = a[d] + t * (b[d] - a[d]);
+    bat_map_look(map, dimension, point, at);
+}
+
+void bat_path_polygon(bat_path *path, int dimension, int count, const double *points, bool closed) {
+    bool down = false, last = false;
+    double at[2];
+    for (int i = 0; i < count + closed; i++) {
+        const double *here = points + (ptrdiff_t)(i % count) * dimension;
+        const bool seen = bat_map_look(path->map, dimension, here, at);
+        if (i > 0 && seen != last) {
+            double edge[2];
+            pass(path->map, dimension, here - (i % count ? dimension : -(count - 1) * dimension), here, edge);
+            (down ? bat_path_line : bat_path_move)(path, edge[0], edge[1]);
+            down = closed || seen; /* a closed one goes on along the near plane */
+        }
+        last = seen;
+        if (!seen || i == count) continue;
+        (down ? bat_path_line : bat_path_move)(path, at[0], at[1]);
+        down = true;
+    }
+    if (closed && down) bat_path_close(path);
+}
+
 void bat_path_curve(bat_path *path, const bat_curve *curve) {
     double *points = NULL;
     int count = 0, dimension = bat_curve_dimension(curve);
     if (path->failed) return;
+    if (deep(path)) {
+        deep_curve(path, curve);
+        return;
+    }
     double tolerance = fmax(bat_curve_size(curve) * 1e-7, 1e-300);
     bat_status status = bat_curve_to_cubics(curve, tolerance, &count, &points);
     if (status != BAT_OK) {

@@ -9,6 +9,7 @@ typedef struct bat_path {
     double origin[2];
     const double
         *map; /* of curves, from the document to drawing coordinates: bat_stage_space_map; NULL: face-on */
+    double tolerance; /* of curves in perspective, drawing coordinates */
     float *data;
     size_t count, room;
     bool failed; /* an allocation failed; the earlier contents are still good */
@@ -20,8 +21,10 @@ void bat_path_line(bat_path *path, double x, double y);
 void bat_path_cubic(bat_path *path, const double *three_points);
 void bat_path_close(bat_path *path);
 /* Adds the whole curve, as it is seen, as cubic segments; closed curves are closed. Exact up to degree 3,
- * otherwise to float precision. */
+ * otherwise to float precision; in perspective within the tolerance, without what is behind the eye. */
 void bat_path_curve(bat_path *path, const bat_curve *curve);
+/* A polyline in space, or in the page (dimension 2), as it is seen; what is behind the eye is cut off. */
+void bat_path_polygon(bat_path *path, int dimension, int count, const double *points, bool closed);
 /* Bounds of the commands path[first..count) with their coordinates as stored: the box of the control points. */
 void bat_path_bounds(const bat_path *path, size_t first, float bounds[4]);
 /* Appends the commands of another path with the same origin. */

@@ -1,4 +1,5 @@
 #include "editor/scene/scene.h"
+#include "editor/scene/image.h"
 #include "curve/curve.h"
 #include "document/kind.h"
 #include "document/nesting.h"
@@ -64,9 +65,9 @@ static void find_box(const bat_scene *scene, bat_scene_entry *entry) {
         const int count = curve ? bat_point_count(curve) : 4, size = curve ? bat_curve_dimension(curve) : 2;
         const double *points = curve ? bat_curve_points(curve) : corners;
         for (int j = 0; j < count; j++, points += size) {
-            bat_map_look(scene->map, size, points, at);
-            for (int k = 0; k < 2; k++) {
-                box[k] = fmin(box[k], at[k]);
+            const bool seen = bat_map_look(scene->map, size, points, at);
+            for (int k = 0; k < 2; k++) { /* what reaches behind the eye can be seen anywhere */
+                box[k] = fmin(box[k], seen ? at[k] : -BAT_NOWHERE);
                 box[k + 2] = fmax(box[k + 2], at[k]);
             }
         }
@@ -74,18 +75,15 @@ static void find_box(const bat_scene *scene, bat_scene_entry *entry) {
 }
 
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
-    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene)};
+    bat_path path = {
+        .origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene), .tolerance = scene->tolerance};
     for (int i = 0; i < bat_object_curve_count(entry->object); i++)
         bat_path_curve(&path, bat_object_curve(entry->object, i));
     const bat_picture *picture = bat_object_picture(entry->object);
     if (picture) {
         double corners[8];
         bat_object_corners(entry->object, corners);
-        for (int i = 0; i < 8; i += 2)
-            bat_map_look(path.map, 2, (double[]){corners[i], corners[i + 1]}, corners + i);
-        bat_path_move(&path, corners[0], corners[1]);
-        for (int i = 2; i < 8; i += 2) bat_path_line(&path, corners[i], corners[i + 1]);
-        bat_path_close(&path);
+        bat_path_polygon(&path, 2, 4, corners, true);
     }
     if (path.failed) {
         free(path.data);
@@ -123,20 +121,23 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
 
 static bat_item page_item(bat_scene *scene) {
     const double *page = scene->page;
-    bat_path path = {.origin = {scene->origin[0], scene->origin[1]}, .data = scene->page_path, .room = 13};
+    bat_path path = {.origin = {scene->origin[0], scene->origin[1]},
+                     .map = map_of(scene),
+                     .data = scene->page_path,
+                     .room = 16};
+    double corners[8];
     for (int i = 0; i < 4; i++) {
-        double at[2] = {page[0] + (i == 1 || i == 2 ? page[2] : 0), page[1] + (i > 1 ? page[3] : 0)};
-        bat_map_look(map_of(scene), 2, (double[]){at[0], at[1]}, at);
-        (i ? bat_path_line : bat_path_move)(&path, at[0], at[1]);
+        corners[2 * i] = page[0] + (i == 1 || i == 2 ? page[2] : 0);
+        corners[2 * i + 1] = page[1] + (i > 1 ? page[3] : 0);
     }
-    bat_path_close(&path);
+    bat_path_polygon(&path, 2, 4, corners, true); /* at most five corners */
     bat_item item = {.id = ITEM_PAGE,
                      .version = ++scene->versions,
                      .role = scene->behind ? BAT_ROLE_PAGE_BACK : BAT_ROLE_PAGE,
                      .flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH,
                      .width = 1,
                      .opacity = 1,
-                     .path_count = 13,
+                     .path_count = (uint32_t)path.count,
                      .path = scene->page_path};
     bat_path_bounds(&path, 0, item.bounds);
     return item;
@@ -308,11 +309,12 @@ static void lose_paths(bat_scene *scene) {
 
 void bat_scene_face(bat_scene *scene, const bat_stage *stage) {
     const bool tilted = bat_stage_tilted(stage);
-    double map[8];
+    double map[BAT_MAP_NUMBERS];
     bat_stage_space_map(stage, map);
     if (tilted == scene->tilted && (!tilted || !memcmp(map, scene->map, sizeof map))) return;
     scene->tilted = tilted;
-    scene->behind = stage->view.tilt > 90;
+    scene->behind = bat_stage_behind(stage);
+    scene->tolerance = bat_stage_deep(stage) ? bat_view_tolerance(&stage->view) : 0;
     memcpy(scene->map, map, sizeof map);
     lose_paths(scene);
     for (int i = 0; i < scene->count; i++) {
@@ -331,7 +333,9 @@ void bat_scene_rebase(bat_scene *scene, const bat_stage *stage) {
 }
 
 /* The curve as it is seen in a tilted view, in the plane. */
-static bat_status image_of(const bat_curve *curve, const double map[8], bat_curve **out) {
+static bat_status image_of(const bat_curve *curve, const bat_scene *scene, bat_curve **out) {
+    const double *map = scene->map;
+    if (scene->tolerance > 0) return bat_image_create(curve, map, scene->tolerance, out);
     const bool space = bat_curve_dimension(curve) == 3;
     const double flat[6] = {map[0], map[1], map[3], map[4], map[5], map[7]};
     double deep[12] = {0};
@@ -355,7 +359,7 @@ const bat_curve *bat_scene_seen(bat_scene *scene, int index, int curve) {
     if (!scene->tilted && bat_curve_dimension(own) == 2) return own;
     bat_scene_line *line = line_of(scene, index, curve);
     if (!line) return NULL;
-    if (!line->picture && scene->tilted) image_of(own, scene->map, &line->picture);
+    if (!line->picture && scene->tilted) image_of(own, scene, &line->picture);
     if (!line->picture && !scene->tilted) bat_curve_to_dimension(own, 2, &line->picture);
     return line->picture;
 }

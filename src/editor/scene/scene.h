@@ -33,12 +33,13 @@ typedef struct bat_scene {
     bat_scene_entry *entries;
     int count;
     double origin[2];
-    bool tilted, behind; /* the view is tilted; so far that the page's back is seen */
-    double map[8];       /* tilted: bat_stage_space_map */
-    bat_item *items;     /* the static list: the page's border if there is a page, then the objects */
+    bool tilted, behind;         /* the view is tilted; so far that the page's back is seen */
+    double map[BAT_MAP_NUMBERS]; /* tilted: bat_stage_space_map */
+    double tolerance;            /* of curves in perspective, drawing coordinates; 0: parallel */
+    bat_item *items;             /* the static list: the page's border if there is a page, then the objects */
     int item_count;
     double page[4];
-    float page_path[13];
+    float page_path[16];
     uint32_t versions; /* numbers given out so far to versions of items */
     uint32_t still_version;
     float dirty[4];

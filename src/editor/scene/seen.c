@@ -50,9 +50,58 @@ static void box_around(bat_context *c, const double page[4], double box[4]) {
     }
 }
 
+static void hold(double low[3], double high[3], const double *point, int dimension) {
+    for (int d = 0; d < 3; d++) {
+        low[d] = fmin(low[d], d < dimension ? point[d] : 0);
+        high[d] = fmax(high[d], d < dimension ? point[d] : 0);
+    }
+}
+
+/* In perspective: all control points of what is drawn, and the page's corners; first the box around them, then, where
+ * extent is given, how far they reach aside. */
+static void hold_all(const bat_context *c, const double page[4], double low[3], double high[3],
+                     bat_view_extent *extent) {
+    double corners[8], point[3] = {0};
+    for (int i = -1; i < c->scene->count; i++) {
+        const bat_scene_entry *entry = i < 0 ? NULL : &c->scene->entries[i];
+        const bool flat = !entry || bat_object_picture(entry->object);
+        const int curves = entry ? bat_object_curve_count(entry->object) : 0;
+        if (entry ? entry->hidden : !(page[2] > 0 && page[3] > 0)) continue;
+        for (int k = 0; k < 8 && !entry; k++)
+            corners[k] = page[k & 1] + ((k & 1 ? k & 4 : k & 2) ? page[2 + (k & 1)] : 0);
+        if (entry && flat) bat_object_corners(entry->object, corners);
+        for (int j = 0; j < curves + flat; j++) {
+            const bat_curve *curve = j < curves ? bat_object_curve(entry->object, j) : NULL;
+            const int count = curve ? (int)bat_curve_count(curve) : 4,
+                      size = curve ? bat_curve_dimension(curve) : 2;
+            const double *points = curve ? bat_curve_points(curve) : corners;
+            for (int k = 0; k < count; k++, points += size) {
+                for (int d = 0; d < 3; d++) point[d] = d < size ? points[d] : 0;
+                hold(low, high, point, 3);
+                if (extent) bat_view_extent_add(&c->stage->view, extent, point);
+            }
+        }
+    }
+}
+
+/* The eye then turns about the middle of everything. */
+static bool fit_deep(bat_context *c, const double page[4]) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    bat_view *view = &c->stage->view;
+    bat_view_extent extent;
+    bat_seen_sync(c);
+    hold_all(c, page, low, high, NULL);
+    if (!(low[0] <= high[0])) return false;
+    for (int d = 0; d < 3; d++) view->pivot[d] = low[d] / 2 + high[d] / 2;
+    bat_view_extent_start(view, BAT_FIT_MARGIN, &extent);
+    hold_all(c, page, low, high, &extent);
+    return bat_view_extent_fit(view, &extent);
+}
+
 bool bat_seen_fit(bat_context *c) {
     double page[4], box[4];
     bat_document_page(c->session->document, page);
+    if (bat_stage_deep(c->stage)) return fit_deep(c, page);
     if (bat_stage_tilted(c->stage)) {
         box_around(c, page, box);
     } else if (page[2] > 0 && page[3] > 0) {

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double near_share = 1e-3; /* of the target's distance: the near plane in perspective */
 static const float pixels_before =
     2; /* by so many pixels a line may lie behind a surface and is not hidden */
 
@@ -64,7 +63,7 @@ static bat_status look_at(const bat_scene *scene, const bat_stage *stage, bat_sp
     depths(scene, &gaze, kept->origin, range);
     if (!(range[0] < INFINITY)) range[0] = range[1] = target;
     const double spare = 0.01 * (range[1] - range[0]) + 16 * pixel;
-    const double low = deep ? fmax(range[0] - spare, near_share * target) : range[0] - spare;
+    const double low = deep ? fmax(range[0] - spare, BAT_VIEW_NEAR * target) : range[0] - spare;
     const double high = fmax(range[1] + spare, low * (1 + 1e-6)), deeper = high - low;
     const double wide = stretch(view.size[0], stage->view.ratio),
                  tall = stretch(view.size[1], stage->view.ratio);
@@ -97,9 +96,12 @@ static bat_status look_at(const bat_scene *scene, const bat_stage *stage, bat_sp
 static void settle_origin(bat_space_kept *kept, const bat_stage *stage) {
     double middle[2];
     bat_stage_middle(stage, middle);
-    const bat_ray ray = bat_view_ray(&stage->view, middle);
+    bat_ray ray = bat_view_ray(&stage->view, middle);
     double away = 0;
-    for (int d = 0; d < 3; d++) away = fmax(away, fabs(ray.from[d] - kept->origin[d]));
+    for (int d = 0; d < 3; d++) {
+        ray.from[d] += bat_view_away(&stage->view) * ray.along[d]; /* from the eye, in perspective */
+        away = fmax(away, fabs(ray.from[d] - kept->origin[d]));
+    }
     if (away * bat_stage_scale(stage) * 0x1p-24 > 0.1) memcpy(kept->origin, ray.from, sizeof kept->origin);
 }
 
@@ -146,7 +148,9 @@ static bool update(bat_scene *scene, const bat_grain *grain, const bat_guise *gu
     bool all = true;
     for (int i = 0; i < scene->count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
-        if (entry->hidden || !entry->path || bat_object_curve_count(entry->object) == 0) continue;
+        if (entry->hidden || !bat_object_is_drawn(entry->object) ||
+            bat_object_curve_count(entry->object) == 0)
+            continue;
         if (!entry->solid) entry->solid = calloc(1, sizeof *entry->solid);
         const bool guised = guise && guise->object == bat_object_id(entry->object) &&
                             bat_object_surface(entry->object) && grain->look != BAT_LOOK_LINES;
@@ -218,7 +222,7 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, bat_look
     for (int k = 0; k < 3; k++) space->legend[k] = legend_at(k - 1);
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
-        if (entry->hidden || !entry->solid || !entry->path) continue;
+        if (entry->hidden || !entry->solid || !bat_object_is_drawn(entry->object)) continue;
         if (entry->solid->mesh) add_triangles(space, items + space->count, entry);
         add_lines(space, items + space->count, scene, entry);
     }

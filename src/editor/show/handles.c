@@ -157,16 +157,13 @@ void bat_handles_show_knots(bat_overlay *overlay, const bat_curve *curve, const 
         marks++;
     }
     if (bat_curve_is_closed(curve)) return;
-    static const double nowhere[BAT_DIMENSION_MAX] = {0};
     const int dimension = bat_curve_dimension(curve);
-    double domain[2], frame[4], jet[2 * BAT_DIMENSION_MAX], zero[2];
+    double domain[2], frame[4], jet[2 * BAT_DIMENSION_MAX];
     bat_curve_domain(curve, domain);
-    bat_stage_look(stage, dimension, nowhere, zero);
     for (int k = 0; k < 2; k++) {
         bat_curve_eval(curve, domain[k], 1, jet);
-        bat_stage_look(stage, dimension, jet, frame);
-        bat_stage_look(stage, dimension, jet + dimension, frame + 2);
-        for (int i = 0; i < 2; i++) frame[2 + i] -= zero[i];
+        if (!bat_stage_look(stage, dimension, jet, frame)) continue;
+        bat_stage_look_along(stage, dimension, jet, jet + dimension, frame + 2);
         double length = bat_hypot(frame[2], frame[3]), half = 6 * pixel;
         if (!(length > 0)) continue;
         double x = -frame[3] / length * half, y = frame[2] / length * half;
@@ -179,10 +176,7 @@ void bat_handles_show_points(bat_overlay *overlay, const bat_curve *curve, const
     int count = bat_point_count(curve), marks = 0;
     double pixel = bat_stage_pixel(stage), at[2];
     bat_overlay_item(overlay, BAT_ROLE_POLYGON, BAT_ITEM_STROKED, POLYGON_WIDTH);
-    for (int i = 0; i < count; i++) {
-        point_seen(curve, stage, i, at);
-        (i ? bat_path_line : bat_path_move)(&overlay->path, at[0], at[1]);
-    }
+    bat_path_polygon(&overlay->path, bat_curve_dimension(curve), count, bat_curve_points(curve), false);
     if (bat_curve_is_closed(curve)) bat_path_close(&overlay->path);
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_FILLED | BAT_ITEM_STROKED, RING_WIDTH);
     for (int i = 0; i < count && marks < MARKS_MAX; i++) {

@@ -9,12 +9,13 @@
 
 void bat_overlay_free(bat_overlay *overlay) { free(overlay->path.data); }
 
-void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map) {
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map, double tolerance) {
     overlay->count = overlay->label_count = 0;
     overlay->path.count = 0;
     overlay->path.failed = false;
     memcpy(overlay->path.origin, origin, sizeof overlay->path.origin);
     overlay->path.map = map;
+    overlay->path.tolerance = tolerance;
 }
 
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width) {
@@ -35,11 +36,7 @@ void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *poin
 }
 
 void bat_overlay_page_line(bat_overlay *overlay, double x0, double y0, double x1, double y1) {
-    double at[4];
-    bat_map_look(overlay->path.map, 2, (double[]){x0, y0}, at);
-    bat_map_look(overlay->path.map, 2, (double[]){x1, y1}, at + 2);
-    bat_path_move(&overlay->path, at[0], at[1]);
-    bat_path_line(&overlay->path, at[2], at[3]);
+    bat_path_polygon(&overlay->path, 2, 2, (double[]){x0, y0, x1, y1}, false);
 }
 
 void bat_overlay_stretch(bat_overlay *overlay, const bat_curve *curve, double u0, double u1) {

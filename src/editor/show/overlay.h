@@ -18,7 +18,7 @@ typedef struct bat_overlay {
 
 void bat_overlay_free(bat_overlay *overlay);
 /* Empties the list, keeps the memory. map: as of bat_path, and as long as the overlay. */
-void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map);
+void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const double *map, double tolerance);
 /* Starts a new item; what is added to overlay->path from now on is its path. width: view pixels. */
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width);
 void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points);

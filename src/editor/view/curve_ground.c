@@ -59,21 +59,22 @@ bool bat_ground_of_planar(const bat_curve *curve, bat_ground *out) {
     return s.planar;
 }
 
-static vec gaze_of(const bat_stage *stage) {
-    double right[3], down[3], ahead[3];
-    bat_view_axes(&stage->view, right, down, ahead);
-    return vec_load(ahead, 3);
+static vec gaze_at(const bat_stage *stage, vec at) {
+    double point[3], along[3];
+    vec_store(at, point);
+    bat_view_towards(&stage->view, point, along);
+    return vec_load(along, 3);
 }
 
 /* Whether the ruled surface is seen at less than 15 degrees along half of the curve. */
-static bool edge_on(const bat_curve *curve, vec along, vec gaze) {
+static bool edge_on(const bat_stage *stage, const bat_curve *curve, vec along) {
     double domain[2], jet[2 * BAT_DIMENSION_MAX];
     const int dimension = bat_curve_dimension(curve);
-    const vec across = vec_cross(along, gaze);
     int slanted = 0;
     bat_curve_domain(curve, domain);
     for (int i = 0; i < SAMPLES; i++) {
         bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * (i + 0.5) / SAMPLES, 1, jet);
+        const vec across = vec_cross(along, gaze_at(stage, vec_load(jet, dimension)));
         slanted += !(fabs(vec_dot(vec_unit(vec_load(jet + dimension, dimension)), across)) >= SLANTED);
     }
     return 2 * slanted > SAMPLES;
@@ -91,12 +92,12 @@ static bool holds(const bat_ground *plane, const spread *s) {
 
 bat_ground bat_ground_of_curve(const bat_stage *stage, bat_id object, int index, const bat_curve *curve) {
     const spread s = measure(curve);
-    const vec gaze = gaze_of(stage);
+    const vec gaze = gaze_at(stage, s.at);
     double along[3];
     if (s.planar && fabs(vec_dot(s.normal, gaze)) >= SLANTED) return plane_of(&s);
     if (straight(&s) && holds(&stage->ground, &s)) return stage->ground;
     vec d = s.normal;
-    if (straight(&s) || edge_on(curve, d, gaze)) d = vec_cross(gaze, s.across);
+    if (straight(&s) || edge_on(stage, curve, d)) d = vec_cross(gaze, s.across);
     d = vec_norm(d) > FLAT ? vec_unit(d) : vec_any_normal(gaze);
     vec_store(d, along);
     return bat_ground_ruled(object, index, along);

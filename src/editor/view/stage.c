@@ -15,8 +15,16 @@ bat_status bat_stage_place(const bat_stage *stage, const double pixel[2], const 
     bat_ray ray = bat_view_ray(&stage->view, pixel);
     bat_hit hit = {.pixel = bat_view_pixel(&stage->view)};
     bat_status status = stage->ground.type->hit(&stage->ground, stage->casters, &ray, last, &hit);
-    if (status == BAT_OK) *out = hit;
-    return status;
+    if (status != BAT_OK) return status;
+    if (bat_stage_deep(stage)) {
+        double map[BAT_MAP_NUMBERS];
+        bat_view_map(&stage->view, map);
+        const double depth = bat_map_depth(map, 3, hit.at);
+        if (!(depth >= BAT_VIEW_NEAR)) return BAT_FAR; /* behind the eye: beyond the horizon */
+        hit.pixel *= depth;
+    }
+    *out = hit;
+    return BAT_OK;
 }
 
 bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[2]) {
@@ -47,8 +55,8 @@ double bat_stage_slant(const bat_stage *stage) {
 }
 
 double bat_stage_slant_at(const bat_stage *stage, const bat_hit *hit) {
-    double right[3], down[3], ahead[3], along = 0;
-    bat_view_axes(&stage->view, right, down, ahead);
+    double ahead[3], along = 0;
+    bat_view_towards(&stage->view, hit->at, ahead);
     for (int k = 0; k < 3; k++) along += hit->normal[k] * ahead[k];
     return fabs(along);
 }
@@ -72,21 +80,36 @@ void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[
 
 bool bat_stage_tilted(const bat_stage *stage) { return stage->view.tilt != 0; }
 
-void bat_stage_space_map(const bat_stage *stage, double map[8]) { bat_view_map(&stage->view, map); }
-
-void bat_map_look(const double *map, int dimension, const double *point, double at[2]) {
-    if (!map) {
-        memcpy(at, point, 2 * sizeof *point);
-        return;
-    }
-    const double x = point[0], y = point[1], z = dimension > 2 ? point[2] : 0;
-    for (int k = 0; k < 2; k++, map += 4) at[k] = map[0] * x + map[1] * y + map[2] * z + map[3];
+void bat_stage_space_map(const bat_stage *stage, double map[BAT_MAP_NUMBERS]) {
+    bat_view_map(&stage->view, map);
 }
 
-void bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]) {
-    double map[8];
+bool bat_stage_deep(const bat_stage *stage) { return bat_view_away(&stage->view) > 0; }
+
+bool bat_stage_behind(const bat_stage *stage) {
+    const bat_view *view = &stage->view;
+    double middle[2];
+    bat_stage_middle(stage, middle);
+    return bat_stage_deep(stage) ? bat_view_ray(view, middle).from[2] > 0 : view->tilt > 90;
+}
+
+bool bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]) {
+    double map[BAT_MAP_NUMBERS];
     bat_view_map(&stage->view, map);
-    bat_map_look(bat_stage_tilted(stage) ? map : NULL, dimension, point, at);
+    return bat_map_look(bat_stage_tilted(stage) ? map : NULL, dimension, point, at);
+}
+
+void bat_stage_look_along(const bat_stage *stage, int dimension, const double *point, const double *way,
+                          double seen[2]) {
+    double map[BAT_MAP_NUMBERS], at[2];
+    bat_view_map(&stage->view, map);
+    const double *deep = map + 8, depth = bat_map_depth(map, dimension, point);
+    if (!bat_map_look(bat_stage_tilted(stage) ? map : NULL, dimension, point, at)) at[0] = at[1] = 0;
+    for (int k = 0; k < 2; k++) {
+        const double *row = map + 4 * k;
+        seen[k] = 0;
+        for (int d = 0; d < dimension; d++) seen[k] += (row[d] - at[k] * deep[d]) * way[d] / depth;
+    }
 }
 
 void bat_stage_map(const bat_stage *stage, double map[6]) {
@@ -112,13 +135,15 @@ bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out) {
     double middle[2], right[3], down[3], ahead[3];
     bat_stage_middle(stage, middle);
     const bat_ray ray = bat_view_ray(view, middle);
-    const double away = AWAY * (view->width + view->height) / view->zoom;
+    const double deep = bat_view_away(view);
+    const double away = deep > 0 ? deep : AWAY * (view->width + view->height) / view->zoom;
     bat_view_axes(view, right, down, ahead);
     for (int k = 0; k < 3; k++) {
-        seen.target[k] = ray.from[k];
-        seen.eye[k] = ray.from[k] - away * ray.along[k];
+        seen.target[k] = deep > 0 ? ray.from[k] + deep * ahead[k] : ray.from[k];
+        seen.eye[k] = deep > 0 ? ray.from[k] : ray.from[k] - away * ray.along[k];
         seen.up[k] = -down[k];
     }
+    if (deep > 0) seen.fov = view->fov, seen.height = 0;
     *out = seen;
     return BAT_OK;
 }
@@ -135,20 +160,48 @@ void bat_stage_middle(const bat_stage *stage, double pixel[2]) {
 
 void bat_stage_box(const bat_stage *stage, double box[4]) { bat_view_box(&stage->view, box); }
 
+static void enclose(double box[4], const double at[2]) {
+    for (int k = 0; k < 2; k++) {
+        box[k] = fmin(box[k], at[k]);
+        box[k + 2] = fmax(box[k + 2], at[k]);
+    }
+}
+
+/* In perspective the page ends at its horizon, which is looked for along columns of the window. */
+static bool deep_page_box(const bat_stage *stage, double box[4]) {
+    enum { COLUMNS = 17, ROWS = 9, HALVINGS = 12 };
+    const bat_view *view = &stage->view;
+    for (int i = 0; i < COLUMNS * ROWS; i++) {
+        const double x = view->width * (i % COLUMNS) / (COLUMNS - 1);
+        double y = view->height * (i / COLUMNS) / (ROWS - 1), step = view->height / (ROWS - 1), at[2];
+        if (!bat_stage_on_page(stage, (double[]){x, y}, at)) continue;
+        enclose(box, at);
+        for (int side = -1; side <= 1; side += 2) {
+            double near = y, far = y + side * step;
+            if (bat_stage_on_page(stage, (double[]){x, far}, at)) continue;
+            for (int k = 0; k < HALVINGS; k++) {
+                const double middle = (near + far) / 2;
+                *(bat_stage_on_page(stage, (double[]){x, middle}, at) ? &near : &far) = middle;
+            }
+            if (bat_stage_on_page(stage, (double[]){x, near}, at)) enclose(box, at);
+        }
+    }
+    return box[0] <= box[2];
+}
+
 bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
     const bat_view *view = &stage->view;
     if (!bat_stage_tilted(stage)) {
         bat_view_box(view, box);
         return true;
     }
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    if (bat_stage_deep(stage)) return deep_page_box(stage, box);
     for (int i = 0; i < 4; i++) {
         double at[2];
         const double corner[2] = {i & 1 ? view->width : 0, i & 2 ? view->height : 0};
         if (!bat_stage_on_page(stage, corner, at)) return false;
-        for (int k = 0; k < 2; k++) {
-            box[k] = i ? fmin(box[k], at[k]) : at[k];
-            box[k + 2] = i ? fmax(box[k + 2], at[k]) : at[k];
-        }
+        enclose(box, at);
     }
     return true;
 }
@@ -157,7 +210,7 @@ bool bat_stage_same(const bat_stage *a, const bat_stage *b) {
     const bat_view *v = &a->view, *w = &b->view;
     return v->x == w->x && v->y == w->y && v->zoom == w->zoom && v->angle == w->angle && v->tilt == w->tilt &&
            !memcmp(v->pivot, w->pivot, sizeof v->pivot) && v->width == w->width && v->height == w->height &&
-           v->ratio == w->ratio && bat_ground_same(&a->ground, &b->ground);
+           v->ratio == w->ratio && v->fov == w->fov && bat_ground_same(&a->ground, &b->ground);
 }
 
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]) {

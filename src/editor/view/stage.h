@@ -32,12 +32,18 @@ void bat_stage_face(bat_stage *stage);
 /* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]);
 void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[2]);
-/* Whether the view is tilted; if so, drawing coordinates are map (two rows of four numbers) applied to x y z 1. */
+/* Whether the view is tilted; if so, drawing coordinates are map (bat_view_map) applied to x y z 1. */
 bool bat_stage_tilted(const bat_stage *stage);
-void bat_stage_space_map(const bat_stage *stage, double map[8]);
-/* Drawing coordinates of a point of the document; dimension: of the point, 2 or 3. The second by a map; NULL: face-on. */
-void bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]);
-void bat_map_look(const double *map, int dimension, const double *point, double at[2]);
+void bat_stage_space_map(const bat_stage *stage, double map[BAT_MAP_NUMBERS]);
+/* Whether the tilted view is in perspective; whether the eye is on the page's back. */
+bool bat_stage_deep(const bat_stage *stage);
+bool bat_stage_behind(const bat_stage *stage);
+/* Drawing coordinates of a point of the document; dimension: of the point, 2 or 3. False: it is behind the eye, and far
+ * from everything that is seen (BAT_NOWHERE). */
+bool bat_stage_look(const bat_stage *stage, int dimension, const double *point, double at[2]);
+/* How a small step from a point is seen: drawing coordinates per unit of the way, to first order. */
+void bat_stage_look_along(const bat_stage *stage, int dimension, const double *point, const double *way,
+                          double seen[2]);
 /* bat_stage_seen as an affine map: x' = map[0] x + map[1] y + map[2], y' = map[3] x + map[4] y + map[5] in pixels. */
 void bat_stage_map(const bat_stage *stage, double map[6]);
 /* The length of a view pixel in document units; pixels per document unit. */

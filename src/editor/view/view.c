@@ -17,6 +17,7 @@ void bat_view_look_afresh(bat_view *view) {
     afresh.width = view->width;
     afresh.height = view->height;
     afresh.ratio = view->ratio;
+    afresh.fov = view->fov;
     *view = afresh;
 }
 
@@ -44,18 +45,67 @@ void bat_view_axes(const bat_view *view, double right[3], double down[3], double
     memcpy(ahead, axes[2], sizeof axes[2]);
 }
 
+double bat_view_away(const bat_view *view) {
+    if (view->tilt == 0 || !(view->fov > 0) || !(view->height > 0)) return 0;
+    return view->height / (2 * view->zoom * bat_tan(view->fov * (BAT_PI / 360)));
+}
+
+/* The point of the plane through the pivot that has these drawing coordinates. */
+static void in_space(const bat_view *view, const double seen[2], double out[3]) {
+    double right[3], down[3], ahead[3], x = seen[0] - view->pivot[0], y = seen[1] - view->pivot[1];
+    bat_view_axes(view, right, down, ahead);
+    const double across = view->cosine * x - view->sine * y, below = view->sine * x + view->cosine * y;
+    for (int k = 0; k < 3; k++) out[k] = view->pivot[k] + across * right[k] + below * down[k];
+}
+
+static void make_unit(double way[3]) {
+    const double length = bat_hypot(bat_hypot(way[0], way[1]), way[2]);
+    for (int k = 0; k < 3; k++) way[k] = length > 0 ? way[k] / length : 0;
+}
+
+/* Drawing coordinates of the window's middle. */
+static void middle_of(const bat_view *view, double at[2]) {
+    bat_view_to_document(view, (double[]){view->width / 2, view->height / 2}, at);
+}
+
+static void eye_of(const bat_view *view, double away, double eye[3]) {
+    double right[3], down[3], ahead[3], middle[2];
+    middle_of(view, middle);
+    in_space(view, middle, eye);
+    bat_view_axes(view, right, down, ahead);
+    for (int k = 0; k < 3; k++) eye[k] -= away * ahead[k];
+}
+
 bat_ray bat_view_ray(const bat_view *view, const double pixel[2]) {
     bat_ray ray = {.along = {0, 0, 1}};
     bat_view_to_document(view, pixel, ray.from);
     if (view->tilt == 0) return ray;
-    double right[3], down[3], x = ray.from[0] - view->pivot[0], y = ray.from[1] - view->pivot[1];
+    double right[3], down[3], seen[2] = {ray.from[0], ray.from[1]};
+    const double away = bat_view_away(view);
+    in_space(view, seen, ray.from);
     bat_view_axes(view, right, down, ray.along);
-    const double across = view->cosine * x - view->sine * y, below = view->sine * x + view->cosine * y;
-    for (int k = 0; k < 3; k++) ray.from[k] = view->pivot[k] + across * right[k] + below * down[k];
+    if (away > 0) {
+        double at[3];
+        memcpy(at, ray.from, sizeof at);
+        eye_of(view, away, ray.from);
+        for (int k = 0; k < 3; k++) ray.along[k] = at[k] - ray.from[k];
+        make_unit(ray.along);
+    }
     return ray;
 }
 
-void bat_view_map(const bat_view *view, double map[8]) {
+void bat_view_towards(const bat_view *view, const double point[3], double along[3]) {
+    const double away = bat_view_away(view);
+    double right[3], down[3], eye[3];
+    bat_view_axes(view, right, down, along);
+    if (away == 0) return;
+    eye_of(view, away, eye);
+    for (int k = 0; k < 3; k++) along[k] = point[k] - eye[k];
+    make_unit(along);
+}
+
+/* Two rows: the parallel projection along the gaze. */
+static void flat_map(const bat_view *view, double map[8]) {
     const double c = view->cosine, s = view->sine, k = view->tilt_cosine, h = view->tilt_sine;
     const double flat[8] = {1, 0, 0, 0, 0, 1, 0, 0}, less = view->tilt == 0 ? 0 : 1 - k;
     memcpy(map, flat, sizeof flat);
@@ -70,6 +120,23 @@ void bat_view_map(const bat_view *view, double map[8]) {
     }
 }
 
+void bat_view_map(const bat_view *view, double map[BAT_MAP_NUMBERS]) {
+    const double still[4] = {0, 0, 0, 1}, away = bat_view_away(view);
+    double right[3], down[3], ahead[3], middle[2], *deep = map + 8;
+    flat_map(view, map);
+    memcpy(deep, still, sizeof still);
+    if (away == 0) return;
+    bat_view_axes(view, right, down, ahead);
+    middle_of(view, middle);
+    for (int d = 0; d < 3; d++) {
+        deep[d] = ahead[d] / away;
+        deep[3] -= deep[d] * view->pivot[d];
+    }
+    /* Towards the middle, where the eye is: middle + (flat - middle) / deep. */
+    for (int row = 0; row < 2; row++)
+        for (int d = 0; d < 4; d++) map[4 * row + d] += middle[row] * (deep[d] - still[d]);
+}
+
 void bat_view_orbit(bat_view *view, double angle, double tilt) {
     double at[2];
     if (!isfinite(angle) || !isfinite(tilt)) return;
@@ -81,11 +148,47 @@ void bat_view_orbit(bat_view *view, double angle, double tilt) {
     bat_view_hold(view, view->pivot, at);
 }
 
+double bat_view_tolerance(const bat_view *view) { return 0.05 / view->zoom; }
+
+double bat_map_depth(const double *map, int dimension, const double *point) {
+    const double *deep = map + 8;
+    return deep[0] * point[0] + deep[1] * point[1] + (dimension > 2 ? deep[2] * point[2] : 0) + deep[3];
+}
+
+bool bat_map_look(const double *map, int dimension, const double *point, double at[2]) {
+    if (!map) {
+        memcpy(at, point, 2 * sizeof *point);
+        return true;
+    }
+    const double x = point[0], y = point[1], z = dimension > 2 ? point[2] : 0;
+    const double depth = bat_map_depth(map, dimension, point);
+    const bool seen = depth >= BAT_VIEW_NEAR;
+    for (int k = 0; k < 2; k++, map += 4)
+        at[k] = seen ? (map[0] * x + map[1] * y + map[2] * z + map[3]) / depth : BAT_NOWHERE;
+    return seen;
+}
+
+/* In perspective the plane through the pivot moves, and with it the zoom, which is that of the plane. */
+static void move_deep_pivot(bat_view *view, const double at[3]) {
+    double map[BAT_MAP_NUMBERS], seen[2], pixel[2];
+    bat_view_map(view, map);
+    const double zoom = view->zoom / bat_map_depth(map, 3, at);
+    if (!bat_map_look(map, 3, at, seen) || !(zoom >= BAT_ZOOM_MIN && zoom <= BAT_ZOOM_MAX)) return;
+    bat_view_to_screen(view, seen, pixel);
+    memcpy(view->pivot, at, sizeof view->pivot);
+    view->zoom = zoom;
+    bat_view_hold(view, at, pixel);
+}
+
 void bat_view_set_pivot(bat_view *view, const double at[3]) {
     double map[8];
-    bat_view_map(view, map);
     for (int k = 0; k < 3; k++)
         if (!(fabs(at[k]) <= BAT_COORDINATE_MAX)) return;
+    if (bat_view_away(view) > 0) {
+        move_deep_pivot(view, at);
+        return;
+    }
+    flat_map(view, map);
     for (int k = 0; k < 2 && view->tilt != 0; k++) {
         const double *row = map + 4 * k;
         const double seen = row[0] * at[0] + row[1] * at[1] + row[2] * at[2] + row[3];
@@ -155,6 +258,43 @@ bool bat_view_fit(bat_view *view, const double box[4], double margin) {
     view->zoom = clamp(zoom, BAT_ZOOM_MIN, BAT_ZOOM_MAX);
     view->x = view->y = 0;
     bat_view_hold(view, middle, (double[]){view->width / 2, view->height / 2});
+    return true;
+}
+
+void bat_view_extent_start(const bat_view *view, double margin, bat_view_extent *extent) {
+    const double size[2] = {view->width, view->height};
+    const double tangent = bat_tan(view->fov * (BAT_PI / 360));
+    for (int k = 0; k < 2; k++)
+        extent->room[k] = tangent * fmax(size[k] - 2 * margin, size[k] / 2) / view->height;
+    for (int i = 0; i < 4; i++) extent->most[i] = -INFINITY;
+    extent->near = -INFINITY;
+}
+
+void bat_view_extent_add(const bat_view *view, bat_view_extent *extent, const double point[3]) {
+    double axes[3][3], at[3] = {0};
+    bat_view_axes(view, axes[0], axes[1], axes[2]);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) at[i] += axes[i][k] * (point[k] - view->pivot[k]);
+    for (int i = 0; i < 4; i++) {
+        const double aside = i & 1 ? -at[i >> 1] : at[i >> 1];
+        extent->most[i] = fmax(extent->most[i], aside - extent->room[i >> 1] * at[2]);
+    }
+    extent->near = fmax(extent->near, -at[2]);
+}
+
+bool bat_view_extent_fit(bat_view *view, const bat_view_extent *extent) {
+    const double *most = extent->most, tangent = bat_tan(view->fov * (BAT_PI / 360));
+    double away = 1.05 * extent->near, foot[2], at[2]; /* the eye stays outside */
+    if (!(view->width > 0 && view->height > 0) || !(fabs(extent->near) < INFINITY)) return false;
+    for (int k = 0; k < 2; k++) {
+        away = fmax(away, (most[2 * k] + most[2 * k + 1]) / (2 * extent->room[k]));
+        foot[k] = (most[2 * k] - most[2 * k + 1]) / 2;
+    }
+    if (away > 0) view->zoom = clamp(view->height / (2 * tangent * away), BAT_ZOOM_MIN, BAT_ZOOM_MAX);
+    at[0] = view->pivot[0] + view->cosine * foot[0] + view->sine * foot[1];
+    at[1] = view->pivot[1] + view->cosine * foot[1] - view->sine * foot[0];
+    view->x = view->y = 0;
+    bat_view_hold(view, at, (double[]){view->width / 2, view->height / 2});
     return true;
 }
 

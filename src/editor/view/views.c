@@ -22,6 +22,7 @@ static void look(bat_view *view, const bat_view *at) {
     view->height = was.height;
     view->ratio = was.ratio;
     view->fit_wanted = was.fit_wanted;
+    view->fov = was.fov;
 }
 
 bool bat_views_back(bat_views *views, bat_view *view) {
@@ -48,14 +49,11 @@ void bat_views_arrive(bat_views *views, bat_view *view) {
     views->gliding = false;
 }
 
-/* The pixel at which a view shows a point. */
+/* The pixel at which a view shows a point; one behind the eye has none, *pixel stays. */
 static void pixel_of(const bat_view *view, const double point[3], double pixel[2]) {
-    double map[8], at[2];
+    double map[BAT_MAP_NUMBERS], at[2];
     bat_view_map(view, map);
-    for (int k = 0; k < 2; k++) {
-        const double *row = map + 4 * k;
-        at[k] = row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
-    }
+    if (!bat_map_look(map, 3, point, at)) bat_view_to_document(view, pixel, at);
     bat_view_to_screen(view, at, pixel);
 }
 
@@ -68,7 +66,7 @@ void bat_views_glide(bat_views *views, bat_view *view, double share) {
     }
     const double s = fmax(share, 0), turn = remainder(to->angle - from->angle, 360);
     bat_view between = *to;
-    double start[2], end[2], pixel[2];
+    double start[2] = {from->width / 2, from->height / 2}, end[2] = {start[0], start[1]}, pixel[2];
     memcpy(between.pivot, to->tilt != 0 ? to->pivot : from->pivot, sizeof between.pivot);
     pixel_of(from, between.pivot, start);
     pixel_of(to, between.pivot, end);

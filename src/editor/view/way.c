@@ -2,6 +2,7 @@
 #include "base/vec.h"
 #include "editor/view/curve_ground.h"
 
+enum { SAMPLES = 64 };
 static const double SLANTED = 0.25881904510252076;   /* sine of 15 degrees */
 static const double EDGE_ON = 0.0871557427476581736; /* sine of 5 degrees */
 
@@ -22,6 +23,29 @@ static bool along(vec seen, vec gaze, vec normal, double way[3]) {
     return true;
 }
 
+/* In perspective: how deep the curve lies where it is seen nearest to a pixel, in distances of the pivot, and the gaze
+ * there; else 1. */
+static double depth_near(const bat_stage *stage, const bat_curve *curve, const double pixel[2], vec *gaze) {
+    double map[BAT_MAP_NUMBERS], domain[2], place[BAT_DIMENSION_MAX] = {0}, at[2], seen[2], along[3];
+    double best = INFINITY, depth = 1;
+    if (!bat_stage_deep(stage)) return 1;
+    bat_stage_space_map(stage, map);
+    bat_stage_seen(stage, pixel, seen);
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i <= SAMPLES; i++) {
+        place[2] = 0;
+        bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * i / SAMPLES, 0, place);
+        if (!bat_map_look(map, bat_curve_dimension(curve), place, at)) continue;
+        const double x = at[0] - seen[0], y = at[1] - seen[1], far = x * x + y * y;
+        if (!(far < best)) continue;
+        best = far;
+        depth = bat_map_depth(map, bat_curve_dimension(curve), place);
+        bat_view_towards(&stage->view, place, along);
+        *gaze = vec_load(along, 3);
+    }
+    return depth;
+}
+
 bool bat_stage_way(const bat_stage *stage, const bat_curve *curve, const double from[2], const double to[2],
                    bool rise, double way[3]) {
     double right[3], down[3], ahead[3], a[2], b[2];
@@ -34,9 +58,9 @@ bool bat_stage_way(const bat_stage *stage, const bat_curve *curve, const double 
         return true;
     }
     bat_view_axes(&stage->view, right, down, ahead);
-    const double pixel = bat_stage_pixel(stage);
-    const vec gaze = vec_load(ahead, 3),
-              seen = vec_add(vec_scale(vec_load(right, 3), (to[0] - from[0]) * pixel),
+    vec gaze = vec_load(ahead, 3);
+    const double pixel = bat_stage_pixel(stage) * depth_near(stage, curve, from, &gaze);
+    const vec seen = vec_add(vec_scale(vec_load(right, 3), (to[0] - from[0]) * pixel),
                              vec_scale(vec_load(down, 3), (to[1] - from[1]) * pixel));
     if (bat_curve_dimension(curve) == 2) return !rise && across(seen, gaze, normal, way);
     double best[3];
