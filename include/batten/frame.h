@@ -116,12 +116,13 @@ enum {
 };
 
 typedef struct bat_frame {
-    double view[4];   /* screen = R (drawing - (view[0], view[1])) * view[2]; R turns by view[3] degrees,
+    double view[4];    /* screen = R (drawing - (view[0], view[1])) * view[2]; R turns by view[3] degrees,
                        * clockwise as it is seen, (-180, 180]; paths and labels are in these drawing coordinates,
                        * which are the page's as long as tilt is 0 */
-    uint32_t jumps;   /* of the view so far: home, a named view, a step back (bat_editor_glide) */
-    double tilt;      /* how far the page lies back, degrees: 0 face-on, 90 edge-on, 180 its back */
-    double origin[2]; /* added to every path coordinate */
+    uint32_t jumps;    /* of the view so far: home, a named view, a step back (bat_editor_glide) */
+    uint32_t surfaces; /* some are shown; tilted, they are painted with a depth (bat_editor_space) */
+    double tilt;       /* how far the page lies back, degrees: 0 face-on, 90 edge-on, 180 its back */
+    double origin[2];  /* added to every path coordinate */
     uint32_t still_version; /* grows with every change of the static list */
     uint32_t still_count;
     const bat_item *still; /* back to front */

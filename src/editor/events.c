@@ -1,4 +1,5 @@
 /* Entry point of events: invalid numbers are rejected, and every contact is given its duty. */
+#include "editor/commands/three.h"
 #include "editor/tables/keys.h"
 #include "editor/commands/dispatch.h"
 #include "editor/editor.h"
@@ -91,6 +92,9 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
         return BAT_DUTY_ORBIT;
     if (event->device == BAT_DEVICE_TOUCH && only_pens) return tilted ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
     if (c->session->read_only) return BAT_DUTY_NAVIGATE;
+    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && !alt &&
+        bat_three_pick(c, (double[]){event->x, event->y}))
+        return BAT_DUTY_IGNORED;
     if (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS)) {
         turn(c, event->buttons & BAT_BUTTON_ERASER ? BAT_ERASES : BAT_SMOOTHS);
         return BAT_DUTY_TOOL;

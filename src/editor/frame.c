@@ -3,6 +3,8 @@
 #include "editor/show/disc.h"
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
+#include "editor/commands/three.h"
+#include "editor/scene/space.h"
 #include "editor/editor.h"
 #include "editor/commands/calm.h"
 #include "editor/show/ruler.h"
@@ -30,6 +32,7 @@ static bat_cursor cursor(bat_context *c) {
 static const char *hint(bat_context *c) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (c->session->read_only) return bat_word(c, BAT_STRING_HINT_READ_ONLY);
+    if (c->input->three.on) return bat_word(c, BAT_STRING_HINT_THREE_POINTS);
     if (!bat_guiding_of(c)->on && bat_guides_hot(c) >= 0)
         return bat_word(c, bat_ruler_at(c, c->input->pen) < 0 ? BAT_STRING_HINT_GUIDE
                                                               : BAT_STRING_HINT_GUIDE_NEW);
@@ -118,6 +121,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     show_pivot(c, overlay);
+    bat_three_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }
 
@@ -144,6 +148,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .view = {c->stage->view.x, c->stage->view.y, c->stage->view.zoom, c->stage->view.angle},
         .jumps = c->views->jumps,
         .tilt = c->stage->view.tilt,
+        .surfaces = bat_space_shows_surface(scene),
         .origin = {scene->origin[0], scene->origin[1]},
         .still_version = scene->still_version,
         .still_count = (uint32_t)scene->item_count,

@@ -75,7 +75,7 @@ test('lines with a depth lie where the overlay shows them', async (t) => {
   const far = await page.evaluate(() => {
     // Every point of the lines that have a depth, against the outlines on the still canvas.
     const { clip, items } = batten.loop.space.read();
-    const frame = batten.engine.frame();
+    const frame = glance();
     const { width, height } = batten.painter;
     let worst = 0;
     for (const solid of items.filter(({ kind }) => kind === 1)) {

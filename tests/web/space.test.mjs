@@ -39,7 +39,7 @@ for (const colorScheme of ['light', 'dark']) {
     await orbit([560, 150]);
     assert.ok(await tilt(page) > 100);
     await shot('behind');
-    await page.keyboard.press('e');
+    await page.keyboard.press('t');
     await hand.stroke([[500, 300], [700, 330]]);
     const now = await state(page);
     assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
@@ -79,7 +79,7 @@ test('the dial: a drag turns, a tap brings home, its ends are views', async (t) 
   assert.equal(await tilt(page), 0);
   assert.equal(await pixels(page), before);
   const names = await page.locator('.dial [data-command]').evaluateAll((all) => all.map((one) => one.title));
-  assert.equal(new Set(names).size, 4);
+  assert.equal(new Set(names).size, 7);
   assert.ok(names.every((name) => /[가-힣]/.test(name)), names.join());
   await page.keyboard.press('Shift+Alt+ArrowUp');
   await page.keyboard.press('9');

@@ -41,6 +41,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     angle: double('frame.view', 3),
     jumps: word('frame.jumps'),
     tilt: double('frame.tilt'),
+    surfaces: word('frame.surfaces') !== 0,
     originX: double('frame.origin', 0),
     originY: double('frame.origin', 1),
     stillVersion,

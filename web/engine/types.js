@@ -59,6 +59,7 @@
  * @property {number} angle degrees, clockwise
  * @property {number} jumps of the view so far
  * @property {number} tilt degrees that the page lies back: 0 face-on
+ * @property {boolean} surfaces some are shown
  * @property {string} offer the command that the notice offers, "" for none
  * @property {number} originX
  * @property {number} originY

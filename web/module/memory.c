@@ -86,6 +86,7 @@ const module_field *module_layout(void) {
         {"frame.notice_version", offsetof(bat_frame, notice_version)},
         {"frame.jumps", offsetof(bat_frame, jumps)},
         {"frame.tilt", offsetof(bat_frame, tilt)},
+        {"frame.surfaces", offsetof(bat_frame, surfaces)},
         {"frame.offer", offsetof(bat_frame, offer)},
         {"frame.name", offsetof(bat_frame, name)},
         {"frame.revision", offsetof(bat_frame, revision)},

@@ -17,6 +17,13 @@ const ENDS = /** @type {[string, number[]][]} */ ([
   ['view-front', [0, 1, 0]], ['view-side', [1, 0, 0]], ['view-top', [0, 0, -1]],
 ]);
 
+/** The faces between two ends, by their numbers: planes to draw on. */
+const FACES = /** @type {[string, number, number][]} */ ([
+  ['plane-level', 0, 1], ['plane-front', 1, 2], ['plane-side', 0, 2],
+]);
+const FACE = [0.24, 0.76]; // of the axes: the middle of the dial stays the way home
+const THIN = 0.2; // sine of the angle between the axes of a face that is too thin to tap
+
 /** @param {string} name @param {Record<string, string | number>} traits */
 function drawn(name, traits) {
   const node = document.createElementNS('http://www.w3.org/2000/svg', name);
@@ -41,7 +48,8 @@ export class Dial {
     picture.append(this.horizon, ...this.axes);
     this.home.append(picture);
     this.ends = ENDS.map(([command]) => this.#end(command));
-    this.box.append(this.home, ...this.ends);
+    this.faces = FACES.map(([command]) => this.#end(command, 'face'));
+    this.box.append(this.home, ...this.faces, ...this.ends);
     this.shown = '';
     this.#listen();
     void dress('styles/dial.css').then(() => stage.after(this.box));
@@ -60,10 +68,10 @@ export class Dial {
     return button;
   }
 
-  /** An end is smaller than a target may be: it is for pens and mice, keys have a command each. @param {string} command */
-  #end(command) {
+  /** An end is smaller than a target may be: it is for pens and mice, keys have a command each. @param {string} command @param {string} kind */
+  #end(command, kind = 'end') {
     const end = document.createElement('span');
-    end.className = 'end';
+    end.className = kind;
     end.dataset.command = command;
     return end;
   }
@@ -120,14 +128,14 @@ export class Dial {
 
   /** @param {import('../engine/types.js').Frame} frame */
   show(frame) {
-    const words = [word('dial.name'), ...[this.home, ...this.ends].map((button) => word(`command.${button.dataset.command}`))];
+    const words = [word('dial.name'), ...[this.home, ...this.ends, ...this.faces].map((button) => word(`command.${button.dataset.command}`))];
     const shown = [frame.angle, frame.tilt, ...words].join('\n');
     if (shown === this.shown) {
       return;
     }
     this.shown = shown;
     this.box.setAttribute('aria-label', words[0]);
-    [this.home, ...this.ends].forEach((button, i) => {
+    [this.home, ...this.ends, ...this.faces].forEach((button, i) => {
       button.title = words[i + 1];
       if (button === this.home) {
         button.ariaLabel = words[i + 1];
@@ -137,7 +145,7 @@ export class Dial {
     const [angle, tilt] = [frame.angle, frame.tilt].map((degrees) => (degrees * Math.PI) / 180);
     const [c, s, k, h] = [Math.cos(angle), Math.sin(angle), Math.cos(tilt), Math.sin(tilt)];
     this.horizon.setAttribute('ry', String(REACH * Math.abs(k)));
-    ENDS.forEach(([, [x, y, z]], i) => {
+    const places = ENDS.map(([, [x, y, z]], i) => {
       const along = c * x - s * y;
       const back = s * x + c * y;
       const down = back * k + z * h;
@@ -150,6 +158,15 @@ export class Dial {
       for (const part of [end, this.axes[i]]) {
         part.classList.toggle('far', ahead > 0.05);
       }
+      return [endX, endY];
+    });
+    FACES.forEach(([, a, b], i) => {
+      const [[ax, ay], [bx, by]] = [places[a], places[b]];
+      this.faces[i].hidden = frame.tilt === 0 || Math.abs(ax * by - ay * bx) < THIN * REACH * REACH;
+      const [near, far] = FACE;
+      const corners = [[near, near], [far, near], [far, far], [near, far]]
+        .map(([along, over]) => `${22 + along * ax + over * bx}px ${22 + along * ay + over * by}px`);
+      this.faces[i].style.clipPath = `polygon(${corners.join()})`;
     });
   }
 }

@@ -26,6 +26,8 @@ export class Loop {
     this.jumps = -1; // of the view, as far as shown
     this.jumped = 0; // when the last one was first seen, while it is under way
     this.deep = false;
+    /** @type {Promise<typeof import('./space.js')> | undefined} */
+    this.fetched = undefined;
     /** @type {import('./space.js').Space | undefined} */
     this.space = undefined;
     /** Frames painted and the time taken, for tests and measurements. */
@@ -72,8 +74,8 @@ export class Loop {
       return;
     }
     const made = performance.now();
-    if (frame.tilt) {
-      this.#deepen();
+    if (frame.tilt || frame.surfaces) {
+      void this.#deepen(frame.tilt !== 0);
     }
     this.space?.show(frame);
     painter.paint(frame);
@@ -89,11 +91,15 @@ export class Loop {
     requests.grant(frame.requests);
   }
 
-  /** Fetches what paints a tilted view with a depth; until then it is painted as lines. */
-  async #deepen() {
-    if (!this.deep) {
+  /**
+   * Fetches what paints a tilted view with a depth, at the first tilt or surface; until then it is painted as lines.
+   * @param {boolean} tilted
+   */
+  async #deepen(tilted) {
+    this.fetched ??= want(import('./space.js'));
+    if (tilted && !this.deep) {
       this.deep = true;
-      const { Space } = await want(import('./space.js'));
+      const { Space } = await this.fetched;
       if (await this.shell.whole.complete()) {
         this.space = new Space(this.shell);
         this.wake();

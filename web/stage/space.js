@@ -18,6 +18,7 @@ const LINE_LOOK = 4;
 const CURVATURES = [2, 3];
 const THINNEST = 0.75; // view pixels: as on the still canvas
 const HIDDEN = { fainter: 0.4, thinner: 0.7 };
+const RIM = { wider: 2.5, colour: 0x20242bb0 }; // px of both sides together
 const FLOAT = 5126; // as WebGL numbers it
 
 export class Space {
@@ -333,14 +334,32 @@ export class Space {
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.depthMask(false);
     gl.depthFunc(gl.GREATER);
-    this.#paintLines(picture, lines, true);
+    // Shaded surfaces are light in both themes: what is seen on them or through them has the ink of paper, and a light
+    // line that passes before them a dark rim.
+    const edged = new Set(paper ? [] : solid.filter(({ colour }) => !colour).map(({ id }) => id));
+    const over = (/** @type {Solid} */ { id }) => edged.has(id);
+    this.#paintLines(picture, lines, true, edged.size ? () => true : over);
     gl.depthFunc(gl.LEQUAL);
-    this.#paintLines(picture, lines, false);
+    if (edged.size && this.shell.theme.dark) {
+      this.#paintLines(picture, lines.filter((line) => !over(line) && this.#light(line)), false, over, RIM);
+    }
+    this.#paintLines(picture, lines, false, over);
     if (!paper) {
       this.#paintSurfaces(picture, solid.filter((one) => !opaque.includes(one)));
     }
     gl.bindVertexArray(null);
     this.counts.painted++;
+  }
+
+  /** Whether a line is too light to be read on a surface. @param {Solid} line */
+  #light({ colour }) {
+    const [red, green, blue] = this.#colour(colour, 1);
+    return 0.3 * red + 0.59 * green + 0.11 * blue > 0.5;
+  }
+
+  /** A colour of the drawing as paper shows it. @param {number} rgba @param {number} opacity */
+  #ink(rgba, opacity) {
+    return [rgba >>> 24, (rgba >>> 16) & 255, (rgba >>> 8) & 255].map((value) => value / 255).concat(((rgba & 255) / 255) * opacity);
   }
 
   /** A colour of the drawing as the theme shows it. @param {number} rgba @param {number} opacity */
@@ -366,8 +385,14 @@ export class Space {
     }
   }
 
-  /** @param {NonNullable<Picture>} picture @param {Solid[]} lines @param {boolean} hidden the parts that are */
-  #paintLines({ clip, before, scale }, lines, hidden) {
+  /**
+   * @param {NonNullable<Picture>} picture
+   * @param {Solid[]} lines
+   * @param {boolean} hidden the parts that are
+   * @param {(line: Solid) => boolean} inked which ones have the ink of paper
+   * @param {{ wider: number, colour: number } | null} rim in place of the lines: what stands out behind them
+   */
+  #paintLines({ clip, before, scale }, lines, hidden, inked, rim = null) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
     const { ratio } = this.shell.painter;
     const { program, at } = /** @type {NonNullable<typeof this.lines>} */ (this.lines);
@@ -376,10 +401,12 @@ export class Space {
     gl.uniform2fv(at.before, before);
     gl.uniform2f(at.middle, this.canvas.width / 2, this.canvas.height / 2);
     gl.uniform1f(at.dash, hidden ? scale / 11 : 0);
-    for (const { id, colour, opacity, width, cap, rows } of lines) {
+    for (const line of lines) {
+      const { id, colour, opacity, width, cap, rows } = line;
+      const faint = opacity * (hidden ? HIDDEN.fainter : 1);
       gl.uniform1i(at.cap, cap);
-      gl.uniform4fv(at.colour, this.#colour(colour, opacity * (hidden ? HIDDEN.fainter : 1)));
-      gl.uniform1f(at.wide, Math.max(width, THINNEST) * ratio * 0.5 * (hidden ? HIDDEN.thinner : 1));
+      gl.uniform4fv(at.colour, rim || inked(line) ? this.#ink(rim?.colour ?? colour, faint) : this.#colour(colour, faint));
+      gl.uniform1f(at.wide, (Math.max(width, THINNEST) + (rim?.wider ?? 0)) * ratio * 0.5 * (hidden ? HIDDEN.thinner : 1));
       gl.bindVertexArray(this.kept.get(`1 ${id}`)?.array ?? null);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows - 3);
     }

@@ -1,4 +1,5 @@
 /* The commands that choose what the pen draws on. */
+#include "editor/commands/ground.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/input/input.h"
@@ -37,19 +38,48 @@ static const bat_object *meant_surface(bat_context *c) {
     return found && bat_object_surface(found) ? found : NULL;
 }
 
-/* A new plane to draw on. */
-static bat_status draw_on_new(bat_context *c, const double origin[3], const double axes[6]) {
+/* A plane of the drawing that lies as this one does; none that is hidden. */
+static const bat_object *same_plane(const bat_context *c, const bat_object *plane) {
+    const bat_document *document = c->session->document;
+    bat_ground wanted, found;
+    if (!bat_ground_of(plane, &wanted)) return NULL;
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        if (bat_ground_of(object, &found) && bat_ground_same(&found, &wanted) &&
+            !bat_document_level(document, i).hidden)
+            return object;
+    }
+    return NULL;
+}
+
+bat_status bat_ground_draw_on(bat_context *c, const double origin[3], const double axes[6]) {
     bat_object *plane = NULL;
     bat_status status = bat_object_create_plane(bat_document_next(c->session->document), "", origin, axes,
                                                 &plane);
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status == BAT_OK) {
+    const bat_object *known = status == BAT_OK ? same_plane(c, plane) : NULL;
+    if (!known && status == BAT_OK) status = bat_transaction_begin(c);
+    if (!known && status == BAT_OK) {
         status = bat_transaction_insert(c, bat_document_count(c->session->document), plane);
         status = bat_transaction_end(c, status, BAT_STRING_STEP_PLANE);
     }
-    if (status != BAT_OK || !bat_ground_take(c, plane)) bat_notice_failure(c, status);
+    if (status != BAT_OK || !bat_ground_take(c, known ? known : plane)) bat_notice_failure(c, status);
     bat_object_release(plane);
     return status;
+}
+
+/* Along two axes of the drawing, through the view's pivot; level and at the page's height it is the page. */
+bat_status bat_command_plane_named(bat_context *c, bat_command_id id) {
+    const double x[6] = {0, 1, 0, 0, 0, 1}, y[6] = {1, 0, 0, 0, 0, 1}, z[6] = {1, 0, 0, 0, 1, 0};
+    bat_pivot_set(c, NULL);
+    const double *origin = c->stage->view.pivot;
+    if (id == BAT_COMMAND_PLANE_LEVEL && origin[2] == 0) {
+        bat_ground_take(c, NULL);
+        return BAT_OK;
+    }
+    return bat_ground_draw_on(c, origin,
+                              id == BAT_COMMAND_PLANE_LEVEL   ? z
+                              : id == BAT_COMMAND_PLANE_FRONT ? y
+                                                              : x);
 }
 
 /* Through the view's pivot, at right angles to the gaze. */
@@ -58,7 +88,7 @@ bat_status bat_command_plane_facing(bat_context *c, bat_command_id id) {
     (void)id;
     bat_pivot_set(c, NULL);
     bat_view_axes(&c->stage->view, axes, axes + 3, axes + 6);
-    return draw_on_new(c, c->stage->view.pivot, axes);
+    return bat_ground_draw_on(c, c->stage->view.pivot, axes);
 }
 
 /* The first of the selected curves that lies in a plane gives it. */
@@ -72,7 +102,7 @@ bat_status bat_command_plane_of_curve(bat_context *c, bat_command_id id) {
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);
             if (bat_curve_dimension(curve) == 3 && bat_ground_of_planar(curve, &ground))
-                return draw_on_new(c, ground.numbers, ground.numbers + 3);
+                return bat_ground_draw_on(c, ground.numbers, ground.numbers + 3);
         }
     }
     bat_notice(c, BAT_STRING_NOTICE_SELECT_PLANAR);

@@ -7,6 +7,13 @@
 #include "editor/input/taps.h"
 #include "editor/input/trail.h"
 
+/* Points that are picked for a plane. */
+typedef struct bat_three {
+    bool on;
+    int count;
+    double at[3][3];
+} bat_three;
+
 typedef struct bat_input {
     bat_contacts contacts;
     bat_fingers fingers;
@@ -20,7 +27,8 @@ typedef struct bat_input {
     bat_device points; /* its kind */
     unsigned brush;    /* trait of the tool for the pen's eraser end or barrel button; 0: neither */
     bool drawing_new;  /* the key that makes every stroke a new curve is held */
-    bool calming;      /* the fairing key is held */
+    bat_three three;
+    bool calming; /* the fairing key is held */
 } bat_input;
 
 #endif

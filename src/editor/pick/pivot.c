@@ -9,11 +9,11 @@
 
 static const double REACH = 24; /* px */
 
-/* The point in space of a curve at the pixel. */
-static bool under(bat_context *c, const double pixel[2], double out[3]) {
-    const bat_scene_entry *entries = c->scene->entries;
+bool bat_pivot_under(bat_context *c, const double pixel[2], double out[3]) {
     double at[2], within = REACH * bat_stage_pixel(c->stage), place[BAT_DIMENSION_MAX] = {0};
     bool found = false;
+    bat_seen_sync(c);
+    const bat_scene_entry *entries = c->scene->entries;
     bat_stage_seen(c->stage, pixel, at);
     for (int i = 0; i < c->scene->count; i++) {
         const double *box = entries[i].box;
@@ -67,7 +67,7 @@ static bool middle(bat_context *c, bool selected, double out[3]) {
 void bat_pivot_set(bat_context *c, const double *pixel) {
     double at[3] = {0}, centre[2];
     bat_seen_sync(c);
-    if ((pixel && under(c, pixel, at)) || middle(c, true, at) || middle(c, false, at)) {
+    if ((pixel && bat_pivot_under(c, pixel, at)) || middle(c, true, at) || middle(c, false, at)) {
         bat_view_set_pivot(&c->stage->view, at);
         return;
     }

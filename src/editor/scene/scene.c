@@ -258,7 +258,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         free(items);
         return status;
     }
-    scene->stale = false;
+    scene->stale = scene->surfaces = false;
     int item_count = 0;
     double page[4];
     bat_document_page(document, page);
@@ -277,6 +277,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
+        scene->surfaces = scene->surfaces || bat_object_surface(entry->object);
         if (!entry->path) {
             if (make_path(scene, entry))
                 bat_box_add(scene->dirty, entry->item.bounds);

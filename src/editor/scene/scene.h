@@ -47,6 +47,7 @@ typedef struct bat_scene {
     bool outline;                   /* outline mode: thin lines without fill */
     const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
     uint32_t isolated;              /* the isolation's version as shown */
+    bool surfaces;                  /* some are shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
     struct bat_space_kept *space;   /* scene/space.h; NULL until requested */
 } bat_scene;

@@ -11,11 +11,7 @@
 static const float pixels_before =
     2; /* by so many pixels a line may lie behind a surface and is not hidden */
 
-bool bat_space_shows_surface(const bat_scene *scene) {
-    for (int i = 0; i < scene->count; i++)
-        if (!scene->entries[i].hidden && bat_object_surface(scene->entries[i].object)) return true;
-    return false;
-}
+bool bat_space_shows_surface(const bat_scene *scene) { return scene->surfaces; }
 
 /* ---- the camera ---- */
 
