@@ -18,7 +18,10 @@ typedef struct hair {
     size_t count;
     double *at, *u, *weight; /* x y; place along the line; one block, which begins with at */
     double length, own[3];
-    bool placed;
+    double first, last; /* least and greatest u */
+    double on;          /* px of it that lie on the line */
+    double again;       /* how long the line is when more of it may */
+    bool placed, summed;
 } hair;
 
 typedef struct line {
@@ -26,13 +29,27 @@ typedef struct line {
     size_t knots;    /* spans */
     double *points;  /* control points, knots + 3 of them */
     size_t dense;    /* places below */
-    double *at;      /* x y, evenly from `from` to `to` */
+    double *at, gap; /* x y, evenly from `from` to `to`; greatest step between them */
 } line;
+
+/* What the places of a span add to the equations, before it is known how many strokes lie there: cover, how many; a, b:
+ * lower triangle by rows, and right-hand sides. Kept from one solve to the next, so that a stroke that is placed costs
+ * what it brings. */
+typedef struct span_sum {
+    double cover, a[10], b[8];
+} span_sum;
+
+typedef struct sums {
+    double from, to;
+    size_t knots;
+    span_sum *of;
+} sums;
 
 typedef struct tangle {
     size_t count;
     hair *hairs;
     line line;
+    sums sums;
     double scatter;
 } tangle;
 
@@ -157,8 +174,12 @@ static bool draw(line *l) {
     double *at = realloc(l->at, dense * 2 * sizeof *at);
     if (!at) return false;
     l->at = at, l->dense = dense;
-    for (size_t i = 0; i < dense; i++)
-        place_on(l, l->from + (l->to - l->from) * (double)i / (double)(dense - 1), at + 2 * i);
+    l->gap = 0;
+    for (size_t i = 0; i < dense; i++) {
+        double *p = at + 2 * i;
+        place_on(l, l->from + (l->to - l->from) * (double)i / (double)(dense - 1), p);
+        if (i) l->gap = fmax(l->gap, bat_hypot(p[0] - p[-2], p[1] - p[-1]));
+    }
     return true;
 }
 
@@ -176,66 +197,96 @@ static double own_part(const hair *h, size_t i) {
     return h->own[0] + h->own[1] * 2 * f + h->own[2] * (6 * f * f - 0.5);
 }
 
-/* How many strokes lie over each span, by their weights. */
-static void density(const tangle *t, double *cover) {
-    const double step = (t->line.to - t->line.from) / (double)t->line.knots;
-    for (size_t k = 0; k < t->line.knots; k++) cover[k] = 0;
-    for (size_t j = 0; j < t->count; j++)
-        for (size_t i = 0; i < t->hairs[j].count && t->hairs[j].placed; i++) {
-            double f;
-            cover[span_of(&t->line, t->hairs[j].u[i], &f)] += t->hairs[j].weight[i] / step;
+/* Adds a stroke's places to the sums. */
+static void sum_up(sums *sum, const hair *h) {
+    const line l = {.from = sum->from, .to = sum->to, .knots = sum->knots};
+    const double step = (sum->to - sum->from) / (double)sum->knots;
+    for (size_t i = 0; i < h->count; i++) {
+        double f, e[4];
+        span_sum *s = &sum->of[span_of(&l, h->u[i], &f)];
+        double *a = s->a;
+        basis(f, e);
+        s->cover += h->weight[i] / step;
+        for (size_t r = 0; r < 4; r++) {
+            const double weight = h->weight[i] * e[r];
+            for (size_t k = 0; k <= r; k++) *a++ += weight * e[k];
+            for (size_t c = 0; c < 2; c++) s->b[2 * r + c] += weight * h->at[2 * i + c];
         }
+    }
 }
 
-/* Equations of the smoothest line through the places, each without its stroke's own part. */
-static void assemble(const tangle *t, const double *cover, bool first, double *a, double *b) {
+/* Takes from the right-hand sides what is the strokes' own, across the line as it is. */
+static void leave_own(tangle *t) {
     const line *l = &t->line;
-    const size_t n = l->knots + 3;
-    const double step = (l->to - l->from) / (double)l->knots, wave = WAVE / (2 * BAT_PI);
+    for (size_t j = 0; j < t->count; j++) {
+        const hair *h = &t->hairs[j];
+        for (size_t i = 0; i < h->count && h->placed; i++) {
+            double f, e[4], across[2];
+            span_sum *s = &t->sums.of[span_of(l, h->u[i], &f)];
+            basis(f, e);
+            normal_at(l, h->u[i], across);
+            const double own = h->weight[i] * own_part(h, i);
+            for (size_t r = 0; r < 4; r++)
+                for (size_t c = 0; c < 2; c++) s->b[2 * r + c] -= own * e[r] * across[c];
+        }
+    }
+}
+
+/* The sums over all that has been placed, on knots for these places. */
+static bool sum_all(tangle *t, double from, double to) {
+    sums *s = &t->sums;
+    if (from != s->from || to != s->to || !s->of) {
+        const size_t knots = (size_t)fmax(ceil((to - from) / KNOTS), 3);
+        span_sum *of = realloc(s->of, knots * sizeof *of);
+        if (!of) return false;
+        memset(of, 0, knots * sizeof *of);
+        *s = (sums){from, to, knots, of};
+        for (size_t j = 0; j < t->count; j++) t->hairs[j].summed = false;
+    }
+    for (size_t j = 0; j < t->count; j++) {
+        hair *h = &t->hairs[j];
+        if (!h->placed || h->summed) continue;
+        sum_up(s, h);
+        h->summed = true;
+    }
+    return true;
+}
+
+/* Equations of the smoothest line through the places. */
+static void assemble(const sums *sum, double *a, double *b) {
+    const size_t n = sum->knots + 3;
+    const double step = (sum->to - sum->from) / (double)sum->knots, wave = WAVE / (2 * BAT_PI);
     const double cubed = wave * wave * wave, stiff = 0.5 * cubed * cubed / (step * step * step * step * step);
     static const double third[4] = {-1, 3, -3, 1};
     memset(a, 0, n * 4 * sizeof *a);
     memset(b, 0, n * 2 * sizeof *b);
-    for (size_t k = 0; k < l->knots; k++)
-        for (size_t r = 0; r < 4; r++)
-            for (size_t s = 0; s <= r; s++) a[(k + r) * 4 + r - s] += stiff * third[r] * third[s];
-    for (size_t j = 0; j < t->count; j++)
-        for (size_t i = 0; i < t->hairs[j].count && t->hairs[j].placed; i++) {
-            const hair *h = &t->hairs[j];
-            double f, e[4], across[2] = {0, 0};
-            const size_t k = span_of(l, h->u[i], &f);
-            const double weight = h->weight[i] / fmin(fmax(cover[k], 1e-6), 1);
-            const double own = first ? 0 : own_part(h, i);
-            if (!first) normal_at(l, h->u[i], across);
-            basis(f, e);
-            for (size_t r = 0; r < 4; r++) {
-                for (size_t s = 0; s <= r; s++) a[(k + r) * 4 + r - s] += weight * e[r] * e[s];
-                for (size_t c = 0; c < 2; c++)
-                    b[2 * (k + r) + c] += weight * e[r] * (h->at[2 * i + c] - own * across[c]);
-            }
+    for (size_t k = 0; k < sum->knots; k++) {
+        const span_sum *s = &sum->of[k];
+        const double lift = 1 / fmin(fmax(s->cover, 1e-6), 1), *from = s->a;
+        for (size_t r = 0; r < 4; r++) {
+            for (size_t i = 0; i <= r; i++)
+                a[(k + r) * 4 + r - i] += stiff * third[r] * third[i] + lift * *from++;
+            for (size_t c = 0; c < 2; c++) b[2 * (k + r) + c] += lift * s->b[2 * r + c];
         }
+    }
 }
 
-/* Fits the line to all that has been placed. first: there is no line to measure from yet. */
-static bat_status solve(tangle *t, bool first) {
+/* Fits the line to all that has been placed. own: without the strokes' own parts, if the line from which they are
+ * measured has these places. */
+static bat_status solve(tangle *t, bool own) {
     line *l = &t->line;
     double from = INFINITY, to = -INFINITY;
     for (size_t j = 0; j < t->count; j++)
-        for (size_t i = 0; i < t->hairs[j].count && t->hairs[j].placed; i++)
-            from = fmin(from, t->hairs[j].u[i]), to = fmax(to, t->hairs[j].u[i]);
+        if (t->hairs[j].placed) from = fmin(from, t->hairs[j].first), to = fmax(to, t->hairs[j].last);
     if (!(to - from > STEP)) return BAT_DOT;
-    const bool same = !first && from == l->from && to == l->to;
-    line made = {.from = from, .to = to, .knots = (size_t)fmax(ceil((to - from) / KNOTS), 3), .at = l->at};
+    if (!sum_all(t, from, to)) return BAT_MEMORY;
+    if (own && from == l->from && to == l->to) leave_own(t);
+    line made = {.from = from, .to = to, .knots = t->sums.knots, .at = l->at};
     const size_t n = made.knots + 3;
-    double *block = malloc((n * 6 + made.knots) * sizeof *block);
+    double *block = malloc(n * 6 * sizeof *block);
     if (!block) return BAT_MEMORY;
-    double *a = block, *b = block + 4 * n, *cover = block + 6 * n;
-    tangle shifted = *t;
-    shifted.line.from = made.from, shifted.line.to = made.to, shifted.line.knots = made.knots;
-    density(&shifted, cover);
-    /* Own parts are measured across the line as it was, which has other places when it has grown. */
-    if (same) shifted.line.points = l->points;
-    assemble(&shifted, cover, first || !same, a, b);
+    double *a = block, *b = block + 4 * n;
+    assemble(&t->sums, a, b);
     bat_status status = bat_banded_factor(a, (int)n, 3);
     if (status == BAT_OK) {
         bat_banded_solve(a, (int)n, 3, b, 2);
@@ -255,13 +306,34 @@ static double distance2(const double *a, const double *b) {
     return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
+/* The nearest of all places of the line. From one that is farther off than the best so far, as many are passed over as
+ * cannot come nearer. */
+static size_t nearest_of_all(const line *l, const double *p, size_t guess) {
+    size_t best = guess < l->dense ? guess : 0;
+    double least = bat_hypot(p[0] - l->at[2 * best], p[1] - l->at[2 * best + 1]);
+    for (size_t i = 0, skip; i < l->dense; i += skip) {
+        const double far = bat_hypot(p[0] - l->at[2 * i], p[1] - l->at[2 * i + 1]);
+        if (far < least || (far == least && i < best)) least = far, best = i;
+        const double steps = (far - least) / l->gap;
+        skip = !(steps > 1) ? 1 : steps < (double)l->dense ? (size_t)steps : l->dense;
+    }
+    return best;
+}
+
+static size_t nearest_between(const line *l, const double *p, size_t low, size_t high) {
+    size_t best = low;
+    for (size_t i = low + 1; i <= high; i++)
+        if (distance2(p, l->at + 2 * i) < distance2(p, l->at + 2 * best)) best = i;
+    return best;
+}
+
 /* The nearest of the line's places near the last one, refined between its neighbours. Returns u; *beyond: -1,
  * 0, 1. */
 static double foot(const line *l, const double *p, size_t *near, bool anywhere, int *beyond) {
-    size_t low = anywhere || *near < WINDOW ? 0 : *near - WINDOW, best = low;
-    const size_t high = anywhere || *near + WINDOW >= l->dense ? l->dense - 1 : *near + WINDOW;
-    for (size_t i = low; i <= high; i++)
-        if (distance2(p, l->at + 2 * i) < distance2(p, l->at + 2 * best)) best = i;
+    const size_t best = anywhere
+                            ? nearest_of_all(l, p, *near)
+                            : nearest_between(l, p, *near < WINDOW ? 0 : *near - WINDOW,
+                                              *near + WINDOW >= l->dense ? l->dense - 1 : *near + WINDOW);
     *near = best;
     const double step = (l->to - l->from) / (double)(l->dense - 1);
     const size_t a = best ? best - 1 : 0, b = best + 1 < l->dense ? best + 1 : best;
@@ -272,27 +344,40 @@ static double foot(const line *l, const double *p, size_t *near, bool anywhere, 
     return l->from + step * ((double)best + (*beyond ? 0 : within(f, -1, 1)));
 }
 
-/* Lays a stroke along the line; beyond an end it goes on by its own length. Returns how much of it lies on
- * the line, px; place: keep what is found. */
-static double lay(const line *l, hair *h, bool place) {
+static void range(hair *h) {
+    h->first = INFINITY, h->last = -INFINITY;
+    for (size_t i = 0; i < h->count; i++)
+        h->first = fmin(h->first, h->u[i]), h->last = fmax(h->last, h->u[i]);
+}
+
+/* Beyond the places on the line it goes on by its own length. */
+static void go_on(hair *h, size_t first, size_t last, double step) {
+    double *u = h->u;
+    const double start = u[first], end = u[last], way = end >= start ? step : -step;
+    for (size_t i = first; i-- > 0;) u[i] = start - way * (double)(first - i);
+    for (size_t i = last + 1; i < h->count; i++) u[i] = end + way * (double)(i - last);
+}
+
+/* Lays a stroke along the line. */
+static void lay(const line *l, hair *h) {
     const double step = h->count > 1 ? h->length / (double)(h->count - 1) : 0;
     size_t near = 0, inside = 0, first = h->count, last = 0;
+    double off = INFINITY; /* from the nearer end, squared */
     int beyond = 0;
-    double spare, *u = place ? h->u : &spare;
     for (size_t i = 0; i < h->count; i++) {
-        const double at = foot(l, h->at + 2 * i, &near, i == 0 || beyond, &beyond);
-        if (place) u[i] = at;
-        if (beyond) continue;
+        h->u[i] = foot(l, h->at + 2 * i, &near, i == 0 || beyond, &beyond);
+        if (beyond) {
+            off = fmin(off, distance2(h->at + 2 * i, l->at + 2 * near));
+            continue;
+        }
         inside++;
         if (first == h->count) first = i;
         last = i;
     }
-    if (!place || first == h->count) return (double)inside * step;
-    const double start = u[first], end = u[last];
-    const bool along = end >= start;
-    for (size_t i = first; i-- > 0;) u[i] = start + (along ? -1 : 1) * step * (double)(first - i);
-    for (size_t i = last + 1; i < h->count; i++) u[i] = end + (along ? 1 : -1) * step * (double)(i - last);
-    return (double)inside * step;
+    if (inside) go_on(h, first, last, step);
+    h->on = (double)inside * step;
+    h->again = inside == h->count ? INFINITY : l->to - l->from + (inside ? 0 : 0.5 * sqrt(off));
+    range(h);
 }
 
 /* A stroke's offset, tilt and bow, held back by how even all strokes are. */
@@ -338,6 +423,21 @@ static void measure(tangle *t) {
     t->scatter = sqrt(sum / weight);
 }
 
+/* Whichever lies most on the line of those that are not placed yet. They are laid along it only where it may have come
+ * nearer to them: most are laid a few times, however many there are. */
+static hair *next_one(tangle *t) {
+    const double length = t->line.to - t->line.from;
+    hair *best = NULL;
+    for (size_t j = 0; j < t->count; j++) {
+        hair *h = &t->hairs[j];
+        if (h->placed) continue;
+        if (length > h->again) lay(&t->line, h);
+        if (h->on > (best ? best->on : 0)) best = h;
+    }
+    if (best) lay(&t->line, best);
+    return best;
+}
+
 /* The longest stroke first, then whichever lies most on the line so far. */
 static bat_status gather(tangle *t) {
     size_t longest = 0;
@@ -346,20 +446,12 @@ static bat_status gather(tangle *t) {
     hair *h = &t->hairs[longest];
     if (h->count < 4) return BAT_DOT;
     for (size_t i = 0; i < h->count; i++) h->u[i] = h->length * (double)i / (double)(h->count - 1);
+    range(h);
     h->placed = true;
-    bat_status status = solve(t, true);
-    for (size_t round = 1; round < t->count && status == BAT_OK; round++) {
-        double most = 0;
-        h = NULL;
-        for (size_t j = 0; j < t->count; j++) {
-            if (t->hairs[j].placed) continue;
-            const double on = lay(&t->line, &t->hairs[j], false);
-            if (on > most) most = on, h = &t->hairs[j];
-        }
-        if (!h) break;
-        lay(&t->line, h, true);
+    bat_status status = solve(t, false);
+    while (status == BAT_OK && (h = next_one(t))) {
         h->placed = true;
-        status = solve(t, true);
+        status = solve(t, false);
     }
     return status;
 }
@@ -368,13 +460,14 @@ static bat_status settle(tangle *t) {
     bat_status status = gather(t);
     for (int round = 0; round < ROUNDS && status == BAT_OK; round++) {
         for (size_t j = 0; j < t->count; j++)
-            if (t->hairs[j].placed) lay(&t->line, &t->hairs[j], true);
+            if (t->hairs[j].placed) lay(&t->line, &t->hairs[j]);
+        t->sums.from = NAN; /* all has moved */
         measure(t);
         for (size_t j = 0; j < t->count; j++)
             if (t->hairs[j].placed) fit_own(t, &t->hairs[j]);
         /* Places may have moved beyond the line's ends: it is laid out anew over them, then freed of own parts. */
-        status = solve(t, true);
-        if (status == BAT_OK) status = solve(t, false);
+        status = solve(t, false);
+        if (status == BAT_OK) status = solve(t, true);
     }
     if (status == BAT_OK) measure(t);
     return status;
@@ -402,6 +495,7 @@ bat_status bat_converge(size_t count, const bat_stroke *strokes, double pixel, b
     }
     for (size_t j = 0; j < count && t.hairs; j++) free(t.hairs[j].at);
     free(t.hairs);
+    free(t.sums.of);
     free(t.line.points);
     free(t.line.at);
     return status;

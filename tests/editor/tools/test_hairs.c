@@ -177,6 +177,31 @@ static void eight_are_one(void **state) {
     assert_true(more <= 1 && worst <= 2);
 }
 
+/* As many as go together: still one line, nearer to the truth than after eight, and no wigglier. */
+static void thirty_two_are_one(void **state) {
+    (void)state;
+    double off[2] = {0};
+    int more = 0;
+    for (int scene = 0; scene < SCENES; scene++) {
+        seed = 3 + 29 * (uint64_t)scene;
+        const truth t = some_truth();
+        bat_editor *editor = empty(0);
+        pen p = pen_for(editor);
+        for (int i = 0; i < BAT_HAIRS_MOST / STROKES; i++) {
+            tangle(&p, &t);
+            if (i == 0) off[0] += rms(newest(editor), &t) / SCENES;
+        }
+        assert_int_equal(count(editor), 1);
+        check(editor);
+        off[1] += rms(newest(editor), &t) / SCENES;
+        more += inflections(newest(editor)) > true_inflections(&t);
+        bat_editor_free(editor);
+    }
+    print_message("off by %.2f px after eight, %.2f px after %d; more inflections in %d of %d\n", off[0],
+                  off[1], (int)BAT_HAIRS_MOST, more, SCENES);
+    assert_true(off[1] < 0.8 * off[0] && more <= SCENES / 6);
+}
+
 /* Each stroke is one step, back and forth; after a step back the next stroke is an ordinary one. */
 static void each_is_a_step(void **state) {
     (void)state;
@@ -348,11 +373,10 @@ static void each_can_be_read_alone(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(eight_are_one),
-                                       cmocka_unit_test(each_is_a_step),
-                                       cmocka_unit_test(others_win),
-                                       cmocka_unit_test(a_stretch_is_redrawn),
-                                       cmocka_unit_test(what_is_shown_is_what_will_be),
-                                       cmocka_unit_test(each_can_be_read_alone)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(eight_are_one),         cmocka_unit_test(thirty_two_are_one),
+        cmocka_unit_test(each_is_a_step),        cmocka_unit_test(others_win),
+        cmocka_unit_test(a_stretch_is_redrawn),  cmocka_unit_test(what_is_shown_is_what_will_be),
+        cmocka_unit_test(each_can_be_read_alone)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

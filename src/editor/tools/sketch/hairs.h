@@ -8,7 +8,7 @@
 #include "editor/edit/stroke.h"
 #include "hands/sketch/converge.h"
 
-enum { BAT_HAIRS_MOST = 16 };
+enum { BAT_HAIRS_MOST = 32 };
 
 typedef struct bat_hairs {
     int count;                           /* strokes over the line so far; 0: none */
