@@ -35,7 +35,8 @@ static inline bat_fit_options bat_fit_defaults(void) {
     return options;
 }
 /* Fits count points in order, in document units; *out is the caller's; report may be NULL; options may be NULL.
- * BAT_COUNT: only one point, or all points coincide. Two points give a line. BAT_TOLERANCE: the best curve found
+ * Points sampled from a spline of this degree take no more spans than it has, whatever their parameters were (with exceptions
+ * and limits in docs/math/sketch.md 5.7). BAT_COUNT: only one point, or all points coincide. Two points give a line. BAT_TOLERANCE: the best curve found
  * is handed over. */
 BAT_API bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
                            bat_curve **out, bat_fit_report *report);

@@ -1,6 +1,7 @@
 /*
  * Least-squares fit of points to a tolerance in true distance (math 5.7, without its constraints).
  *
+ * Points of a spline show its knots, and even its parameters (hidden.c, pieces.c): these are tried first.
  * Parameters begin as chord length. Knots go into every failing span until all points are within tolerance;
  * then knots go out again, a third at a time, cheapest first, those that turn out to be needed put back where
  * the curve fails; then neighbouring pairs are merged. After each accepted solve, parameters follow the
@@ -10,9 +11,11 @@
 #include <batten/fit.h>
 
 #include "curve/banded.h"
+#include "curve/fit.h"
 #include "curve/hidden.h"
 #include "base/options.h"
 #include "curve/lsq.h"
+#include "curve/pieces.h"
 #include "base/real.h"
 
 #include <float.h>
@@ -43,6 +46,7 @@ typedef struct fitting {
     int room; /* distinct knots at most */
     bat_curve space;
     double *knots, *a, *b, *border, *local, *rank, *points; /* points: of the accepted state */
+    void *pieces;                                           /* room to look for them */
     size_t *first;                                          /* samples of the trial's slots */
     bat_lsq_memo memo[2];                                   /* of the last solve, and of the one before */
     bool moved;                                             /* parameters are not those of the last solve */
@@ -51,7 +55,8 @@ typedef struct fitting {
     double tolerance, worst; /* worst: greatest distance in the accepted state */
     double mu;
     int solves, budget;
-    bool fits; /* the accepted state is within tolerance */
+    bool plain; /* pieces are not looked for */
+    bool fits;  /* the accepted state is within tolerance */
 } fitting;
 
 /* ---- One solve ---- */
@@ -529,6 +534,7 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->weight = part(base, &used, count, sizeof(double));
     f->near = part(base, &used, count, sizeof(double));
     f->distance = part(base, &used, wide, sizeof(double));
+    f->pieces = part(base, &used, 1, bat_hidden_pieces_work(count));
     f->spare = part(base, &used, wide, sizeof(double));
     mesh *meshes[2] = {&f->accepted, &f->trial};
     for (int i = 0; i < 2; i++) {
@@ -566,12 +572,16 @@ static void reverse(double *x, size_t m, size_t from, size_t to) {
         }
 }
 
+static void turn_round(double *x, size_t m, size_t n, size_t first) {
+    reverse(x, m, 0, first);
+    reverse(x, m, first, n);
+    reverse(x, m, 0, n);
+}
+
 /* Even parameters for a closed curve whose domain begins at this knot, `at` samples from the first point. */
 static void begin_at(fitting *f, double at, double step) {
     const size_t n = f->count, m = (size_t)f->dimension, first = (size_t)ceil(at);
-    reverse(f->x, m, 0, first % n);
-    reverse(f->x, m, first % n, n);
-    reverse(f->x, m, 0, n);
+    turn_round(f->x, m, n, first % n);
     for (size_t i = 0; i < n; i++) f->u[i] = ((double)i + ((double)first - at)) * step;
 }
 
@@ -614,6 +624,29 @@ static bool start_hidden(fitting *f, size_t count, const double *points, const d
     return false;
 }
 
+/* Points of a spline at parameters that nobody knows: its pieces give them, and the knots. */
+static bool start_pieces(fitting *f) {
+    const double noise = 1e-5; /* of the tolerance */
+    const bat_fit_options *o = f->options;
+    const size_t n = f->count, m = (size_t)f->dimension;
+    if (f->plain || o->corner_count > 0 || o->smoothing > 0) return false;
+    const bat_pieces h = {f->degree, f->dimension, f->closed, n, f->x, noise * f->tolerance};
+    bat_pieced p = {.u = f->near, .knots = f->spare};
+    if (!bat_hidden_pieces(&h, f->pieces, &p) || (f->closed && p.found < 4) || p.found + 2 > (size_t)f->room)
+        return false;
+    turn_round(f->x, m, n, p.first);
+    memcpy(f->u, p.u, n * sizeof *f->u);
+    mesh *t = &f->trial;
+    const int inner = (int)p.found - f->closed;
+    t->count = inner + 2;
+    for (int k = 0; k < t->count; k++) {
+        t->at[k] = k == 0 ? 0 : p.knots[k - 1 + f->closed];
+        t->corner[k] = t->firm[k] = false, t->kept[k] = k + 1 == t->count;
+    }
+    t->at[inner + 1] = p.end;
+    return true;
+}
+
 static bat_status fit_points(fitting *f, size_t count, const double *points, bat_curve **out,
                              bat_fit_report *report) {
     double origin[BAT_DIMENSION_MAX];
@@ -624,6 +657,11 @@ static bat_status fit_points(fitting *f, size_t count, const double *points, bat
     if (status == BAT_OK && start_hidden(f, count, points, origin)) {
         thin(f);
         status = hand_over(f, origin, &first, &reports[0]);
+    } else if (status == BAT_OK && start_pieces(f)) {
+        f->mu = 0, f->worst = INFINITY, f->fits = false, f->moved = true;
+        grow(f);
+        if (f->fits) thin(f);
+        if (f->fits) status = hand_over(f, origin, &first, &reports[0]);
     }
     if (status == BAT_OK) status = take_points(f, count, points, origin);
     if (status != BAT_OK) {
@@ -652,15 +690,18 @@ static bat_status fit_points(fitting *f, size_t count, const double *points, bat
     return status;
 }
 
-bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *given,
-                   bat_curve **out, bat_fit_report *report) {
+static bat_status fit_any(int dimension, size_t count, const double *points, const bat_fit_options *given,
+                          bool plain, bat_curve **out, bat_fit_report *report) {
     if (!out) return BAT_ARGUMENT;
     bat_fit_options chosen = DEFAULTS, *options = &chosen;
     bat_status status = bat_options_read(given, LEAST, sizeof chosen, &chosen);
     if (status == BAT_OK) status = check(dimension, count, points, options);
     if (status != BAT_OK) return status;
-    fitting f = {
-        .options = options, .degree = options->degree, .dimension = dimension, .closed = options->closed};
+    fitting f = {.options = options,
+                 .degree = options->degree,
+                 .dimension = dimension,
+                 .closed = options->closed,
+                 .plain = plain};
     f.tolerance = options->tolerance, f.budget = options->solves_max > 0 ? options->solves_max : 120;
     f.worst = INFINITY;
     f.room = (int)(count + options->corner_count) + 8;
@@ -670,4 +711,14 @@ bat_status bat_fit(int dimension, size_t count, const double *points, const bat_
     status = fit_points(&f, count, points, out, report);
     free(block);
     return status;
+}
+
+bat_status bat_fit(int dimension, size_t count, const double *points, const bat_fit_options *options,
+                   bat_curve **out, bat_fit_report *report) {
+    return fit_any(dimension, count, points, options, false, out, report);
+}
+
+bat_status bat_fit_plain(int dimension, size_t count, const double *points, const bat_fit_options *options,
+                         bat_curve **out, bat_fit_report *report) {
+    return fit_any(dimension, count, points, options, true, out, report);
 }

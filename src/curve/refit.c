@@ -3,6 +3,7 @@
  * (simplify) keeps the parameters and can only choose among the knots there are; its result is kept where the
  * fit has no fewer points.
  */
+#include "curve/fit.h"
 #include "curve/curve.h"
 
 #include <batten/fit.h>
@@ -80,7 +81,7 @@ static bat_status fitted(const bat_curve *curve, const sampling *s, double toler
         bat_curve *fit = NULL;
         double there, back;
         options.tolerance = within;
-        bat_status status = bat_fit(curve->dimension, s->count, s->points, &options, &fit, NULL);
+        bat_status status = bat_fit_plain(curve->dimension, s->count, s->points, &options, &fit, NULL);
         if (status == BAT_OK) status = bat_curve_distance(curve, fit, CHECKED, &there, &back);
         if (status == BAT_OK && fmax(there, back) <= tolerance) {
             *out = fit, *error = fmax(there, back);

@@ -1,4 +1,5 @@
 /* The lines that are seen of a scene: each stretch becomes Bezier segments. */
+#include "curve/fit.h"
 #include "form/sight/strand.h"
 #include <batten/bezier.h>
 #include <batten/fit.h>
@@ -53,7 +54,7 @@ static bat_status segments_of(size_t count, const double *points, int *segments,
     bat_fit_options options;
     bat_fit_options_init(&options, sizeof options);
     options.tolerance = tolerance, options.hold_ends = true;
-    bat_status status = bat_fit(2, count, points, &options, &curve, NULL);
+    bat_status status = bat_fit_plain(2, count, points, &options, &curve, NULL);
     if (status == BAT_TOLERANCE) status = BAT_OK;
     if (status == BAT_OK) status = bat_curve_to_cubics(curve, 1e-3, segments, &cubics);
     bat_curve_free(curve);

@@ -1,4 +1,5 @@
 /* The intersection of two surfaces: seeds, branches, contacts; and tracks as curves. */
+#include "curve/fit.h"
 #include "form/trace/meet.h"
 #include "form/view/view.h"
 #include <batten/fit.h>
@@ -77,7 +78,7 @@ bat_status bat_tracks_curve(const bat_tracks *tracks, size_t i, double tolerance
     bat_fit_options options;
     bat_fit_options_init(&options, sizeof options);
     options.tolerance = tolerance, options.closed = track->closed, options.hold_ends = !track->closed;
-    const bat_status status = bat_fit(3, count, points, &options, out, NULL);
+    const bat_status status = bat_fit_plain(3, count, points, &options, out, NULL);
     free(points);
     return status;
 }
