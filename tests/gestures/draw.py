@@ -85,6 +85,33 @@ DRAWINGS = {
 }
 
 
+# Held back from the first families; other hands draw on these.
+OTHERS = {
+    "chair": {
+        "seat": (False, [(300, 400), (400, 388), (520, 388), (640, 402)]),
+        "front-leg": (False, [(300, 400), (292, 480), (284, 570), (276, 660)]),
+        "back-leg": (False, [(640, 402), (650, 490), (664, 580), (682, 662)]),
+        "back": (False, [(640, 402), (662, 310), (690, 200), (700, 90)]),
+        "spindle": (False, [(560, 360), (580, 280), (604, 190), (616, 110)]),
+        "cushion": (True, ring(430, 340, 110, 22)),
+        "rug": (True, ring(480, 672, 330, 20, 12)),
+        "lamp": (False, [(110, 640), (120, 480), (108, 320), (150, 190), (240, 130)]),
+        "cord": (False, [(780, 560), (830, 520), (860, 570), (910, 540), (950, 580)]),
+    },
+    "leaf": {
+        "upper": (False, [(120, 420), (230, 270), (400, 190), (580, 200), (740, 290), (860, 420)]),
+        "lower": (False, [(120, 420), (240, 520), (420, 570), (600, 550), (750, 490), (860, 420)]),
+        "rib": (False, [(170, 420), (340, 400), (520, 390), (700, 400), (820, 416)]),
+        "vein-1": (False, [(330, 360), (370, 310), (400, 250)]),
+        "vein-2": (False, [(520, 350), (560, 300), (590, 240)]),
+        "vein-3": (False, [(430, 450), (470, 490), (490, 530)]),
+        "drop": (True, ring(660, 470, 24, 24)),
+        "stalk": (False, [(60, 640), (70, 560), (50, 480), (66, 400)]),
+        "breeze": (False, wave(260, 900, 90, 16, 11)),
+    },
+}
+
+
 def beziers(points, closed):
     """Cubics of a spline through the points; its ends bend roughly like the circle through the last three points."""
     n = len(points)
@@ -113,5 +140,5 @@ def svg(curves):
 
 if __name__ == "__main__":
     folder = pathlib.Path(sys.argv[1])
-    for name, curves in DRAWINGS.items():
+    for name, curves in [*DRAWINGS.items(), *OTHERS.items()]:
         (folder / f"{name}.svg").write_text(svg(curves))

@@ -60,7 +60,7 @@ class Curve:
         return sum(abs(math.remainder(q - p, 2 * math.pi)) for p, q in zip(angles, angles[1:]))
 
 
-DRAWINGS = {name: {n: Curve(n, *c) for n, c in curves.items()} for name, curves in draw.DRAWINGS.items()}
+DRAWINGS = {name: {n: Curve(n, *c) for n, c in curves.items()} for name, curves in [*draw.DRAWINGS.items(), *draw.OTHERS.items()]}
 
 
 def others(drawing, curve):
@@ -97,11 +97,14 @@ def rounded(path):
 
 
 class Maker:
-    def __init__(self, seed):
-        self.r, self.out, self.count = Random(seed), [], 0
+    def __init__(self, seed, names=sorted(draw.DRAWINGS), letter="g"):
+        self.r, self.out, self.count, self.names, self.letter = Random(seed), [], 0, names, letter
+        self.other = None
 
     def hand(self, small=False):
         r = self.r
+        if self.other:
+            return self.other.hand(r)
         if small:
             return {"speed": round(r.between(90, 220)), "tremor": round(r.between(0.05, 0.2), 2), "drift": round(r.between(0.05, 0.25), 2),
                     "noise": round(r.between(0.02, 0.12), 2), "hook": round(r.between(0, 1.2), 1)}
@@ -110,8 +113,13 @@ class Maker:
 
     def add(self, category, drawing, zoom, centre, strokes, expect, small=False, prepare=None, kind=None):
         self.count += 1
-        g = {"id": "g%03d" % self.count, "category": category, "drawing": drawing + ".svg",
+        g = {"id": self.letter + "%03d" % self.count, "category": category, "drawing": drawing + ".svg",
              "view": {"size": VIEW, "zoom": zoom, "centre": [round(x, 1) for x in centre]}}
+        if self.other:
+            g["category"] = self.other.name
+            g["view"].update(self.other.view)
+            if self.other.turned and not kind and not expect[0].get("new"):  # what begins on a curve still does
+                strokes = [path[::-1] for path in strokes]
         if prepare:
             g["prepare"] = prepare
         made = []
@@ -131,9 +139,11 @@ class Maker:
         return self.r.pick([c for c in DRAWINGS[drawing].values() if accept(c)])
 
     def any_drawing(self):
-        return self.r.pick(sorted(DRAWINGS))
+        return self.r.pick(self.names)
 
     def zoom(self, low=0.6, high=2.0):
+        if self.other:
+            low, high = self.other.zooms
         return round(math.exp(self.r.between(math.log(low), math.log(high))), 3)
 
     def until(self, wanted, attempt, most=4000):
@@ -399,7 +409,7 @@ def close(m):
 
 
 def joint(m):
-    drawing = m.r.pick(["fish", "broken"])
+    drawing = "chair" if m.other else m.r.pick(["fish", "broken"])
     zoom = m.zoom(0.8, 1.8)
     a, ea, b, eb = m.r.pick(touching(drawing))
     wa, wb = a.end(ea)[1], b.end(eb)[1]
@@ -549,10 +559,52 @@ FAMILIES = [
     (8, lambda m: lambda: whole_turn(m)),
 ]
 
+
+
+class Other:
+    """A hand that is not the usual one, or a view or tablet that is not."""
+
+    def __init__(self, name, zooms=(0.7, 1.6), turned=False, view=None, **hand):
+        self.name, self.zooms, self.turned, self.view, self.ranges = name, zooms, turned, view or {}, hand
+
+    def hand(self, r):
+        return {k: round(r.between(*v), 2) for k, v in self.ranges.items()}
+
+
+# Lengths in px: tremor of 1 px and more is felt as shaky; a left hand pushes where a right one pulls, and leaves a longer
+# hook; 60 samples a second at 2000 px/s are 33 px apart; a small tablet's unit is a few px of a large view.
+HANDS = [
+    Other("shaky hand", speed=(120, 320), tremor=(1, 1.8), drift=(0.8, 1.6), noise=(0.1, 0.4), hook=(0, 4)),
+    Other("left hand", turned=True, speed=(200, 600), tremor=(0.2, 0.7), drift=(0.4, 1.2), noise=(0, 0.2), hook=(2, 6)),
+    Other("fast, few samples", speed=(1400, 2600), tremor=(0.1, 0.5), drift=(0.3, 1), noise=(0, 0.3), hook=(0, 3), rate=(60, 90)),
+    Other("tiny tablet", view={"size": [430, 300], "ratio": 3}, zooms=(0.35, 0.8), speed=(200, 500), tremor=(0.2, 0.5),
+          drift=(0.3, 0.8), noise=(0.05, 0.2), hook=(0, 2.5), rate=(100, 133), grid=(0.5, 1)),
+    Other("zoomed out", zooms=(0.18, 0.3), speed=(120, 350), tremor=(0.1, 0.4), drift=(0.2, 0.6), noise=(0, 0.2), hook=(0, 3)),
+    Other("zoomed in", zooms=(5, 12), speed=(200, 700), tremor=(0.1, 0.6), drift=(0.2, 0.9), noise=(0, 0.25), hook=(0, 4)),
+]
+
+
+def by_other_hands(m):
+    """Each hand: overdraws, lines across and from curves, extensions, joints."""
+    for other in HANDS:
+        m.other = other
+        far = other.zooms[1] < 0.4
+        wanted = [(3, overdraw(m, "", 70 if far else 110, 300, 0.07)), (2, crossing(m, 60, 160, "")), (2, branch(m, False))]
+        if not far:
+            wanted.append((1, lambda: in_the_open(m)))
+        if other.zooms[0] < 2:
+            wanted += [(2, extend(m, False)), (2, lambda: joint(m))]
+        for count, attempt in wanted:
+            m.until(count, attempt)
+
+
 if __name__ == "__main__":
     maker = Maker(20261)
     for count, family in FAMILIES:
         maker.until(count, family(maker))
+    others_maker = Maker(52061, sorted(draw.OTHERS), "h")
+    by_other_hands(others_maker)
+    maker.out += others_maker.out
     print('{"about": "Written by families.py; paths in document units.", "gestures": [')
     print(",\n".join(json.dumps(g) for g in maker.out))
     print("]}")

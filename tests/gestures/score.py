@@ -91,7 +91,7 @@ def events(g):
 
 def script(g, folder):
     v = g["view"]
-    lines = ["open " + os.path.join(folder, "drawings", g["drawing"]), "size %g %g 1" % tuple(v["size"])]
+    lines = ["open " + os.path.join(folder, "drawings", g["drawing"]), "size %g %g %g" % (*v["size"], v.get("ratio", 1))]
     lines += list(g.get("prepare", []))
     lines += ["view %.9g %.9g %.9g" % (v["zoom"], *v["centre"]), "frame", "before"]
     lines += events(g) + list(g.get("then", [])) + ["report"]

@@ -12,6 +12,7 @@ enum { SAMPLES_MAX = 6000, CORNERS_MAX = 1500, SMOOTH_MAX = 16384 };
  * before them, samples that the noise is judged by, and how finely the whole is resampled. */
 enum { LIVE_LOOSE = 256, LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double loose = 0.25; /* px that shown samples move by at most */
+static const double sparse = 4;   /* px between samples, from which on they are few */
 static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
 /* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
@@ -218,6 +219,13 @@ static void judge_noise(cleaning *k) {
     k->sigma = fmin(bat_noise(judged, k->dimension, k->y + (k->count - judged) * k->m, k->work), noise_cap);
 }
 
+/* Where samples are few, what lies between the hook and the next one is no hook: sample i goes to where it begins. */
+static void begin_at(cleaning *k, const bat_path *path, size_t i, double s) {
+    double x[BAT_DIMENSION_MAX];
+    bat_path_at(path, s, x);
+    memcpy(k->y + (k->first + i) * k->m, x, k->m * sizeof *x);
+}
+
 /* False: there is none, or nothing that could have one. */
 static bool cut_hooks(cleaning *k) {
     const double total = k->arc[k->count - 1];
@@ -225,9 +233,13 @@ static bool cut_hooks(cleaning *k) {
     const bat_path path = {k->z, k->arc, k->count, k->m};
     const double head = bat_hook(&path, k->grain, false), tail = bat_hook(&path, k->grain, true);
     if (head <= 0 && tail <= 0) return false;
+    const size_t whole = k->count;
     while (k->count > 4 && k->arc[k->count - 1] > total - tail) k->count--;
+    if (k->count < whole && total - tail - k->arc[k->count - 1] > sparse)
+        begin_at(k, &path, k->count++, total - tail);
     size_t drop = 0;
     while (drop + 4 < k->count && k->arc[drop] < head) drop++;
+    if (drop > 0 && k->arc[drop] - head > sparse) begin_at(k, &path, --drop, head);
     k->first += drop, k->count -= drop;
     return true;
 }

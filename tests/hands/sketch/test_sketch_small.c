@@ -296,10 +296,35 @@ static void dabs_stay_small(void **state) {
     }
 }
 
+/* A fast hand on a slow tablet: samples some 45 px apart, and a hook of a few px where the pen lands and leaves. What is
+ * cut off is the hook, not what lies between it and the next sample. */
+static void few_samples_keep_the_ends(void **state) {
+    (void)state;
+    double worst = 0;
+    random_source r = {6107};
+    for (int n = 0; n < 200; n++) {
+        hand h;
+        const double length = random_between(&r, 70, 400), step = random_between(&r, 25, 45);
+        const double hook = random_between(&r, 1, 4), way = random_between(&r, 0, 2 * pi);
+        take_up(&h, &r, 0.2, 0.05);
+        for (int i = 4; i > 0; i--) put(&h, hook * i / 4 * cos(way), hook * i / 4 * sin(way));
+        const int steps = (int)(length / step) + 1;
+        for (int i = 0; i <= steps; i++) put(&h, length * i / steps, 0);
+        for (int i = 1; i < 4; i++) put(&h, length - hook * i / 4 * cos(way), hook * i / 4 * sin(way));
+        bat_curve *curve = drawn_new(&h, false);
+        const double ends[4] = {0, 0, length, 0};
+        worst = fmax(worst, off(curve, ends, 2));
+        bat_curve_free(curve);
+    }
+    print_message("few samples: ends %.2f px off at most\n", worst);
+    assert_true(worst <= 4);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(writing_keeps_its_humps),   cmocka_unit_test(zigzags_keep_their_corners),
         cmocka_unit_test(stars_keep_their_corners),  cmocka_unit_test(circles_keep_their_size),
-        cmocka_unit_test(an_open_letter_stays_open), cmocka_unit_test(dabs_stay_small)};
+        cmocka_unit_test(an_open_letter_stays_open), cmocka_unit_test(dabs_stay_small),
+        cmocka_unit_test(few_samples_keep_the_ends)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
