@@ -15,14 +15,24 @@ static bat_status to_obj(const bat_model *model, double tolerance, char **bytes,
     return bat_obj_write(model, bytes, size);
 }
 
+static bat_status to_iges(const bat_model *model, double tolerance, char **bytes, size_t *size) {
+    (void)tolerance;
+    return bat_iges_write(model, bytes, size);
+}
+static bat_status to_step(const bat_model *model, double tolerance, char **bytes, size_t *size) {
+    (void)tolerance;
+    return bat_step_write(model, bytes, size);
+}
+
 static const struct writer {
     const char *ending;
     bat_status (*write)(const bat_model *model, double tolerance, char **bytes, size_t *size);
     const char *holds;
-} WRITERS[] = {{".json", to_json, "a mesh, surfaces or curves"},
-               {".obj", to_obj, "a mesh, surfaces or curves"},
-               {".stl", bat_stl_write, "faces or surfaces"},
-               {".glb", bat_gltf_write, "a mesh, surfaces or curves"}};
+} WRITERS[] = {
+    {".json", to_json, "a mesh, surfaces or curves"}, {".obj", to_obj, "a mesh, surfaces or curves"},
+    {".stl", bat_stl_write, "faces or surfaces"},     {".glb", bat_gltf_write, "a mesh, surfaces or curves"},
+    {".igs", to_iges, "surfaces or curves"},          {".iges", to_iges, "surfaces or curves"},
+    {".stp", to_step, "surfaces or curves"},          {".step", to_step, "surfaces or curves"}};
 
 static const struct writer *writer_of(const char *name) {
     const size_t length = strlen(name);
@@ -57,8 +67,8 @@ static int run(const cli_arguments *arguments) {
     char *bytes = NULL;
     size_t size = 0;
     if (!writer)
-        return fail_usage(arguments->command, "%s: expected a name that ends in .json, .obj, .stl or .glb",
-                          out);
+        return fail_usage(arguments->command,
+                          "%s: expected a name that ends in .json, .obj, .stl, .glb, .igs or .step", out);
     int failed = arguments_number(arguments, "--tolerance", 1e-30, 1e30, &tolerance);
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
@@ -68,19 +78,20 @@ static int run(const cli_arguments *arguments) {
     bat_free(bytes);
     bat_model_clear(&model);
     if (!failed && left_out > 0)
-        remark("%s: %d statement%s left out: no faces, points, or B-splines", in, left_out,
+        remark("%s: %d statement%s left out: no faces of a mesh, points, or B-splines", in, left_out,
                left_out == 1 ? "" : "s");
     return failed;
 }
 
 const cli_command command_surface_convert = {
     .name = "surface convert",
-    .usage = "IN OUT.(json|obj|stl|glb) [--tolerance T]",
-    .summary = "A mesh, surfaces and curves as OBJ, STL or glTF, and OBJ as JSON.",
+    .usage = "IN OUT.(json|obj|stl|glb|igs|step) [--tolerance T]",
+    .summary = "A mesh, surfaces and curves as OBJ, STL, glTF, IGES or STEP, and OBJ, IGES or STEP as JSON.",
     .details =
-        "IN is a MESH, a SURFACE, a CURVE or a list of them, or an .obj file. OBJ holds faces and B-splines "
-        "as they are;\nSTL holds triangles, binary glTF (.glb) triangles with normals, curves as line "
-        "strips and clouds as points.",
+        "IN is a MESH, a SURFACE, a CURVE or a list of them, or an .obj, .igs or .step file. OBJ holds faces "
+        "and B-splines\nas they are, IGES and STEP B-splines, in millimetres; STL holds triangles, binary "
+        "glTF "
+        "(.glb) triangles with\nnormals, curves as line strips and clouds as points.",
     .example = "batten surface convert jug.json jug.glb --tolerance 0.01",
     .operands = 2,
     .options = {{"--tolerance", "T",

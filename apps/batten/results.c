@@ -20,24 +20,41 @@ int read_data(const char *name, data_reader *reader, void *out, bat_problem *pro
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, problem);
 }
 
-/* ---- OBJECTs: JSON, or a file called .obj ---- */
-
-static bool is_obj(const char *name) {
-    const size_t length = strlen(name);
-    return length > 4 && strcasecmp(name + length - 4, ".obj") == 0;
-}
+/* ---- OBJECTs: JSON, or a file whose name says what it is ---- */
 
 static bat_status model_of(const char *data, size_t size, void *out, bat_problem *problem) {
     return bat_model_read(data, size, out, problem);
 }
-
 static bat_status obj_of(const char *data, size_t size, void *out, bat_problem *problem) {
     return bat_obj_read(data, size, out, problem);
+}
+static bat_status iges_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_iges_read(data, size, out, problem);
+}
+static bat_status step_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    return bat_step_read(data, size, out, problem);
+}
+
+/* The reader for files with this name; NULL: JSON. */
+static data_reader *reader_of(const char *name) {
+    static const struct {
+        const char *ending;
+        data_reader *reader;
+    } readers[] = {
+        {".obj", obj_of}, {".igs", iges_of}, {".iges", iges_of}, {".stp", step_of}, {".step", step_of}};
+    const size_t length = strlen(name);
+    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++) {
+        const size_t ending = strlen(readers[i].ending);
+        if (length > ending && strcasecmp(name + length - ending, readers[i].ending) == 0)
+            return readers[i].reader;
+    }
+    return NULL;
 }
 
 int read_model(const char *name, bat_model *out) {
     bat_problem problem;
-    return read_data(name, is_obj(name) ? obj_of : model_of, out, &problem);
+    data_reader *reader = reader_of(name);
+    return read_data(name, reader ? reader : model_of, out, &problem);
 }
 
 /* Reads the one thing of its kind that an OBJ file holds; the other things are freed. */
@@ -59,7 +76,7 @@ static bat_status curve_of(const char *data, size_t size, void *out, bat_problem
 int read_curve(const char *name, bat_curve **out) {
     bat_problem problem;
     bat_model model;
-    if (!is_obj(name)) return read_data(name, curve_of, out, &problem);
+    if (!reader_of(name)) return read_data(name, curve_of, out, &problem);
     int failed = read_only_one(name, "curve", &model);
     if (failed) return failed;
     *out = model.curves[0];
@@ -85,7 +102,7 @@ static bat_status surface_of(const char *data, size_t size, void *out, bat_probl
 int read_surface(const char *name, bat_surface **out) {
     bat_problem problem;
     bat_model model;
-    if (!is_obj(name)) return read_data(name, surface_of, out, &problem);
+    if (!reader_of(name)) return read_data(name, surface_of, out, &problem);
     int failed = read_only_one(name, "surface", &model);
     if (failed) return failed;
     *out = model.surfaces[0];

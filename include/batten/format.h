@@ -50,6 +50,17 @@ BAT_API bat_status bat_model_write(const bat_model *model, char **text, size_t *
  * part of a surface. Numbers survive bit for bit. */
 BAT_API bat_status bat_obj_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_obj_write(const bat_model *model, char **text, size_t *size);
+/* IGES 5.3: B-spline curves and surfaces (entities 126, 128), placed by their matrices (124); and STEP (ISO 10303-21),
+ * of which AP214 is written: B-spline curves and surfaces of any kind. One unit is a millimetre: other units of a file are
+ * converted. A mesh is left out of both. Curves that bound faces are not read, so that trimmed faces come whole; each
+ * counts as left out, as whatever else has a shape does; parts of a STEP assembly stay where they were drawn. Curves that
+ * lie in z = 0 become planar; but for that, all of a written model comes back bit for bit. Reading: BAT_UNSUPPORTED:
+ * weights that differ, several units of length in a STEP file, a binary or compressed IGES file. Writing: BAT_COUNT:
+ * neither curve nor surface; BAT_UNSUPPORTED: more than the 9,999,999 lines that IGES can number. */
+BAT_API bat_status bat_iges_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
+BAT_API bat_status bat_iges_write(const bat_model *model, char **bytes, size_t *size);
+BAT_API bat_status bat_step_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
+BAT_API bat_status bat_step_write(const bat_model *model, char **bytes, size_t *size);
 /*
  * Triangles within the tolerance of the surfaces (document units; 0: 1e-4 of the model's size), as binary STL, and as
  * binary glTF 2.0 with unit normals, curves as line strips and clouds as points. Both hold floats of 32 bits, without

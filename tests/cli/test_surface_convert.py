@@ -146,14 +146,16 @@ class Convert(ProgramTest):
         self.assertEqual(parts[2][1][0].tolist(), [*curve[0], 0])
         self.assertEqual(parts[2][1][-1].tolist(), [*curve[-1], 0])
 
-    def test_obj_there_and_back(self):
-        for content in (SADDLE, torus(), CUBE, [ELL, SADDLE, torus()]):
-            obj = self.convert(content, ".obj")
+    def test_there_and_back(self):
+        for content, ending in ((SADDLE, ".obj"), (torus(), ".obj"), (CUBE, ".obj"), ([ELL, SADDLE, torus()], ".obj"),
+                                ([SADDLE, torus(), CURVE], ".igs"), (torus(), ".iges"), ([SADDLE, torus(), CURVE], ".STP"),
+                                (SADDLE, ".step")):
+            obj = self.convert(content, ending)
             back = pathlib.Path(obj).with_name("back.json")
             self.done("surface", "convert", obj, str(back))
             found = json.loads(back.read_text())
-            for a, b in zip(content if isinstance(content, list) else [content], found if isinstance(content, list) else [found]):
-                self.assertEqual(b, a)
+            content, found = (x if isinstance(x, list) else [x] for x in (content, found))
+            self.assertEqual(found, content)
 
     def test_obj_where_an_object_is_wanted(self):
         obj = self.convert(SADDLE, ".obj")
@@ -176,6 +178,9 @@ class Convert(ProgramTest):
         cloud = self.file("cloud.json", {"vertices": [[1, 2, 3]], "faces": []})
         self.assertIn("faces or surfaces", self.refused(1, "surface", "convert", cloud, "o.stl"))
         self.assertIn("16 million", self.refused(1, "surface", "convert", self.file("t.json", SADDLE), "o.stl", "--tolerance", "1e-14"))
+        self.assertIn("surfaces or curves", self.refused(1, "surface", "convert", cloud, "o.igs"))
+        self.assertIn("line 1", self.refused(1, "surface", "convert", self.file("x.igs", "no"), "o.json"))
+        self.assertIn("ISO-10303-21", self.refused(1, "surface", "convert", self.file("x.stp", "no"), "o.json"))
         self.refused(2, "surface", "convert", cloud, "o.ply")
         self.refused(2, "surface", "convert", cloud, "-")
 

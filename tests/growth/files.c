@@ -236,6 +236,45 @@ static void native(bat_text *text, int n, bool grouped) {
 static void native_lines(bat_text *text, int n) { native(text, n, false); }
 static void native_groups(bat_text *text, int n) { native(text, n, true); }
 
+/* n vertices, faces of them, and a B-spline of n points. */
+static void obj(bat_text *text, int n) {
+    for (int i = 0; i < n; i++) put(text, "v %.17g %d %.17g\n", 0.7 * i, i % 7, sin(i));
+    for (int i = 2; i < n; i++) put(text, "f %d/1 %d/2 -1\n", i - 1, i);
+    put(text, "cstype bspline\ndeg 3\ncurv 0 1");
+    for (int i = 0; i < n; i++) put(text, " %d", i + 1);
+    put(text, "\nparm u");
+    for (int i = 0; i < n + 4; i++) put(text, " %d", i < 4 ? 0 : i < n ? i - 3 : n - 3);
+    put(text, "\nend\n");
+}
+/* n straight curves, each with vertices of its own. */
+static void obj_curves(bat_text *text, int n) {
+    put(text, "cstype bspline\ndeg 1\n");
+    for (int i = 0; i < n; i++)
+        put(text, "o part\nv 0 %d 0\nv 1 0 %d\ncurv 0 1 -2 -1\nparm u 0 0 1 1\nend\n", i, i);
+}
+/* One surface of n by 4 points and n curves, as the library writes them. */
+static void model(bat_text *text, int n, bat_status (*write)(const bat_model *, char **, size_t *)) {
+    bat_text obj_text = {0};
+    bat_model made;
+    char *bytes;
+    size_t size;
+    obj_curves(&obj_text, n);
+    for (int i = 0; i < 4 * n; i++) put(&obj_text, "v %d %d %.17g\n", i % n, i / n, sin(i));
+    put(&obj_text, "deg 3 3\nsurf 0 %d 0 1", n - 3);
+    for (int i = 0; i < 4 * n; i++) put(&obj_text, " %d", i - 4 * n);
+    put(&obj_text, "\nparm u");
+    for (int i = 0; i < n + 4; i++) put(&obj_text, " %d", i < 4 ? 0 : i < n ? i - 3 : n - 3);
+    put(&obj_text, "\nparm v 0 0 0 0 1 1 1 1\nend\n");
+    if (bat_obj_read(obj_text.data, obj_text.size, &made, NULL) != BAT_OK) abort();
+    if (write(&made, &bytes, &size) != BAT_OK) abort();
+    bat_text_add(text, bytes, size);
+    bat_free(bytes);
+    bat_model_clear(&made);
+    bat_text_free(&obj_text);
+}
+static void iges(bat_text *text, int n) { model(text, n, bat_iges_write); }
+static void step(bat_text *text, int n) { model(text, n, bat_step_write); }
+
 /* n strokes: each a line of its own, one over the other, or all over one curve. */
 static void session(bat_text *text, int n, double height) {
     bat_editor *editor = pen_editor();
@@ -312,6 +351,15 @@ static void read_svg(const char *text, size_t size) {
         bat_document_free(made);
     }
 }
+static void read_model(const char *text, size_t size,
+                       bat_status (*read)(const char *, size_t, bat_model *, bat_problem *)) {
+    bat_model made;
+    if (read(text, size, &made, NULL) != BAT_OK) abort();
+    bat_model_clear(&made);
+}
+static void read_obj(const char *text, size_t size) { read_model(text, size, bat_obj_read); }
+static void read_iges(const char *text, size_t size) { read_model(text, size, bat_iges_read); }
+static void read_step(const char *text, size_t size) { read_model(text, size, bat_step_read); }
 static void read_journal(const char *text, size_t size) {
     bat_editor *editor = NULL;
     if (bat_editor_create(&editor) != BAT_OK) abort();
@@ -339,6 +387,10 @@ static const kind kinds[] = {
     {"a word of n letters", letters, read_curve, 800},
     {"a document of n lines", native_lines, read_document, 200},
     {"a document of n groups", native_groups, read_document, 200},
+    {"OBJ of n vertices", obj, read_obj, 400},
+    {"OBJ of n curves", obj_curves, read_obj, 200},
+    {"IGES of n entities", iges, read_iges, 200},
+    {"STEP of n entities", step, read_step, 200},
     {"n groups", groups, read_svg, 400},
     {"n groups in one", groups_in_one, read_svg, 400},
     {"n groups in each other", nested, read_svg, 40},

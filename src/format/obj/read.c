@@ -1,33 +1,25 @@
 /* Reads OBJ: faces and points, and B-spline curves and surfaces ("cstype bspline") of the free-form part. A closed curve
  * or surface is written as one with as many points and knots repeated as its degree, and is recognised as closed again. */
-#include "curve/curve.h"
 #include "document/format.h"
+#include "format/model/full.h"
 #include "format/obj/lines.h"
 #include "format/obj/obj.h"
 #include "text/json.h"
 
-#include <batten/refine.h>
-
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct numbers {
-    double *list;
-    size_t count, room;
-} numbers;
-
 typedef enum element { NOTHING, CURVE, SURFACE } element;
 
 typedef struct parser {
     bat_obj_line line;
-    numbers vertices;        /* x y z w each */
-    numbers indices;         /* of the element being read; vertices are numbered from 0 */
-    numbers knots[2];        /* of the element being read */
-    numbers sizes, corners;  /* of faces */
-    numbers points, shaping; /* vertices that are points themselves; that shape curves and surfaces */
+    bat_numbers vertices;        /* x y z w each */
+    bat_numbers indices;         /* of the element being read; vertices are numbered from 0 */
+    bat_numbers knots[2];        /* of the element being read */
+    bat_numbers sizes, corners;  /* of faces */
+    bat_numbers points, shaping; /* vertices that are points themselves; that shape curves and surfaces */
     double domain[4];
     int degree[2];
     bool bspline, rational;
@@ -46,16 +38,8 @@ static bat_status wrong(parser *p, bat_status status, const char *message) {
 
 static bat_status no_memory(parser *p) { return wrong(p, BAT_MEMORY, bat_status_message(BAT_MEMORY)); }
 
-static bat_status add(parser *p, numbers *to, double value) {
-    if (to->count == to->room) {
-        size_t room = 2 * to->room + 64;
-        double *list = realloc(to->list, room * sizeof *list);
-        if (!list) return no_memory(p);
-        to->list = list;
-        to->room = room;
-    }
-    to->list[to->count++] = value;
-    return BAT_OK;
+static bat_status add(parser *p, bat_numbers *to, double value) {
+    return bat_numbers_add(to, value) ? BAT_OK : no_memory(p);
 }
 
 /* ---- statements ---- */
@@ -96,7 +80,7 @@ static bat_status read_degree(parser *p) {
 
 /* Reads the numbers of vertices: they count from 1, negative ones from the last vertex back. What follows a number after
  * a slash is skipped. */
-static bat_status read_indices(parser *p, const char *what, numbers *to) {
+static bat_status read_indices(parser *p, const char *what, bat_numbers *to) {
     const double count = (double)(p->vertices.count / 4);
     double value = 0;
     char message[80];
@@ -160,19 +144,6 @@ static bat_status read_name(parser *p) {
 
 /* ---- curves and surfaces ---- */
 
-/* Whether points and knots are periodic: returns the number of distinct points, or 0 when they are not. */
-static int period_of(const double *points, size_t size, int count, int degree, const double *knots) {
-    int n = count - degree;
-    if (n < 2 || !(knots[degree + n] > knots[degree])) return 0;
-    double period = knots[degree + n] - knots[degree];
-    for (size_t i = 0; i < (size_t)degree * size; i++)
-        if (points[i] != points[(size_t)n * size + i]) return 0;
-    for (int i = 0; i + n <= count + degree; i++)
-        if (!(fabs(knots[i + n] - knots[i] - period) <= 4 * DBL_EPSILON * (fabs(knots[i + n]) + period)))
-            return 0;
-    return n;
-}
-
 /* The points of the element, 3 numbers each. */
 static bat_status gather(parser *p, double *points, const char *message) {
     const double *first = NULL;
@@ -187,49 +158,22 @@ static bat_status gather(parser *p, double *points, const char *message) {
     return status;
 }
 
-/* Cuts the curve to its stated range of parameters, if that is not the whole domain. Takes the curve over. */
-static bat_status cut(parser *p, bat_curve *curve, bat_curve **out) {
-    double domain[2];
-    bat_curve_domain(curve, domain);
-    *out = curve;
-    if (p->domain[0] <= domain[0] && p->domain[1] >= domain[1]) return BAT_OK;
-    bat_status status = bat_curve_piece(curve, fmax(p->domain[0], domain[0]), fmin(p->domain[1], domain[1]),
-                                        out);
-    bat_curve_free(curve);
-    return status == BAT_OK ? status : wrong(p, status, "curv: expected a part of what the knots give");
-}
-
 static bat_status make_curve(parser *p, double *points, bat_curve **out) {
-    const int count = (int)p->indices.count, degree = p->degree[0];
-    const double *knots = p->knots[0].list;
+    const size_t count = p->indices.count, degree = (size_t)p->degree[0];
+    bat_curve *curve;
     bat_status status = gather(p, points, "curv: expected weights that are equal, found a rational curve");
-    int size = 2;
     if (status != BAT_OK) return status;
-    if (count <= degree || p->knots[0].count != p->indices.count + (size_t)degree + 1)
+    if (count <= degree || p->knots[0].count != count + degree + 1)
         return wrong(p, BAT_KNOTS, "parm u: expected as many knots as points, degree and one together");
-    for (int i = 0; i < count; i++)
-        if (points[3 * i + 2] != 0) size = 3;
-    for (int i = 0; i < count; i++) memmove(points + i * size, points + 3 * i, (size_t)size * sizeof *points);
-    int round = period_of(points, (size_t)size, count, degree, knots), from = round ? degree : 0;
-    int knot_count = round ? round + 1 : (int)p->knots[0].count;
-    status = bat_curve_create(size, degree, round > 0, (size_t)(round ? round : count), points + from * size,
-                              knot_count, knots + from, out);
+    status = bat_full_curve(p->degree[0], count, points, p->knots[0].list, &curve);
     if (status != BAT_OK) return wrong(p, status, bat_status_message(status));
-    return cut(p, *out, out);
-}
-
-/* The range of parameters must be the whole domain, up to what is lost when numbers are printed. */
-static bool is_whole(const double *range, const bat_surface *surface, bat_direction d) {
-    double domain[2];
-    bat_surface_domain(surface, d, domain);
-    const double slack = 1e-6 * (domain[1] - domain[0]);
-    return range[0] <= domain[0] + slack && range[1] >= domain[1] - slack;
+    status = bat_full_cut(curve, p->domain, out);
+    return status == BAT_OK ? status : wrong(p, status, "curv: expected a part of what the knots give");
 }
 
 /* points: in the order of the file, in which u runs first; rows: room for as many. */
 static bat_status make_surface(parser *p, const double *points, double *rows, bat_surface **out) {
     size_t n[2];
-    int round[2], from[2], knot_count[2];
     for (int d = 0; d < 2; d++) {
         const size_t knots = p->knots[d].count, more = (size_t)p->degree[d] + 1;
         n[d] = knots > more ? knots - more : 0;
@@ -239,20 +183,11 @@ static bat_status make_surface(parser *p, const double *points, double *rows, ba
     for (size_t i = 0; i < n[0]; i++)
         for (size_t j = 0; j < n[1]; j++)
             memcpy(rows + 3 * (i * n[1] + j), points + 3 * (j * n[0] + i), 3 * sizeof *rows);
-    for (int d = 0; d < 2; d++) {
-        round[d] = period_of(d ? points : rows, 3 * n[1 - d], (int)n[d], p->degree[d], p->knots[d].list);
-        from[d] = round[d] ? p->degree[d] : 0;
-        knot_count[d] = round[d] ? round[d] + 1 : (int)p->knots[d].count;
-    }
-    const bool closed[2] = {round[0] > 0, round[1] > 0};
-    const size_t count[2] = {closed[0] ? (size_t)round[0] : n[0], closed[1] ? (size_t)round[1] : n[1]};
-    for (size_t i = 0; i < count[0]; i++)
-        memmove(rows + 3 * i * count[1], rows + 3 * ((i + (size_t)from[0]) * n[1] + (size_t)from[1]),
-                3 * count[1] * sizeof *rows);
-    bat_status status = bat_surface_create(p->degree, closed, count, rows, knot_count,
-                                           p->knots[0].list + from[0], p->knots[1].list + from[1], out);
+    const double *const knots[2] = {p->knots[0].list, p->knots[1].list};
+    bat_status status = bat_full_surface(p->degree, n, rows, knots, out);
     if (status != BAT_OK) return wrong(p, status, bat_status_message(status));
-    if (is_whole(p->domain, *out, BAT_U) && is_whole(p->domain + 2, *out, BAT_V)) return BAT_OK;
+    if (bat_full_is_whole(*out, BAT_U, p->domain) && bat_full_is_whole(*out, BAT_V, p->domain + 2))
+        return BAT_OK;
     bat_surface_free(*out);
     return wrong(p, BAT_UNSUPPORTED, "surf: expected the whole of a surface, found a part of it");
 }
@@ -403,8 +338,8 @@ bat_status bat_obj_parse(const char *text, size_t size, bat_obj *out, bat_proble
     bat_status status = BAT_OK;
     while (status == BAT_OK && bat_obj_next(&p.line)) status = read_statement(&p);
     if (status == BAT_OK) status = make_mesh(&p);
-    numbers *const lists[] = {&p.vertices, &p.indices, &p.knots[0], &p.knots[1],
-                              &p.sizes,    &p.corners, &p.points,   &p.shaping};
+    bat_numbers *const lists[] = {&p.vertices, &p.indices, &p.knots[0], &p.knots[1],
+                                  &p.sizes,    &p.corners, &p.points,   &p.shaping};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) free(lists[i]->list);
     if (status == BAT_OK)
         *out = made;

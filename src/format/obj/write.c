@@ -1,5 +1,5 @@
 /* Writes OBJ. Closed directions get as many points and knots more as their degree, before the first. */
-#include "curve/curve.h"
+#include "format/model/full.h"
 #include "format/obj/obj.h"
 
 enum { ROW = 10 };
@@ -10,28 +10,9 @@ static void put(bat_text *text, uint64_t i, int row, double number) {
     bat_text_number(text, number);
 }
 
-/* A direction as the file holds it: so many points, of which point i is the curve's own at(). */
-typedef struct axis {
-    int degree, own, count, before;
-    const double *knots;
-    double period;
-} axis;
-
-static axis axis_of(int degree, bool closed, size_t count, const double *knots) {
-    const int own = (int)count, before = closed ? degree : 0;
-    return (axis){degree, own, own + before, before, knots, closed ? knots[own] - knots[0] : 0};
-}
-
-static int at(const axis *a, int i) { return ((i - a->before) % a->own + a->own) % a->own; }
-
-static void put_knots(bat_text *text, const char *name, const axis *a) {
+static void put_knots(bat_text *text, const char *name, const bat_full_axis *a) {
     bat_text_string(text, name);
-    for (int i = 0; i < a->count + a->degree + 1; i++) {
-        int k = i - a->before, turns = 0;
-        for (; a->before && k < 0; k += a->own) turns--;
-        for (; a->before && k > a->own; k -= a->own) turns++;
-        put(text, (uint64_t)i + 1, ROW, a->knots[k] + turns * a->period);
-    }
+    for (int i = 0; i < a->count + a->degree + 1; i++) put(text, (uint64_t)i + 1, ROW, bat_full_knot(a, i));
     bat_text_string(text, "\n");
 }
 
@@ -43,11 +24,11 @@ static void put_vertex(bat_text *text, const double *point, int size) {
 
 uint64_t bat_obj_put_curve(bat_text *text, const bat_curve *curve, uint64_t vertices) {
     const int size = bat_curve_dimension(curve);
-    const axis a = axis_of(bat_curve_degree(curve), bat_curve_is_closed(curve), bat_curve_count(curve),
-                           bat_curve_knots(curve));
+    const bat_full_axis a = bat_full_axis_of_curve(curve);
     double domain[2];
     bat_curve_domain(curve, domain);
-    for (int i = 0; i < a.count; i++) put_vertex(text, bat_curve_points(curve) + at(&a, i) * size, size);
+    for (int i = 0; i < a.count; i++)
+        put_vertex(text, bat_curve_points(curve) + bat_full_point(&a, i) * size, size);
     bat_text_string(text, "cstype bspline\ndeg ");
     bat_text_integer(text, (uint64_t)a.degree);
     bat_text_string(text, "\ncurv");
@@ -60,14 +41,13 @@ uint64_t bat_obj_put_curve(bat_text *text, const bat_curve *curve, uint64_t vert
 }
 
 uint64_t bat_obj_put_surface(bat_text *text, const bat_surface *surface, uint64_t vertices) {
-    axis a[2];
+    bat_full_axis a[2];
     uint64_t count = 0;
-    for (bat_direction d = BAT_U; d <= BAT_V; d++)
-        a[d] = axis_of(bat_surface_degree(surface, d), bat_surface_is_closed(surface, d),
-                       bat_surface_count(surface, d), bat_surface_knots(surface, d));
+    for (bat_direction d = BAT_U; d <= BAT_V; d++) a[d] = bat_full_axis_of_surface(surface, d);
     for (int j = 0; j < a[1].count; j++)
         for (int i = 0; i < a[0].count; i++, count++)
-            put_vertex(text, bat_surface_row(surface, at(&a[0], i)) + 3 * at(&a[1], j), 3);
+            put_vertex(text,
+                       bat_surface_row(surface, bat_full_point(&a[0], i)) + 3 * bat_full_point(&a[1], j), 3);
     bat_text_string(text, "cstype bspline\ndeg ");
     bat_text_integer(text, (uint64_t)a[0].degree);
     bat_text_string(text, " ");
