@@ -147,7 +147,7 @@ static bool alike(const bat_curve *a, const bat_curve *b) {
         bat_curve_is_closed(a) != bat_curve_is_closed(b))
         return false;
     double near = 1e-9 * bat_curve_size(b);
-    for (int i = 0; i < 2 * bat_point_count(a); i++)
+    for (int i = 0; i < bat_curve_dimension(a) * bat_point_count(a); i++)
         if (!(fabs(bat_curve_points(a)[i] - bat_curve_points(b)[i]) <= near)) return false;
     return true;
 }
@@ -156,7 +156,7 @@ static bool alike(const bat_curve *a, const bat_curve *b) {
 static bat_status gives_image(const bat_object *object, const bat_object *of, const double *m, bool *gives) {
     bat_curve *image = NULL;
     double rows[12];
-    bat_matrix_rows(m, 2, rows);
+    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(of, 0)), rows);
     bat_status status = bat_curve_transform(bat_object_curve(of, 0), rows, &image);
     *gives = status == BAT_OK && alike(bat_object_curve(object, 0), image);
     bat_curve_free(image);
@@ -167,19 +167,20 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     bat_spline spline = *bat_object_spline(object);
     bool gives = false;
     *out = NULL;
-    if (spline.dimension != 2) return BAT_OK;
-    size_t n = spline.count;
-    double *numbers = malloc(4 * n * sizeof *numbers);
+    const size_t n = spline.count, size = (size_t)spline.dimension;
+    double *numbers = malloc(2 * size * n * sizeof *numbers);
     if (!numbers) return BAT_MEMORY;
     for (size_t i = 0; i < n; i++) {
-        const double *p = spline.points + 2 * i, *t = spline.tangents ? spline.tangents + 2 * i : NULL;
-        numbers[2 * i] = m[0] * p[0] + m[2] * p[1] + m[4];
-        numbers[2 * i + 1] = m[1] * p[0] + m[3] * p[1] + m[5];
-        numbers[2 * (n + i)] = t ? m[0] * t[0] + m[2] * t[1] : 0;
-        numbers[2 * (n + i) + 1] = t ? m[1] * t[0] + m[3] * t[1] : 0;
+        const double *p = spline.points + size * i, *t = spline.tangents ? spline.tangents + size * i : NULL;
+        double *at = numbers + size * i, *tangent = numbers + size * (n + i);
+        at[0] = m[0] * p[0] + m[2] * p[1] + m[4];
+        at[1] = m[1] * p[0] + m[3] * p[1] + m[5];
+        tangent[0] = t ? m[0] * t[0] + m[2] * t[1] : 0;
+        tangent[1] = t ? m[1] * t[0] + m[3] * t[1] : 0;
+        if (size > 2) at[2] = p[2], tangent[2] = t ? t[2] : 0; /* heights stay */
     }
     spline.points = numbers;
-    if (spline.tangents) spline.tangents = numbers + 2 * n;
+    if (spline.tangents) spline.tangents = numbers + size * n;
     bat_status status = bat_object_with_spline(object, &spline, out);
     free(numbers);
     if (status != BAT_OK) { /* flattened to fewer than two points */

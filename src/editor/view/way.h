@@ -11,4 +11,16 @@
 bool bat_stage_way(const bat_stage *stage, const bat_curve *curve, const double from[2], const double to[2],
                    bool rise, double way[3]);
 
+/* The same for a point of such a curve, in a plane with this normal, of length 1; a normal of no length: across the
+ * gaze. Exact in perspective, too. */
+bool bat_stage_way_in(const bat_stage *stage, int dimension, const double normal[3], const double place[3],
+                      const double from[2], const double to[2], bool rise, double way[3]);
+
+/* From a point of that dimension to what the pen, at a pixel, points at in the plane through the point. */
+bool bat_stage_aim(const bat_stage *stage, int dimension, const double normal[3], const double *at,
+                   const double pixel[2], double way[3]);
+
+/* Turns a normal away from the eye; one of no length becomes the gaze. */
+void bat_stage_turn_away(const bat_stage *stage, double normal[3]);
+
 #endif

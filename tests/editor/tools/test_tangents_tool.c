@@ -205,8 +205,8 @@ static void the_arrow_turns_the_direction(void **state) {
                          y = 320 + 44 * sin(angle * PI / 180);
         int n0, n1;
         assert_int_equal(bat_tangents(spline_of(editor), NULL, before, &n0, &b0, NULL), BAT_OK);
-        double d[2], start[2];
-        bat_splining_direction(spline_of(editor), before, 2, d);
+        double d[3], start[2];
+        vec_store(bat_splining_direction(spline_of(editor), before, 2), d);
         for (int k = 0; k < 2; k++) start[k] = (k ? 320 : 400) + 44 * d[k];
         drag_to(&p, start[0], start[1], x, y);
         const bat_frame *frame = show(editor);
@@ -239,9 +239,9 @@ static void directions_snap(void **state) {
     four_points(&p);
     tap(&p, 350, 500);
     bat_joint joints[4];
-    double d[2];
+    double d[3];
     assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
-    bat_splining_direction(spline_of(editor), joints, 1, d);
+    vec_store(bat_splining_direction(spline_of(editor), joints, 1), d);
     p.modifiers = BAT_SHIFT;
     drag(&p, 350 + 44 * d[0], 500 + 44 * d[1], 350 + 40 * cos(0.5), 500 + 40 * sin(0.5)); /* 28.6 degrees */
     assert_true(fabs(angle_of(spline_of(editor)->tangents + 2) - 30) < 1e-9);
@@ -263,9 +263,9 @@ static void further_out_is_tension(void **state) {
     four_points(&p);
     tap(&p, 350, 500);
     bat_joint joints[4];
-    double d[2];
+    double d[3];
     assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
-    bat_splining_direction(spline_of(editor), joints, 1, d);
+    vec_store(bat_splining_direction(spline_of(editor), joints, 1), d);
     drag(&p, 350 + 44 * d[0], 500 + 44 * d[1], 350 + 124 * d[0], 500 + 124 * d[1]);
     const double *tension = spline_of(editor)->tension + 2;
     assert_true(fabs(tension[0] - 2) < 1e-3 && tension[0] == tension[1]);
@@ -381,9 +381,9 @@ static void keys_do_it_all(void **state) {
     assert_true(fabs(spline_of(editor)->points[1] - 330) < 1e-9);
     assert_true(key(editor, "Tab", 0)); /* its direction */
     bat_joint joints[4];
-    double d[2], turned[2];
+    double d[3], turned[2];
     assert_int_equal(bat_tangents(spline_of(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
-    bat_splining_direction(spline_of(editor), joints, 0, d);
+    vec_store(bat_splining_direction(spline_of(editor), joints, 0), d);
     assert_true(key(editor, "ArrowRight", BAT_SHIFT));
     memcpy(turned, spline_of(editor)->tangents, sizeof turned);
     assert_true(fabs(remainder(angle_of(turned) - angle_of(d) - 15, 360)) < 1e-9);

@@ -17,11 +17,6 @@
 
 static const double TENSION_MIN = 0.02, TENSION_MAX = 50;
 
-const bat_object *bat_splining_object(const bat_context *c) {
-    return bat_document_at(c->session->document,
-                           bat_document_find(c->session->document, bat_splining_of(c)->object));
-}
-
 void bat_splining_tell(bat_context *c, bat_status status, bat_string done) {
     if (status == BAT_COUNT)
         bat_notice(c, BAT_STRING_NOTICE_NO_SPLINE);
@@ -106,7 +101,8 @@ bat_status bat_splining_default(bat_context *c, int point) {
     bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
-    for (int k = 0; k < 2; k++) s->draft.tangents[2 * point + k] = 0, s->draft.tension[2 * point + k] = 1;
+    for (int k = 0; k < s->draft.dimension; k++) s->draft.tangents[s->draft.dimension * point + k] = 0;
+    for (int k = 0; k < 2; k++) s->draft.tension[2 * point + k] = 1;
     status = bat_splining_commit(c, BAT_STRING_STEP_DIRECTION);
     bat_splining_tell(c, status, BAT_STRING_NOTICE_DEFAULT);
     return status;

@@ -16,24 +16,26 @@ static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REA
 static const double TOUCH = 1.8; /* factor on the reach for fingers */
 
 typedef struct place {
-    double point[2], pixel; /* document units; size of a view pixel in them */
+    const bat_context *c;
+    double point[2], pixel; /* drawing coordinates; size of a view pixel in them */
     double reach;           /* 1; more for fingers */
 } place;
 
 static place place_at(const bat_context *c, const double pixel[2], bat_device device) {
-    place p = {.pixel = bat_stage_pixel(c->stage), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
+    place p = {.c = c, .pixel = bat_stage_pixel(c->stage), .reach = device == BAT_DEVICE_TOUCH ? TOUCH : 1};
     bat_stage_seen(c->stage, pixel, p.point);
     return p;
 }
 
-/* Distance in view pixels from a document point that lies `length` along `direction` from `at`. */
-static double away(const place *p, const double at[2], const double direction[2], double length) {
-    double x = at[0] + direction[0] * length - p->point[0], y = at[1] + direction[1] * length - p->point[1];
-    return bat_hypot(x, y) / p->pixel;
+/* How far away something is seen, in view pixels. */
+static double away(const place *p, vec at) {
+    double seen[2];
+    bat_splining_seen(p->c, at, seen);
+    return bat_hypot(seen[0] - p->point[0], seen[1] - p->point[1]) / p->pixel;
 }
 
 static double from_point(const place *p, const bat_spline *s, int i) {
-    return away(p, s->points + 2 * i, (double[]){0, 0}, 0);
+    return away(p, bat_splining_point(s, i));
 }
 
 static int nearest_point(const place *p, const bat_spline *s, double within) {
@@ -49,10 +51,25 @@ static bool on_ring(const place *p, const bat_spline *s, int i) {
     return fabs(from_point(p, s, i) - BAT_PROMPT_RADIUS) <= RING_REACH * p->reach;
 }
 
-static bool on_handle(const place *p, const bat_spline *s, int i, const double handle[3], double sign) {
-    double length = bat_hypot(handle[0], handle[1]) / 3 / p->pixel;
-    if (length < POINT_REACH) return false;
-    return away(p, s->points + 2 * i, handle, sign / 3) <= HANDLE_REACH * p->reach;
+/* The end of the handle, which counts when it is seen to stand off its point. */
+static bool on_handle(const place *p, const bat_spline *s, int i, const double derivative[3], double sign) {
+    const vec at = bat_splining_point(s, i), end = vec_add(at, vec_scale(vec_load(derivative, 3), sign / 3));
+    double from[2], to[2];
+    bat_splining_seen(p->c, at, from);
+    bat_splining_seen(p->c, end, to);
+    if (bat_hypot(to[0] - from[0], to[1] - from[1]) / p->pixel < POINT_REACH) return false;
+    return away(p, end) <= HANDLE_REACH * p->reach;
+}
+
+/* Whether the pen is on the head of the arrow, which stands on the ring. */
+static bool on_arrow(const place *p, const bat_spline *s, const bat_joint *joints, int i) {
+    const vec at = bat_splining_point(s, i);
+    double from[2], way[2];
+    bat_splining_seen(p->c, at, from);
+    bat_splining_seen_way(p->c, at, bat_splining_direction(s, joints, i), way);
+    const double radius = BAT_PROMPT_RADIUS * p->pixel;
+    const double x = from[0] + way[0] * radius - p->point[0], y = from[1] + way[1] * radius - p->point[1];
+    return bat_hypot(x, y) / p->pixel <= POINT_REACH * p->reach;
 }
 
 /* The place on the spline's segments for a parameter of its curve. */
@@ -68,13 +85,10 @@ static bat_spline_hit on_curve(const bat_curve *curve, double u) {
 /* While points are being placed, a press nearly anywhere places the next one. */
 static bat_spline_hit find_placing(const place *p, const bat_spline *s, const bat_joint *joints) {
     int last = bat_spline_count(s) - 1;
-    double direction[2];
     if (from_point(p, s, 0) <= POINT_REACH * p->reach) return (bat_spline_hit){.part = BAT_PART_FIRST};
     if (from_point(p, s, last) <= POINT_REACH * p->reach)
         return (bat_spline_hit){.part = BAT_PART_POINT, .point = last};
-    bat_splining_direction(s, joints, last, direction);
-    if (away(p, s->points + 2 * last, direction, BAT_PROMPT_RADIUS * p->pixel) <= POINT_REACH * p->reach)
-        return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
+    if (on_arrow(p, s, joints, last)) return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
     return (bat_spline_hit){0};
 }
 
@@ -103,10 +117,9 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
             return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
     }
     bat_seen_sync(c);
-    bat_pick pick = bat_pick_nearest(c->scene, p.point, CURVE_REACH * p.reach * p.pixel);
+    bat_pick pick = bat_pick_curve(c->scene, 0, p.point, CURVE_REACH * p.reach * p.pixel);
     const bat_object *object = pick.object ? bat_document_at(c->session->document, pick.index) : NULL;
-    const bat_spline *found = object ? bat_object_spline(object) : NULL;
-    if (!found || found->dimension != 2) return (bat_spline_hit){0};
+    if (!object || !bat_object_spline(object)) return (bat_spline_hit){0};
     if (pick.object == s->object) return on_curve(bat_object_curve(object, 0), pick.near.u);
     return (bat_spline_hit){.part = BAT_PART_OTHER, .object = pick.object};
 }

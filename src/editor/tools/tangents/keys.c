@@ -9,6 +9,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/way.h"
 #include "base/real.h"
 #include <math.h>
 #include <string.h>
@@ -16,31 +17,38 @@
 static const double STEP = 15 * BAT_PI / 180;  /* with Shift */
 static const double NUDGE_TURN = BAT_PI / 180; /* radians per key press */
 
+/* Turns the direction of the chosen point in its plane, and makes it stronger or weaker. */
+static void turn(bat_context *c, bat_splining *s, vec direction, vec axis, double x, double y) {
+    const bool far = c->modifiers & BAT_SHIFT;
+    const double angle = x * (far ? STEP : NUDGE_TURN), factor = y == 0 ? 1 : far ? 1.25 : 1.05;
+    double turned[3], *tension = s->draft.tension + 2 * s->point;
+    vec_store(bat_splining_turned(direction, axis, bat_cos(angle), bat_sin(angle)), turned);
+    memcpy(s->draft.tangents + s->draft.dimension * s->point, turned,
+           (size_t)s->draft.dimension * sizeof *turned);
+    for (int k = 0; k < 2 && y != 0; k++)
+        tension[k] = bat_splining_tension(y < 0 ? tension[k] * factor : tension[k] / factor);
+}
+
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);
     if (!spline || !joints || s->point < 0) return BAT_STATE;
-    bool far = c->modifiers & BAT_SHIFT;
-    int i = s->point;
-    double direction[2];
-    bat_splining_direction(spline, joints, i, direction);
+    const vec direction = bat_splining_direction(spline, joints, s->point),
+              axis = bat_splining_normal(c, spline, joints, s->point);
+    const double pixels = c->modifiers & BAT_SHIFT ? 10 : 1, way = pixels * bat_stage_pixel(c->stage);
+    double moves[3] = {x * way, y * way, 0};
+    if (!s->on_direction && (spline->dimension == 3 || bat_stage_tilted(c->stage)) &&
+        !bat_stage_way(c->stage, bat_object_curve(bat_splining_object(c), 0), (double[]){0, 0},
+                       (double[]){x * pixels, y * pixels}, false, moves))
+        return BAT_STATE;
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
-    if (s->on_direction) {
-        double turn = x * (far ? STEP : NUDGE_TURN), u = bat_cos(turn), v = bat_sin(turn);
-        double factor = y == 0 ? 1 : far ? 1.25 : 1.05;
-        s->draft.tangents[2 * i] = u * direction[0] - v * direction[1];
-        s->draft.tangents[2 * i + 1] = v * direction[0] + u * direction[1];
-        for (int k = 0; k < 2; k++)
-            if (y != 0)
-                s->draft.tension[2 * i + k] = bat_splining_tension(
-                    y < 0 ? s->draft.tension[2 * i + k] * factor : s->draft.tension[2 * i + k] / factor);
-    } else {
-        double way = (far ? 10 : 1) * bat_stage_pixel(c->stage);
-        s->draft.points[2 * i] += x * way;
-        s->draft.points[2 * i + 1] += y * way;
-    }
+    if (s->on_direction)
+        turn(c, s, direction, axis, x, y);
+    else
+        for (int k = 0; k < s->draft.dimension; k++)
+            s->draft.points[s->draft.dimension * s->point + k] += moves[k];
     status = bat_splining_commit(c, s->on_direction ? BAT_STRING_STEP_DIRECTION : BAT_STRING_STEP_MOVE_POINT);
     bat_splining_tell(c, status, BAT_STRING_COUNT);
     return BAT_OK;
@@ -76,8 +84,9 @@ static bat_status take_back(bat_context *c) {
         return status;
     }
     if (!spline) return bat_splining_stop(c) ? BAT_OK : BAT_STATE;
-    memcpy(s->first, spline->points, sizeof s->first);
-    memcpy(s->first_direction, spline->tangents, sizeof s->first_direction);
+    s->dimension = spline->dimension;
+    vec_store(bat_splining_point(spline, 0), s->first);
+    vec_store(vec_load(spline->tangents, spline->dimension), s->first_direction);
     bat_status status = bat_splining_remove_point(c, bat_spline_count(spline) - 1);
     if (status == BAT_OK) s->point = s->object ? s->draft.count - 1 : 0;
     bat_notice(c, BAT_STRING_COUNT);

@@ -1,8 +1,9 @@
-/* The tangents tool's state, and what its files share: tangents.c (events), state.c (display), and the files named
- * below. */
+/* The tangents tool's state, and what its files share: tangents.c (events), state.c (what it knows of its spline), and
+ * the files named below. Places and directions are in space; those of the page have z = 0. */
 #ifndef BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
+#include "base/vec.h"
 #include "editor/view/stage.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
@@ -39,7 +40,8 @@ typedef struct bat_splining {
     int point;         /* its chosen point; -1: none */
     bool on_direction; /* keys turn the direction at the point instead of moving the point */
     bool placing;      /* the next tap adds a point; with no object: `first` is the only one yet */
-    double first[2], first_direction[2];
+    double first[3], first_direction[3];
+    int dimension; /* of what is being placed while `first` is its only point */
 
     bat_splining_state state;
     bat_device device;
@@ -47,10 +49,12 @@ typedef struct bat_splining {
     bat_string step;      /* the label of the resulting step */
     bat_draft draft;
     double start[2], at[2], travelled; /* view pixels */
-    double base[2], base_tension[2];   /* of the point at the start of the drag */
-    bool due, failed; /* the document lacks the draft's last change; putting it there failed */
+    double base[3], base_tension[2];   /* of the point at the start of the drag */
+    double plane[3], rise[3]; /* normals: of the plane that the point moves in (none: across the gaze) or its
+                                        * direction turns in; of the direction that Alt moves it in */
+    bool due, failed;         /* the document lacks the draft's last change; putting it there failed */
     bool snapped;
-    double guide[2]; /* the direction that was snapped to */
+    double guide[3]; /* the direction that was snapped to */
 
     double tap_time, tap_at[2]; /* of the last tap, for double taps */
     bat_spline_hit tap;
@@ -74,19 +78,31 @@ typedef struct bat_splining {
 void bat_splining_free(bat_splining *s); /* resets everything */
 /* The chosen spline, or NULL; deselects one that is gone. */
 const bat_spline *bat_splining_spline(bat_context *c);
+/* Its object. */
+const bat_object *bat_splining_object(const bat_context *c);
 /* Its joints; NULL: no spline, or out of memory. */
 const bat_joint *bat_splining_joints(bat_context *c);
-/* The direction of the curve at a point, a unit vector. */
-void bat_splining_direction(const bat_spline *spline, const bat_joint *joints, int point, double out[2]);
-/* The chord from a point to its neighbour, a unit vector; false at the end of an open spline. */
-bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step,
-                        double out[2]);
+vec bat_splining_point(const bat_spline *spline, int point);
+/* The direction of the curve at a point, of length 1. */
+vec bat_splining_direction(const bat_spline *spline, const bat_joint *joints, int point);
+/* The chord from a point to its neighbour, of length 1; false at the end of an open spline. */
+bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int point, int step, vec *out);
+/* The normal of the plane of the chords at a point, turned away from the eye; where they have none, of the whole
+ * spline's plane, or else the gaze. */
+vec bat_splining_normal(bat_context *c, const bat_spline *spline, const bat_joint *joints, int point);
+/* A direction turned about an axis of length 1 at right angles to it; positive turns are clockwise on the page. */
+vec bat_splining_turned(vec direction, vec axis, double cosine, double sine);
+
+/* Where a place is seen, drawing coordinates; where a direction there is seen to go, of length 1 (0 0: at the eye). */
+void bat_splining_seen(const bat_context *c, vec at, double out[2]);
+void bat_splining_seen_way(const bat_context *c, vec at, vec direction, double out[2]);
+
+/* show.c */
 void bat_splining_overlay(bat_context *c, bat_overlay *overlay);
 /* find.c: what lies under a view pixel; notes the point whose circle is near. */
 bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_device device);
 
-/* change.c: the object of the chosen spline; loading its values into the draft, and committing them as one step. */
-const bat_object *bat_splining_object(const bat_context *c);
+/* change.c: loading the chosen spline's values into the draft, and committing them as one step. */
 bat_status bat_splining_load(bat_context *c);
 bat_status bat_splining_commit(bat_context *c, bat_string step);
 /* Notifies the user of what was done, or why it was not. */

@@ -1,6 +1,8 @@
 /*
  * The tangents tool. Taps place points; at each point a circle prompts for a direction, and the curve follows the
- * arrow dragged in it. Points, directions, handles and the curve itself of the chosen spline can be dragged.
+ * arrow dragged in it. Points, directions, handles and the curve itself of the chosen spline can be dragged: points in the
+ * plane of their curve, with Alt along its normal, directions in the plane of the chords at their point. What is placed
+ * lies on the page, or on what the pen draws on instead.
  *
  * IDLE --down--> PRESSED --moved--> DRAGGING --up--> IDLE (committed); PRESSED --up--> a tap. A press that places a
  * point drags its direction at once. cancel: reverts a drag and goes back to IDLE; otherwise ends placing; otherwise
@@ -14,6 +16,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/pick/snap.h"
+#include "editor/pick/spot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
@@ -24,7 +27,9 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
+#include "editor/view/curve_ground.h"
 #include "editor/view/stage.h"
+#include "editor/view/way.h"
 #include "base/real.h"
 #include <math.h>
 #include <stdlib.h>
@@ -37,42 +42,57 @@ static const double STEP = 15 * BAT_PI / 180; /* with Shift */
 
 /* ---- drags ---- */
 
-static void unit(double v[2]) {
-    double length = bat_hypot(v[0], v[1]);
-    if (length > 0) v[0] /= length, v[1] /= length;
+static vec unit(vec v) {
+    const double length = vec_norm(v);
+    return length > 0 ? (vec){v.x / length, v.y / length, v.z / length} : v;
+}
+
+/* The nearest of the steps of 15 degrees; on the page they count from its x, in space from x as far as it lies in the
+ * plane of the turn. */
+static vec to_step(vec direction, vec axis) {
+    const vec level = vec_reject((vec){1, 0, 0}, axis);
+    const vec x = vec_norm(level) > 1e-6 ? unit(level) : vec_any_normal(axis), y = vec_cross(axis, x);
+    const double angle = STEP * round(bat_atan2(vec_dot(direction, y), vec_dot(direction, x)) / STEP);
+    return vec_add(vec_scale(x, bat_cos(angle)), vec_scale(y, bat_sin(angle)));
+}
+
+/* A chord, or a neighbour's direction, that directions at a point snap to; false: there is no such. */
+static bool direction_beside(bat_context *c, int which, vec *to) {
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
+    const int i = bat_splining_of(c)->press.point, step = which & 1 ? 1 : -1;
+    int other = i + step;
+    if (!spline || !joints) return false;
+    if (which < 2) {
+        if (!bat_splining_chord(spline, joints, i, step, to)) return false;
+        *to = vec_scale(*to, step);
+        return true;
+    }
+    if (spline->closed) other = (other + bat_spline_count(spline)) % bat_spline_count(spline);
+    if (other < 0 || other >= bat_spline_count(spline) || other == i) return false;
+    *to = bat_splining_direction(spline, joints, other);
+    return true;
 }
 
 /* Snaps to steps of 15 degrees, or to a chord or a neighbour's direction nearby. */
-static void snap(bat_context *c, double direction[2]) {
+static vec snap(bat_context *c, vec direction) {
     bat_splining *s = bat_splining_of(c);
     s->snapped = false;
     if (c->modifiers & BAT_SHIFT) {
-        double angle = STEP * round(bat_atan2(direction[1], direction[0]) / STEP);
-        direction[0] = bat_cos(angle), direction[1] = bat_sin(angle);
+        direction = to_step(direction, vec_load(s->plane, 3));
         s->snapped = true;
     } else if (!(c->modifiers & (BAT_CTRL | BAT_META))) {
-        const bat_spline *spline = bat_splining_spline(c);
-        const bat_joint *joints = bat_splining_joints(c);
-        double best = SNAP, found[2] = {0, 0};
-        int i = s->press.point;
-        for (int which = 0; spline && joints && which < 4; which++) {
-            int step = which & 1 ? 1 : -1, other = i + step;
-            double to[2];
-            if (which < 2) {
-                if (!bat_splining_chord(spline, joints, i, step, to)) continue;
-                to[0] *= step, to[1] *= step;
-            } else {
-                if (spline->closed) other = (other + bat_spline_count(spline)) % bat_spline_count(spline);
-                if (other < 0 || other >= bat_spline_count(spline) || other == i) continue;
-                bat_splining_direction(spline, joints, other, to);
-            }
-            double off = fabs(bat_atan2(direction[0] * to[1] - direction[1] * to[0],
-                                        direction[0] * to[0] + direction[1] * to[1]));
-            if (off < best) best = off, found[0] = to[0], found[1] = to[1], s->snapped = true;
+        double best = SNAP;
+        vec found = direction, to;
+        for (int which = 0; which < 4; which++) {
+            if (!direction_beside(c, which, &to)) continue;
+            const double off = vec_angle(direction, to);
+            if (off < best) best = off, found = to, s->snapped = true;
         }
-        if (s->snapped) direction[0] = found[0], direction[1] = found[1];
+        direction = found;
     }
-    s->guide[0] = direction[0], s->guide[1] = direction[1];
+    vec_store(direction, s->guide);
+    return direction;
 }
 
 /* The lengths that the point's handles would have with tension 1. */
@@ -85,27 +105,27 @@ static bool natural_handles(bat_context *c, int point, double out[2]) {
     bat_status status = bat_tangents(&spline, bat_object_spline_options(bat_splining_object(c)), joints, NULL,
                                      NULL, NULL);
     if (status == BAT_OK) {
-        out[0] = bat_hypot(joints[point].left[0], joints[point].left[1]) / 3;
-        out[1] = bat_hypot(joints[point].right[0], joints[point].right[1]) / 3;
+        out[0] = vec_norm(vec_load(joints[point].left, 3)) / 3;
+        out[1] = vec_norm(vec_load(joints[point].right, 3)) / 3;
     }
     free(joints);
     return status == BAT_OK;
 }
 
-/* Sets a direction, and a length in document units, for the grabbed part. */
-static void pull(bat_context *c, double direction[2], double length) {
+/* Sets a direction, and a length in document units, for the grabbed part. pixels: how far from the point the pen is
+ * seen. */
+static void pull(bat_context *c, vec way, double pixels) {
     bat_splining *s = bat_splining_of(c);
     bat_part part = s->press.part;
     int i = s->press.point;
+    const double length = vec_norm(way);
     if (!(length > 0)) return;
-    double sign = part == BAT_PART_LEFT ? -1 : 1;
-    direction[0] *= sign, direction[1] *= sign;
-    unit(direction);
-    snap(c, direction);
-    double *tangent = s->draft.tangents + 2 * i, *tension = s->draft.tension + 2 * i, natural[2];
-    tangent[0] = direction[0], tangent[1] = direction[1];
+    const vec direction = snap(c, unit(part == BAT_PART_LEFT ? vec_scale(way, -1) : way));
+    double numbers[3], *tension = s->draft.tension + 2 * i, natural[2];
+    vec_store(direction, numbers);
+    memcpy(s->draft.tangents + s->draft.dimension * i, numbers, (size_t)s->draft.dimension * sizeof *numbers);
     if (part == BAT_PART_DIRECTION) {
-        double further = fmax(length * bat_stage_scale(c->stage) / BAT_TENSION_RADIUS, 1);
+        double further = fmax(pixels / BAT_TENSION_RADIUS, 1);
         for (int k = 0; k < 2; k++)
             tension[k] = further > 1 ? bat_splining_tension(s->base_tension[k] * further)
                                      : s->base_tension[k];
@@ -117,32 +137,59 @@ static void pull(bat_context *c, double direction[2], double length) {
     }
 }
 
+/* Moves the grabbed point with the pen; false: the pen cannot tell where. */
+static bool drag_point(bat_context *c, bat_splining *s) {
+    const bool rise = c->modifiers & BAT_ALT && s->draft.dimension == 3;
+    double *own = s->draft.points + s->draft.dimension * s->press.point, way[3], point[2], start[2];
+    c->snap->kind = BAT_SNAP_NONE;
+    if (s->draft.dimension == 3 || bat_stage_tilted(c->stage)) {
+        if (!bat_stage_way_in(c->stage, s->draft.dimension, rise ? s->rise : s->plane, s->base, s->start,
+                              s->at, rise, way))
+            return false;
+        for (int k = 0; k < s->draft.dimension; k++) own[k] = s->base[k] + way[k];
+        return true;
+    }
+    int index = bat_document_find(c->session->document, s->object);
+    bat_stage_seen(c->stage, s->at, point);
+    bat_stage_seen(c->stage, s->start, start);
+    for (int k = 0; k < 2; k++) own[k] = s->base[k] + point[k] - start[k];
+    if (c->modifiers & BAT_SHIFT)
+        bat_snap_angle(c, s->base, own);
+    else
+        bat_snap_point(c, 1, &index, own);
+    return true;
+}
+
+/* Turns the grabbed direction towards the pen; false: it stays. */
+static bool drag_direction(bat_context *c, bat_splining *s) {
+    const int size = s->draft.dimension;
+    const double *own = s->draft.points + size * s->press.point;
+    double way[3], seen[2], pen[2];
+    if (s->travelled <= TAP) return false; /* a tap places a point with the default direction */
+    if (!bat_stage_aim(c->stage, size, s->plane, own, s->at, way)) return false;
+    if (!bat_stage_look(c->stage, size, own, seen)) return false;
+    bat_stage_seen(c->stage, s->at, pen);
+    pull(c, vec_load(way, 3), bat_hypot(pen[0] - seen[0], pen[1] - seen[1]) * bat_stage_scale(c->stage));
+    return true;
+}
+
+/* The very first point has only a direction. */
+static void drag_first(bat_context *c, bat_splining *s) {
+    double way[3] = {0};
+    if (s->travelled <= TAP || !bat_stage_aim(c->stage, s->dimension, s->plane, s->first, s->at, way))
+        vec_store((vec){0, 0, 0}, way);
+    vec_store(unit(vec_load(way, 3)), s->first_direction);
+}
+
 /* Applies the pen's present position to the draft, and through it to the document. */
 static void apply(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
     s->due = false;
-    double point[2], start[2];
-    bat_stage_seen(c->stage, s->at, point);
-    bat_stage_seen(c->stage, s->start, start);
-    if (!s->object) { /* the very first point has only a direction */
-        s->first_direction[0] = s->travelled > TAP ? point[0] - s->first[0] : 0;
-        s->first_direction[1] = s->travelled > TAP ? point[1] - s->first[1] : 0;
-        unit(s->first_direction);
+    if (!s->object) {
+        drag_first(c, s);
         return;
     }
-    double *own = s->draft.points + 2 * s->press.point;
-    if (s->press.part == BAT_PART_POINT) {
-        int index = bat_document_find(c->session->document, s->object);
-        for (int k = 0; k < 2; k++) own[k] = s->base[k] + point[k] - start[k];
-        if (c->modifiers & BAT_SHIFT)
-            bat_snap_angle(c, s->base, own);
-        else
-            bat_snap_point(c, 1, &index, own);
-    } else {
-        if (s->travelled <= TAP) return; /* a tap places a point with the default direction */
-        double direction[2] = {point[0] - own[0], point[1] - own[1]};
-        pull(c, direction, bat_hypot(direction[0], direction[1]));
-    }
+    if (!(s->press.part == BAT_PART_POINT ? drag_point(c, s) : drag_direction(c, s))) return;
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_object *after = NULL;
     int at = bat_document_find(c->session->document, s->object);
@@ -152,12 +199,27 @@ static void apply(bat_context *c) {
     bat_object_release(after);
 }
 
+/* The planes that the grabbed part moves in, as the spline lies now. */
+static void find_planes(bat_context *c, bat_splining *s, bat_part part, int point) {
+    const bat_spline *spline = bat_splining_spline(c);
+    const bat_joint *joints = bat_splining_joints(c);
+    vec_store((vec){0, 0, 0}, s->plane);
+    if (!spline || !joints) return;
+    const bool planar = spline->dimension == 3 &&
+                        bat_curve_normal(bat_object_curve(bat_splining_object(c), 0), s->rise);
+    if (part != BAT_PART_POINT)
+        vec_store(bat_splining_normal(c, spline, joints, point), s->plane);
+    else if (planar)
+        memcpy(s->plane, s->rise, sizeof s->plane);
+}
+
 static void hold(bat_context *c, bat_part part, int point) {
     bat_splining *s = bat_splining_of(c);
+    const int size = s->draft.dimension;
     s->press = (bat_spline_hit){.part = part, .point = point};
     s->point = point;
     s->on_direction = part != BAT_PART_POINT;
-    memcpy(s->base, s->draft.points + 2 * point, sizeof s->base);
+    vec_store(vec_load(s->draft.points + size * point, size), s->base);
     memcpy(s->base_tension, s->draft.tension + 2 * point, sizeof s->base_tension);
     s->state = BAT_SPLINING_DRAGGING;
     s->due = true;
@@ -187,6 +249,7 @@ static void begin_drag(bat_context *c) {
     } else {
         status = bat_splining_load(c);
     }
+    find_planes(c, s, press.part, press.point);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         hold(c, press.part, press.point);
@@ -197,7 +260,7 @@ static void begin_drag(bat_context *c) {
 }
 
 /* Adds a point at the end; the pen then drags its direction. */
-static bat_status add_point(bat_context *c, const double point[2]) {
+static bat_status add_point(bat_context *c, const double *point) {
     bat_splining *s = bat_splining_of(c);
     bat_object *object = NULL;
     bat_status status = BAT_OK;
@@ -205,10 +268,10 @@ static bat_status add_point(bat_context *c, const double point[2]) {
     if (id) {
         status = bat_splining_load(c);
     } else {
-        s->draft.count = 0;
-        s->draft.closed = false;
+        bat_draft_begin(&s->draft, s->dimension);
         status = bat_draft_insert(&s->draft, 0, s->first);
-        if (status == BAT_OK) memcpy(s->draft.tangents, s->first_direction, sizeof s->first_direction);
+        if (status == BAT_OK)
+            memcpy(s->draft.tangents, s->first_direction, (size_t)s->dimension * sizeof *s->first_direction);
     }
     if (status == BAT_OK) status = bat_draft_insert(&s->draft, s->draft.count, point);
     if (status != BAT_OK) return status;
@@ -284,24 +347,37 @@ static void tap(bat_context *c, const bat_pointer *event) {
 
 /* ---- events ---- */
 
-/* Where a tap would place a point; with Shift at a multiple of the angle step from the last one. */
-static void place_to_snap(bat_context *c, double point[2]) {
-    const bat_splining *s = bat_splining_of(c);
+/* Where a press places a point; with Shift at a multiple of the angle step from the last one. */
+static bat_status place_at(bat_context *c, const double pixel[2], double at[3]) {
+    bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = s->placing ? bat_splining_spline(c) : NULL;
     int own = s->object ? bat_document_find(c->session->document, s->object) : -1;
-    const double *last = spline ? spline->points + 2 * (spline->count - 1) : s->placing ? s->first : NULL;
-    if (c->modifiers & BAT_SHIFT && last)
-        bat_snap_angle(c, last, point);
-    else
-        bat_snap_point(c, own >= 0, &own, point);
+    double last[3];
+    bat_hit hit;
+    vec_store(spline ? bat_splining_point(spline, bat_spline_count(spline) - 1) : vec_load(s->first, 3),
+              last);
+    bat_status status = bat_stage_place(c->stage, pixel, NULL, &hit);
+    if (status == BAT_OK) memcpy(s->plane, hit.normal, sizeof s->plane);
+    return status == BAT_OK ? bat_spot(c, pixel, own >= 0, &own, s->placing ? last : NULL, at) : status;
+}
+
+/* A spline of the page goes on on the page only; elsewhere a new one begins. */
+static void leave_page(bat_context *c, bat_splining *s) {
+    const bat_spline *spline = s->placing ? bat_splining_spline(c) : NULL;
+    if (bat_stage_dimension(c->stage) == 2) return;
+    if (!spline)
+        s->dimension = 3;
+    else if (spline->dimension == 2)
+        s->placing = false;
 }
 
 static void down(bat_context *c, void *state, const bat_pointer *event) {
     (void)state;
     bat_splining *s = bat_splining_of(c);
-    double pixel[2] = {event->x, event->y}, point[2];
+    double pixel[2] = {event->x, event->y}, point[3];
     s->device = event->device;
     s->hovering = false;
+    leave_page(c, s);
     s->press = bat_splining_find(c, pixel, event->device);
     s->near = -1;
     s->state = BAT_SPLINING_PRESSED;
@@ -311,15 +387,19 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     memcpy(s->at, pixel, sizeof pixel);
     bat_notice(c, BAT_STRING_COUNT);
     if (s->press.part != BAT_PART_NOTHING) return;
-    bat_stage_seen(c->stage, pixel, point);
-    place_to_snap(c, point);
+    if (place_at(c, pixel, point) != BAT_OK) {
+        s->state = BAT_SPLINING_IDLE;
+        bat_notice_edge_on(c);
+        return;
+    }
     if (!s->placing) {
         s->placing = true;
         s->object = 0;
         s->point = 0;
         s->on_direction = true;
+        s->dimension = bat_stage_dimension(c->stage);
         memcpy(s->first, point, sizeof point);
-        s->first_direction[0] = s->first_direction[1] = 0;
+        vec_store((vec){0, 0, 0}, s->first_direction);
         s->press = (bat_spline_hit){.part = BAT_PART_DIRECTION};
         s->state = BAT_SPLINING_DRAGGING;
         return;
