@@ -148,7 +148,6 @@ static void drafts(void **state) {
     bat_spline endless = bare;
     endless.count = BAT_POINTS_MAX;
     bat_draft draft = {0};
-    assert_int_equal(bat_draft_load(&draft, &deep), BAT_DIMENSION);
     assert_int_equal(bat_draft_load(&draft, &endless), BAT_COUNT);
     assert_int_equal(bat_draft_load(&draft, &bare), BAT_OK);
     assert_int_equal(draft.count, 3);
@@ -158,6 +157,22 @@ static void drafts(void **state) {
     }
     assert_int_equal(bat_draft_insert(&draft, 1, points + 6), BAT_OK);
     assert_memory_equal(draft.points + 2, points + 6, 2 * sizeof *points);
+    const double tangents[] = {1, 2, 3, 4, 5, 6}, tension[] = {1, 2, 3, 4}; /* in space, with room to grow */
+    bat_spline given = deep;
+    given.tangents = tangents, given.tension = tension;
+    assert_int_equal(bat_draft_load(&draft, &given), BAT_OK);
+    for (int i = 0; i < 40; i++)
+        assert_int_equal(bat_draft_insert(&draft, 1, (const double[]){i, 7, 8}), BAT_OK);
+    assert_int_equal(bat_draft_spline(&draft).dimension, 3);
+    assert_int_equal(draft.count, 42);
+    for (int i = 40; i > 0; i--) {
+        assert_true(draft.points[3] == i - 1 && draft.points[5] == 8 && draft.tangents[5] == 0);
+        assert_true(draft.tension[2] == 1 && draft.tension[3] == 1);
+        bat_draft_remove(&draft, 1);
+    }
+    assert_memory_equal(draft.points, points, 6 * sizeof *points);
+    assert_memory_equal(draft.tangents, tangents, sizeof tangents);
+    assert_memory_equal(draft.tension, tension, sizeof tension);
     bat_draft_free(&draft);
 }
 
