@@ -14,7 +14,7 @@
 #include "editor/tools/keyed/waypoints.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/modes/guides.h"
-#include "editor/tools/points.h"
+#include "editor/tools/points/state.h"
 #include "editor/tools/select.h"
 #include "editor/tools/sketch/sketching.h"
 #include "editor/tools/tangents/state.h"

@@ -15,7 +15,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/keyed/waypoints.h"
-#include "editor/tools/points.h"
+#include "editor/tools/points/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"

@@ -11,7 +11,7 @@
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/modes/guides.h"
-#include "editor/tools/points.h"
+#include "editor/tools/points/state.h"
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"

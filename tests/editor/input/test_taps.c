@@ -7,7 +7,7 @@
 #include "editor/editor.h"
 #include "support/editing.h"
 #include "editor/show/handles.h"
-#include "editor/tools/points.h"
+#include "editor/tools/points/state.h"
 
 static void touch(bat_editor *editor, bat_device device, bat_pointer_phase phase, uint32_t contact, double x,
                   double y, double time) {
