@@ -414,6 +414,153 @@ static void a_deep_surface_is_seen(void **state) {
     bat_editor_free(editor);
 }
 
+static double choice_in(bat_editor *editor) {
+    double value = -1;
+    assert_int_equal(bat_editor_get(editor, "line-ruling", &value), BAT_OK);
+    return value;
+}
+
+/* A tilted view with the line at u = 2 lit. */
+static bat_editor *with_tilted_line(int tilts) {
+    bat_editor *editor = with_sheet();
+    bat_editor_key(editor, "Tab", true, 0, 10);
+    for (int i = 0; i < tilts; i++) bat_editor_command(editor, "orbit-up");
+    bat_editor_command(editor, "orbit-left");
+    bat_editor_frame(editor);
+    expect(editor, BAT_U, 2, 0);
+    return editor;
+}
+
+/* Where a direction at the grip is seen to end, so many pixels long in space. */
+static void seen_from_grip(bat_editor *editor, const double way[3], double pixels, double out[2]) {
+    double at[3], drawn[2];
+    bat_surface_eval(sheet_in(editor), 2, lit(editor)->at[1], 0, at);
+    for (int k = 0; k < 3; k++) at[k] += pixels * bat_stage_pixel(editor->context.stage) * way[k];
+    bat_stage_look(editor->context.stage, 3, at, drawn);
+    bat_stage_project(editor->context.stage, drawn, out);
+}
+
+/* The handle turns the sheet to any direction across the line, and strokes land on the sheet as it is turned. */
+static void a_handle_turns_the_sheet(void **state) {
+    (void)state;
+    for (int turn = -2; turn <= 2; turn++) {
+        bat_editor *editor = with_tilted_line(3);
+        const uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        double grip[2], at[2], jet[9], out[2], to[2];
+        assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+        const double far = hypot(at[0] - grip[0], at[1] - grip[1]), angle = 0.5 * turn + 0.2;
+        assert_true(far >= 28 - 1e-9 && far <= 64 + 1e-9);
+        for (int k = 0; k < 2; k++) {
+            const double x = (at[0] - grip[0]) / far, y = (at[1] - grip[1]) / far;
+            to[k] = round(grip[k] +
+                          60 * (k ? sin(angle) * x + cos(angle) * y : cos(angle) * x - sin(angle) * y));
+        }
+        p.modifiers = BAT_SHIFT;
+        drag(&p, at[0], at[1], to[0], to[1]);
+        p.modifiers = 0;
+        assert_true(choice_in(editor) == 4);
+        const double *way = state_of(editor)->free;
+        bat_surface_eval(sheet_in(editor), 2, lit(editor)->at[1], 1, jet);
+        double length = 0, along = 0, speed = 0;
+        for (int k = 0; k < 3; k++)
+            length += way[k] * way[k], along += way[k] * jet[6 + k], speed += jet[6 + k] * jet[6 + k];
+        assert_true(fabs(length - 1) < 1e-9);
+        seen_from_grip(editor, way, 60, out);
+        assert_true(fabs((out[0] - grip[0]) * (to[1] - grip[1]) - (out[1] - grip[1]) * (to[0] - grip[0])) <
+                    1e-6);
+        assert_true((out[0] - grip[0]) * (to[0] - grip[0]) + (out[1] - grip[1]) * (to[1] - grip[1]) > 0);
+        double right[3], down[3], ahead[3], facing = 0;
+        bat_view_axes(&editor->stage.view, right, down, ahead);
+        for (int k = 0; k < 3; k++) facing += ahead[k] * jet[6 + k] / sqrt(speed);
+        if (fabs(facing) > 0.26) assert_true(fabs(along) < 1e-6 * sqrt(speed));
+        assert_true(digest(editor) == first);
+        /* a stroke lands on it */
+        double a[3], b[3], drawn[2], from[2], end[2], free[3];
+        memcpy(free, way, sizeof free);
+        bat_surface_eval(sheet_in(editor), 2, 0.6, 0, a);
+        bat_surface_eval(sheet_in(editor), 2, 1.3, 0, b);
+        bat_stage_look(editor->context.stage, 3, a, drawn),
+            bat_stage_project(editor->context.stage, drawn, from);
+        bat_stage_look(editor->context.stage, 3, b, drawn),
+            bat_stage_project(editor->context.stage, drawn, end);
+        p.time += 1000;
+        pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
+        for (int i = 1; i <= 20; i++)
+            pen_event(&p, BAT_POINTER_MOVE, from[0] + (end[0] - from[0]) * i / 20,
+                      from[1] + (end[1] - from[1]) * i / 20 + 4 * sin(i * 0.157));
+        bat_editor_frame(editor);
+        check(editor);
+        if (state_of(editor)->preview)
+            for (int k = 0; k < 3; k++)
+                assert_true(fabs(state_of(editor)->report.along[k] - free[k]) < 1e-12);
+        pen_event(&p, BAT_POINTER_UP, end[0], end[1]);
+        assert_true(round_trip(editor, first) <= 1);
+        bat_editor_free(editor);
+    }
+}
+
+/* Taps take the next choice; a drag stops at the axes; Esc takes a turn back. */
+static void the_handle_stops_and_steps(void **state) {
+    (void)state;
+    bat_editor *editor = with_tilted_line(3);
+    pen p = pen_for(editor);
+    double grip[2], at[2], to[2];
+    static const int without[] = {1, 2, 3, 0}, with_free[] = {0, 1, 2, 3, 4};
+    for (size_t i = 0; i < 4; i++) {
+        assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+        tap(&p, at[0], at[1]);
+        assert_true(choice_in(editor) == without[i]);
+        expect(editor, BAT_U, 2, 0);
+    }
+    assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+    drag_to(&p, at[0], at[1], grip[0] + 50, grip[1] + 31);
+    assert_non_null(strstr(bat_editor_frame(editor)->hint, "turns"));
+    assert_true(bat_editor_key(editor, "Escape", true, 0, 0));
+    pen_event(&p, BAT_POINTER_UP, grip[0] + 50, grip[1] + 31);
+    check(editor);
+    assert_true(choice_in(editor) == 0);
+    expect(editor, BAT_U, 2, 0);
+    seen_from_grip(editor, (double[]){1, 0, 0}, 60, to); /* the line runs along y: x lies across it */
+    drag(&p, at[0], at[1], to[0], to[1]);
+    assert_true(choice_in(editor) == 1);
+    assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+    p.modifiers = BAT_SHIFT;
+    drag(&p, at[0], at[1], grip[0] + 20, grip[1] - 55);
+    p.modifiers = 0;
+    assert_true(choice_in(editor) == 4);
+    for (size_t i = 0; i < 5; i++) {
+        assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+        tap(&p, at[0], at[1]);
+        assert_true(choice_in(editor) == with_free[i]);
+    }
+    bat_editor_free(editor);
+}
+
+/* A finger beside the pen changes nothing: the first gesture wins. */
+static void of_two_gestures_the_first_wins(void **state) {
+    (void)state;
+    for (int way = 0; way < 2; way++) { /* a turn of the handle, a redraw */
+        bat_editor *editor = with_tilted_line(2);
+        pen p = pen_for(editor), finger = pen_for(editor);
+        double grip[2], at[2];
+        finger.device = BAT_DEVICE_TOUCH, finger.contact = 9;
+        assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+        if (way) at[0] = grip[0] + 3, at[1] = grip[1] + 24;
+        drag_to(&p, at[0], at[1], at[0] + 30, at[1] + 40);
+        const bat_lining doing = state_of(editor)->doing;
+        assert_int_equal(doing, way ? BAT_LINING_DRAW : BAT_LINING_TURN);
+        const double angle = bat_editor_frame(editor)->view[3];
+        finger.time = p.time;
+        drag(&finger, 700, 300, 760, 420);
+        assert_int_equal(state_of(editor)->doing, doing);
+        assert_true(bat_editor_frame(editor)->view[3] == angle);
+        pen_event(&p, BAT_POINTER_UP, at[0] + 30, at[1] + 40);
+        check(editor);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_marking_lights_its_line),
@@ -427,6 +574,9 @@ int main(void) {
         cmocka_unit_test(a_stroke_that_cannot_is_refused_in_words),
         cmocka_unit_test(many_redraws_do_not_add_up),
         cmocka_unit_test(reach_locks_and_tilt),
+        cmocka_unit_test(a_handle_turns_the_sheet),
+        cmocka_unit_test(the_handle_stops_and_steps),
+        cmocka_unit_test(of_two_gestures_the_first_wins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,12 +9,11 @@
 
 static const double GAIN_TOLD = 1.25, GAIN_MOST = 4;
 
-/* Reach, locks and ruling, as the properties say. */
+/* Reach and locks, as the properties say. */
 static void settings_of(const bat_context *c, const bat_surface *surface, bat_line_edit *out) {
     const double *values = c->settings->values, *knots = bat_surface_knots(surface, out->direction);
     const double spans = values[BAT_PROPERTY_LINE_REACH];
-    const int count = bat_surface_knot_count(surface, out->direction),
-              ruling = (int)values[BAT_PROPERTY_LINE_RULING];
+    const int count = bat_surface_knot_count(surface, out->direction);
     double domain[2];
     int pieces = 0;
     bat_surface_domain(surface, out->direction, domain);
@@ -23,7 +22,6 @@ static void settings_of(const bat_context *c, const bat_surface *surface, bat_li
     const bool usual = spans == bat_property_at(BAT_PROPERTY_LINE_REACH)->standard;
     out->reach = usual ? 0 : spans * (domain[1] - domain[0]) / pieces;
     for (int k = 0; k < BAT_EDGES; k++) out->lock[k] = (int)values[BAT_PROPERTY_LOCK_U_LOW + k];
-    if (ruling > 0) out->along[ruling - 1] = 1;
 }
 
 bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
@@ -36,6 +34,7 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .count = s->count,
                            .pixels = s->pixels};
     settings_of(c, surface, out);
+    bat_surfacing_along(c, s, out->along);
     const double pixel = s->seen.height / s->seen.size[1]; /* the stage is seen in parallel */
     out->tolerance = fmin(fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel, 1e-12), 1e12);
     return true;

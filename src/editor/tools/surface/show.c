@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double GRIP = 6; /* px */
+static const double GRIP = 6, HANDLE = 6; /* px */
 static const double SHEET =
     0.12;             /* of the surface's size: how far the ruled surface is shown on either side */
 enum { ACROSS = 25 }; /* samples of a line across the one that is redrawn */
@@ -126,6 +126,18 @@ static void show_padlocks(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     }
 }
 
+/* From the grip in the direction in which the sheet runs. */
+static void show_handle(bat_context *c, bat_surfacing *s, bat_overlay *list) {
+    double grip[2], pixel[2], ends[4];
+    if (!bat_surfacing_handle(c, s, grip, pixel)) return;
+    bat_stage_seen(c->stage, grip, ends);
+    bat_stage_seen(c->stage, pixel, ends + 2);
+    bat_overlay_item(list, BAT_ROLE_ARROW, BAT_ITEM_STROKED, 1.5F);
+    bat_overlay_polyline(list, 2, ends);
+    bat_overlay_item(list, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
+    bat_overlay_mark(list, ends + 2, HANDLE * bat_stage_pixel(c->stage));
+}
+
 static void show_name(bat_context *c, const bat_surfacing *s, bat_overlay *list, const double at[2]) {
     char value[24], name[BAT_LABEL_ROOM];
     snprintf(value, sizeof value, "%.4g", s->lit.at[s->lit.direction]);
@@ -142,8 +154,10 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     double point[3], at[2];
     if (surface && bat_surfacing_view(c, surface, &view) == BAT_OK) {
         const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
+        const bool turns = s->doing == BAT_LINING_TURN || (s->doing == BAT_LINING_NOT && s->hovering &&
+                                                           bat_surfacing_on_handle(c, s, s->hover));
         if (s->doing != BAT_LINING_DRAW) s->seen = view;
-        if (s->doing == BAT_LINING_DRAW || bat_surfacing_near(c, s)) show_sheet(c, s, list, surface);
+        if (s->doing == BAT_LINING_DRAW || turns || bat_surfacing_near(c, s)) show_sheet(c, s, list, surface);
         show_reach(c, s, list, &view, surface);
         if (s->doing == BAT_LINING_NOT) show_padlocks(c, s, list);
         bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
@@ -154,6 +168,7 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
         if (bat_surfacing_seen(c, &view, point, at)) {
             bat_overlay_item(list, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
             bat_overlay_circle(list, at, GRIP * bat_stage_pixel(c->stage));
+            if (s->doing == BAT_LINING_NOT || s->doing == BAT_LINING_TURN) show_handle(c, s, list);
             show_name(c, s, list, at);
         }
     }

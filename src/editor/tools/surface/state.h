@@ -27,7 +27,8 @@ typedef enum bat_lining {
     BAT_LINING_NOT,    /* the pen is up */
     BAT_LINING_STROKE, /* it draws a marking */
     BAT_LINING_DRAW,   /* it redraws the lit line */
-    BAT_LINING_SLIDE   /* it drags the grip */
+    BAT_LINING_SLIDE,  /* it drags the grip */
+    BAT_LINING_TURN    /* it drags the handle of the sheet for strokes */
 } bat_lining;
 
 /* What decides how far an edit of the lit line reaches, and what was found. */
@@ -47,8 +48,10 @@ typedef struct bat_surfacing {
     bool hovering;
     double hover[2], start[2]; /* view pixels */
     bat_line before;           /* as it was when the grip was taken */
-    bat_viewpoint seen;        /* at pen down */
-    double *pixels;            /* of the stroke, owned */
+    double free[3];            /* the direction of the sheet that was chosen last; zero: none was */
+    double ruling_before, free_before[3]; /* as they were when the handle was taken */
+    bat_viewpoint seen;                   /* at pen down */
+    double *pixels;                       /* of the stroke, owned */
     size_t count, room;
     /* what the stroke makes of the surface */
     bool due; /* it has gone on since */
@@ -83,6 +86,17 @@ bool bat_surfacing_at_line(bat_context *c, bat_surfacing *s, const double pixel[
 bool bat_surfacing_near(bat_context *c, bat_surfacing *s);
 /* Where the padlock of an edge is: beside the edge's middle, view pixels; false: the edge is none, or not seen. */
 bool bat_surfacing_padlock(bat_context *c, bat_surfacing *s, int edge, double pixel[2]);
+
+/* ruling.c: the direction of the sheet for strokes as it was chosen; zero: the surface's own. */
+void bat_surfacing_along(const bat_context *c, const bat_surfacing *s, double along[3]);
+/* Where the grip and the handle of the sheet are seen, view pixels; false: no line is lit, or not seen. */
+bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]);
+bool bat_surfacing_on_handle(bat_context *c, bat_surfacing *s, const double pixel[2]);
+/* The handle is taken; it goes with the pen; it is let go, or was tapped; all is as it was before. */
+void bat_surfacing_turn_begin(const bat_context *c, bat_surfacing *s);
+void bat_surfacing_turn(bat_context *c, bat_surfacing *s);
+void bat_surfacing_turn_end(bat_context *c, bat_surfacing *s);
+void bat_surfacing_turn_back(bat_context *c, bat_surfacing *s);
 
 /* The line that a marking means, or a tap chooses; object 0: the stroke is on no surface. BAT_MEMORY. */
 bat_status bat_surfacing_pick(bat_context *c, const bat_stroke *marking, bool tap, bat_line *out);

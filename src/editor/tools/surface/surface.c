@@ -3,7 +3,7 @@
  * through the point and lights the nearer one. A tap on the other line lights that one; the grip slides the lit line; a
  * tap elsewhere lets go. A stroke that begins near the lit line redraws it, and the surface follows.
  *
- * NOT --down--> STROKE or, near the lit line, DRAW or, on the grip, SLIDE --up--> NOT. cancel: the line slides back, the
+ * NOT --down--> STROKE or, near the lit line, DRAW or, on the grip, SLIDE or, on the sheet's handle, TURN --up--> NOT. cancel: the line slides back, the
  * stroke is dropped; else the line is let go.
  */
 #include "editor/tools/surface/state.h"
@@ -70,9 +70,11 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     memcpy(s->start, s->hover, sizeof s->start);
     s->count = 0;
     s->before = s->lit;
-    s->doing = bat_surfacing_on_grip(c, s, s->start)   ? BAT_LINING_SLIDE
-               : bat_surfacing_at_line(c, s, s->start) ? BAT_LINING_DRAW
-                                                       : BAT_LINING_STROKE;
+    s->doing = bat_surfacing_on_grip(c, s, s->start)     ? BAT_LINING_SLIDE
+               : bat_surfacing_on_handle(c, s, s->start) ? BAT_LINING_TURN
+               : bat_surfacing_at_line(c, s, s->start)   ? BAT_LINING_DRAW
+                                                         : BAT_LINING_STROKE;
+    if (s->doing == BAT_LINING_TURN) bat_surfacing_turn_begin(c, s);
     bat_surfacing_drop(s);
     if (add_pixel(s, event) != BAT_OK) {
         s->doing = BAT_LINING_NOT;
@@ -80,16 +82,22 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     }
 }
 
+/* Whether the pen draws. */
+static bool strokes(const bat_surfacing *s) {
+    return s->doing == BAT_LINING_STROKE || s->doing == BAT_LINING_DRAW;
+}
+
 static void move(bat_context *c, void *state, const bat_pointer *event) {
     bat_surfacing *s = state;
     if (s->doing == BAT_LINING_NOT || event->predicted) return;
     hover(c, s, event);
-    if (s->doing != BAT_LINING_SLIDE && add_pixel(s, event) != BAT_OK) {
+    if (strokes(s) && add_pixel(s, event) != BAT_OK) {
         s->doing = BAT_LINING_NOT;
         bat_surfacing_drop(s);
         bat_notice_failure(c, BAT_MEMORY);
     }
     s->due = s->doing == BAT_LINING_DRAW;
+    if (s->doing == BAT_LINING_TURN) bat_surfacing_turn(c, s);
     const bat_surface *surface = bat_surfacing_surface(c, s);
     if (s->doing == BAT_LINING_SLIDE && surface)
         bat_surfacing_slide(c, surface, s->hover, (c->modifiers & BAT_SHIFT) != 0, &s->lit);
@@ -142,7 +150,8 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     const bat_lining doing = s->doing;
     s->doing = BAT_LINING_NOT;
     bat_surfacing_drop(s);
-    if (doing == BAT_LINING_NOT || doing == BAT_LINING_SLIDE) return;
+    if (doing == BAT_LINING_TURN) bat_surfacing_turn_end(c, s);
+    if (doing != BAT_LINING_STROKE && doing != BAT_LINING_DRAW) return;
     if (is_tap(s))
         tap(c, s);
     else if (doing == BAT_LINING_STROKE)
@@ -152,7 +161,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
 /* First what the pen is doing, then the line. */
 static bool cancel(bat_context *c, void *state) {
     bat_surfacing *s = state;
-    (void)c;
+    if (s->doing == BAT_LINING_TURN) bat_surfacing_turn_back(c, s);
     if (s->doing != BAT_LINING_NOT) {
         s->lit = s->before;
         s->doing = BAT_LINING_NOT;
@@ -265,6 +274,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     const bat_surfacing *s = state;
     (void)c;
     if (s->doing == BAT_LINING_SLIDE) return BAT_STRING_HINT_LINE_SLIDE;
+    if (s->doing == BAT_LINING_TURN) return BAT_STRING_HINT_LINE_TURN;
     if (s->doing == BAT_LINING_DRAW) {
         const bat_string refusal = s->count > 1 && !s->due ? bat_surfacing_refusal(s) : BAT_STRING_COUNT;
         return refusal != BAT_STRING_COUNT ? refusal
@@ -276,7 +286,8 @@ static bat_string hint(const bat_context *c, const void *state) {
 
 static bat_cursor cursor(const bat_context *c, const void *state) {
     (void)c;
-    return ((const bat_surfacing *)state)->doing == BAT_LINING_SLIDE ? BAT_CURSOR_MOVE : BAT_CURSOR_PEN;
+    const bat_lining doing = ((const bat_surfacing *)state)->doing;
+    return doing == BAT_LINING_SLIDE || doing == BAT_LINING_TURN ? BAT_CURSOR_MOVE : BAT_CURSOR_PEN;
 }
 
 static void update(bat_context *c, void *state) {
@@ -311,7 +322,9 @@ static const char *check(const bat_context *c, const void *state) {
     if (s->doing != BAT_LINING_NOT && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a line is marked or slides without a pointer";
     if (s->preview && s->doing != BAT_LINING_DRAW) return "a surface is shown that no stroke makes";
-    return s->doing == BAT_LINING_SLIDE && !s->before.object ? "a line slides that was not lit" : NULL;
+    return (s->doing == BAT_LINING_SLIDE || s->doing == BAT_LINING_TURN) && !s->before.object
+               ? "a line slides that was not lit"
+               : NULL;
 }
 
 const bat_tool *bat_tool_surface(void) {
