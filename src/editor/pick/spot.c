@@ -3,6 +3,7 @@
 #include "base/vec.h"
 #include "editor/pick/snap.h"
 #include "editor/view/stage.h"
+#include <math.h>
 #include <string.h>
 
 /* Keeps a place on a plane to steps of the angle around another, counted from the plane's x. */
@@ -39,7 +40,7 @@ bat_status bat_spot(bat_context *c, const double pixel[2], int count, const int 
 
 double bat_spots_apart(const bat_context *c, int dimension, const double *a, const double *b) {
     double p[2], q[2];
-    bat_stage_look(c->stage, dimension, a, p);
-    bat_stage_look(c->stage, dimension, b, q);
+    if (!bat_stage_look(c->stage, dimension, a, p) || !bat_stage_look(c->stage, dimension, b, q))
+        return INFINITY;
     return bat_hypot(p[0] - q[0], p[1] - q[1]) / bat_stage_pixel(c->stage);
 }

@@ -10,7 +10,7 @@
 bat_status bat_spot(bat_context *c, const double pixel[2], int count, const int *but, const double *from,
                     double at[3]);
 
-/* How far apart two places of that dimension are seen, view pixels. */
+/* How far apart two places of that dimension are seen, view pixels; INFINITY: one is behind the eye. */
 double bat_spots_apart(const bat_context *c, int dimension, const double *a, const double *b);
 
 #endif

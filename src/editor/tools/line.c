@@ -202,8 +202,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     if (l->hovering && !l->pressed) bat_disc_show(c->stage, l->now, list);
     if (!l->placed) return;
     double pixel = bat_stage_pixel(c->stage), seen[4];
-    bat_stage_look(c->stage, l->dimension, l->from, seen);
-    bat_stage_look(c->stage, l->dimension, l->at, seen + 2);
+    if (!bat_stage_look(c->stage, l->dimension, l->from, seen) ||
+        !bat_stage_look(c->stage, l->dimension, l->at, seen + 2))
+        return;
     if (l->pressed || l->hovering) {
         bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
         bat_overlay_polyline(list, 2, seen);

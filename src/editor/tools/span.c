@@ -39,17 +39,19 @@ static bool put(bat_context *c, bat_spanning *s, const bat_pointer *event) {
     return s->held >= 0 && bat_stage_on_page(c->stage, (double[]){event->x, event->y}, s->at[s->held]);
 }
 
-static void pixel_of(const bat_context *c, const double at[2], double pixel[2]) {
+/* False: behind the eye. */
+static bool pixel_of(const bat_context *c, const double at[2], double pixel[2]) {
     double seen[2];
-    bat_stage_look(c->stage, 2, at, seen);
+    if (!bat_stage_look(c->stage, 2, at, seen)) return false;
     bat_stage_project(c->stage, seen, pixel);
+    return true;
 }
 
 static int place_at(const bat_context *c, const bat_spanning *s, const bat_pointer *event) {
     double within = event->device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH, screen[2];
     for (int i = s->count - 1; i >= 0; i--) {
-        pixel_of(c, s->at[i], screen);
-        if (bat_hypot(screen[0] - event->x, screen[1] - event->y) <= within) return i;
+        if (pixel_of(c, s->at[i], screen) && bat_hypot(screen[0] - event->x, screen[1] - event->y) <= within)
+            return i;
     }
     return -1;
 }
@@ -99,7 +101,8 @@ static bool busy(const bat_context *c, const void *state) {
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_spanning *s = state;
     double pixel = bat_stage_pixel(c->stage), seen[2][2];
-    for (int i = 0; i < s->count; i++) bat_stage_look(c->stage, 2, s->at[i], seen[i]);
+    for (int i = 0; i < s->count; i++)
+        if (!bat_stage_look(c->stage, 2, s->at[i], seen[i])) return;
     if (s->count == 2) {
         double middle[2] = {seen[0][0] / 2 + seen[1][0] / 2, seen[0][1] / 2 + seen[1][1] / 2};
         char text[BAT_UNIT_ROOM];

@@ -17,6 +17,7 @@ static bat_editor *with(bat_curve *curve, int view, const char *tool) {
     bat_editor *editor = tilted_with(curve, VIEWS[view][0], VIEWS[view][1]);
     assert_int_equal(bat_editor_command(editor, tool), BAT_OK);
     bat_editor_set(editor, "snap", 0);
+    if (view == 2) assert_int_equal(bat_editor_set(editor, "perspective", 1), BAT_OK);
     bat_editor_frame(editor);
     return editor;
 }

@@ -35,7 +35,7 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .pixels = s->pixels};
     settings_of(c, surface, out);
     bat_surfacing_along(c, s, out->along);
-    const double pixel = s->seen.height / s->seen.size[1]; /* the stage is seen in parallel */
+    const double pixel = s->seen.height > 0 ? s->seen.height / s->seen.size[1] : bat_stage_pixel(c->stage);
     out->tolerance = fmin(fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel, 1e-12), 1e12);
     return true;
 }

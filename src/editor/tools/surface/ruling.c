@@ -41,7 +41,7 @@ bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], doub
     bat_surfacing_along(c, s, along);
     const bat_direction d = s->lit.direction;
     if (bat_surface_ruling(surface, d, s->lit.at[d], &view, along, way, &turned) != BAT_OK) return false;
-    for (int k = 0; k < 3; k++) tip[k] = jet[k] + LENGTH * view.height / view.size[1] * way[k];
+    for (int k = 0; k < 3; k++) tip[k] = jet[k] + LENGTH * bat_stage_pixel(c->stage) * way[k];
     if (!bat_surfacing_pixel(&view, tip, pixel)) return false;
     const double x = pixel[0] - grip[0], y = pixel[1] - grip[1], length = bat_hypot(x, y);
     if (length >= LEAST) return true;

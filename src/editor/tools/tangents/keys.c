@@ -8,6 +8,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
+#include "editor/view/curve_ground.h"
 #include "editor/view/stage.h"
 #include "editor/view/way.h"
 #include "base/real.h"
@@ -29,6 +30,19 @@ static void turn(bat_context *c, bat_splining *s, vec direction, vec axis, doubl
         tension[k] = bat_splining_tension(y < 0 ? tension[k] * factor : tension[k] / factor);
 }
 
+/* So many pixels from where the point is seen, in the plane of its curve, or across the gaze. */
+static bool way_of_keys(const bat_context *c, const bat_spline *spline, int point, const double pixels[2],
+                        double way[3]) {
+    double place[3], normal[3] = {0}, seen[2], from[2];
+    vec_store(bat_splining_point(spline, point), place);
+    bat_splining_seen(c, bat_splining_point(spline, point), seen);
+    bat_stage_project(c->stage, seen, from);
+    if (spline->dimension == 3 && !bat_curve_normal(bat_object_curve(bat_splining_object(c), 0), normal))
+        vec_store((vec){0, 0, 0}, normal);
+    return bat_stage_way_in(c->stage, spline->dimension, normal, place, from,
+                            (double[]){from[0] + pixels[0], from[1] + pixels[1]}, false, way);
+}
+
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_splining *s = bat_splining_of(c);
     const bat_spline *spline = bat_splining_spline(c);
@@ -39,8 +53,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
     const double pixels = c->modifiers & BAT_SHIFT ? 10 : 1, way = pixels * bat_stage_pixel(c->stage);
     double moves[3] = {x * way, y * way, 0};
     if (!s->on_direction && (spline->dimension == 3 || bat_stage_tilted(c->stage)) &&
-        !bat_stage_way(c->stage, bat_object_curve(bat_splining_object(c), 0), (double[]){0, 0},
-                       (double[]){x * pixels, y * pixels}, false, moves))
+        !way_of_keys(c, spline, s->point, (double[]){x * pixels, y * pixels}, moves))
         return BAT_STATE;
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
