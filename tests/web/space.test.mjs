@@ -39,8 +39,8 @@ for (const colorScheme of ['light', 'dark']) {
     await orbit([560, 150]);
     assert.ok(await tilt(page) > 100);
     await shot('behind');
-    await page.keyboard.press('t');
-    await hand.stroke([[500, 300], [700, 330]]);
+    await page.keyboard.press('Shift+H'); // a guide
+    await settle(page);
     const now = await state(page);
     assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
     await shot('refused');
@@ -119,6 +119,53 @@ for (const colorScheme of ['light', 'dark']) {
     await shot('drawn');
     await page.keyboard.press('Shift+Z');
     await quiet(page);
+    while ((await state(page)).digest !== first.digest) {
+      await page.keyboard.press('Control+z');
+      await settle(page);
+    }
+    await page.keyboard.press('5');
+    await quiet(page);
+    assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
+  });
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a line, a spline and the eraser on the tilted page, ${colorScheme}`, async (t) => {
+    const server = await serve({ name: 'car.svg', bytes: CAR });
+    t.after(() => server.close());
+    const { page, hand } = await open(browser, server.address, { colorScheme });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
+    const first = await state(page);
+    const before = await pixels(page);
+    const changed = async (since) => {
+      await quiet(page);
+      const now = await state(page);
+      assert.equal(now.check, '');
+      assert.notEqual(now.digest, since);
+      return now.digest;
+    };
+    await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+    await page.keyboard.press('u');
+    await hand.hover([360, 640]);
+    assert.match((await state(page)).hint, /^On the page/);
+    hand.rest(1);
+    await hand.stroke([[360, 640], [520, 600]], { during: () => shot('line') });
+    let now = await changed(first.digest);
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('t');
+    for (const [from, to] of [[[360, 690], [400, 660]], [[520, 700], [540, 690]], [[640, 640], [680, 650]]]) {
+      hand.rest(1);
+      await hand.stroke([from, to], { during: () => shot('tangents-turning') });
+    }
+    now = await changed(now);
+    await hand.hover([700, 690]);
+    await shot('tangents');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('e');
+    hand.rest(1);
+    await hand.stroke([[440, 560], [460, 730]], { during: () => shot('erasing') });
+    now = await changed(now);
+    await shot('erased');
     while ((await state(page)).digest !== first.digest) {
       await page.keyboard.press('Control+z');
       await settle(page);

@@ -134,12 +134,21 @@ static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
     return status;
 }
 
+/* Whether the pen has stayed where it came down; a stroke round a ring ends there, too. */
+static bool is_tap(const bat_lifting *l, const double pixel[2]) {
+    for (size_t i = 0; i <= l->count; i++) {
+        const double *at = i < l->count ? l->pixels + 2 * i : pixel;
+        if (fabs(at[0] - l->pixels[0]) > STILL || fabs(at[1] - l->pixels[1]) > STILL) return false;
+    }
+    return true;
+}
+
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_lifting *l = state;
     bat_id id = 0;
     if (!l->down) return;
     const double pixel[2] = {event->x, event->y};
-    if (fabs(pixel[0] - l->pixels[0]) <= STILL && fabs(pixel[1] - l->pixels[1]) <= STILL) {
+    if (is_tap(l, pixel)) {
         forget(l);
         choose(c, pixel);
         return;
@@ -152,6 +161,8 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         bat_notice(c, BAT_STRING_NOTICE_LIFT_NOTHING);
     else if (status == BAT_FAR || status == BAT_DOT)
         bat_notice(c, BAT_STRING_NOTICE_LIFT_MISSED);
+    else if (status == BAT_COUNT)
+        bat_notice(c, BAT_STRING_NOTICE_LIFT_LONG);
     else if (status != BAT_OK)
         bat_notice_failure(c, status);
     else
@@ -193,12 +204,19 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_path_curve(&list->path, l->made);
 }
 
+/* Whether the surface over the curve is seen well enough for a stroke. */
+static bool shows(const bat_context *c, const bat_curve *curve) {
+    bat_viewpoint view;
+    return bat_stage_viewpoint(c->stage, &view) == BAT_OK && bat_lift_shows(&view, curve);
+}
+
 static bat_string hint(const bat_context *c, const void *state) {
     bat_id id;
+    const bat_curve *curve = target(c, &id);
     (void)state;
-    return !bat_stage_tilted(c->stage) ? BAT_STRING_HINT_LIFT_TILT
-           : target(c, &id)            ? BAT_STRING_HINT_LIFT
-                                       : BAT_STRING_HINT_LIFT_CHOOSE;
+    return !bat_stage_tilted(c->stage) || (curve && !shows(c, curve)) ? BAT_STRING_HINT_LIFT_TILT
+           : curve                                                    ? BAT_STRING_HINT_LIFT
+                                                                      : BAT_STRING_HINT_LIFT_CHOOSE;
 }
 
 const bat_tool *bat_tool_lift(void) {

@@ -1,11 +1,15 @@
 #include "form/view/lift.h"
+#include "base/vec.h"
 #include "curve/curve.h"
+#include "form/view/cast.h"
 #include <batten/refine.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { UNKNOWNS = 400, ROUNDS = 6 };
+enum { UNKNOWNS = 400, ROUNDS = 6, BENDS = 4, LOOKS = 60, STARTS = 5 };
+static const double SLACK = 0.1;                     /* share of the samples */
+static const double EDGE_ON = 0.0871557427476581736; /* sine of 5 degrees */
 static const double STIFF = 1e-3;    /* weight of second differences, relative to that of the samples */
 static const double AT_END = 0.03;   /* of the domain: a stroke that comes so near to an end reaches it */
 static const double ALL_ROUND = 0.9; /* of the period: so much of a closed curve is all of it */
@@ -35,9 +39,8 @@ static bat_status choose(lifting *l, const bat_curve *curve) {
     const double high = !closed && l->range[1] > domain[1] - near ? domain[1] : l->range[1];
     l->unknowns = 0;
     for (int i = 0; i < n; i++) {
-        double at = greville[i];
-        if (closed && at < domain[0]) at += width;
-        if (closed && at >= domain[1]) at -= width;
+        /* Of a closed curve, the turn in which it comes first within the range. */
+        const double turns = closed ? ceil((low - greville[i]) / width) * width : 0, at = greville[i] + turns;
         l->unknown[i] = all || (at >= low && at <= high) ? l->unknowns++ : -1;
     }
     free(greville);
@@ -133,9 +136,13 @@ static bat_status halve(const lifting *l, bat_curve **curve) {
     bat_curve *finer = NULL;
     if (!more) return BAT_MEMORY;
     bat_curve_domain(*curve, domain);
+    const bool closed = bat_curve_is_closed(*curve);
+    const double width = domain[1] - domain[0];
     for (int i = 1; i < count; i++) {
         const double low = fmax(knots[i - 1], domain[0]), high = fmin(knots[i], domain[1]);
-        if (high > low && high > l->range[0] && low < l->range[1]) more[made++] = low / 2 + high / 2;
+        const double turns = closed ? floor((l->range[0] - high) / width + 1) * width : 0;
+        if (high > low && high + turns > l->range[0] && low + turns < l->range[1])
+            more[made++] = low / 2 + high / 2;
     }
     bat_status status = made ? bat_curve_insert_knots(*curve, made, more, &finer) : BAT_TOLERANCE;
     free(more);
@@ -176,30 +183,160 @@ static bat_status raise(const lifting *l, const bat_curve *curve, bat_curve **ou
     return status;
 }
 
+/* ---- the stroke on the ruled surface ---- */
+
+typedef struct pen_ray {
+    double from[3], along[3];
+} pen_ray;
+
+/* Where the ray lands near a parameter (NaN: anywhere); what lies behind the eye does not count. */
+static bat_status land(bat_caster *caster, const pen_ray *ray, double near, bat_cast_point *out) {
+    double ahead = 0;
+    bat_status status = bat_caster_line(caster, ray->from, ray->along, near, out);
+    if (status != BAT_OK || out->fate != BAT_CAST_LANDED) return status;
+    for (int k = 0; k < 3; k++) ahead += (out->point[k] - ray->from[k]) * ray->along[k];
+    if (!(ahead > 0)) out->fate = BAT_CAST_BEHIND;
+    return BAT_OK;
+}
+
+/* After a stretch that was seen from its edge, where the surface turns away from the eye: of the places nearby the one
+ * whose height is nearest to the last, for the curve in space goes on there, on this side or round the bend. */
+static bat_status beyond_edge(bat_caster *caster, const pen_ray *ray, double width, double last,
+                              double height, bat_cast_point *out) {
+    for (int k = -BENDS; k <= BENDS; k++) {
+        bat_cast_point other;
+        if (!k) continue;
+        bat_status status = land(caster, ray, last + k * width / (3 * BENDS), &other);
+        if (status != BAT_OK) return status;
+        if (other.fate != BAT_CAST_LANDED || fabs(other.own[1] - height) >= fabs(out->own[1] - height))
+            continue;
+        *out = other;
+    }
+    return BAT_OK;
+}
+
+/* Keeps what landed; the range goes on over the seam of a closed curve. */
+static void keep(lifting *l, const bat_cast_point *place, double width, bool closed, double *on) {
+    const double u = place->own[0];
+    l->u[l->count] = u;
+    l->h[l->count++] = place->own[1];
+    *on = closed && l->count > 1 ? u + width * floor((*on - u) / width + 0.5) : u;
+    l->range[0] = fmin(l->range[0], *on);
+    l->range[1] = fmax(l->range[1], *on);
+}
+
+/* The whole stroke, of which the first sample lands near `start` (NaN: where its height is least). */
+static bat_status cast_all(lifting *l, bat_caster *caster, const bat_viewpoint *view,
+                           const bat_stroke *stroke, const bat_curve *curve, double start) {
+    const bool closed = bat_curve_is_closed(curve);
+    double domain[2], on = 0;
+    bool edge = false;
+    bat_curve_domain(curve, domain);
+    const double width = domain[1] - domain[0];
+    l->count = 0;
+    l->range[0] = INFINITY, l->range[1] = -INFINITY;
+    for (size_t i = 0; i < stroke->count; i++) {
+        bat_cast_point place;
+        pen_ray ray;
+        const double last = l->count ? l->u[l->count - 1] : start;
+        bat_status status = bat_viewpoint_ray(view, stroke->points + 2 * i, ray.from, ray.along);
+        if (status == BAT_OK) status = land(caster, &ray, last, &place);
+        if (status != BAT_OK) return status;
+        const bool landed = place.fate == BAT_CAST_LANDED;
+        if (landed && edge && l->count)
+            status = beyond_edge(caster, &ray, width, last, l->h[l->count - 1], &place);
+        if (status != BAT_OK) return status;
+        edge = landed ? false : edge || place.fate == BAT_CAST_EDGE_ON;
+        if (landed) keep(l, &place, width, closed, &on);
+    }
+    return BAT_OK;
+}
+
+/* How far the heights go up and down in all. */
+static double unrest(const lifting *l) {
+    double sum = l->count ? 0 : INFINITY;
+    for (size_t i = 1; i < l->count; i++) sum += fabs(l->h[i] - l->h[i - 1]);
+    return sum;
+}
+
+/* A picture of a ring is that of two, whose near and far sides are exchanged: the more level one is meant, of those on
+ * which about as many samples land. */
+static bat_status cast_ring(lifting *l, bat_caster *caster, const bat_viewpoint *view,
+                            const bat_stroke *stroke, const bat_curve *curve) {
+    double domain[2], best = INFINITY, start = NAN;
+    size_t most = 0;
+    bat_status status = BAT_OK;
+    bat_curve_domain(curve, domain);
+    for (int k = 0; k <= STARTS && status == BAT_OK; k++) {
+        const double near = k ? domain[0] + (domain[1] - domain[0]) * k / STARTS : NAN,
+                     slack = SLACK * (double)most;
+        status = cast_all(l, caster, view, stroke, curve, near);
+        const double landed = (double)l->count, restless = unrest(l);
+        if (landed < (double)most - slack ||
+            (landed <= (double)most + slack && !(restless < best * (1 - 1e-9))))
+            continue;
+        most = l->count > most ? l->count : most;
+        best = restless, start = near;
+    }
+    return status == BAT_OK ? cast_all(l, caster, view, stroke, curve, start) : status;
+}
+
 /* The samples that landed, as parameters and heights. */
 static bat_status cast(lifting *l, const bat_viewpoint *view, const bat_stroke *stroke,
                        const bat_curve *curve, size_t *dropped) {
     const bat_canvas canvas = {.curve = (bat_curve *)curve, .along = {0, 0, -1}};
-    bat_cast_point *points = malloc((stroke->count + 1) * sizeof *points);
-    size_t landed = 0;
+    bat_caster *caster = NULL;
+    if (stroke->count && stroke->dimension != 2) return BAT_DIMENSION;
     l->u = malloc((stroke->count + 1) * sizeof *l->u);
     l->h = malloc((stroke->count + 1) * sizeof *l->h);
-    bat_status status = points && l->u && l->h ? bat_cast(view, stroke, &canvas, points, &landed)
-                                               : BAT_MEMORY;
-    l->range[0] = INFINITY, l->range[1] = -INFINITY;
-    for (size_t i = 0; i < stroke->count && status == BAT_OK; i++) {
-        if (points[i].fate != BAT_CAST_LANDED) continue;
-        l->u[l->count] = points[i].own[0];
-        l->h[l->count++] = points[i].own[1];
-        l->range[0] = fmin(l->range[0], points[i].own[0]);
-        l->range[1] = fmax(l->range[1], points[i].own[0]);
-    }
-    free(points);
-    *dropped = stroke->count - landed;
+    bat_status status = l->u && l->h ? bat_caster_create(&canvas, &caster) : BAT_MEMORY;
+    if (status == BAT_OK)
+        status = bat_curve_is_closed(curve) ? cast_ring(l, caster, view, stroke, curve)
+                                            : cast_all(l, caster, view, stroke, curve, NAN);
+    if (caster) bat_caster_free(caster);
+    *dropped = stroke->count - l->count;
     if (status != BAT_OK) return status;
-    return 3 * *dropped > stroke->count                 ? BAT_FAR
-           : landed < 2 || !(l->range[0] < l->range[1]) ? BAT_DOT
-                                                        : BAT_OK;
+    return 3 * *dropped > stroke->count                   ? BAT_FAR
+           : l->count < 2 || !(l->range[0] < l->range[1]) ? BAT_DOT
+                                                          : BAT_OK;
+}
+
+bool bat_lift_shows(const bat_viewpoint *view, const bat_curve *curve) {
+    double domain[2], jet[2 * BAT_DIMENSION_MAX], pixel[2];
+    const int dimension = bat_curve_dimension(curve);
+    int shown = 0;
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < LOOKS; i++) {
+        pen_ray ray;
+        bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * (i + 0.5) / LOOKS, 1, jet);
+        const double at[3] = {jet[0], jet[1], dimension > 2 ? jet[2] : 0};
+        if (bat_viewpoint_project(view, at, pixel, NULL) != BAT_OK ||
+            bat_viewpoint_ray(view, pixel, ray.from, ray.along) != BAT_OK)
+            continue;
+        const vec way = vec_unit(vec_load(jet + dimension, dimension)), up = {0, 0, 1};
+        shown += fabs(vec_dot(vec_cross(way, up), vec_load(ray.along, 3))) >= EDGE_ON;
+    }
+    return 3 * shown >= 2 * LOOKS;
+}
+
+/* Halves the spans and fits again; where the finer curve has more to tell than the stroke says, it stays as it was. */
+static bat_status refine(lifting *l, bat_curve **curve) {
+    const bool fitted = l->unknowns > 0;
+    bat_curve *finer = NULL;
+    bat_status status = bat_curve_copy(*curve, &finer);
+    if (status == BAT_OK) status = halve(l, &finer);
+    if (status == BAT_OK) status = fit(l, finer);
+    if (fitted && status == BAT_SINGULAR) {
+        bat_curve_free(finer);
+        return fit(l, *curve);
+    }
+    if (status != BAT_OK) {
+        bat_curve_free(finer);
+        return status;
+    }
+    bat_curve_free(*curve);
+    *curve = finer;
+    return BAT_OK;
 }
 
 bat_status bat_lift(const bat_viewpoint *view, const bat_stroke *stroke, const bat_curve *curve,
@@ -210,10 +347,8 @@ bat_status bat_lift(const bat_viewpoint *view, const bat_stroke *stroke, const b
     bat_status status = l ? cast(l, view, stroke, curve, dropped) : BAT_MEMORY;
     if (status == BAT_OK) status = bat_curve_copy(curve, &finer);
     if (status == BAT_OK) status = fit(l, finer);
-    for (int i = 0; i < ROUNDS && status == BAT_OK && (!l->unknowns || missed(l, finer) > tolerance); i++) {
-        status = halve(l, &finer);
-        if (status == BAT_OK) status = fit(l, finer);
-    }
+    for (int i = 0; i < ROUNDS && status == BAT_OK && (!l->unknowns || missed(l, finer) > tolerance); i++)
+        status = refine(l, &finer);
     if (status == BAT_OK) status = l->unknowns ? raise(l, finer, out) : BAT_DOT;
     bat_curve_free(finer);
     if (l) {

@@ -180,12 +180,97 @@ static void what_cannot_be_lifted(void **state) {
     bat_curve_free(curve);
 }
 
+/* A ring of 10 by 8 in space, so high over the page at an angle. */
+static double ring_height(double angle) { return 1.2 + 0.6 * cos(2 * angle) + 0.4 * sin(angle); }
+
+/* Seen from the side, at an angle over the page, a ring is lifted by a stroke that goes round its picture, from wherever
+ * it begins and either way: at the sides, where its surface is seen from its edge, the stroke goes on round the bend. */
+static void a_ring_is_lifted_from_the_side(void **state) {
+    (void)state;
+    for (int k = 0; k < 24; k++) {
+        const double tilt = (35 + 15 * (k % 3)) * pi / 180, begin = 0.3 + 1.1 * (k % 8),
+                     way = k < 12 ? 1 : -1;
+        const bat_viewpoint view = {.eye = {0, 100 * sin(tilt), -100 * cos(tilt)},
+                                    .up = {0, 0, -1},
+                                    .size = {1000, 1000},
+                                    .height = 50};
+        bat_curve *ring = level_curve(2, 3, true, 24), *made = NULL;
+        double pixels[2 * SAMPLES], domain[2], at[3], was[3] = {0};
+        size_t dropped = 0;
+        bat_curve_domain(ring, domain);
+        const double width = domain[1] - domain[0];
+        for (int i = 0; i < SAMPLES; i++) {
+            const double turn = begin / (2 * pi) + way * i / (SAMPLES - 1), share = turn - floor(turn);
+            place(ring, domain[0] + width * share, ring_height(2 * pi * share), at);
+            assert_int_equal(bat_viewpoint_project(&view, at, pixels + 2 * i, NULL), BAT_OK);
+        }
+        assert_true(bat_lift_shows(&view, ring));
+        assert_int_equal(lift(&view, ring, SAMPLES, pixels, 0.02, &made, &dropped), BAT_OK);
+        assert_true(dropped > 0 && 3 * dropped < SAMPLES);
+        for (int i = 0; i < 360; i++) {
+            const double u = domain[0] + width * i / 360;
+            bat_curve_eval(made, u, 0, at);
+            bat_curve_eval(ring, u, 0, was);
+            assert_true(fabs(at[0] - was[0]) < 1e-9 && fabs(at[1] - was[1]) < 1e-9);
+            const double off = fabs(-at[2] - ring_height(2 * pi * i / 360));
+            if (!(off < 0.25)) fail_msg("ring %d at %d degrees: %g off, %zu dropped", k, i, off, dropped);
+        }
+        bat_curve_free(ring);
+        bat_curve_free(made);
+    }
+}
+
+/* A part of a ring over its seam: the rest keeps its height. */
+static void a_part_over_the_seam(void **state) {
+    (void)state;
+    bat_curve *ring = level_curve(2, 3, true, 40), *made = NULL;
+    const bat_viewpoint view = above();
+    double pixels[2 * SAMPLES], domain[2], at[3];
+    size_t dropped = 0;
+    bat_curve_domain(ring, domain);
+    const double width = domain[1] - domain[0];
+    for (int i = 0; i < SAMPLES; i++) {
+        const double t = (double)i / (SAMPLES - 1), share = 0.85 + 0.3 * t;
+        place(ring, domain[0] + width * (share - floor(share)), bump(t), at);
+        assert_int_equal(bat_viewpoint_project(&view, at, pixels + 2 * i, NULL), BAT_OK);
+    }
+    assert_int_equal(lift(&view, ring, SAMPLES, pixels, 0.02, &made, &dropped), BAT_OK);
+    for (int i = 0; i < 400; i++) {
+        const double share = i / 400.0, t = ((share < 0.5 ? share + 1 : share) - 0.85) / 0.3;
+        bat_curve_eval(made, domain[0] + width * share, 0, at);
+        if (!(fabs(-at[2] - bump(t)) < 0.15)) fail_msg("at %g: %g, not %g", share, -at[2], bump(t));
+        if (share > 0.25 && share < 0.75) assert_true(at[2] == 0);
+    }
+    bat_curve_free(ring);
+    bat_curve_free(made);
+}
+
+/* From straight above no height can be told, from the side of a straight line neither. */
+static void what_shows(void **state) {
+    (void)state;
+    bat_curve *ring = level_curve(2, 3, true, 12), *line = NULL;
+    const double ends[4] = {0, -5, 0, 5}; /* towards the eye of `before` */
+    bat_viewpoint view = before();
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, ends, &line), BAT_OK);
+    assert_true(bat_lift_shows(&view, ring));
+    assert_false(bat_lift_shows(&view, line));
+    view = (bat_viewpoint){.eye = {0, 0, -20}, .up = {0, 1, 0}, .size = {1000, 1000}, .height = 50};
+    assert_false(bat_lift_shows(&view, ring));
+    view.size[0] = 0;
+    assert_false(bat_lift_shows(&view, ring));
+    bat_curve_free(ring);
+    bat_curve_free(line);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(heights_are_those_of_the_stroke),
         cmocka_unit_test(the_rest_stays),
         cmocka_unit_test(a_tolerance_that_cannot_be_met),
         cmocka_unit_test(what_cannot_be_lifted),
+        cmocka_unit_test(a_ring_is_lifted_from_the_side),
+        cmocka_unit_test(a_part_over_the_seam),
+        cmocka_unit_test(what_shows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
