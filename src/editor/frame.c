@@ -4,7 +4,6 @@
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/commands/three.h"
-#include "editor/scene/space.h"
 #include "editor/editor.h"
 #include "editor/commands/calm.h"
 #include "editor/show/ruler.h"
@@ -148,7 +147,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .view = {c->stage->view.x, c->stage->view.y, c->stage->view.zoom, c->stage->view.angle},
         .jumps = c->views->jumps,
         .tilt = c->stage->view.tilt,
-        .surfaces = bat_space_shows_surface(scene),
+        .surfaces = scene->surfaces,
         .origin = {scene->origin[0], scene->origin[1]},
         .still_version = scene->still_version,
         .still_count = (uint32_t)scene->item_count,
