@@ -111,6 +111,7 @@ static bat_status read(const char *text, size_t size, const bat_svg_options *opt
     XML_SetCharacterDataHandler(feed.parser, on_text);
     XML_SetUnknownEncodingHandler(feed.parser, on_encoding, NULL);
     XML_SetExternalEntityRefHandler(feed.parser, on_external);
+    keep(&feed, bat_svg_reader_source(feed.reader, text, size));
     if (XML_Parse(feed.parser, text, (int)size, XML_TRUE) == XML_STATUS_ERROR)
         status = refuse(&feed, problem);
     status = finish(&feed, status, out, report, problem);

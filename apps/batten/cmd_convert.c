@@ -38,7 +38,7 @@ static int run(const cli_arguments *arguments) {
         failed = io_write(out, text, size);
         bat_free(text);
     }
-    if (!failed) drawing_remark(in, &drawing);
+    if (!failed && !(format->keeps && drawing_keeps_file(&drawing))) drawing_remark(in, &drawing);
     drawing_free(&drawing);
     return failed;
 }
@@ -52,7 +52,7 @@ const cli_command command_convert = {
         "recognised. "
         "One\n"
         "line on standard error counts what an SVG held that was left out: texts, gradients, clips and the "
-        "like.\nWriting over such a file needs --lossy.",
+        "like.\nAs SVG or .batten it is kept: from SVG to SVG the file stays as it is.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,

@@ -65,7 +65,7 @@ static int look_at(const char *path, const bat_format *format) {
     if (status != BAT_OK) return fail_problem(path, status, &problem);
     drawing_remark(path, &drawing);
     int lost = bat_losses_total(&drawing.report.lost);
-    if (lost)
+    if (lost && !drawing_keeps_file(&drawing))
         remark("%s: saving over it loses %d thing%s; the editor asks first", path, lost,
                lost == 1 ? "" : "s");
     drawing_free(&drawing);
@@ -161,7 +161,7 @@ const cli_command command_edit = {
         "Ctrl+C\n"
         "ends it. Its address is printed; with a display the browser opens it. A file that is not there is "
         "made\n"
-        "by the first save. Before an SVG is saved that holds what Batten cannot keep, the editor asks.",
+        "by the first save. Before a save that would lose something of an SVG, the editor asks.",
     .example = "batten edit car.svg",
     .operands = 1,
     .options = {{"--port", "N", "the port on 127.0.0.1, else the file's own; 0: any free one"},

@@ -87,7 +87,8 @@ static int print_json(const char *name, const drawing_file *drawing) {
     put_member(&text, "points", (uint64_t)totals.points);
     put_member(&text, "knots", (uint64_t)totals.knots);
     const bat_svg_report *report = &drawing->report;
-    bat_text_string(&text, bat_losses_total(&report->lost) ? ",\"keeps_all\":false" : ",\"keeps_all\":true");
+    const bool keeps = !bat_losses_total(&report->lost) || drawing_keeps_file(drawing);
+    bat_text_string(&text, keeps ? ",\"keeps_all\":true" : ",\"keeps_all\":false");
     bat_text_string(&text, report->edited ? ",\"edited\":true" : ",\"edited\":false");
     bat_text_string(&text, ",\"left_out\":{");
     for (int i = 0; i < BAT_LOSS_COUNT; i++) {
@@ -138,12 +139,14 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     }
 }
 
-/* What overwriting the file would lose, one kind per line. */
+/* What overwriting the file would lose, or what is not shown of a file that is kept, one kind per line. */
 static void put_losses(bat_text *text, const drawing_file *drawing) {
     char line[96];
     int total = bat_losses_total(&drawing->report.lost);
-    snprintf(line, sizeof line, "loses %d thing%s", total, total == 1 ? "" : "s");
-    put_line(text, "saving", total ? line : "keeps everything");
+    const bool kept = drawing_keeps_file(drawing);
+    snprintf(line, sizeof line, kept ? "all but %d thing%s; saving keeps them all" : "loses %d thing%s",
+             total, total == 1 ? "" : "s");
+    put_line(text, kept && total ? "shows" : "saving", total ? line : "keeps everything");
     for (int i = 0; i < BAT_LOSS_COUNT; i++) {
         if (!drawing->report.lost.count[i]) continue;
         bat_loss_words((bat_loss)i, drawing->report.lost.count[i], line, sizeof line);
@@ -196,9 +199,10 @@ static int run(const cli_arguments *arguments) {
 const cli_command command_info = {
     .name = "info",
     .usage = "FILE [--json]",
-    .summary = "What is in a file: objects, curves, knots, page, and what saving would not keep.",
+    .summary =
+        "What is in a file: objects, curves, knots, page, and what of it is not shown or saving would lose.",
     .details = "As JSON, \"keeps_all\" is false when writing over the file would lose something, and "
-               "\"left_out\"\ncounts what, by kind.",
+               "\"left_out\"\ncounts what is not shown, by kind.",
     .example = "batten info drawing.svg --json",
     .operands = 1,
     .options = {{"--json", NULL, "as JSON"}},

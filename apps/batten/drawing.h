@@ -27,6 +27,8 @@ int drawing_curve_count(const bat_document *document);
 /* Prints a remark about what an import left out, if anything. */
 void drawing_remark(const char *name, const drawing_file *drawing);
 
+/* The document keeps the file that it was read from: writing it as a drawing loses nothing. */
+bool drawing_keeps_file(const drawing_file *drawing);
 /* Whether OUT may be written, which may be the same file as IN: if something in it would be lost, only with
  * --lossy (picture: the output is a picture, which does not keep the drawing). Returns 0, or an exit status
  * after reporting the failure. */

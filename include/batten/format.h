@@ -203,6 +203,11 @@ BAT_API bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name
                                         const char *const *attributes);
 BAT_API bat_status bat_svg_reader_text(bat_svg_reader *reader, const char *text, size_t size);
 BAT_API bat_status bat_svg_reader_end(bat_svg_reader *reader);
+/* The whole text of the file (copied), in UTF-8; called at any time before the end. The document then keeps it, and
+ * bat_svg_write writes it again with nothing changed but what has been edited. A text in another encoding is not kept,
+ * nor one of over 256 MB.
+ * Where the options ask for a tolerance whatever a path's size (share 0), all paths count as edited. */
+BAT_API bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_t size);
 BAT_API bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat_svg_report *report,
                                          bat_problem *problem); /* frees the reader whatever it returns */
 BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up early */
@@ -210,8 +215,12 @@ BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up
  * the line goes on to say so. 1,000 bytes are enough room. */
 BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room);
 
-/* SVG out: exact cubic Béziers, and the native document in the metadata. */
+/* SVG out: exact cubic Béziers, and the native document in the metadata. A document that was read from an SVG file whose
+ * text it keeps is written as that file: what was not edited stays as it was, character by character, and with no edit at
+ * all so does the whole file. */
 BAT_API bat_status bat_svg_write(const bat_document *document, bool with_native, char **text, size_t *size);
+/* Whether it keeps the text of its file, so that writing loses nothing of what its reader counted as lost. */
+BAT_API bool bat_svg_is_kept(const bat_document *document);
 
 #ifdef __cplusplus
 }

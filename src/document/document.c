@@ -17,6 +17,7 @@ struct bat_document {
     bat_list list; /* back to front */
     bat_id next;   /* greater than every id that was ever in the document */
     double page[4];
+    bat_source *source;
 };
 
 bat_status bat_document_create(bat_document **out) {
@@ -31,7 +32,16 @@ bat_status bat_document_create(bat_document **out) {
 void bat_document_free(bat_document *document) {
     if (!document) return;
     bat_list_free(&document->list);
+    bat_source_release(document->source);
     free(document);
+}
+
+const bat_source *bat_document_origin(const bat_document *document) { return document->source; }
+
+void bat_document_set_origin(bat_document *document, const bat_source *source) {
+    bat_source *before = document->source;
+    document->source = bat_source_retain(source);
+    bat_source_release(before);
 }
 
 bat_status bat_document_copy(const bat_document *document, bat_document **out) {
@@ -45,6 +55,7 @@ bat_status bat_document_copy(const bat_document *document, bat_document **out) {
         return status;
     }
     copy->next = document->next;
+    copy->source = bat_source_retain(document->source);
     memcpy(copy->page, document->page, sizeof copy->page);
     *out = copy;
     return BAT_OK;

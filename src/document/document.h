@@ -3,6 +3,7 @@
 #define BATTEN_SRC_DOCUMENT_H
 
 #include "document/nesting.h"
+#include "document/source.h"
 
 /* Fills an empty document with objects, back to front; on success takes over one reference to each.
  * BAT_ARGUMENT when two share an id. O(n). */
@@ -10,6 +11,10 @@ bat_status bat_document_fill(bat_document *document, int count, bat_object *cons
 /* The id that bat_document_new_id will give next; the second call raises it (a lower value changes nothing). */
 bat_id bat_document_next(const bat_document *document);
 void bat_document_raise_next(bat_document *document, bat_id next);
+
+/* The file that it was read from; NULL: none, or one that cannot be written again. Copies share it. */
+const bat_source *bat_document_origin(const bat_document *document);
+void bat_document_set_origin(bat_document *document, const bat_source *source); /* retains it */
 
 /* NULL, or what is wrong with an object by itself. Objects never change, so checking one once is enough. */
 const char *bat_object_check(const bat_object *object);

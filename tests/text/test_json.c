@@ -306,7 +306,7 @@ static void bad_documents_are_told(void **state) {
         bat_status status;
     } cases[] = {
         {"{}", "version", BAT_SYNTAX},
-        {"{\"batten\":3,\"objects\":[]}", "version 1 or 2, found number 3", BAT_UNSUPPORTED},
+        {"{\"batten\":4,\"objects\":[]}", "version 1, 2 or 3, found number 4", BAT_UNSUPPORTED},
         {"{\"batten\":1}", "objects", BAT_SYNTAX},
         {"{\"batten\":1,\"objects\":[{\"id\":1,\"kind\":\"blob\"}]}", "\"path\"", BAT_UNSUPPORTED},
         {"{\"batten\":1,\"objects\":[{\"id\":1.5,\"kind\":\"path\",\"curves\":[" CURVE "]}]}", "whole",

@@ -7,7 +7,8 @@ import { after, before, test } from 'node:test';
 import { bezier, expectFaults, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
-const ART = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300"><title>Art</title>
+/** A file whose elements are not all in its text cannot be kept as it is. */
+const ART = `<!DOCTYPE svg [<!ENTITY e "<g/>">]><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300"><title>Art</title>&e;
   <linearGradient id="g"><stop stop-color="#f00"/><stop offset="1" stop-color="#00f"/></linearGradient>
   <rect id="box" x="40" y="60" width="120" height="90" fill="url(#g)"/><text x="20" y="40">Hello</text><text>again</text>
   <path d="M200 80C240 20 300 140 360 80" fill="none" stroke="#070" stroke-width="4" stroke-dasharray="9 5"/></svg>`;
@@ -73,6 +74,30 @@ test('asked once, before the first save that would lose something', async (t) =>
   await page.reload();
   await ready(page);
   assert.equal(await page.isVisible('#unkept'), false);
+  await context.close();
+});
+
+test('what is not shown is kept by saving', async (t) => {
+  const kept = ART.replace(/^.*\]>/, '').replace('&e;', '');
+  const server = await serve({ name: 'art.svg', bytes: Buffer.from(kept) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  assert.equal((await state(page)).notice, '5 things of this file are not shown as they are. Saving keeps them.');
+  assert.equal(await page.textContent('#unkept'), '5 not shown');
+  await page.keyboard.press('Control+S');
+  await saved(server, 1);
+  assert.equal(server.bytes.toString(), kept);
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(server, 2);
+  const now = server.bytes.toString();
+  for (const line of kept.split('\n').slice(1)) {
+    assert.ok(now.includes(line.replace('</svg>', '')), line);
+  }
+  assert.match(now, /<path style="fill:none[^>]*\/><\/svg>$/);
+  await page.reload();
+  await ready(page);
+  assert.equal(await page.textContent('#unkept'), '5 not shown');
   await context.close();
 });
 

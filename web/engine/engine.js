@@ -252,7 +252,7 @@ export class Engine extends Instance {
 
   /** @param {Element} root */
   pasteSvg(root) {
-    this.#done(this.guard(() => readSvg(this, root, (reader) =>
+    this.#done(this.guard(() => readSvg(this, root, '', (reader) =>
       this.wasm.svg_paste(reader, this.editor, this.scratch)), -1));
   }
 
@@ -276,15 +276,20 @@ export class Engine extends Instance {
     this.#opened(status);
   }
 
-  /** An SVG document as parsed by the browser. @param {Element} root @param {string} name */
-  openSvg(root, name) {
+  /** An SVG document as parsed by the browser. @param {Element} root @param {string} text @param {string} name */
+  openSvg(root, text, name) {
     const broken = -1;
-    const status = this.guard(() => readSvg(this, root, (reader) => this.lend(name, (title) =>
+    const status = this.guard(() => readSvg(this, root, text, (reader) => this.lend(name, (title) =>
       this.wasm.svg_finish(reader, this.editor, title, this.scratch))), broken);
     this.#opened(status);
   }
 
-  /** What the file contains and the drawing does not: overwriting the file would lose it. @returns {Losses} */
+  /** The drawing keeps the file that it was opened from: saving loses nothing of it. */
+  get keeps() {
+    return this.guard(() => this.wasm.editor_keeps(this.editor) !== 0, false);
+  }
+
+  /** What the file contains and the drawing does not: overwriting the file would lose it, unless it `keeps` it. @returns {Losses} */
   get losses() {
     return this.guard(() => {
       const counts = this.wasm.editor_losses(this.editor);

@@ -60,15 +60,17 @@ function walk(module, reader, root) {
  * Passes an SVG document to a reader, then says what to do with it.
  * @param {Instance} module
  * @param {Element} root
+ * @param {string} text of the whole file, '' when it is not to be kept
  * @param {(reader: number) => number} finish frees the reader
  * @returns {number} status
  */
-export function readSvg(module, root, finish) {
+export function readSvg(module, root, text, finish) {
   const reader = module.wasm.svg_begin();
   if (!reader) {
     throw new Refusal(word('shell.no-memory'));
   }
-  const refused = walk(module, reader, root);
+  const refused = walk(module, reader, root) ||
+    (text && module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)));
   if (refused !== OK) {
     module.wasm.svg_cancel(reader);
     return refused;

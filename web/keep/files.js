@@ -177,14 +177,15 @@ export class Files {
       if (isNative(name) || (svg && first === '{')) {
         this.engine.openNative(bytes, name);
       } else if (svg || first === '<' || first === undefined) {
-        this.engine.openSvg(parseSvg(decodeXml(bytes)), name);
+        const text = decodeXml(bytes);
+        this.engine.openSvg(parseSvg(text), text, name);
       } else {
         this.engine.openFile(bytes, name);
       }
       this.losses = this.engine.losses;
       const lost = totalOf(this.losses);
       if (lost) {
-        this.notices.say(counted('shell.loses', lost));
+        this.notices.say(counted(this.engine.keeps ? 'shell.unshown' : 'shell.loses', lost));
       }
       this.name = name;
       this.opened = bytes;
@@ -221,7 +222,9 @@ export class Files {
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
       await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
-      this.losses = this.engine.losses = {};
+      if (!this.engine.keeps) {
+        this.losses = this.engine.losses = {};
+      }
       this.notices.over('kept', 'unkept', 'changed');
       this.notices.say(word('shell.saved', this.name));
     } catch (error) {
@@ -242,7 +245,7 @@ export class Files {
   /** Asks before overwriting loses anything. @returns {Promise<boolean>} whether the file may be overwritten */
   async #mayLose() {
     const { losses } = this.engine;
-    if (!totalOf(losses)) {
+    if (!totalOf(losses) || (this.engine.keeps && !losses.native)) {
       return true;
     }
     const { ask } = await want(import('../sheets/losses.js'));

@@ -7,6 +7,7 @@
 MODULE_EXPORT(svg_begin) bat_svg_reader *svg_begin(void);
 MODULE_EXPORT(svg_start) int svg_start(bat_svg_reader *reader, const char *strings, size_t pairs);
 MODULE_EXPORT(svg_text) int svg_text(bat_svg_reader *reader, const char *text, size_t size);
+MODULE_EXPORT(svg_source) int svg_source(bat_svg_reader *reader, const char *text, size_t size);
 MODULE_EXPORT(svg_end) int svg_end(bat_svg_reader *reader);
 MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader);
 MODULE_EXPORT(svg_paste) int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem);
@@ -40,6 +41,12 @@ int svg_start(bat_svg_reader *reader, const char *strings, size_t pairs) {
 int svg_text(bat_svg_reader *reader, const char *text, size_t size) {
     MODULE_CHECK(reader);
     return (int)bat_svg_reader_text(reader, text, size);
+}
+
+/* The whole file, which the document keeps so as to write it again. */
+int svg_source(bat_svg_reader *reader, const char *text, size_t size) {
+    MODULE_CHECK(reader);
+    return (int)bat_svg_reader_source(reader, text, size);
 }
 
 int svg_end(bat_svg_reader *reader) {

@@ -162,7 +162,7 @@ export class Loop {
   /** Offers a list of what cannot be kept of the file. @param {number} lost */
   #tellLost(lost) {
     const button = part('unkept');
-    const text = lost ? word('shell.unkept', lost) : '';
+    const text = lost ? word(this.shell.engine.keeps ? 'shell.unseen' : 'shell.unkept', lost) : '';
     if (button.textContent !== text) {
       button.textContent = text;
       button.hidden = !lost;

@@ -7,6 +7,7 @@
 #include "text/base64.h"
 #include "format/json/curve.h"
 #include "format/json/fields.h"
+#include "format/json/source.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
 
@@ -15,8 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format: of drawings with something in space, which older programs must refuse, and of all others. */
-enum { PLAIN = 1, SPATIAL = 2 };
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings that keep the file
+ * that they were read from, drawings with something in space, and all others. */
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -173,12 +175,14 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (number != PLAIN && number != SPATIAL)
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1 or 2", f->problem);
+    if (number != PLAIN && number != SPATIAL && number != SOURCED)
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2 or 3",
+                                 f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
     if (status == BAT_OK) status = bat_fields_id(f, 1, "next", BAT_ID_MAX + 1, &next);
+    if (status == BAT_OK) status = bat_source_from_json(f, bat_json_member(f->json, 1, "source"), document);
     if (status == BAT_OK) bat_document_raise_next(document, next);
     return status;
 }
@@ -256,7 +260,8 @@ static void write_pictures(const bat_document *document, bat_text *text) {
     bat_pictures_free(&written);
 }
 
-static uint64_t version_of(const bat_document *document) {
+static uint64_t version_of(const bat_document *document, bool whole) {
+    if (whole && bat_document_origin(document)) return SOURCED;
     for (int i = 0; i < bat_document_count(document); i++)
         if (bat_object_is(bat_document_at(document, i), BAT_SPACE)) return SPATIAL;
     return PLAIN;
@@ -266,7 +271,7 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
     double page[4];
     bat_document_page(document, page);
     bat_text_string(text, "{\"batten\":");
-    bat_text_integer(text, version_of(document));
+    bat_text_integer(text, version_of(document, pictures));
     bat_text_string(text, ",\n\"page\":[");
     for (int i = 0; i < 4; i++) {
         if (i > 0) bat_text_string(text, ",");
@@ -275,6 +280,10 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
     bat_text_string(text, "],\n\"next\":");
     bat_text_integer(text, bat_document_next(document));
     if (pictures) write_pictures(document, text);
+    if (pictures && bat_document_origin(document)) {
+        bat_text_string(text, ",\n\"source\":");
+        bat_source_to_json(bat_document_origin(document), text);
+    }
     bat_text_string(text, ",\n\"objects\":[");
     for (int i = 0; i < bat_document_count(document); i++) {
         bat_text_string(text, i > 0 ? ",\n " : "\n ");

@@ -20,8 +20,8 @@ bat_status bat_object_from_json(const bat_json *json, uint32_t node, const bat_p
 void bat_picture_to_json(const bat_picture *picture, bat_text *text);
 bat_status bat_picture_from_json(const bat_json *json, uint32_t node, bat_pictures *pictures,
                                  bat_problem *problem);
-/* pictures: also writes the bytes of the pictures that images refer to; when these are more than a reader
- * accepts, the text fails. */
+/* pictures: also writes the bytes of the pictures that images refer to (when these are more than a reader accepts, the
+ * text fails), and the file that the document was read from. */
 void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text);
 /* Like bat_document_read, given pictures that are known already; those of the document are added to them. */
 bat_status bat_document_read_with(const char *text, size_t size, bat_pictures *pictures, bat_document **out,

@@ -51,11 +51,17 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
         bat_matrix_compose(outer->matrix, m, s.matrix);
     }
     if (kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER) bat_svg_note_own_style(w, element, &s.style);
+    const bool copied = w->copied;
+    const int place = w->place;
+    bat_svg_place(w, element, outer, s.matrix);
+    w->copied = copied || kind == BAT_SVG_USE;
     w->active[w->depth++] = element;
     w->unseen += !shown;
     draw_kind(w, element, &s);
     w->unseen -= !shown;
     w->depth--;
+    w->copied = copied;
+    w->place = place;
 }
 
 /* The outermost viewBox defines the user units and the page; without one, width and height define the page. */
@@ -84,6 +90,7 @@ void bat_svg_draw_root(bat_svg_walk *w) {
         bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;
     }
+    bat_svg_place(w, 1, &none, s.matrix);
     w->active[w->depth++] = 1;
     bat_svg_draw_children(w, 1, &s);
     w->depth--;

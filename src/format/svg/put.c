@@ -33,6 +33,7 @@ void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_objec
     }
     if (status == BAT_OK) status = bat_document_insert(w->document, bat_document_count(w->document), object);
     if (status == BAT_OK && bat_object_is_drawn(object)) w->put++;
+    if (status == BAT_OK) bat_svg_place_object(w, object);
     bat_object_release(object);
     if (status == BAT_OK) w->members++;
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;

@@ -5,9 +5,11 @@
 #include "format/svg/reader.h"
 #include "format/svg/walk.h"
 #include "text/json.h"
+#include "text/utf8.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const bat_svg_options DEFAULTS = {sizeof DEFAULTS, .corner = 0.05};
 static const bat_svg_options MERGING = {sizeof MERGING, .tolerance = 1e-3, .corner = 0.05, .share = 1e-4};
@@ -40,6 +42,7 @@ void bat_svg_reader_free(bat_svg_reader *reader) {
     bat_svg_tree_free(&reader->tree);
     bat_text_free(&reader->styles);
     bat_text_free(&reader->native);
+    free(reader->source);
     free(reader);
 }
 
@@ -83,6 +86,19 @@ bat_status bat_svg_reader_end(bat_svg_reader *reader) {
     return note(reader, bat_svg_tree_close(&reader->tree));
 }
 
+bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_t size) {
+    if (!reader || (!text && size > 0)) return BAT_ARGUMENT;
+    if (size > BAT_JSON_SIZE || !bat_utf8_valid(text, size) || memchr(text, '\0', size)) return BAT_OK;
+    char *kept = malloc(size + 1);
+    if (!kept) return note(reader, BAT_MEMORY);
+    if (size > 0) memcpy(kept, text, size);
+    kept[size] = '\0';
+    free(reader->source);
+    reader->source = kept;
+    reader->source_size = size;
+    return BAT_OK;
+}
+
 static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_svg_report *report) {
     bat_svg_sheet sheet;
     bat_document *document = NULL;
@@ -101,11 +117,15 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                         .sheet = &sheet,
                         .document = document,
                         .report = report,
+                        .keeps = reader->source || reader->drawn,
                         .digest = bat_digest_begin()};
     status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &report->lost);
     if (status == BAT_OK) bat_svg_draw_root(w);
     if (status == BAT_OK) status = w->status;
+    if (reader->drawn) *reader->drawn = w->digest;
     if (status == BAT_OK) bat_svg_use_native(reader, w->digest, &w->pictures, &document, report);
+    if (status == BAT_OK && reader->source) status = bat_svg_keep(reader, w, report->native, document);
+    free(w->places);
     bat_outline_free(&w->outline);
     bat_pictures_free(&w->pictures);
     bat_svg_notes_free(&w->notes);

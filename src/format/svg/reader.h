@@ -14,7 +14,15 @@ struct bat_svg_reader {
     uint32_t native_element;
     bat_status status;  /* the first failure */
     uint32_t failed_at; /* number of elements begun at that point */
+    char *source;       /* the file's text, when it is to be kept */
+    size_t source_size;
+    uint64_t *drawn; /* where the digest of the drawing goes; NULL: nowhere */
 };
+
+struct bat_svg_walk;
+/* Keeps the file with the document that was read from it, if its elements are where they seem to be. */
+bat_status bat_svg_keep(const bat_svg_reader *reader, const struct bat_svg_walk *w, bool native,
+                        bat_document *document);
 
 /* Replaces the document by the native one when the drawing still shows what was written with it. */
 void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,

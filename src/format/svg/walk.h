@@ -7,6 +7,7 @@
 #define BATTEN_FORMAT_SVG_WALK_H
 
 #include "document/picture.h"
+#include "document/source.h"
 #include "format/svg/notes.h"
 #include "format/svg/outline.h"
 #include "format/svg/style.h"
@@ -42,10 +43,15 @@ struct bat_svg_walk {
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
     int depth;
     long drawn, tried, put;
-    bat_id group;      /* the group being read; 0: none */
-    int members;       /* members read into it so far */
-    int groups;        /* nesting depth of that group */
-    int unseen;        /* how many of the elements being drawn are not displayed */
+    bat_id group; /* the group being read; 0: none */
+    int members;  /* members read into it so far */
+    int groups;   /* nesting depth of that group */
+    int unseen;   /* how many of the elements being drawn are not displayed */
+    /* What each element became, when the file is kept (place.c). */
+    bool keeps, copied; /* it is; what is drawn now is drawn from another place */
+    bat_sourced *places;
+    int place_count, place_room;
+    int place;         /* index of the place of the element being drawn */
     bat_svg_way *draw; /* draws an element of any kind in place */
     bat_status status; /* a failure stops everything */
 };
@@ -60,6 +66,11 @@ double bat_svg_length_of(const bat_svg_walk *w, uint32_t element, const char *na
 /* What the element refers to; NULL: nothing. */
 const char *bat_svg_find_href(const bat_svg_walk *w, uint32_t element);
 bat_svg_way bat_svg_draw_children;
+
+/* ---- place.c: where things come from ---- */
+/* The element's place; what is drawn until the next call with another element belongs to it. */
+void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, const double inner[6]);
+void bat_svg_place_object(bat_svg_walk *w, const bat_object *object);
 
 /* ---- cascade.c, paint.c: style ---- */
 /* outer: the scope around the element. */

@@ -1,97 +1,22 @@
 /* Writing SVG: every curve as cubic Béziers, exact up to degree 3, and the native document as text in the
  * metadata. */
 #include "document/digest.h"
+#include "document/document.h"
 #include "document/nesting.h"
-#include "text/base64.h"
 #include "format/native/native.h"
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
+#include "format/svg/markup.h"
+#include "format/svg/patch.h"
 #include "format/svg/tree.h"
 #include "text/text.h"
 #include "document/kind.h"
 
-#include <batten/bezier.h>
 #include <batten/format.h>
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Relative to the curve's size: the error allowed in the cubics for a curve above degree 3. */
-static const double CUBICS = 1e-7;
-
-static void write_pair(bat_text *text, const double *p) {
-    bat_text_number(text, p[0]);
-    bat_text_string(text, " ");
-    bat_text_number(text, p[1]);
-}
-
-static bat_status write_curve(bat_text *text, const bat_curve *curve) {
-    double *points, tolerance = CUBICS * bat_curve_size(curve);
-    int count, dimension = bat_curve_dimension(curve);
-    bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &count, &points);
-    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    const double *p = points;
-    bat_text_string(text, "M");
-    write_pair(text, p);
-    for (int i = 0; i < count; i++, p += 4 * dimension) {
-        bool line = bat_curve_degree(curve) == 1;
-        bat_text_string(text, line ? "L" : "C");
-        for (int k = line ? 3 : 1; k < 4; k++) {
-            const double *q = p + k * dimension;
-            if (i == count - 1 && k == 3 && bat_curve_is_closed(curve))
-                q = points; /* the curve closes bit for bit */
-            write_pair(text, q);
-            if (k < 3) bat_text_string(text, " ");
-        }
-    }
-    if (bat_curve_is_closed(curve)) bat_text_string(text, "Z");
-    bat_free(points);
-    return BAT_OK;
-}
-
-static void write_number(bat_text *text, const char *attribute, double number) {
-    bat_text_string(text, attribute);
-    bat_text_number(text, number);
-    bat_text_string(text, "\"");
-}
-
-/* Three decimals of alpha are enough to restore all 256 values. */
-static void write_paint(bat_text *text, const char *property, uint32_t colour) {
-    char value[80];
-    snprintf(value, sizeof value, " %s=\"#%06lx\"", property, (unsigned long)(colour >> 8));
-    bat_text_string(text, value);
-    if ((colour & 0xff) == 0xff) return;
-    snprintf(value, sizeof value, " %s-opacity=\"", property);
-    write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
-}
-
-static void write_style(bat_text *text, const bat_style *style) {
-    static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
-                                                                                     "bevel"};
-    if (style->filled) {
-        write_paint(text, "fill", style->fill);
-        if (style->even_odd) bat_text_string(text, " fill-rule=\"evenodd\"");
-    } else
-        bat_text_string(text, " fill=\"none\"");
-    if (style->stroked) {
-        write_paint(text, "stroke", style->stroke);
-        write_number(text, " stroke-width=\"", style->width);
-        if (style->cap != BAT_CAP_BUTT) {
-            bat_text_string(text, " stroke-linecap=\"");
-            bat_text_string(text, caps[style->cap]);
-            bat_text_string(text, "\"");
-        }
-        if (style->join != BAT_JOIN_MITER) {
-            bat_text_string(text, " stroke-linejoin=\"");
-            bat_text_string(text, joins[style->join]);
-            bat_text_string(text, "\"");
-        }
-        if (style->miter_limit != 4) write_number(text, " stroke-miterlimit=\"", style->miter_limit);
-    }
-    if (style->opacity != 1) write_number(text, " opacity=\"", style->opacity);
-}
 
 /* Whether a name can be used as an XML id unchanged (ASCII only, to be safe everywhere). */
 static bool is_id(const char *name) {
@@ -128,27 +53,15 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     return BAT_OK;
 }
 
-static void write_name(bat_text *text, const char *attribute, const char *name) {
-    if (!*name) return;
-    bat_text_string(text, attribute);
-    bat_text_xml(text, name, strlen(name), true);
-    bat_text_string(text, "\"");
-}
-
-static void write_state(bat_text *text, const bat_object *object) {
-    if (bat_object_is_hidden(object)) bat_text_string(text, " display=\"none\"");
-    if (bat_object_is_locked(object)) bat_text_string(text, " data-locked=\"true\"");
-}
-
 static void open_group(bat_text *text, const bat_object *object, bool as_id) {
     bool layer = bat_object_is(object, BAT_LAYER);
     bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
-    write_name(text,
-               layer   ? " inkscape:label=\""
-               : as_id ? " id=\""
-                       : " data-name=\"",
-               bat_object_name(object));
-    write_state(text, object);
+    bat_svg_write_name(text,
+                       layer   ? " inkscape:label=\""
+                       : as_id ? " id=\""
+                               : " data-name=\"",
+                       bat_object_name(object));
+    bat_svg_write_state(text, object);
     bat_text_string(text, ">\n");
 }
 
@@ -157,13 +70,13 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
                                bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
     bat_text_string(text, "<path");
-    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
-    write_state(text, object);
-    write_style(text, style);
+    bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    bat_svg_write_state(text, object);
+    bat_svg_write_style(text, style);
     bat_text_string(text, " d=\"");
     size_t start = text->size;
     for (int i = 0; i < bat_object_curve_count(object); i++) {
-        bat_status status = write_curve(text, bat_object_curve(object, i));
+        bat_status status = bat_svg_write_curve(text, bat_object_curve(object, i));
         if (status != BAT_OK) return status;
     }
     if (text->failed) return BAT_MEMORY;
@@ -178,30 +91,13 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
 }
 
 static void write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
-    const bat_picture *picture = bat_object_picture(object);
-    const double *m = bat_object_matrix(object);
-    double sides[2], opacity = bat_object_style(object)->opacity;
-    size_t size;
-    const void *bytes = bat_picture_bytes(picture, &size);
-    bat_picture_sides(picture, sides);
+    const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
     bat_text_string(text, "<image");
-    write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
-    write_state(text, object);
-    write_number(text, " width=\"", sides[0]);
-    write_number(text, " height=\"", sides[1]);
-    bat_text_string(text, " preserveAspectRatio=\"none\" transform=\"matrix(");
-    for (int i = 0; i < 6; i += 2) {
-        if (i > 0) bat_text_string(text, " ");
-        write_pair(text, m + i);
-    }
-    bat_text_string(text, ")\"");
-    if (opacity != 1) write_number(text, " opacity=\"", opacity);
-    bat_text_string(text, " href=\"data:");
-    bat_text_string(text, bat_picture_type(picture));
-    bat_text_string(text, ";base64,");
-    bat_base64_write(text, bytes, size);
-    bat_text_string(text, "\"/>\n");
-    if (!hidden) *digest = bat_svg_digest_image(*digest, picture, m, opacity);
+    bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
+    bat_svg_write_state(text, object);
+    bat_svg_write_picture(text, bat_object_picture(object), m, opacity);
+    bat_text_string(text, "\n");
+    if (!hidden) *digest = bat_svg_digest_image(*digest, bat_object_picture(object), m, opacity);
 }
 
 static bat_status write_objects(const bat_document *document, bat_text *text, uint64_t *digest) {
@@ -257,6 +153,13 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
     bat_text text = {0}, objects = {0};
     uint64_t digest;
     double page[4];
+    if (bat_document_origin(document)) {
+        const bat_status kept = bat_svg_patch_write(document, with_native, &text);
+        if (kept == BAT_OK) return bat_text_finish(&text, out, size);
+        bat_text_free(&text);
+        if (kept == BAT_MEMORY) return kept;
+        text = (bat_text){0};
+    }
     bat_svg_page(document, page);
     bat_status status = write_objects(document, &objects, &digest);
     if (status != BAT_OK) {
@@ -267,12 +170,12 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
                     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
     if (has_layers(document))
         bat_text_string(&text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
-    write_number(&text, " width=\"", page[2]);
-    write_number(&text, " height=\"", page[3]);
+    bat_svg_write_number(&text, " width=\"", page[2]);
+    bat_svg_write_number(&text, " height=\"", page[3]);
     bat_text_string(&text, " viewBox=\"");
-    write_pair(&text, page);
+    bat_svg_write_pair(&text, page);
     bat_text_string(&text, " ");
-    write_pair(&text, page + 2);
+    bat_svg_write_pair(&text, page + 2);
     bat_text_string(&text, "\">\n");
     if (with_native) write_native(document, digest, &text);
     if (objects.data) bat_text_add(&text, objects.data, objects.size);
@@ -281,3 +184,5 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
     bat_text_string(&text, "</svg>\n");
     return bat_text_finish(&text, out, size);
 }
+
+bool bat_svg_is_kept(const bat_document *document) { return document && bat_document_origin(document); }

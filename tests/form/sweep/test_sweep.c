@@ -232,6 +232,36 @@ static void a_fold_is_found_where_it_is(void **state) {
     bat_curve_free(profile);
 }
 
+/* A path a hundredth as long as the profile is wide: straight, it makes the exact piece of a tube, without a fold; bent, all
+ * of it is folded over on the side of the centre, since the profile reaches beyond it everywhere. */
+static void a_path_shorter_than_the_profile(void **state) {
+    (void)state;
+    const double points[6] = {-0.05, 0.0025, 0, -0.0025, 0.05, 0.0025}; /* y = x^2: a radius of about 0.5 */
+    bat_curve *straight = line(3, 0, 0, 0.1, 0), *bent = NULL, *ring = circle(5, 2);
+    assert_int_equal(bat_curve_create_clamped(2, 2, 3, points, &bent), BAT_OK);
+    for (int k = 0; k < 2; k++) {
+        bat_sweep *sweep = sweep_of(k ? bent : straight, ring, NULL);
+        bat_surface *s = NULL;
+        bat_sweep_report report;
+        double folds[4][2] = {{-1, -1}}, domain[2];
+        size_t count = 9;
+        bat_sweep_domain(sweep, BAT_U, domain);
+        assert_int_equal(bat_sweep_folds(sweep, 4, folds[0], &count), BAT_OK);
+        assert_int_equal(count, k);
+        if (k) assert_true(folds[0][0] == domain[0] && folds[0][1] == domain[1]);
+        assert_int_equal(bat_sweep_surface(sweep, 1e-3, &s, &report), BAT_OK);
+        assert_true(report.max_error <= 1e-3 && !report.seam && bat_surface_is_closed(s, BAT_V));
+        for (int i = 0; i <= 20 && k == 0; i++) {
+            double at[3];
+            bat_surface_eval(s, domain[0] + (domain[1] - domain[0]) * i / 20, 0.37 * i, 0, at);
+            assert_true(fabs(at[0] - 0.1 * i / 20) < 1e-12);
+            assert_true(fabs(sqrt(at[1] * at[1] + at[2] * at[2]) - 5) < 1e-8);
+        }
+        bat_surface_free(s), bat_sweep_free(sweep);
+    }
+    bat_curve_free(straight), bat_curve_free(bent), bat_curve_free(ring);
+}
+
 static void what_cannot_be_swept(void **state) {
     (void)state;
     const double bent[6] = {0, 0, 5, 0, 5, 5}, still[6] = {1, 1, 1, 1, 1, 1};
@@ -283,9 +313,13 @@ static void what_cannot_be_swept(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_circle_along_a_circle_is_a_torus), cmocka_unit_test(a_twisted_line_is_a_helicoid),
-        cmocka_unit_test(a_surface_is_within_the_tolerance),  cmocka_unit_test(a_whole_turn_closes),
-        cmocka_unit_test(a_fold_is_found_where_it_is),        cmocka_unit_test(what_cannot_be_swept),
+        cmocka_unit_test(a_circle_along_a_circle_is_a_torus),
+        cmocka_unit_test(a_twisted_line_is_a_helicoid),
+        cmocka_unit_test(a_surface_is_within_the_tolerance),
+        cmocka_unit_test(a_whole_turn_closes),
+        cmocka_unit_test(a_fold_is_found_where_it_is),
+        cmocka_unit_test(a_path_shorter_than_the_profile),
+        cmocka_unit_test(what_cannot_be_swept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,41 @@
+/* What a document was read from: the text of the file, and what each of its elements became, so that it can be written
+ * again with nothing changed but what was edited. Immutable, reference-counted. */
+#ifndef BATTEN_SRC_SOURCE_H
+#define BATTEN_SRC_SOURCE_H
+
+#include <batten/document.h>
+
+/* An element that draws or holds something. Those that are drawn from another place (`use`) stand for all that they
+ * draw: there is one entry for each object. */
+typedef struct bat_sourced {
+    uint32_t element; /* its number in the file: start tags counted from 1 */
+    bool copied;      /* the object is one of those that `use` draws */
+    bat_id id;        /* what it became; 0: nothing, it only holds others */
+    double outer[6];  /* from the units around the element to the document's */
+    double inner[6];  /* from its own units, after its transform, to the document's */
+    double opacity;   /* of all that it is in */
+    /* As it was read; without a meaning when id is 0. */
+    uint64_t shape, name; /* digests */
+    bat_style style;
+    bool hidden, locked;
+} bat_sourced;
+
+typedef struct bat_source bat_source;
+
+/* Copies text and list, which must be sorted by element. page, digest: of the document as it was read. */
+bat_status bat_source_create(const char *text, size_t size, const double page[4], uint64_t digest, int count,
+                             const bat_sourced *list, bat_source **out);
+bat_source *bat_source_retain(const bat_source *source);
+void bat_source_release(bat_source *source); /* NULL is fine */
+
+const char *bat_source_text(const bat_source *source, size_t *size);
+const double *bat_source_page(const bat_source *source);
+uint64_t bat_source_digest(const bat_source *source);
+int bat_source_count(const bat_source *source);
+const bat_sourced *bat_source_at(const bat_source *source, int index);
+
+/* The part of an entry that says what the object is now. */
+void bat_sourced_note(bat_sourced *entry, const bat_object *object);
+uint64_t bat_sourced_shape(const bat_object *object);
+
+#endif

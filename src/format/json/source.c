@@ -1,0 +1,138 @@
+#include "format/json/source.h"
+
+#include "document/digest.h"
+#include "format/json/style.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ELEMENT_MAX = 1 << 22 };
+static const double SAME[6] = {1, 0, 0, 1, 0, 0};
+
+static bat_status read_digest(const bat_fields *f, uint32_t object, const char *name, uint64_t *digest) {
+    const uint32_t node = bat_json_member(f->json, object, name);
+    const char *text = bat_json_text(f->json, node);
+    if (text && bat_digest_scan(text, digest)) return BAT_OK;
+    return bat_fields_complain(f, node ? node : object, name, "16 hexadecimal digits");
+}
+
+static bat_status read_matrix(const bat_fields *f, uint32_t object, const char *name, double m[6]) {
+    if (!bat_json_member(f->json, object, name)) return BAT_OK;
+    return bat_fields_numbers(f, object, name, 6, "six numbers", m);
+}
+
+static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above, bat_sourced *entry) {
+    if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
+        return bat_fields_complain(f, node, "elements", "an object");
+    *entry = (bat_sourced){.opacity = 1, .style = bat_style_defaults()};
+    bat_id element = 0;
+    memcpy(entry->outer, SAME, sizeof SAME);
+    bat_status status = bat_fields_id(f, node, "element", ELEMENT_MAX, &element);
+    if (status == BAT_OK && (element == 0 || element < above))
+        return bat_fields_complain(f, node, "element", "numbers that do not fall");
+    entry->element = (uint32_t)element;
+    if (status == BAT_OK) status = bat_fields_id(f, node, "id", BAT_ID_MAX, &entry->id);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "copied", &entry->copied);
+    if (status == BAT_OK) status = read_matrix(f, node, "outer", entry->outer);
+    memcpy(entry->inner, entry->outer, sizeof entry->inner);
+    if (status == BAT_OK) status = read_matrix(f, node, "inner", entry->inner);
+    if (status == BAT_OK)
+        status = bat_fields_number(f, node, "opacity", 0, 1, "a number from 0 to 1", &entry->opacity);
+    if (status != BAT_OK || entry->id == 0) return status;
+    status = read_digest(f, node, "shape", &entry->shape);
+    if (status == BAT_OK) status = read_digest(f, node, "name", &entry->name);
+    if (status == BAT_OK) status = bat_style_from_json(f, node, &entry->style);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
+    return status;
+}
+
+bat_status bat_source_from_json(const bat_fields *f, uint32_t node, bat_document *document) {
+    if (!node) return BAT_OK;
+    const uint32_t named = bat_json_member(f->json, node, "text"),
+                   list = bat_json_member(f->json, node, "elements");
+    const char *text = bat_json_text(f->json, named);
+    uint64_t digest = 0;
+    double page[4];
+    if (!text) return bat_fields_complain(f, named ? named : node, "text", "a text");
+    if (bat_json_type_of(f->json, list) != BAT_JSON_LIST)
+        return bat_fields_complain(f, list ? list : node, "elements", "a list");
+    bat_status status = bat_fields_numbers(f, node, "page", 4, "x, y, width and height", page);
+    if (status == BAT_OK) status = read_digest(f, node, "digest", &digest);
+    if (status != BAT_OK) return status;
+    bat_sourced *entries = malloc(((size_t)bat_json_count(f->json, list) + 1) * sizeof *entries);
+    if (!entries) return bat_fields_say(f, list, BAT_MEMORY);
+    int count = 0;
+    for (uint32_t at = bat_json_first(f->json, list); at && status == BAT_OK; at = f->json->nodes[at].next) {
+        status = read_entry(f, at, count > 0 ? entries[count - 1].element : 1, &entries[count]);
+        count += status == BAT_OK;
+    }
+    bat_source *source = NULL;
+    if (status == BAT_OK)
+        status = bat_fields_say(f, node,
+                                bat_source_create(text, strlen(text), page, digest, count, entries, &source));
+    free(entries);
+    if (status == BAT_OK) bat_document_set_origin(document, source);
+    bat_source_release(source);
+    return status;
+}
+
+static void write_digest(bat_text *text, const char *member, uint64_t digest) {
+    char digits[17];
+    bat_digest_print(digest, digits);
+    bat_text_string(text, member);
+    bat_text_string(text, digits);
+    bat_text_string(text, "\"");
+}
+
+static void write_numbers(bat_text *text, const char *member, const double *numbers, int count) {
+    bat_text_string(text, member);
+    for (int i = 0; i < count; i++) {
+        bat_text_string(text, i > 0 ? "," : "[");
+        bat_text_number(text, numbers[i]);
+    }
+    bat_text_string(text, "]");
+}
+
+static bool is_equal(const double *a, const double *b) {
+    for (int i = 0; i < 6; i++)
+        if (a[i] != b[i]) return false;
+    return true;
+}
+
+static void write_entry(const bat_sourced *entry, bat_text *text) {
+    bat_text_string(text, "{\"element\":");
+    bat_text_integer(text, entry->element);
+    if (entry->copied) bat_text_string(text, ",\"copied\":true");
+    if (!is_equal(entry->outer, SAME)) write_numbers(text, ",\"outer\":", entry->outer, 6);
+    if (!is_equal(entry->inner, entry->outer)) write_numbers(text, ",\"inner\":", entry->inner, 6);
+    if (entry->opacity != 1) {
+        bat_text_string(text, ",\"opacity\":");
+        bat_text_number(text, entry->opacity);
+    }
+    if (entry->id) {
+        bat_text_string(text, ",\"id\":");
+        bat_text_integer(text, entry->id);
+        write_digest(text, ",\"shape\":\"", entry->shape);
+        write_digest(text, ",\"name\":\"", entry->name);
+        bat_text_string(text, ",\"style\":");
+        bat_style_to_json(&entry->style, text);
+        if (entry->hidden) bat_text_string(text, ",\"hidden\":true");
+        if (entry->locked) bat_text_string(text, ",\"locked\":true");
+    }
+    bat_text_string(text, "}");
+}
+
+void bat_source_to_json(const bat_source *source, bat_text *text) {
+    size_t size;
+    bat_text_string(text, "{\"text\":");
+    bat_text_json_string(text, bat_source_text(source, &size));
+    write_numbers(text, ",\n\"page\":", bat_source_page(source), 4);
+    write_digest(text, ",\"digest\":\"", bat_source_digest(source));
+    bat_text_string(text, ",\n\"elements\":[");
+    for (int i = 0; i < bat_source_count(source); i++) {
+        bat_text_string(text, i > 0 ? ",\n " : "\n ");
+        write_entry(bat_source_at(source, i), text);
+    }
+    bat_text_string(text, "]}");
+}

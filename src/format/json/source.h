@@ -1,0 +1,13 @@
+/* The file that a document was read from, as a member of the native document. */
+#ifndef BATTEN_FORMAT_JSON_SOURCE_H
+#define BATTEN_FORMAT_JSON_SOURCE_H
+
+#include "document/document.h"
+#include "format/json/fields.h"
+#include "text/text.h"
+
+/* Reads the node into the document; 0: nothing to read. */
+bat_status bat_source_from_json(const bat_fields *f, uint32_t node, bat_document *document);
+void bat_source_to_json(const bat_source *source, bat_text *text);
+
+#endif

@@ -1,0 +1,362 @@
+#include "format/svg/patch.h"
+
+#include "base/real.h"
+#include "document/digest.h"
+#include "document/kind.h"
+#include "format/native/native.h"
+#include "format/svg/reader.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const bat_svg_tag *tag_of(const bat_svg_patch *p, uint32_t element) {
+    return &p->plan.tags.list[element];
+}
+
+/* ---- elements that stay ---- */
+
+static void copy_element(bat_svg_patch *p, const bat_svg_tag *tag) {
+    bat_text_string(&p->made, "<defs>");
+    bat_text_add(&p->made, p->plan.text + tag->open, tag->end - tag->open);
+    bat_text_string(&p->made, "</defs>");
+}
+
+static void keep_object(bat_svg_patch *p, int index) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_object *object = bat_document_at(plan->document, index);
+    const bat_sourced *entry = bat_svg_plan_entry(plan, index);
+    const bat_svg_tag *tag = tag_of(p, entry->element);
+    if (entry->copied) {
+        p->kept[p->kept_count++] = (bat_svg_mark){bat_object_id(object), tag->open};
+        return;
+    }
+    const size_t from = p->made.size;
+    const uint8_t fate = plan->fate[entry->element];
+    const bool shared = fate & BAT_SVG_NEEDED && fate & BAT_SVG_TOUCHED && !bat_object_is_group(object);
+    if (shared) copy_element(p, tag); /* what refers to it goes on showing what it was */
+    const int mark = p->fresh_count;
+    bat_svg_patch_mark(p, bat_object_id(object));
+    if (!bat_svg_patch_tag(p, object, entry, false, plan->hidden[index], shared)) {
+        p->fresh_count = mark;
+        p->made.size = from;
+        p->kept[p->kept_count++] = (bat_svg_mark){bat_object_id(object), tag->open};
+        return;
+    }
+    bat_svg_patch_edit(p, from, tag->open, tag->body - tag->open);
+    if (tag->close == tag->end || bat_object_is_group(object)) return;
+    const size_t end = p->made.size;
+    bat_svg_patch_end_tag(p, object, entry);
+    bat_svg_patch_edit(p, end, tag->close, tag->end - tag->close);
+}
+
+/* ---- elements that go ---- */
+
+/* Whether nothing would be left in it to be seen. */
+static bool is_bare(const bat_svg_patch *p, uint32_t element) {
+    static const char *const unseen[] = {"g", "title", "desc", "metadata"};
+    const uint32_t last = tag_of(p, element)->last;
+    for (uint32_t i = element + 1; i <= last; i++) {
+        if (p->plan.fate[i] & BAT_SVG_GONE && !bat_svg_is_called(&p->plan, i, "g")) {
+            i = tag_of(p, i)->last;
+            continue;
+        }
+        bool passes = false;
+        for (size_t k = 0; k < sizeof unseen / sizeof *unseen; k++)
+            passes = passes || bat_svg_is_called(&p->plan, i, unseen[k]);
+        if (!passes) return false;
+    }
+    return true;
+}
+
+static void drop_element(bat_svg_patch *p, uint32_t element) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = tag_of(p, element);
+    const bool holds = bat_svg_is_called(&p->plan, element, "g") ||
+                       bat_svg_is_called(&p->plan, element, "a") ||
+                       bat_svg_is_called(&p->plan, element, "svg");
+    if (holds && !is_bare(p, element)) return;
+    const size_t made = p->made.size;
+    size_t from = tag->open;
+    if (plan->fate[element] & BAT_SVG_NEEDED)
+        copy_element(p, tag);
+    else {
+        while (from > 0 && (plan->text[from - 1] == ' ' || plan->text[from - 1] == '\t')) from--;
+        if (from > 0 && plan->text[from - 1] == '\n') from--;
+        if (from > 0 && plan->text[from - 1] == '\r') from--;
+    }
+    bat_svg_patch_edit(p, made, from, tag->end - from);
+}
+
+/* An element that is written elsewhere takes its id along, so nothing is left for those that refer to it. */
+static void drop_elements(bat_svg_patch *p) {
+    const bat_svg_plan *plan = &p->plan;
+    for (int i = 0; i < plan->count; i++)
+        if (plan->stay[i] == BAT_SVG_MOVED)
+            plan->fate[bat_svg_plan_entry(plan, i)->element] &= (uint8_t)~BAT_SVG_NEEDED;
+    for (uint32_t i = 1; i < plan->tags.count; i++)
+        if (plan->fate[i] & BAT_SVG_GONE) drop_element(p, i);
+}
+
+/* ---- the page and the native document ---- */
+
+static bool is_native(const bat_svg_patch *p, uint32_t element) {
+    const bat_svg_tag *tag = tag_of(p, element);
+    const uint32_t parent = tag->parent;
+    if (!parent || !bat_svg_is_called(&p->plan, parent, "metadata") ||
+        !bat_svg_is_called(&p->plan, element, "document"))
+        return false;
+    const char *text = p->plan.text + tag->open;
+    static const char space[] = BAT_SVG_NATIVE_NAMESPACE, own[] = "<batten:document";
+    if (memcmp(text, own, sizeof own - 1) == 0) return true;
+    for (size_t i = 0; i + sizeof space < tag->body - tag->open; i++)
+        if (memcmp(text + i, space, sizeof space - 1) == 0) return true;
+    return false;
+}
+
+static const char NATIVE_BEGIN[] = "<batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"";
+static const char NATIVE_EMPTY[] = "\"></batten:document>";
+
+static size_t blanks_at(const bat_svg_patch *p, size_t at) { return strspn(p->plan.text + at, " \t\r\n"); }
+
+static void place_native(bat_svg_patch *p, bool with_native) {
+    uint32_t native = 0, metadata = 0;
+    for (uint32_t i = 2; i < p->plan.tags.count && !native; i++) {
+        if (is_native(p, i)) native = i;
+        if (!metadata && tag_of(p, i)->parent == 1 && bat_svg_is_called(&p->plan, i, "metadata") &&
+            tag_of(p, i)->body < tag_of(p, i)->end)
+            metadata = i;
+    }
+    if (!native && !with_native) return;
+    if (!with_native) { /* with the metadata around it, if there is nothing else in them */
+        const bat_svg_tag *own = tag_of(p, native), *around = tag_of(p, own->parent);
+        const bool alone = own->open - around->body == blanks_at(p, around->body) &&
+                           around->close - own->end == blanks_at(p, own->end);
+        const bat_svg_tag *gone = alone ? around : own;
+        bat_svg_patch_edit(p, p->made.size, gone->open, gone->end - gone->open);
+        return;
+    }
+    const size_t from = p->made.size;
+    const bool whole = !native && !metadata;
+    if (whole) bat_text_string(&p->made, "\n<metadata>");
+    bat_svg_patch_mark(p, 0);
+    bat_text_string(&p->made, NATIVE_BEGIN);
+    bat_text_string(&p->made, NATIVE_EMPTY);
+    if (whole) bat_text_string(&p->made, "</metadata>");
+    const bat_svg_tag *tag = tag_of(p, native ? native : metadata ? metadata : 1);
+    bat_svg_patch_edit(p, from,
+                       native     ? tag->open
+                       : metadata ? tag->close
+                                  : tag->body,
+                       native ? tag->end - tag->open : 0);
+}
+
+/* ---- putting it together ---- */
+
+static int compare_edits(const void *a, const void *b) {
+    const bat_svg_edit *x = a, *y = b;
+    if (x->at != y->at) return x->at < y->at ? -1 : 1;
+    if ((x->cut > 0) != (y->cut > 0)) return x->cut > 0 ? 1 : -1;
+    return x->order - y->order;
+}
+
+static int compare_marks(const void *a, const void *b) {
+    const bat_svg_mark *x = a, *y = b;
+    if (x->at != y->at) return x->at < y->at ? -1 : 1;
+    return (x->id > y->id) - (x->id < y->id);
+}
+
+typedef struct output {
+    bat_text text;
+    bat_svg_mark *marks; /* offsets in the text */
+    int count;
+} output;
+
+static void copy_source(bat_svg_patch *p, size_t from, size_t to, int *next, output *out) {
+    for (; *next < p->kept_count && p->kept[*next].at < to; ++*next)
+        if (p->kept[*next].at >= from)
+            out->marks[out->count++] = (bat_svg_mark){p->kept[*next].id,
+                                                      out->text.size + p->kept[*next].at - from};
+    bat_text_add(&out->text, p->plan.text + from, to - from);
+}
+
+static void copy_made(bat_svg_patch *p, const bat_svg_edit *edit, output *out) {
+    int low = 0, high = p->fresh_count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (p->fresh[middle].at < edit->from)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < p->fresh_count && p->fresh[low].at < edit->to; low++)
+        out->marks[out->count++] = (bat_svg_mark){p->fresh[low].id,
+                                                  out->text.size + p->fresh[low].at - edit->from};
+    if (edit->to > edit->from) bat_text_add(&out->text, p->made.data + edit->from, edit->to - edit->from);
+}
+
+static void apply(bat_svg_patch *p, output *out) {
+    if (p->edit_count > 1)
+        qsort(p->edits, (size_t)p->edit_count, sizeof *p->edits, compare_edits); /* no ties */
+    if (p->kept_count > 1)
+        qsort(p->kept, (size_t)p->kept_count, sizeof *p->kept, compare_marks); /* no ties */
+    size_t at = 0;
+    int next = 0;
+    for (int i = 0; i < p->edit_count; i++) {
+        const bat_svg_edit *edit = &p->edits[i];
+        if (edit->at < at) continue; /* in something that is gone */
+        copy_source(p, at, edit->at, &next, out);
+        copy_made(p, edit, out);
+        at = edit->at + edit->cut;
+    }
+    copy_source(p, at, p->plan.size, &next, out);
+    if (out->text.failed || p->made.failed) p->status = BAT_MEMORY;
+}
+
+/* Reads the new text as any reader will: its digest, and whether it shows what the document holds. */
+static bat_status read_again(const bat_document *document, const bat_text *text, uint64_t *digest) {
+    bat_svg_reader *reader;
+    bat_document *again = NULL;
+    bat_status status = bat_svg_reader_create(NULL, &reader);
+    if (status != BAT_OK) return status;
+    reader->drawn = digest;
+    status = bat_svg_feed(text->data, text->size, reader);
+    if (status != BAT_OK) {
+        bat_svg_reader_free(reader);
+        return status == BAT_MEMORY ? BAT_MEMORY : BAT_UNSUPPORTED;
+    }
+    status = bat_svg_reader_finish(reader, &again, NULL, NULL);
+    if (status != BAT_OK) return status == BAT_MEMORY ? BAT_MEMORY : BAT_UNSUPPORTED;
+    double all[4];
+    bat_document_bounds(document, all);
+    const double slack = 1e-3 * fmax(1, bat_hypot(all[2] - all[0], all[3] - all[1]));
+    int k = 0;
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        const bat_object *object = bat_document_at(document, i), *other = NULL;
+        if (!bat_object_is_drawn(object) ||
+            !(bat_object_style(object)->stroked || bat_object_style(object)->filled))
+            continue;
+        while ((other = bat_document_at(again, k++)) && !bat_object_is_drawn(other)) {
+        }
+        double a[4], b[4];
+        if (!other) {
+            status = BAT_UNSUPPORTED;
+            break;
+        }
+        bat_object_bounds(object, a);
+        bat_object_bounds(other, b);
+        for (int j = 0; j < 4; j++)
+            if (!(fabs(a[j] - b[j]) <= slack)) status = BAT_UNSUPPORTED;
+    }
+    for (const bat_object *other; (other = bat_document_at(again, k)); k++)
+        if (bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;
+    bat_document_free(again);
+    return status;
+}
+
+/* The number of the element that begins there, or 0. */
+static uint32_t element_at(const bat_svg_tags *tags, size_t at) {
+    uint32_t low = 1, high = tags->count;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (tags->list[middle].open < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < tags->count && tags->list[low].open == at ? low : 0;
+}
+
+/* The native document, with the element of each object. */
+static bat_status write_native(const bat_document *document, const output *out, uint64_t digest,
+                               bat_text *text) {
+    bat_svg_tags tags;
+    bat_status status = bat_svg_tags_scan(out->text.data, out->text.size, &tags);
+    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
+    bat_text json = {0};
+    char noted[17];
+    bat_document_to_json(document, false, &json);
+    static const char end[] = "}\n";
+    if (json.size > sizeof end) json.size -= sizeof end - 1;
+    bat_text_string(&json, ",\n\"elements\":[");
+    bool first = true;
+    for (int i = 0; i < out->count; i++) {
+        const uint32_t element = out->marks[i].id ? element_at(&tags, out->marks[i].at) : 0;
+        if (!element) continue;
+        bat_text_string(&json, first ? "[" : ",[");
+        bat_text_integer(&json, out->marks[i].id);
+        bat_text_string(&json, ",");
+        bat_text_integer(&json, element);
+        bat_text_string(&json, "]");
+        first = false;
+    }
+    bat_text_string(&json, "]}\n");
+    bat_svg_tags_free(&tags);
+    bat_digest_print(digest, noted);
+    bat_text_string(text, NATIVE_BEGIN);
+    bat_text_string(text, noted);
+    bat_text_string(text, "\">");
+    if (json.data) bat_text_xml(text, json.data, json.size, false);
+    bat_text_string(text, "</batten:document>");
+    text->failed = text->failed || json.failed;
+    bat_text_free(&json);
+    return BAT_OK;
+}
+
+static bat_status finish(const bat_document *document, const output *out, bool with_native, bat_text *text) {
+    uint64_t digest = 0;
+    bat_status status = read_again(document, &out->text, &digest);
+    size_t at = out->text.size, behind = at;
+    for (int i = 0; i < out->count && with_native; i++)
+        if (out->marks[i].id == 0) {
+            at = out->marks[i].at;
+            behind = at + sizeof NATIVE_BEGIN - 1 + sizeof NATIVE_EMPTY - 1;
+        }
+    if (status == BAT_OK) bat_text_add(text, out->text.data, at);
+    if (status == BAT_OK && with_native) status = write_native(document, out, digest, text);
+    if (status == BAT_OK) bat_text_add(text, out->text.data + behind, out->text.size - behind);
+    return status == BAT_OK && text->failed ? BAT_MEMORY : status;
+}
+
+static void collect(bat_svg_patch *p, bool with_native) {
+    const bat_svg_plan *plan = &p->plan;
+    for (int i = 0; i < plan->count && p->status == BAT_OK; i++) {
+        const bool group = bat_object_is_group(bat_document_at(plan->document, i));
+        if (plan->entry[i] >= 0 && (group || plan->stay[i] == BAT_SVG_STAYS)) keep_object(p, i);
+    }
+    if (p->status == BAT_OK) drop_elements(p);
+    if (p->status == BAT_OK) bat_svg_patch_new(p);
+    bat_svg_patch_page(p);
+    place_native(p, with_native);
+}
+
+bat_status bat_svg_patch_write(const bat_document *document, bool with_native, bat_text *text) {
+    const bat_source *source = bat_document_origin(document);
+    if (bat_document_digest(document) == bat_source_digest(source) &&
+        (with_native || !strstr(bat_source_text(source, &(size_t){0}), BAT_SVG_NATIVE_NAMESPACE))) {
+        size_t size;
+        const char *same = bat_source_text(source, &size);
+        bat_text_add(text, same, size);
+        return text->failed ? BAT_MEMORY : BAT_OK;
+    }
+    bat_svg_patch p = {0};
+    bat_status status = bat_svg_plan_make(document, &p.plan);
+    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
+    const size_t room = (size_t)p.plan.count + 2;
+    output out = {.marks = malloc(2 * room * sizeof *out.marks)};
+    p.kept = malloc(room * sizeof *p.kept);
+    p.fresh = malloc(room * sizeof *p.fresh);
+    if (!out.marks || !p.kept || !p.fresh) p.status = BAT_MEMORY;
+    if (p.status == BAT_OK) collect(&p, with_native);
+    if (p.status == BAT_OK) apply(&p, &out);
+    if (p.status == BAT_OK) p.status = finish(document, &out, with_native, text);
+    status = p.status;
+    free(out.marks);
+    bat_text_free(&out.text);
+    free(p.kept);
+    free(p.fresh);
+    free(p.edits);
+    bat_text_free(&p.made);
+    bat_svg_plan_free(&p.plan);
+    return status;
+}

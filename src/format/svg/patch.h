@@ -1,0 +1,53 @@
+/* Writing a file again with nothing changed but what was edited: the order of things is the document's, the structure
+ * the file's. */
+#ifndef BATTEN_FORMAT_SVG_PATCH_H
+#define BATTEN_FORMAT_SVG_PATCH_H
+
+#include "format/svg/plan.h"
+#include "text/text.h"
+
+/* An object, and where it is written: its element, or its offset in the new text. */
+typedef struct bat_svg_mark {
+    bat_id id;
+    size_t at;
+} bat_svg_mark;
+
+/* A piece of the new text: `cut` bytes of the file at `at` give way to the bytes from..to of `made`. */
+typedef struct bat_svg_edit {
+    size_t at, cut, from, to;
+    int order;
+} bat_svg_edit;
+
+typedef struct bat_svg_patch {
+    bat_svg_plan plan;
+    bat_text made;
+    bat_svg_edit *edits;
+    int edit_count, edit_room;
+    bat_svg_mark *kept,
+        *fresh; /* whose element stays, by its place in the file; written anew, by their place in made */
+    int kept_count, fresh_count;
+    bat_status status;
+} bat_svg_patch;
+
+/* ---- edits.c ---- */
+/* What has been added to p->made since it had `from` bytes takes the place of `cut` bytes of the file at `at`. */
+void bat_svg_patch_edit(bat_svg_patch *p, size_t from, size_t at, size_t cut);
+void bat_svg_patch_mark(bat_svg_patch *p, bat_id id); /* the next thing written into p->made is this object */
+/* ---- patch_tags.c: elements that stay ---- */
+/* Writes the start tag of an object's element as it is now; `apart`: in another place than it was;
+ * `hides`: a group without an element hides it; `anonymous`: without its id. False: it is as it
+ * was, and nothing is written. */
+bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
+                       bool hides, bool anonymous);
+void bat_svg_patch_page(bat_svg_patch *p);
+void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
+bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
+void bat_svg_write_matrix(const double m[6], bat_text *out);
+/* ---- patch_new.c: what is written anew ---- */
+/* Every object that is new or has moved is written behind the one below it. */
+void bat_svg_patch_new(bat_svg_patch *p);
+
+/* The file as it is now. BAT_UNSUPPORTED: it cannot be written so. O(size). */
+bat_status bat_svg_patch_write(const bat_document *document, bool with_native, bat_text *out);
+
+#endif

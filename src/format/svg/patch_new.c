@@ -1,0 +1,207 @@
+/* What is new or has moved: written behind the thing below it, as high in the file's structure as the drawing's groups
+ * and order allow, so that as little as possible of what is around it has an effect on it. */
+#include "base/matrix.h"
+#include "document/kind.h"
+#include "format/svg/markup.h"
+#include "format/svg/patch.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where something is put: in an element, at an offset of the file. */
+typedef struct spot {
+    uint32_t in;
+    size_t at;
+    double outer[6]; /* from the units there to the document's */
+    double back[6];  /* the inverse */
+    double opacity;
+} spot;
+
+/* Units and opacity in an element, from anything that is drawn in it. */
+static bool look_in(const bat_svg_plan *plan, uint32_t element, spot *s) {
+    const uint32_t last = plan->tags.list[element].last;
+    for (int k = 0; k < bat_source_count(plan->source); k++) {
+        const bat_sourced *entry = bat_source_at(plan->source, k);
+        if (entry->element > last) break;
+        if (entry->element == element) {
+            memcpy(s->outer, entry->inner, sizeof s->outer);
+            s->opacity = entry->opacity * (entry->id && entry->style.opacity < 1 ? entry->style.opacity : 1);
+        }
+        if (entry->element <= element || plan->tags.list[entry->element].parent != element) continue;
+        memcpy(s->outer, entry->outer, sizeof s->outer);
+        s->opacity = entry->opacity;
+        break;
+    }
+    return bat_svg_inverse(s->outer, s->back);
+}
+
+/* below, above: the elements that stay on either side in the order; 0: none. */
+static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, uint32_t above, spot *s) {
+    const bat_svg_tag *tags = plan->tags.list;
+    const uint32_t group = bat_svg_plan_group(plan, parent);
+    uint32_t at = below ? below : above;
+    s->in = group;
+    s->at = tags[group].close;
+    if (at && !below && !bat_svg_plan_holds(plan, group, above)) at = 0;
+    if (at) {
+        while (tags[at].parent != group && tags[at].parent > 1 &&
+               !(below && above && bat_svg_plan_holds(plan, tags[at].parent, above)))
+            at = tags[at].parent;
+        s->in = tags[at].parent;
+        s->at = below ? tags[at].end : tags[at].open;
+    }
+    if (s->in == 0 || tags[s->in].body == tags[s->in].end) return false; /* it has no inside */
+    return look_in(plan, s->in, s);
+}
+
+static bool is_identity(const double m[6]) {
+    return m[0] == 1 && m[1] == 0 && m[2] == 0 && m[3] == 1 && m[4] == 0 && m[5] == 0;
+}
+
+static void write_transform(const double m[6], bat_text *out) {
+    if (is_identity(m)) return;
+    bat_text_string(out, " transform=\"");
+    bat_svg_write_matrix(m, out);
+    bat_text_string(out, "\"");
+}
+
+static void write_hidden(bat_text *out, const bat_object *object, bool hides) {
+    if (hides && !bat_object_is_hidden(object)) bat_text_string(out, " display=\"none\"");
+    bat_svg_write_state(out, object);
+}
+
+static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s, bool hides) {
+    bat_text *out = &p->made;
+    bat_style style = *bat_object_style(object);
+    if (s->opacity > 0) style.opacity = fmin(1, style.opacity / s->opacity);
+    bat_svg_patch_mark(p, bat_object_id(object));
+    if (bat_object_picture(object)) {
+        double m[6];
+        bat_matrix_compose(s->back, bat_object_matrix(object), m);
+        bat_text_string(out, "<image");
+        bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
+        write_hidden(out, object, hides);
+        bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity);
+        return;
+    }
+    bat_text_string(out, "<path");
+    bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
+    write_hidden(out, object, hides);
+    write_transform(s->back, out);
+    bat_svg_write_style_attribute(out, &style);
+    bat_text_string(out, " d=\"");
+    for (int i = 0; i < bat_object_curve_count(object) && p->status == BAT_OK; i++)
+        p->status = bat_svg_write_curve(out, bat_object_curve(object, i));
+    bat_text_string(out, "\"/>");
+}
+
+/* The element as it is, with its start tag as it has to be; where units differ, within a group that makes up for it. */
+static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, const spot *s,
+                        bool hides) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[entry->element];
+    const bool apart = tag->parent != s->in;
+    double m[6];
+    bat_matrix_compose(s->back, entry->outer, m);
+    const bool wraps = apart && !is_identity(m);
+    if (wraps) {
+        bat_text_string(&p->made, "<g");
+        write_transform(m, &p->made);
+        bat_text_string(&p->made, ">");
+    }
+    bat_svg_patch_mark(p, bat_object_id(object));
+    bat_sourced there = *entry;
+    if (apart) there.opacity = s->opacity;
+    if (!bat_svg_patch_tag(p, object, &there, apart, hides, false))
+        bat_text_add(&p->made, plan->text + tag->open, tag->body - tag->open);
+    bat_text_add(&p->made, plan->text + tag->body, tag->close - tag->body);
+    bat_svg_patch_end_tag(p, object, entry);
+    if (wraps) bat_text_string(&p->made, "</g>");
+}
+
+static void write_one(bat_svg_patch *p, int index, const spot *s) {
+    const bat_object *object = bat_document_at(p->plan.document, index);
+    const bool hides = p->plan.hidden[index];
+    if (p->plan.stay[index] == BAT_SVG_MOVED)
+        write_moved(p, object, bat_svg_plan_entry(&p->plan, index), s, hides);
+    else if (bat_object_curve_count(object) > 0 || bat_object_picture(object))
+        write_new(p, object, s, hides);
+}
+
+/* A group in which nothing stays where it was is written as one; its members are in it. */
+static bool is_new_group(const bat_svg_plan *plan, int index, int end) {
+    if (!bat_object_is_group(bat_document_at(plan->document, index)) || plan->entry[index] >= 0) return false;
+    for (int i = index + 1; i < end; i++) {
+        if (plan->stay[i] == BAT_SVG_STAYS) return false;
+        if (plan->entry[i] >= 0 && bat_object_is_group(bat_document_at(plan->document, i))) return false;
+    }
+    return end > index + 1;
+}
+
+static void write_group(bat_svg_patch *p, int index, int end, const spot *s) {
+    const bat_document *document = p->plan.document;
+    int open[BAT_NESTING_MAX], depth = 0;
+    for (int i = index; i < end; i++) {
+        const bat_object *object = bat_document_at(document, i);
+        while (depth > 0 && i >= open[depth - 1]) {
+            bat_text_string(&p->made, "</g>");
+            depth--;
+        }
+        if (!bat_object_is_group(object)) {
+            if (bat_object_is_drawn(object)) write_one(p, i, s);
+            continue;
+        }
+        if (depth == BAT_NESTING_MAX) continue;
+        bat_svg_patch_mark(p, bat_object_id(object));
+        bat_text_string(&p->made, "<g");
+        bat_svg_write_name(&p->made, " data-name=\"", bat_object_name(object));
+        bat_svg_write_state(&p->made, object);
+        bat_text_string(&p->made, ">");
+        open[depth++] = bat_document_end(document, i);
+    }
+    while (depth-- > 0) bat_text_string(&p->made, "</g>");
+}
+
+/* The line breaks and spaces before an element, so that what is put beside it looks like it. */
+static void write_indent(bat_svg_patch *p, const spot *s, bool before) {
+    const char *text = p->plan.text;
+    size_t at = s->at;
+    if (!before) {
+        bat_text_string(&p->made, "\n");
+        return;
+    }
+    while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) at--;
+    bat_text_string(&p->made, "\n");
+    bat_text_add(&p->made, text + at, s->at - at);
+}
+
+void bat_svg_patch_new(bat_svg_patch *p) {
+    const bat_svg_plan *plan = &p->plan;
+    uint32_t below = 0;
+    for (int i = 0, end; i < plan->count && p->status == BAT_OK; i = end) {
+        const bat_object *object = bat_document_at(plan->document, i);
+        end = i + 1;
+        if (plan->stay[i] == BAT_SVG_STAYS) below = bat_svg_plan_entry(plan, i)->element;
+        const int last = bat_document_end(plan->document, i);
+        const bool group = is_new_group(plan, i, last);
+        if (!group && (plan->stay[i] == BAT_SVG_STAYS || !bat_object_is_drawn(object))) continue;
+        if (group) end = last;
+        uint32_t above = 0;
+        for (int k = end; k < plan->count && !above; k++)
+            if (plan->stay[k] == BAT_SVG_STAYS) above = bat_svg_plan_entry(plan, k)->element;
+        spot s;
+        if (!find_spot(plan, bat_object_parent(object), below, above, &s)) {
+            p->status = BAT_UNSUPPORTED;
+            return;
+        }
+        const size_t from = p->made.size;
+        const bool behind = below != 0;
+        if (behind) write_indent(p, &s, false);
+        if (group)
+            write_group(p, i, end, &s);
+        else
+            write_one(p, i, &s);
+        if (!behind) write_indent(p, &s, true);
+        bat_svg_patch_edit(p, from, s.at, 0);
+    }
+}

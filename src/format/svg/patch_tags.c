@@ -1,0 +1,280 @@
+/* Elements that stay: their start tags, with what was edited and no more. */
+#include "base/matrix.h"
+#include "document/digest.h"
+#include "document/kind.h"
+#include "format/svg/markup.h"
+#include "format/svg/patch.h"
+#include "format/svg/retag.h"
+#include "text/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { NUMBER = BAT_NUMBER_ROOM + 8 };
+
+/* What says where a shape's points are, in any element, or is known to other programs as where they came from. */
+static bool says_shape(const char *name, size_t size) {
+    static const char *const names[] = {"x",
+                                        "y",
+                                        "width",
+                                        "height",
+                                        "rx",
+                                        "ry",
+                                        "cx",
+                                        "cy",
+                                        "r",
+                                        "x1",
+                                        "y1",
+                                        "x2",
+                                        "y2",
+                                        "d",
+                                        "points",
+                                        "pathLength",
+                                        "inkscape:original-d",
+                                        "inkscape:path-effect",
+                                        "inkscape:rounded",
+                                        "inkscape:flatsided",
+                                        "inkscape:randomized",
+                                        "inkscape:original"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strlen(names[i]) == size && memcmp(names[i], name, size) == 0) return true;
+    return size > 9 && memcmp(name, "sodipodi:", 9) == 0 &&
+           !(size == 20 && memcmp(name + 9, "insensitive", 11) == 0);
+}
+
+bool bat_svg_inverse(const double m[6], double out[6]) {
+    const double det = m[0] * m[3] - m[1] * m[2];
+    if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
+    const double a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
+    const double made[6] = {a, b, c, d, -(a * m[4] + c * m[5]), -(b * m[4] + d * m[5])};
+    memcpy(out, made, sizeof made);
+    return true;
+}
+
+static void print(char value[NUMBER], double number) { value[bat_number_print(number, value)] = '\0'; }
+
+static void set_number(bat_svg_retag *r, const char *property, double number) {
+    char value[NUMBER];
+    print(value, number);
+    bat_svg_retag_style(r, property, value);
+}
+
+static void set_paint(bat_svg_retag *r, bool fill, bool painted, uint32_t colour, uint32_t before, bool all) {
+    char value[NUMBER];
+    snprintf(value, sizeof value, painted ? "#%06lx" : "none", (unsigned long)(colour >> 8));
+    bat_svg_retag_style(r, fill ? "fill" : "stroke", value);
+    if (painted && (all || (colour & 0xff) != (before & 0xff)))
+        set_number(r, fill ? "fill-opacity" : "stroke-opacity", floor((colour & 0xff) / 0.255 + 0.5) / 1000);
+}
+
+/* all: whatever the element does not say itself is said. */
+static void set_style(bat_svg_retag *r, const bat_style *now, const bat_sourced *entry, bool all) {
+    static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
+                                                                                     "bevel"};
+    const bat_style *was = &entry->style;
+    const bool fill = now->filled != was->filled || (now->filled && now->fill != was->fill);
+    const bool stroke = now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
+    const bool begun = now->stroked && !was->stroked;
+    const double scale = sqrt(bat_matrix_area(entry->inner));
+    if (fill || (all && !bat_svg_retag_says(r, "fill")))
+        set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff, !was->filled);
+    if (stroke || (all && !bat_svg_retag_says(r, "stroke")))
+        set_paint(r, false, now->stroked, now->stroke, was->stroked ? was->stroke : 0xff, begun);
+    if (now->even_odd != was->even_odd || (all && !bat_svg_retag_says(r, "fill-rule")))
+        bat_svg_retag_style(r, "fill-rule", now->even_odd ? "evenodd" : "nonzero");
+    if (now->stroked) {
+        if (now->width != was->width || begun || (all && !bat_svg_retag_says(r, "stroke-width")))
+            set_number(r, "stroke-width", scale > 0 ? now->width / scale : now->width);
+        if (now->cap != was->cap || begun || (all && !bat_svg_retag_says(r, "stroke-linecap")))
+            bat_svg_retag_style(r, "stroke-linecap", caps[now->cap]);
+        if (now->join != was->join || begun || (all && !bat_svg_retag_says(r, "stroke-linejoin")))
+            bat_svg_retag_style(r, "stroke-linejoin", joins[now->join]);
+        if (now->miter_limit != was->miter_limit || begun ||
+            (all && !bat_svg_retag_says(r, "stroke-miterlimit")))
+            set_number(r, "stroke-miterlimit", now->miter_limit);
+    }
+    if (now->opacity != was->opacity || all)
+        set_number(r, "opacity", entry->opacity > 0 ? fmin(1, now->opacity / entry->opacity) : now->opacity);
+}
+
+static void set_state(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool hidden) {
+    const uint64_t name = bat_digest_text(bat_digest_begin(), bat_object_name(object));
+    bat_svg_piece piece;
+    if (name != entry->name)
+        bat_svg_retag_set(r,
+                          bat_svg_retag_has(r, "inkscape:label", &piece) &&
+                                  !bat_svg_retag_has(r, "data-name", &piece)
+                              ? "inkscape:label"
+                              : "data-name",
+                          bat_object_name(object));
+    if (hidden != entry->hidden) bat_svg_retag_style(r, "display", hidden ? "none" : "inline");
+    if (bat_object_is_locked(object) != entry->locked) {
+        bat_svg_retag_set(r, "data-locked", entry->locked ? NULL : "true");
+        if (entry->locked) bat_svg_retag_set(r, "sodipodi:insensitive", NULL);
+    }
+}
+
+static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+    double m[6], rows[12];
+    bat_text data = {0};
+    if (!bat_svg_inverse(entry->inner, m)) return BAT_UNSUPPORTED;
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
+        const bat_curve *curve = bat_object_curve(object, i);
+        bat_curve *own = NULL;
+        bat_matrix_rows(m, bat_curve_dimension(curve), rows);
+        status = bat_curve_transform(curve, rows, &own);
+        if (status == BAT_OK) status = bat_svg_write_curve(&data, own);
+        bat_curve_free(own);
+    }
+    bat_text_add(&data, "", 1);
+    if (data.failed) status = BAT_MEMORY;
+    if (status == BAT_OK) {
+        r->rename = "path";
+        r->drops = says_shape;
+        bat_svg_retag_set(r, "d", data.data);
+    }
+    bat_text_free(&data);
+    return status;
+}
+
+void bat_svg_write_matrix(const double m[6], bat_text *out) {
+    bat_text_string(out, "matrix(");
+    for (int i = 0; i < 6; i += 2) {
+        if (i > 0) bat_text_string(out, " ");
+        bat_svg_write_pair(out, m + i);
+    }
+    bat_text_string(out, ")");
+}
+
+/* The picture's own pixels are the units, and the transform places them. */
+static bat_status set_image(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+    double out[6], m[6], sides[2];
+    char value[NUMBER];
+    if (!bat_svg_inverse(entry->outer, out)) return BAT_UNSUPPORTED;
+    bat_matrix_compose(out, bat_object_matrix(object), m);
+    bat_picture_sides(bat_object_picture(object), sides);
+    bat_text text = {0};
+    bat_svg_write_matrix(m, &text);
+    bat_text_add(&text, "", 1);
+    if (text.data) bat_svg_retag_set(r, "transform", text.data);
+    const bool failed = text.failed;
+    bat_text_free(&text);
+    print(value, sides[0]);
+    bat_svg_retag_set(r, "width", value);
+    print(value, sides[1]);
+    bat_svg_retag_set(r, "height", value);
+    bat_svg_retag_set(r, "x", NULL);
+    bat_svg_retag_set(r, "y", NULL);
+    bat_svg_retag_set(r, "preserveAspectRatio", "none");
+    return failed ? BAT_MEMORY : BAT_OK;
+}
+
+/* Whether a style sheet has a rule for elements of that name. */
+static bool has_rule(const bat_svg_plan *plan, const char *name, size_t size) {
+    for (uint32_t i = 1; i < plan->tags.count; i++) {
+        if (!bat_svg_is_called(plan, i, "style")) continue;
+        const char *end = plan->text + plan->tags.list[i].close;
+        for (const char *at = plan->text + plan->tags.list[i].body; at + size < end; at++) {
+            if (memcmp(at, name, size) != 0) continue;
+            const char before = at[-1], behind = at[size];
+            const bool begins = strchr(" \t\r\n,>+~}[*|;", before) != NULL;
+            if (begins && strchr(" \t\r\n,>+~{.#[:", behind)) return true;
+        }
+    }
+    return false;
+}
+
+/* Whether rules for its name, or for paths, say how it looks: as a path it has to say so itself. */
+static bool is_ruled(const bat_svg_plan *plan, uint32_t element) {
+    const char *name = plan->text + plan->tags.list[element].open + 1;
+    size_t size = bat_svg_tag_name(name - 1, plan->tags.list[element].body - plan->tags.list[element].open);
+    const char *colon = memchr(name, ':', size);
+    if (colon) {
+        size -= (size_t)(colon + 1 - name);
+        name = colon + 1;
+    }
+    return plan->sheets && (has_rule(plan, "path", 4) || has_rule(plan, name, size));
+}
+
+bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
+                       bool hides, bool anonymous) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[entry->element];
+    bat_svg_retag r;
+    bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
+                        plan->sheets);
+    if (!bat_object_is_group(object)) {
+        const bool reshaped = bat_svg_reshaped(object, entry);
+        const bool renamed = reshaped && !bat_svg_is_called(plan, entry->element, "path");
+        set_style(&r, bat_object_style(object), entry, apart || (renamed && is_ruled(plan, entry->element)));
+        if (reshaped) {
+            const bat_status status = bat_object_picture(object) ? set_image(&r, object, entry)
+                                                                 : set_path(&r, object, entry);
+            if (status != BAT_OK) p->status = status;
+        }
+    }
+    set_state(&r, object, entry, bat_object_is_hidden(object) || hides);
+    if (anonymous) bat_svg_retag_set(&r, "id", NULL);
+    const bool changed = bat_svg_retag_changed(&r);
+    if (changed) bat_svg_retag_write(&r, &p->made);
+    bat_svg_retag_free(&r);
+    return changed;
+}
+
+/* A shape that has become a path ends as one. */
+void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[entry->element];
+    const char *name = plan->text + tag->open + 1;
+    const size_t length = bat_svg_tag_name(name - 1, tag->body - tag->open);
+    if (tag->close == tag->end) return;
+    if (!bat_svg_reshaped(object, entry) || bat_object_picture(object)) {
+        bat_text_add(&p->made, plan->text + tag->close, tag->end - tag->close);
+        return;
+    }
+    const char *colon = memchr(name, ':', length);
+    bat_text_string(&p->made, "</");
+    if (colon) bat_text_add(&p->made, name, (size_t)(colon - name) + 1);
+    bat_text_string(&p->made, "path>");
+}
+
+/* A length of the root: as much longer as the page is, in the unit that it had. */
+static void scale_length(bat_svg_retag *r, const char *name, double before, double now) {
+    bat_svg_piece piece;
+    char text[64] = "", value[NUMBER], made[160];
+    if (!bat_svg_retag_has(r, name, &piece) || piece.end - piece.value >= sizeof text) return;
+    memcpy(text, r->tag + piece.value, piece.end - piece.value);
+    double length;
+    const char *unit = bat_number_scan(text, text + strlen(text), &length);
+    if (!unit || strchr(unit, '%') || !(before > 0)) return;
+    print(value, length * now / before);
+    snprintf(made, sizeof made, "%s%s", value, unit);
+    bat_svg_retag_set(r, name, made);
+}
+
+void bat_svg_patch_page(bat_svg_patch *p) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[1];
+    const double *was = bat_source_page(plan->source);
+    double page[4];
+    bat_document_page(plan->document, page);
+    if (memcmp(page, was, sizeof page) == 0 || !(page[2] > 0 && page[3] > 0)) return;
+    const size_t from = p->made.size;
+    bat_svg_retag r;
+    bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
+                        false);
+    bat_text box = {0};
+    bat_svg_write_pair(&box, page);
+    bat_text_string(&box, " ");
+    bat_svg_write_pair(&box, page + 2);
+    bat_text_add(&box, "", 1);
+    if (!box.failed) bat_svg_retag_set(&r, "viewBox", box.data);
+    bat_text_free(&box);
+    scale_length(&r, "width", was[2], page[2]);
+    scale_length(&r, "height", was[3], page[3]);
+    bat_svg_retag_write(&r, &p->made);
+    bat_svg_retag_free(&r);
+    bat_svg_patch_edit(p, from, tag->open, tag->body - tag->open);
+}

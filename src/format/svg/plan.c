@@ -1,0 +1,218 @@
+#include "format/svg/plan.h"
+
+#include "document/nesting.h"
+#include "format/svg/refer.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool bat_svg_reshaped(const bat_object *object, const bat_sourced *entry) {
+    return bat_sourced_shape(object) != entry->shape;
+}
+
+bool bat_svg_restyled(const bat_object *object, const bat_sourced *entry) {
+    const bat_style *a = bat_object_style(object), *b = &entry->style;
+    return a->stroked != b->stroked || a->filled != b->filled || a->even_odd != b->even_odd ||
+           a->stroke != b->stroke || a->fill != b->fill || a->width != b->width || a->opacity != b->opacity ||
+           a->cap != b->cap || a->join != b->join || a->miter_limit != b->miter_limit;
+}
+
+static void find_types(bat_svg_plan *plan) {
+    for (size_t at = 0, from = 0; from < plan->size; from = at) {
+        const bat_svg_token token = bat_svg_next_token(plan->text, plan->size, &at);
+        if (token == BAT_SVG_TYPE_TOKEN) {
+            plan->types = plan->text + from;
+            plan->types_size = at - from;
+        }
+        if (token != BAT_SVG_TYPE_TOKEN && token != BAT_SVG_OTHER_TOKEN && token != BAT_SVG_TEXT_TOKEN)
+            return;
+    }
+}
+
+/* Objects and entries find each other by the object's id. */
+static void match(bat_svg_plan *plan) {
+    for (int i = 0; i < plan->count; i++) plan->entry[i] = -1;
+    for (int k = 0; k < bat_source_count(plan->source); k++) {
+        const bat_sourced *entry = bat_source_at(plan->source, k);
+        const int index = entry->id ? bat_document_find(plan->document, entry->id) : -1;
+        if (index >= 0)
+            plan->entry[index] = k;
+        else if (entry->id && !entry->copied)
+            plan->fate[entry->element] |= BAT_SVG_GONE | BAT_SVG_TOUCHED;
+    }
+}
+
+/* What groups without an element of their own hide. */
+static void find_hidden(bat_svg_plan *plan) {
+    for (int i = 0; i < plan->count; i++) {
+        const bat_object *object = bat_document_at(plan->document, i);
+        const int parent = bat_document_find(plan->document, bat_object_parent(object));
+        if (parent < 0) continue;
+        const bool bare = plan->entry[parent] < 0;
+        plan->hidden[i] = (uint8_t)(plan->hidden[parent] ||
+                                    (bare && bat_object_is_hidden(bat_document_at(plan->document, parent))));
+    }
+}
+
+static void touch_edited(bat_svg_plan *plan) {
+    for (int i = 0; i < plan->count; i++) {
+        const bat_object *object = bat_document_at(plan->document, i);
+        const bat_sourced *entry = bat_svg_plan_entry(plan, i);
+        if (!entry || entry->copied || bat_object_is_group(object)) continue;
+        const bool hidden = bat_object_is_hidden(object) || plan->hidden[i];
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || hidden != entry->hidden)
+            plan->fate[entry->element] |= BAT_SVG_TOUCHED;
+    }
+}
+
+/* The element of the group that an object is in, as far as groups have elements. */
+uint32_t bat_svg_plan_group(const bat_svg_plan *plan, bat_id parent) {
+    for (int depth = 0; parent && depth < BAT_NESTING_MAX; depth++) {
+        const int index = bat_document_find(plan->document, parent);
+        if (index < 0) return 1;
+        const bat_sourced *entry = bat_svg_plan_entry(plan, index);
+        if (entry) return entry->element;
+        parent = bat_object_parent(bat_document_at(plan->document, index));
+    }
+    return 1;
+}
+
+/* What has left its group cannot stay in its element. */
+static bool is_in_place(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry) {
+    uint32_t around = plan->tags.list[entry->element].parent;
+    while (around > 1 && !(plan->fate[around] & BAT_SVG_GROUPED)) around = plan->tags.list[around].parent;
+    const uint32_t group = bat_svg_plan_group(plan, bat_object_parent(object));
+    return (around > 1 ? around : 1) == group;
+}
+
+static void mark_groups(bat_svg_plan *plan) {
+    for (int i = 0; i < plan->count; i++)
+        if (plan->entry[i] >= 0 && bat_object_is_group(bat_document_at(plan->document, i)))
+            plan->fate[bat_svg_plan_entry(plan, i)->element] |= BAT_SVG_GROUPED;
+}
+
+/* The longest row of objects whose elements stand in the order of the file stays where it is. */
+static bat_status keep_order(bat_svg_plan *plan) {
+    int *ends = malloc(((size_t)plan->count + 1) * sizeof *ends);
+    int *before = malloc(((size_t)plan->count + 1) * sizeof *before);
+    int length = 0;
+    if (!ends || !before) {
+        free(ends);
+        free(before);
+        return BAT_MEMORY;
+    }
+    for (int i = 0; i < plan->count; i++) {
+        const bat_sourced *entry = bat_svg_plan_entry(plan, i);
+        const bat_object *object = bat_document_at(plan->document, i);
+        if (!entry || !bat_object_is_drawn(object)) continue;
+        plan->stay[i] = BAT_SVG_MOVED;
+        if (!entry->copied && !is_in_place(plan, object, entry)) continue;
+        int low = 0, high = length; /* the first row that ends behind this element */
+        while (low < high) {
+            const int middle = (low + high) / 2;
+            if (bat_svg_plan_entry(plan, ends[middle])->element <= entry->element)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        before[i] = low > 0 ? ends[low - 1] : -1;
+        ends[low] = i;
+        if (low == length) length++;
+    }
+    for (int i = length > 0 ? ends[length - 1] : -1; i >= 0; i = before[i]) plan->stay[i] = BAT_SVG_STAYS;
+    free(ends);
+    free(before);
+    return BAT_OK;
+}
+
+/* Whether an element drawn from another place still shows just what it showed: entries from..to-1 are its objects. */
+static bool is_whole(const bat_svg_plan *plan, int from, int to) {
+    int last = -1;
+    for (int k = from; k < to; k++) {
+        const bat_sourced *entry = bat_source_at(plan->source, k);
+        if (!entry->copied) continue;
+        const int index = bat_document_find(plan->document, entry->id);
+        const bat_object *object = bat_document_at(plan->document, index);
+        if (!object || plan->fate[entry->element] & BAT_SVG_TOUCHED) return false;
+        const bool drawn = bat_object_is_drawn(object);
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || plan->hidden[index] ||
+            bat_object_is_hidden(object) != entry->hidden || (drawn && plan->stay[index] != BAT_SVG_STAYS))
+            return false;
+        if (last >= 0 && index < last) return false;
+        for (int i = last + 1; last >= 0 && i < index; i++) /* nothing has come between them */
+            if (bat_object_is_drawn(bat_document_at(plan->document, i))) return false;
+        if (drawn) last = index;
+    }
+    return true;
+}
+
+/* Copies of which one has changed are written as what they show. True: there were some. */
+static bool untie(bat_svg_plan *plan) {
+    bool any = false;
+    const int count = bat_source_count(plan->source);
+    for (int from = 0, to; from < count; from = to) {
+        const uint32_t element = bat_source_at(plan->source, from)->element;
+        for (to = from; to < count && bat_source_at(plan->source, to)->element == element; to++) {
+        }
+        if (to == from + 1 || plan->fate[element] & BAT_SVG_GONE || is_whole(plan, from, to)) continue;
+        plan->fate[element] |= BAT_SVG_GONE | BAT_SVG_TOUCHED;
+        for (int k = from; k < to; k++) {
+            const int index = bat_document_find(plan->document, bat_source_at(plan->source, k)->id);
+            if (index < 0 || plan->entry[index] < 0) continue;
+            plan->entry[index] = -1;
+            plan->stay[index] = BAT_SVG_NEW;
+        }
+        any = true;
+    }
+    return any;
+}
+
+static bat_status decide(bat_svg_plan *plan) {
+    match(plan);
+    find_hidden(plan);
+    touch_edited(plan);
+    bat_status status = bat_svg_refer(plan);
+    mark_groups(plan);
+    if (status == BAT_OK) status = keep_order(plan);
+    while (status == BAT_OK && untie(plan)) {
+        status = bat_svg_refer(plan);
+        find_hidden(plan);
+    }
+    for (int i = 0; i < plan->count; i++)
+        if (plan->stay[i] == BAT_SVG_MOVED) plan->fate[bat_svg_plan_entry(plan, i)->element] |= BAT_SVG_GONE;
+    return status;
+}
+
+bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
+    bat_svg_plan plan = {
+        .document = document, .source = bat_document_origin(document), .count = bat_document_count(document)};
+    plan.text = bat_source_text(plan.source, &plan.size);
+    bat_status status = bat_svg_tags_scan(plan.text, plan.size, &plan.tags);
+    if (status != BAT_OK) return status;
+    plan.entry = malloc(((size_t)plan.count + 1) * sizeof *plan.entry);
+    plan.stay = calloc((size_t)plan.count + 1, 1);
+    plan.hidden = calloc((size_t)plan.count + 1, 1);
+    plan.fate = calloc(plan.tags.count, 1);
+    for (int k = 0; k < bat_source_count(plan.source);
+         k++) /* a list that was read with the document may be anything */
+        if (bat_source_at(plan.source, k)->element == 0 ||
+            bat_source_at(plan.source, k)->element >= plan.tags.count)
+            status = BAT_SYNTAX;
+    plan.sheets = strstr(plan.text, "<style") != NULL || strstr(plan.text, ":style") != NULL;
+    find_types(&plan);
+    if (status == BAT_OK)
+        status = plan.entry && plan.stay && plan.hidden && plan.fate ? decide(&plan) : BAT_MEMORY;
+    if (status != BAT_OK)
+        bat_svg_plan_free(&plan);
+    else
+        *out = plan;
+    return status;
+}
+
+void bat_svg_plan_free(bat_svg_plan *plan) {
+    free(plan->entry);
+    free(plan->stay);
+    free(plan->hidden);
+    free(plan->fate);
+    bat_svg_tags_free(&plan->tags);
+}
