@@ -78,6 +78,15 @@ static void check_keys(const bat_camera *camera) {
         if (!((float)keys[i].time > (float)keys[i - 1].time)) abort();
     bat_free(keys);
     if (count < 100 && bat_gltf_write_move(camera, extent, 0.5, &bytes, &size) == BAT_OK) bat_free(bytes);
+    bat_curve *line = (bat_curve *)bat_camera_path(camera);
+    const bat_model scene = {.curve_count = 1, .curves = &line};
+    if (count < 100 && bat_gltf_write_scene(camera, &scene, extent, 0.5, &bytes, &size) == BAT_OK)
+        bat_free(bytes);
+    bat_camera_pose pose;
+    bat_viewpoint view;
+    const double window[2] = {160, 90};
+    bat_camera_at_time(camera, 0, &pose);
+    if (bat_camera_view(&pose, 1, window, &view) == BAT_OK && bat_viewpoint_check(&view) != BAT_OK) abort();
 }
 
 /* What is written is read back, bit for bit, as it is and as an object of a drawing. */

@@ -1,7 +1,9 @@
 /* batten camera: where a camera is, and how it is turned, along a move. */
+#include "drawing.h"
 #include "io.h"
 #include "program.h"
 #include "results.h"
+#include "shot.h"
 
 #include <batten/camera.h>
 #include <errno.h>
@@ -27,7 +29,12 @@ static bool ends_in(const char *name, const char *ending) {
 static int read_request(const cli_arguments *arguments, samples *out) {
     const bool rate = arguments_value(arguments, "--fps"), at = arguments_value(arguments, "--at");
     const char *file = arguments_value(arguments, "--out");
+    const char *scene = arguments_value(arguments, "--scene");
     *out = (samples){.times = NULL};
+    if (scene && !(file && ends_in(file, ".glb")))
+        return fail_usage(arguments->command, "--scene: needs --out with a file that ends in .glb");
+    if (scene && strcmp(scene, "-") == 0 && strcmp(arguments->operands[0], "-") == 0)
+        return fail_usage(arguments->command, "only one of MOVE and DRAWING can be standard input");
     if (rate == at) return fail_usage(arguments->command, "one of --fps and --at is needed");
     if (file && !ends_in(file, ".csv") && !ends_in(file, ".glb"))
         return fail_usage(arguments->command, "--out: expected a file that ends in .csv or .glb, found %s",
@@ -97,10 +104,19 @@ static int write_table(const char *file, const samples *s) {
     return failed;
 }
 
-static int write_scene(const char *move, const char *file, const bat_camera *camera) {
+static int write_scene(const char *move, const char *drawing, const char *file, const bat_camera *camera) {
     char *bytes = NULL;
     size_t size = 0;
-    const bat_status status = bat_gltf_write_move(camera, 0, 0, &bytes, &size);
+    drawing_file scene = {.document = NULL};
+    bat_model model = {.curve_count = 0};
+    if (drawing) {
+        const int failed = drawing_read(drawing, NULL, &scene);
+        if (failed) return failed;
+    }
+    bat_status status = drawing ? model_shown(scene.document, &model) : BAT_OK;
+    if (status == BAT_OK) status = bat_gltf_write_scene(camera, drawing ? &model : NULL, 0, 0, &bytes, &size);
+    bat_model_clear(&model);
+    if (drawing) drawing_free(&scene);
     if (status == BAT_MEMORY) return fail_memory();
     if (status == BAT_NUMBER)
         return fail_data(move, "fov",
@@ -139,9 +155,10 @@ static int run(const cli_arguments *arguments) {
     if (!failed) failed = spread(file, camera, &s);
     if (!failed) {
         warn(file, camera);
-        failed = !out                   ? print_samples(camera, &s)
-                 : ends_in(out, ".glb") ? write_scene(file, out, camera)
-                                        : write_table(out, &s);
+        failed = !out ? print_samples(camera, &s)
+                 : ends_in(out, ".glb")
+                     ? write_scene(file, arguments_value(arguments, "--scene"), out, camera)
+                     : write_table(out, &s);
     }
     bat_camera_free(camera);
     free(s.times), free(s.poses);
@@ -150,7 +167,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_camera = {
     .name = "camera",
-    .usage = "MOVE (--fps N | --at T,T,...) [--out OUT.(csv|glb)]",
+    .usage = "MOVE (--fps N | --at T,T,...) [--out OUT.(csv|glb)] [--scene DRAWING]",
     .summary = "Where a camera is, and how it is turned, along a move.",
     .details =
         "MOVE names path, orientation with its levels, field of view and timing. Prints times, parameters,\n"
@@ -160,6 +177,7 @@ const cli_command command_camera = {
     .options = {{"--fps", "N", "samples a second, from 0 to the end"},
                 {"--at", "T,T,...", "samples at these times, in seconds; clamped to the move"},
                 {"--out", "OUT.(csv|glb)",
-                 "writes a table, or a camera that moves as binary glTF, with as many keys as it needs"}},
+                 "writes a table, or a camera that moves as binary glTF, with as many keys as it needs"},
+                {"--scene", "DRAWING", "with .glb: its surfaces and curves are in the scene"}},
     .run = run,
 };

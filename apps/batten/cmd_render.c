@@ -5,6 +5,7 @@
 #include "paint_cairo.h"
 #include "paint_space.h"
 #include "program.h"
+#include "shot.h"
 #include "views.h"
 
 #include "text/number.h"
@@ -138,6 +139,8 @@ static int view_of(const cli_arguments *arguments, const bat_document *document,
     int failed = EXIT_DONE;
     if (!name)
         space_view_of(document, (int)size[0], (int)size[1], out);
+    else if (is_shot(document, name))
+        failed = shot_view(arguments->operands[0], document, name, size, out);
     else
         failed = read_view(name, out);
     for (int d = 0; !failed && d < 2; d++)
@@ -224,7 +227,11 @@ const cli_command command_render = {
         "trace are in an SVG, not in a PNG or PDF.\n"
         "\n"
         "A drawing with anything outside its page is seen in space: from --view, or in a three-quarter\n"
-        "view of all of it. As PNG surfaces are shaded, and what is hidden is fainter, thinner and dashed.\n"
+        "view of all of it. --view NAME@SECONDS looks through the camera of that name in the drawing, at "
+        "that\n"
+        "time of its move, in 960x540 pixels without --size.\n"
+        "As PNG surfaces are shaded, and what is hidden "
+        "is fainter, thinner and dashed.\n"
         "As SVG and PDF it is drawn in lines, as Bezier curves within 0.1 pixels: edges, lines at knots,\n"
         "silhouettes, intersections and curves, over the shading as one picture. What is hidden is left "
         "out;\n"
@@ -233,7 +240,8 @@ const cli_command command_render = {
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF"},
                 {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
-                {"--view", "VIEW", "the eye, as JSON; its size is the picture's without --size"},
+                {"--view", "VIEW",
+                 "the eye, as JSON, whose size is the picture's; or a camera: NAME@SECONDS"},
                 {"--look", "LOOK", "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines"},
                 {"--to", "FORMAT", "the format of OUT, whatever its name: svg, png or pdf"},
                 OPTION_LOSSY},

@@ -38,6 +38,7 @@ static const cli_command *const commands[] = {
     &command_revolve,
     &command_coons,
     &command_loft,
+    &command_motion,
     &command_camera,
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };

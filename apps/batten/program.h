@@ -39,7 +39,7 @@ extern const cli_command command_edit, command_eval, command_nearest, command_fr
     command_info, command_replay, command_surface_eval, command_surface_isocurve, command_surface_closest,
     command_surface_hit, command_surface_pick, command_surface_redraw, command_surface_sketch, command_cast,
     command_surface_intersect, command_surface_convert, command_wire, command_revolve, command_coons,
-    command_loft, command_sweep, command_camera;
+    command_loft, command_sweep, command_camera, command_motion;
 
 /* ---- arguments ---- */
 

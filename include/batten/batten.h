@@ -23,6 +23,7 @@
 #include <batten/view.h>
 #include <batten/trace.h>
 #include <batten/sight.h>
+#include <batten/motion.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/input.h>

@@ -8,6 +8,7 @@
 #define BATTEN_CAMERA_H
 
 #include <batten/function.h>
+#include <batten/view.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -131,6 +132,11 @@ BAT_API void bat_camera_at_time(const bat_camera *camera, double time, bat_camer
  * finite. Some microseconds each at most. */
 BAT_API bat_status bat_camera_sample(const bat_camera *camera, size_t count, const double *times,
                                      bat_camera_pose *out);
+
+/* The view of a pose in a window of that size in pixels: the target lies `distance` before the eye. BAT_ARGUMENT: distance is
+ * not above 0; else what bat_viewpoint_check says: the field of view need not be one. */
+BAT_API bat_status bat_camera_view(const bat_camera_pose *pose, double distance, const double size[2],
+                                   bat_viewpoint *out);
 
 /* A key of the move for players that interpolate between keys by cubic (Hermite) spans and make rotations unit, as those of
  * glTF do: position, rotation x y z w, field of view in degrees; and the slopes, a second, at which they are reached and

@@ -2,6 +2,7 @@
 #ifndef BATTEN_FORMAT_H
 #define BATTEN_FORMAT_H
 
+#include <batten/motion.h>
 #include <batten/camera.h>
 #include <batten/document.h>
 #include <batten/levels.h>
@@ -75,6 +76,16 @@ BAT_API bat_status bat_gltf_write(const bat_model *model, double tolerance, char
  * degrees, or as above. */
 BAT_API bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,
                                        size_t *size);
+/* The same, among the parts of a model, which bat_gltf_write would write with its default tolerance; NULL: alone. */
+BAT_API bat_status bat_gltf_write_scene(const bat_camera *camera, const bat_model *scene, double place,
+                                        double angle, char **bytes, size_t *size);
+/* BVH: a skeleton and its frames, any order of channels; the place of what is wrong is its line. BAT_COUNT: too many joints,
+ * frames or numbers. Writing: BAT_UNSUPPORTED: a joint does not follow its parent in the order of the skeleton. */
+BAT_API bat_status bat_bvh_read(const char *text, size_t size, bat_take **out, bat_problem *problem);
+BAT_API bat_status bat_bvh_write(const bat_take *take, char **bytes, size_t *size);
+/* A motion as JSON, with the report of its fit (docs/format.md). */
+BAT_API bat_status bat_motion_write(const bat_motion *motion, const bat_motion_report *report, char **text,
+                                    size_t *size);
 /* One VIEW; and what a stroke is cast on (an ON of docs/format.md), released by bat_canvas_clear. */
 BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoint *out,
                                       bat_problem *problem);

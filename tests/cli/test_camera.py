@@ -342,6 +342,26 @@ class Player(Camera):
         self.assertRegex(told, r"Cameras:\s+1\n")
         self.assertRegex(told, r"Animations:\s+1\n")
 
+    def test_scene(self):
+        """The surfaces and curves of a drawing lie in the scene, too; hidden ones and cameras do not."""
+        sheet = {"degree": [1, 1], "closed": [False, False], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0, 0], [0, 9, 1]], [[9, 0, 2], [9, 9, 0]]]}
+        move = Free.move(Free)
+        drawing = self.file("scene.batten", {"batten": 2, "objects": [
+            {"id": 1, "kind": "surface", "surface": sheet}, {"id": 2, "kind": "surface", "surface": sheet, "hidden": True},
+            {"id": 3, "kind": "path", "curves": [clamped([[0, 0], [1, 1], [2, 0], [3, 1]], [0, 0, 0, 0, 1, 1, 1, 1])]}, {"id": 4, "kind": "camera", "move": move}]})
+        scene, tracks = self.played(move, "--scene", drawing)
+        self.assertEqual([m["primitives"][0]["mode"] for m in scene["meshes"]], [3, 4, 3])
+        self.assertEqual(scene["scenes"][0]["nodes"], [0, 1, 2, 3])
+        self.assertEqual([c["target"].get("node") for c in scene["animations"][0]["channels"]][:2], [3, 3])
+        told = subprocess.run(["assimp", "info", str(self.folder / "scene.glb")], capture_output=True).stdout.decode()
+        self.assertRegex(told, r"Meshes:\s+3\n")
+        self.assertRegex(told, r"Cameras:\s+1\n")
+        name = self.file("move.json", move)
+        self.refused(2, "camera", name, "--fps", "2", "--scene", drawing)
+        self.refused(2, "camera", name, "--fps", "2", "--out", "x.csv", "--scene", drawing)
+        self.refused(2, "camera", "-", "--fps", "2", "--out", "x.glb", "--scene", "-")
+        self.refused(1, "camera", name, "--fps", "2", "--out", "x.glb", "--scene", "none.batten")
+
     def test_tripod(self):
         turn = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0, 0, 1], [0, 0, 1, 1]]}
         scene, _ = self.agrees({"path": clamped([[3, 4, 5]] * 6), "orientation": {"mode": "free", "base": turn}}, 4, 1e-4, .1, 40)

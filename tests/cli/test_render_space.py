@@ -36,6 +36,29 @@ class RenderSpace(ProgramTest):
     def view(self, **changes):
         return self.file("view.json", {**VIEW, **changes})
 
+    def test_a_camera_of_the_drawing(self):
+        """NAME@SECONDS is the view that batten camera says, and the camera itself is in no picture."""
+        move = {"path": {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[20, 90, -200], [150, 10, -100]]},
+                "orientation": {"mode": "look-at", "target": [50, 50, 0], "up": [0, -1, 0]}, "fov": 50, "timing": {"duration": 2}}
+        fly = {"id": 3, "kind": "camera", "name": "Fly@dawn", "move": move}
+        parts = sheet(), line([[0, 50, -20], [100, 50, -20]])
+        for time in "0", "0.75", "2":
+            pose = self.json("camera", self.file("move.json", move), "--at", time)
+            x, y, z, w = pose["rotations"][0]
+            eye = pose["positions"][0]
+            far = (130 ** 2 + 80 ** 2 + 100 ** 2) ** .5  # the size of the path: lines are as wide as they are there
+            back = 2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)
+            view = {"eye": eye, "target": [e - far * b for e, b in zip(eye, back)], "size": [320, 180], "fov": 50,
+                    "up": [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)]}
+            wanted = self.png(document(*parts), "--view", self.file("view.json", view))
+            shot = self.png(document(*parts, fly), "--view", "Fly@dawn@" + time, "--size", "320x180")
+            self.assertEqual((wanted == shot) if isinstance(wanted, tuple) else (wanted == shot).all(), True)
+        self.png(document(*parts, fly), "--view", "Fly@dawn@1")
+        for name in "Fly@dawn", "Fly@dawn@", "Fly@dawn@x", "Fly@1":
+            self.refused(1, "render", self.file("in.batten", document(*parts, fly)), "out.png", "--view", name)
+        wide = {**fly, "move": {**move, "fov": 200}}
+        self.refused(1, "render", self.file("in.batten", document(*parts, wide)), "out.png", "--view", "Fly@dawn@1")
+
     def test_a_square_is_where_the_view_says(self):
         image = self.png(document(sheet()), "--view", self.view(), "--background", "none")
         self.assertEqual(image.shape, (160, 200, 4))

@@ -10,7 +10,7 @@ from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "info", "replay",
             "surface eval", "surface isocurve", "surface closest", "surface hit", "surface pick", "surface redraw", "surface sketch", "surface intersect", "surface convert", "cast", "wire", "sweep", "revolve",
-            "coons", "loft"]
+            "coons", "loft", "motion"]
 
 
 class Usage(ProgramTest):

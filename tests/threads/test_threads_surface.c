@@ -1,4 +1,5 @@
-/* The promise of base.h about threads: concurrent const calls on one surface, one sweep, one camera move. */
+/* The promise of base.h about threads: concurrent const calls on one surface, one sweep, one camera move, one
+ * take. */
 #include "alike.h"
 #include "support/random_surface.h"
 
@@ -165,6 +166,8 @@ static uint64_t look_through(const void *shared, int seed) {
     const bat_status written = bat_gltf_write_move(camera, 1, 0.5, &bytes, &size);
     d = add_text(d, written, &bytes, &size);
     d = add(d, (uint64_t)bat_camera_mode_of(camera));
+    const bat_status scene = bat_gltf_write_scene(camera, NULL, 1, 0.5, &bytes, &size);
+    d = add_text(d, scene, &bytes, &size);
     char *text = NULL;
     size_t length = 0;
     d = add_text(d, bat_camera_write(camera, &text, &length), &text, &length);
@@ -173,6 +176,56 @@ static uint64_t look_through(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_camera_copy(camera, &copy));
     bat_camera_free(copy);
     return d;
+}
+
+/* ---- motion ---- */
+
+static uint64_t look_at_take(const void *shared, int seed) {
+    const bat_take *take = shared;
+    size_t frames = 0, channels = 0;
+    int count = 0;
+    double at[6];
+    bat_motion_options options = bat_motion_defaults();
+    options.tolerance = 0.1 * seed;
+    const bat_bone *bones = bat_take_joints(take, &count);
+    uint64_t d = add_doubles(bat_digest_begin(), bat_take_values(take, &frames, &channels), 4);
+    d = add(add(d, (uint64_t)count), (uint64_t)bones[0].channel_count);
+    d = add(d, (uint64_t)bat_take_positions(take, (size_t)seed % frames, at));
+    d = bat_digest_double(add_doubles(d, at, 6), bat_take_frame_time(take));
+    char *text = NULL;
+    size_t length = 0;
+    d = add_text(d, bat_bvh_write(take, &text, &length), &text, &length);
+    bat_motion *motion = NULL;
+    bat_motion_report report;
+    d = add(d, (uint64_t)bat_motion_fit(take, &options, &motion, &report));
+    if (!motion) return d;
+    const double way[12] = {0, 0, 0, 1, 0, 3, 2, 1, 4, 5, 0, 6};
+    bat_curve *path = NULL;
+    if (bat_curve_create_clamped(3, 3, 4, way, &path) == BAT_OK)
+        d = add(d, (uint64_t)bat_motion_bend(motion, path));
+    d = add(d, (uint64_t)bat_motion_take_style(motion, motion));
+    bat_curve_free(path);
+    bat_take *again = NULL;
+    d = add(d, (uint64_t)bat_motion_sample(motion, &again));
+    d = add_text(d, bat_motion_write(motion, &report, &text, &length), &text, &length);
+    d = add(d, (uint64_t)bat_motion_levels(motion) + (bat_motion_joint(motion, 0) != NULL) +
+                   (bat_motion_path(motion) != NULL));
+    bat_take_free(again);
+    bat_motion_free(motion);
+    return d;
+}
+
+static void const_calls_on_a_take(void **state) {
+    (void)state;
+    const bat_bone bones[2] = {
+        {"hips", -1, false, {0, 0, 0}, 4, {BAT_Z_POSITION, BAT_X_ROTATION, BAT_Y_ROTATION, BAT_Z_ROTATION}},
+        {"end", 0, true, {0, 1, 0}, 0, {BAT_X_POSITION}}};
+    double values[48];
+    for (int i = 0; i < 48; i++) values[i] = (i * 37 % 23) + i / 4;
+    bat_take *take = NULL;
+    assert_int_equal(bat_take_create(2, bones, 12, 0.01, values, &take), BAT_OK);
+    assert_alike(look_at_take, take, 5);
+    bat_take_free(take);
 }
 
 static void const_calls_on_a_camera(void **state) {
@@ -283,6 +336,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(const_calls_on_a_sweep),
         cmocka_unit_test(const_calls_on_a_camera),
+        cmocka_unit_test(const_calls_on_a_take),
         cmocka_unit_test(const_calls_on_a_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

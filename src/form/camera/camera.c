@@ -222,6 +222,20 @@ bat_status bat_camera_sample(const bat_camera *camera, size_t count, const doubl
     return BAT_OK;
 }
 
+bat_status bat_camera_view(const bat_camera_pose *pose, double distance, const double size[2],
+                           bat_viewpoint *out) {
+    if (!pose || !size || !out || !(distance > 0)) return BAT_ARGUMENT;
+    const quat q = quat_load(pose->rotation);
+    const vec eye = vec_load(pose->position, 3), ahead = quat_turn(q, (vec){0, 0, -1});
+    bat_viewpoint view = {.size = {size[0], size[1]}, .fov = pose->fov};
+    vec_store(eye, view.eye);
+    vec_store(vec_add(eye, vec_scale(ahead, distance)), view.target);
+    vec_store(quat_turn(q, (vec){0, 1, 0}), view.up);
+    const bat_status status = bat_viewpoint_check(&view);
+    if (status == BAT_OK) *out = view;
+    return status;
+}
+
 /* ---- what it is ---- */
 
 bat_camera_mode bat_camera_mode_of(const bat_camera *camera) { return camera->options.mode; }

@@ -268,6 +268,11 @@ bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes
 
 bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,
                                size_t *size) {
+    return bat_gltf_write_scene(camera, NULL, place, angle, bytes, size);
+}
+
+bat_status bat_gltf_write_scene(const bat_camera *camera, const bat_model *scene, double place, double angle,
+                                char **bytes, size_t *size) {
     if (!camera || !bytes || !size) return BAT_ARGUMENT;
     writer w = {.part_count = 0};
     bat_camera_key *keys = NULL;
@@ -278,6 +283,7 @@ bat_status bat_gltf_write_move(const bat_camera *camera, double place, double an
     if (!(place > 0)) place = 1e-4 * (extent > 0 ? extent : 1);
     bat_status status = bat_camera_keys(camera, place, angle > 0 ? angle : 0.1 * BAT_PI / 180, &count, &keys);
     if (status == BAT_OK && extent > 0) status = put_model(&w, &model, place);
+    if (status == BAT_OK && scene) status = put_model(&w, scene, 0);
     if (status == BAT_OK) status = put_keys(&w, keys, count, 1e-3 * (extent > 0 ? extent : 1));
     if (status == BAT_OK) status = put_file(&w, bytes, size);
     free(keys);

@@ -8,6 +8,8 @@
 
 /* Node 0: reported as missing. */
 bat_status bat_camera_from_json(const bat_json *json, uint32_t node, bat_camera **out, bat_problem *problem);
+/* Its ORIENTATION alone. */
+void bat_orientation_to_json(const bat_camera *camera, bat_text *text);
 /* What is the default is left out. */
 void bat_camera_to_json(const bat_camera *camera, bat_text *text);
 

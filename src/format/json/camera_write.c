@@ -36,7 +36,7 @@ static void put_level(const bat_camera_level *level, bat_text *text) {
     bat_text_string(text, "}");
 }
 
-static void put_orientation(const bat_camera *camera, bat_text *text) {
+void bat_orientation_to_json(const bat_camera *camera, bat_text *text) {
     static const char *const modes[] = {"free", "along", "look-at"};
     const bat_camera_options *o = &camera->options;
     bat_rotation_curve base;
@@ -69,7 +69,7 @@ void bat_camera_to_json(const bat_camera *camera, bat_text *text) {
     bat_text_string(text, "{\"path\":");
     bat_curve_to_json(camera->given, 0, text);
     bat_text_string(text, ",\n   \"orientation\":");
-    put_orientation(camera, text);
+    bat_orientation_to_json(camera, text);
     bat_text_string(text, ",\n   \"fov\":");
     bat_function_to_json(&o->fov, text);
     bat_text_string(text, ",\"timing\":{\"duration\":");

@@ -1,0 +1,71 @@
+#include "shot.h"
+
+#include "program.h"
+#include "shade_shown.h"
+
+#include "format/model/model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const bat_camera *camera_named(const bat_document *document, const char *name, size_t length) {
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        const char *own = bat_object_name(object);
+        if (bat_object_camera(object) && strlen(own) == length && strncmp(own, name, length) == 0)
+            return bat_object_camera(object);
+    }
+    return NULL;
+}
+
+/* The camera, and *time; NULL: it is no camera and time. */
+static const bat_camera *shot_of(const bat_document *document, const char *view, double *time) {
+    const char *at = strrchr(view, '@');
+    char *end = NULL;
+    if (!at || at[1] == '\0') return NULL;
+    *time = strtod(at + 1, &end);
+    if (*end || !isfinite(*time)) return NULL;
+    return camera_named(document, view, (size_t)(at - view));
+}
+
+bool is_shot(const bat_document *document, const char *view) {
+    double time;
+    return shot_of(document, view, &time) != NULL;
+}
+
+int shot_view(const char *file, const bat_document *document, const char *view, const long size[2],
+              bat_viewpoint *out) {
+    double time;
+    const bat_camera *camera = shot_of(document, view, &time);
+    const double window[2] = {size[0] > 0 ? (double)size[0] : 960, size[1] > 0 ? (double)size[1] : 540};
+    bat_camera_pose pose;
+    bat_camera_at_time(camera, time, &pose);
+    const double extent = bat_curve_size(bat_camera_path(camera));
+    const bat_status status = bat_camera_view(&pose, extent > 0 ? extent : 1, window, out);
+    return status == BAT_OK
+               ? EXIT_DONE
+               : fail_data(file, view, "expected a field of view between 0 and 180 degrees, found %g",
+                           pose.fov);
+}
+
+static bat_status add_to_model(const bat_object *object, void *user) {
+    bat_model *model = user;
+    const bat_surface *surface = bat_object_surface(object);
+    bat_surface *copy = NULL;
+    bat_status status = BAT_OK;
+    if (surface) {
+        status = bat_surface_copy(surface, &copy);
+        return status == BAT_OK ? bat_model_add_surface(model, copy) : status;
+    }
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
+        bat_curve *curve = NULL;
+        status = bat_curve_copy(bat_object_curve(object, i), &curve);
+        if (status == BAT_OK) status = bat_model_add_curve(model, curve);
+    }
+    return status;
+}
+
+bat_status model_shown(const bat_document *document, bat_model *out) {
+    return each_shown(document, add_to_model, out);
+}

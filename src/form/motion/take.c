@@ -1,0 +1,215 @@
+/* Takes: what was recorded of a skeleton (docs/math/motion.md). */
+#include "form/motion/take.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_turn(bat_channel channel) { return channel >= BAT_X_ROTATION; }
+
+int bat_bone_turns(const bat_bone *joint) {
+    int count = 0;
+    for (int k = 0; k < joint->channel_count; k++) count += is_turn(joint->channels[k]);
+    return count;
+}
+
+int bat_bone_places(const bat_bone *joint) { return joint->channel_count - bat_bone_turns(joint); }
+
+/* ---- making one ---- */
+
+static bat_status check_joint(const bat_bone *joints, int i) {
+    const bat_bone *j = &joints[i];
+    unsigned seen = 0;
+    if (!j->name || j->parent >= i || j->parent < (i == 0 ? -1 : 0)) return BAT_ARGUMENT;
+    if (i > 0 && joints[j->parent].end) return BAT_ARGUMENT;
+    if (j->channel_count < 0 || j->channel_count > BAT_CHANNELS_MAX || (j->end && j->channel_count > 0))
+        return BAT_ARGUMENT;
+    for (int k = 0; k < j->channel_count; k++) {
+        if ((unsigned)j->channels[k] > BAT_Z_ROTATION || (seen & 1u << j->channels[k])) return BAT_ARGUMENT;
+        seen |= 1u << j->channels[k];
+    }
+    for (int k = 0; k < 3; k++)
+        if (!(fabs(j->offset[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    return BAT_OK;
+}
+
+void bat_take_free(bat_take *take) {
+    if (!take) return;
+    free(take->joints), free(take->first), free(take->names), free(take->values);
+    free(take);
+}
+
+static bat_status fill(bat_take *take, const bat_bone *joints, const double *values) {
+    size_t room = 0, at = 0, channel = 0;
+    const size_t count = (size_t)take->joint_count, numbers = take->frames * take->channels;
+    for (size_t i = 0; i < count; i++) room += strlen(joints[i].name) + 1;
+    take->joints = malloc(count * sizeof *joints);
+    take->first = malloc(count * sizeof *take->first);
+    take->names = malloc(room);
+    take->values = malloc((numbers + 1) * sizeof *values);
+    if (!take->joints || !take->first || !take->names || !take->values) return BAT_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        const size_t size = strlen(joints[i].name) + 1;
+        take->joints[i] = joints[i];
+        take->joints[i].name = memcpy(take->names + at, joints[i].name, size);
+        take->first[i] = (int)channel;
+        at += size, channel += (size_t)joints[i].channel_count;
+    }
+    if (numbers > 0) memcpy(take->values, values, numbers * sizeof *values);
+    return BAT_OK;
+}
+
+bat_status bat_take_create(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
+                           const double *values, bat_take **out) {
+    size_t channels = 0;
+    if (!joints || !out) return BAT_ARGUMENT;
+    if (joint_count < 1 || joint_count > BAT_JOINTS_MAX || frames < 1) return BAT_COUNT;
+    for (int i = 0; i < joint_count; i++) {
+        const bat_status status = check_joint(joints, i);
+        if (status != BAT_OK) return status;
+        channels += (size_t)joints[i].channel_count;
+    }
+    if (frames > BAT_TAKE_NUMBERS_MAX / (channels + 1) || frames > BAT_POINTS_MAX) return BAT_COUNT;
+    if (!(frame_time > 0) || (channels > 0 && !values)) return BAT_ARGUMENT;
+    if (!(frame_time <= 1e9)) return BAT_NUMBER;
+    for (size_t i = 0; i < frames * channels; i++)
+        if (!(fabs(values[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    bat_take *take = calloc(1, sizeof *take);
+    if (!take) return BAT_MEMORY;
+    take->joint_count = joint_count, take->frames = frames, take->channels = channels,
+    take->frame_time = frame_time;
+    const bat_status status = fill(take, joints, values);
+    if (status == BAT_OK)
+        *out = take;
+    else
+        bat_take_free(take);
+    return status;
+}
+
+bat_status bat_take_copy(const bat_take *take, bat_take **out) {
+    return bat_take_create(take->joint_count, take->joints, take->frames, take->frame_time, take->values,
+                           out);
+}
+
+const bat_bone *bat_take_joints(const bat_take *take, int *count) {
+    if (count) *count = take->joint_count;
+    return take->joints;
+}
+
+const double *bat_take_values(const bat_take *take, size_t *frames, size_t *channels) {
+    if (frames) *frames = take->frames;
+    if (channels) *channels = take->channels;
+    return take->values;
+}
+
+double bat_take_frame_time(const bat_take *take) { return take->frame_time; }
+
+/* ---- where the joints are ---- */
+
+static double *values_of(const bat_take *take, int joint, size_t frame) {
+    return take->values + frame * take->channels + take->first[joint];
+}
+
+vec bat_take_place(const bat_take *take, int joint, size_t frame) {
+    const bat_bone *j = &take->joints[joint];
+    const double *values = values_of(take, joint, frame);
+    double at[3] = {j->offset[0], j->offset[1], j->offset[2]};
+    for (int k = 0; k < j->channel_count; k++)
+        if (!is_turn(j->channels[k])) at[j->channels[k]] = values[k];
+    return vec_load(at, 3);
+}
+
+static quat about(int axis, double degrees) {
+    const double half = 0.5 * fmod(degrees, 720) * BAT_PI / 180;
+    double v[4] = {0, 0, 0, bat_cos(half)};
+    v[axis] = bat_sin(half);
+    return quat_load(v);
+}
+
+quat bat_take_turn(const bat_take *take, int joint, size_t frame) {
+    const bat_bone *j = &take->joints[joint];
+    const double *values = values_of(take, joint, frame);
+    quat q = quat_one;
+    for (int k = 0; k < j->channel_count; k++)
+        if (is_turn(j->channels[k])) q = quat_mul(q, about((int)j->channels[k] - BAT_X_ROTATION, values[k]));
+    return quat_unit(q);
+}
+
+bat_status bat_take_positions(const bat_take *take, size_t frame, double *out) {
+    if (!take || !out || frame >= take->frames) return BAT_ARGUMENT;
+    quat *turns = malloc((size_t)take->joint_count * sizeof *turns);
+    if (!turns) return BAT_MEMORY;
+    for (int i = 0; i < take->joint_count; i++) {
+        const int parent = take->joints[i].parent;
+        const quat own = bat_take_turn(take, i, frame);
+        vec at = bat_take_place(take, i, frame);
+        if (parent >= 0) at = vec_add(vec_load(out + 3 * parent, 3), quat_turn(turns[parent], at));
+        turns[i] = parent < 0 ? own : quat_unit(quat_mul(turns[parent], own));
+        vec_store(at, out + 3 * i);
+    }
+    free(turns);
+    return BAT_OK;
+}
+
+/* ---- angles ---- */
+
+/* The angle that is the same turn, nearest to another. */
+static double near(double degrees, double to) { return degrees + 360 * nearbyint((to - degrees) / 360); }
+
+static void matrix_of(quat q, double m[3][3]) {
+    for (int k = 0; k < 3; k++) {
+        const vec v = quat_turn(q, (vec){k == 0, k == 1, k == 2});
+        m[0][k] = v.x, m[1][k] = v.y, m[2][k] = v.z;
+    }
+}
+
+/* The angles of turns about axis[0], then about axis[1] and axis[2] as turned, degrees; of both solutions that nearer to
+ * `angles`, which they replace. */
+static void angles_of(quat q, const int axis[3], double angles[3]) {
+    const int a = axis[0], b = axis[1], c = axis[2];
+    const double e = (b - a + 3) % 3 == 1 ? 1 : -1, unit = 180 / BAT_PI;
+    double m[3][3], found[2][3], off[2];
+    matrix_of(q, m);
+    const double level = bat_hypot(m[a][a], m[a][b]), second = bat_atan2(e * m[a][c], level);
+    if (level < 1e-7) { /* the first and the third turn about one axis: the third stays */
+        matrix_of(quat_mul(q, about(c, -angles[2])), m);
+        angles[0] = near(bat_atan2(e * m[c][b], m[b][b]) * unit, angles[0]);
+        angles[1] = near(second * unit, angles[1]);
+        return;
+    }
+    const double first = bat_atan2(-e * m[b][c], m[c][c]), third = bat_atan2(-e * m[a][b], m[a][a]);
+    for (int s = 0; s < 2; s++) {
+        const double turned[3] = {first + s * BAT_PI, s ? BAT_PI - second : second, third + s * BAT_PI};
+        off[s] = 0;
+        for (int k = 0; k < 3; k++) {
+            found[s][k] = near(turned[k] * unit, angles[k]);
+            off[s] += fabs(found[s][k] - angles[k]);
+        }
+    }
+    memcpy(angles, found[off[1] < off[0]], 3 * sizeof *angles);
+}
+
+void bat_take_set_turn(bat_take *take, int joint, size_t frame, quat turn) {
+    const bat_bone *j = &take->joints[joint];
+    double *values = values_of(take, joint, frame), angles[3] = {0, 0, 0};
+    int axis[3] = {0, 1, 2}, at[3], count = 0;
+    for (int k = 0; k < j->channel_count; k++)
+        if (is_turn(j->channels[k])) axis[count] = (int)j->channels[k] - BAT_X_ROTATION, at[count++] = k;
+    for (int k = 0; k < count; k++) angles[k] = values[at[k]];
+    if (count == 1) {
+        const double v[3] = {turn.x, turn.y, turn.z};
+        values[at[0]] = near(2 * bat_atan2(v[axis[0]], turn.w) * 180 / BAT_PI, angles[0]);
+        return;
+    }
+    if (count == 2) axis[2] = 3 - axis[0] - axis[1];
+    if (count >= 2) angles_of(turn, axis, angles);
+    for (int k = 0; k < count; k++) values[at[k]] = angles[k];
+}
+
+void bat_take_set_place(bat_take *take, int joint, size_t frame, vec place) {
+    const bat_bone *j = &take->joints[joint];
+    double *values = values_of(take, joint, frame);
+    const double at[3] = {place.x, place.y, place.z};
+    for (int k = 0; k < j->channel_count; k++)
+        if (!is_turn(j->channels[k])) values[k] = at[j->channels[k]];
+}

@@ -1,0 +1,30 @@
+/* Internal: a take. */
+#ifndef BATTEN_FORM_MOTION_TAKE_H
+#define BATTEN_FORM_MOTION_TAKE_H
+
+#include "base/quat.h"
+
+#include <batten/motion.h>
+
+struct bat_take {
+    int joint_count;
+    bat_bone *joints; /* whose names lie in `names` */
+    int *first;       /* of each joint: its first channel in a frame */
+    char *names;
+    size_t frames, channels;
+    double frame_time, *values;
+};
+
+/* The place of a joint in its parent's axes, and its rotation, in a frame. */
+vec bat_take_place(const bat_take *take, int joint, size_t frame);
+quat bat_take_turn(const bat_take *take, int joint, size_t frame);
+/* A copy with room for other values, which are those of the take. */
+bat_status bat_take_copy(const bat_take *take, bat_take **out);
+/* Sets the angles of a joint to a rotation, of all that give it those nearest to the angles that are there. Angles of a joint
+ * with fewer than three give what they can. */
+void bat_take_set_turn(bat_take *take, int joint, size_t frame, quat turn);
+void bat_take_set_place(bat_take *take, int joint, size_t frame, vec place);
+int bat_bone_turns(const bat_bone *joint);  /* how many of its channels are angles */
+int bat_bone_places(const bat_bone *joint); /* and how many are places */
+
+#endif
