@@ -63,7 +63,10 @@ static int look_at(const char *path, const bat_format *format) {
     bat_status status = drawing_parse(text, size, format, NULL, &drawing, &problem);
     free(text);
     if (status != BAT_OK) return fail_problem(path, status, &problem);
-    drawing_remark(path, &drawing);
+    if (drawing_keeps_file(&drawing))
+        drawing_remark_kept(path, &drawing);
+    else
+        drawing_remark(path, &drawing);
     int lost = bat_losses_total(&drawing.report.lost);
     if (lost && !drawing_keeps_file(&drawing))
         remark("%s: saving over it loses %d thing%s; the editor asks first", path, lost,

@@ -8,6 +8,7 @@
 #include "shot.h"
 #include "views.h"
 
+#include "document/document.h"
 #include "text/number.h"
 #include "text/text.h"
 
@@ -201,6 +202,7 @@ static int run(const cli_arguments *arguments) {
     drawing_file drawing;
     failed = drawing_read(in, NULL, &drawing);
     if (failed) return failed;
+    bat_document_set_origin(drawing.document, NULL); /* a picture is of what is drawn, not of the file */
     failed = drawing_may_replace(arguments, &drawing, in, arguments->operands[1], true);
     unsigned char *data = NULL;
     size_t size = 0;

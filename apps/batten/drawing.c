@@ -51,6 +51,14 @@ void drawing_remark(const char *name, const drawing_file *drawing) {
     if (line[0]) remark("%s: %s", strcmp(name, "-") == 0 ? "standard input" : name, line);
 }
 
+void drawing_remark_kept(const char *name, const drawing_file *drawing) {
+    static const char before[] = "Left out: ";
+    char line[LEFT_OUT_ROOM] = "";
+    bat_svg_report_line(&drawing->report, line, sizeof line);
+    if (strncmp(line, before, sizeof before - 1) != 0) return;
+    remark("%s: not shown: %s Saving keeps all of it.", name, line + sizeof before - 1);
+}
+
 /* in "-": the file that is open as standard input. */
 static bool is_same_file(const char *in, const char *out) {
     struct stat a, b;

@@ -406,7 +406,7 @@ static const kind kinds[] = {
     {"n texts", words, read_svg, 400},
     {"n foreign elements", foreign, read_svg, 400},
     {"a journal of n strokes beside each other", strokes_apart, read_journal, 32},
-    {"a journal of n strokes over each other", strokes_over, read_journal, 32},
+    {"a journal of n strokes over each other", strokes_over, read_journal, 128}, /* up to 32 converge */
     {"a journal of n steps", nudges, read_journal, 16},
 };
 
