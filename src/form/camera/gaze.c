@@ -17,25 +17,25 @@ static const double nearest = 1e-6;                /* of the path's size */
 static const double precision = 1e-13;
 enum { NET = BAT_DEGREE_MAX + 1, DEPTH = 30 };
 
-void bat_gaze_clear(bat_gaze *gaze) {
+void bat_gaze_clear(bat_look_at *gaze) {
     bat_curve_free(gaze->target);
     free(gaze->part), free(gaze->cell);
-    *gaze = (bat_gaze){.path = NULL};
+    *gaze = (bat_look_at){.path = NULL};
 }
 
 /* ---- from the target to the camera ---- */
 
-static double share_of(const bat_gaze *g, double u) {
+static double share_of(const bat_look_at *g, double u) {
     const double share = (u - g->domain[0]) / (g->domain[1] - g->domain[0]);
     return share > 1 && g->path->closed ? share - 1 : share;
 }
 
-static double target_at(const bat_gaze *g, double u) {
+static double target_at(const bat_look_at *g, double u) {
     return g->target_domain[0] + (g->target_domain[1] - g->target_domain[0]) * share_of(g, u);
 }
 
 /* W and its derivative. */
-static void away(const bat_gaze *g, double u, vec *w, vec *w1) {
+static void away(const bat_look_at *g, double u, vec *w, vec *w1) {
     double c[6], t[6];
     bat_curve_eval(g->path, u, 1, c);
     *w = vec_load(c, 3), *w1 = vec_load(c + 3, 3);
@@ -51,10 +51,10 @@ static void away(const bat_gaze *g, double u, vec *w, vec *w1) {
 
 /* ---- angles in a cone ---- */
 
-static vec project(const bat_gaze *g, vec z) { return vec_unit(vec_reject(g->east, z)); }
+static vec project(const bat_look_at *g, vec z) { return vec_unit(vec_reject(g->east, z)); }
 
 /* How far the upright y is turned about z from the projection of `east`; 0 where there is no upright y. */
-static double upright_roll(const bat_gaze *g, double u) {
+static double upright_roll(const bat_look_at *g, double u) {
     vec w, w1;
     away(g, u, &w, &w1);
     const vec z = vec_unit(w), y = vec_reject(g->up, z), e = project(g, z);
@@ -63,7 +63,7 @@ static double upright_roll(const bat_gaze *g, double u) {
 
 /* How fast the projection of `east` spins about z, in radians per unit of u. */
 static double spin(const void *context, double u) {
-    const bat_gaze *g = context;
+    const bat_look_at *g = context;
     vec w, w1;
     away(g, u, &w, &w1);
     const double length = vec_norm(w), high = vec_dot(g->east, w) / length;
@@ -71,7 +71,7 @@ static double spin(const void *context, double u) {
     return below > 0 ? high * vec_dot(g->east, vec_cross(w, w1)) / below : 0;
 }
 
-static double spin_between(const bat_gaze *g, double a, double b) { return bat_gauss(spin, g, a, b); }
+static double spin_between(const bat_look_at *g, double a, double b) { return bat_gauss(spin, g, a, b); }
 
 static bool make_room(void **list, size_t count, size_t *room, size_t size) {
     if (count < *room) return true;
@@ -82,14 +82,14 @@ static bool make_room(void **list, size_t count, size_t *room, size_t size) {
     return true;
 }
 
-static bat_status add_cell(bat_gaze *g, double u, double *spun, double more) {
+static bat_status add_cell(bat_look_at *g, double u, double *spun, double more) {
     if (!make_room((void **)&g->cell, g->cells, &g->cells_room, sizeof *g->cell)) return BAT_MEMORY;
     g->cell[g->cells++] = (bat_gaze_cell){u, *spun};
     *spun += more;
     return BAT_OK;
 }
 
-static bat_status divide(bat_gaze *g, double a, double b, double whole, int depth, double *spun) {
+static bat_status divide(bat_look_at *g, double a, double b, double whole, int depth, double *spun) {
     const double middle = 0.5 * (a + b), left = spin_between(g, a, middle),
                  right = spin_between(g, middle, b);
     if (depth == 0 || !(middle > a && middle < b) || !(fabs(left + right - whole) > precision))
@@ -98,7 +98,7 @@ static bat_status divide(bat_gaze *g, double a, double b, double whole, int dept
     return status == BAT_OK ? divide(g, middle, b, right, depth - 1, spun) : status;
 }
 
-static double spun_until(const bat_gaze *g, const bat_gaze_part *part, double u) {
+static double spun_until(const bat_look_at *g, const bat_gaze_part *part, double u) {
     size_t low = part->first, high = part->first + part->count;
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
@@ -114,14 +114,14 @@ static double spun_until(const bat_gaze *g, const bat_gaze_part *part, double u)
 
 static quat quat_of_gaze(vec y, vec z) { return quat_of_axes(vec_cross(y, z), y, z); }
 
-static quat in_cone(const bat_gaze *g, const bat_gaze_part *part, double u, vec z) {
+static quat in_cone(const bat_look_at *g, const bat_gaze_part *part, double u, vec z) {
     const double x = (u - part->a) / (part->b - part->a), smooth = x * x * (3 - 2 * x);
     const double angle = part->before + part->gain * smooth - spun_until(g, part, u);
     const vec e = project(g, z), n = vec_cross(z, e);
     return quat_of_gaze(vec_add(vec_scale(e, bat_cos(angle)), vec_scale(n, bat_sin(angle))), z);
 }
 
-static quat at_part(const bat_gaze *g, const bat_gaze_part *part, double u) {
+static quat at_part(const bat_look_at *g, const bat_gaze_part *part, double u) {
     vec w, w1;
     if (part->kind == BAT_GAZE_HELD) return part->kept;
     away(g, u, &w, &w1);
@@ -130,7 +130,7 @@ static quat at_part(const bat_gaze *g, const bat_gaze_part *part, double u) {
     return quat_of_gaze(vec_unit(vec_reject(g->up, z)), z);
 }
 
-quat bat_gaze_at(const bat_gaze *g, double u) {
+quat bat_gaze_at(const bat_look_at *g, double u) {
     const bat_gaze_part *last = &g->part[g->parts - 1];
     if (last->b > g->domain[1] && u < last->b - (g->domain[1] - g->domain[0])) /* across the seam */
         return at_part(g, last, u + (g->domain[1] - g->domain[0]));
@@ -194,9 +194,9 @@ static bat_status crossings(const double net[NET][3], int p, double up, double a
     return status;
 }
 
-static double hold_within(const bat_gaze *g) { return nearest * bat_curve_size(g->path); }
+static double hold_within(const bat_look_at *g) { return nearest * bat_curve_size(g->path); }
 
-static bat_status look_between(const bat_gaze *g, double a, double b, places *out) {
+static bat_status look_between(const bat_look_at *g, double a, double b, places *out) {
     const int p = g->target && g->target->degree > g->path->degree ? g->target->degree : g->path->degree;
     double net[NET][3], to[NET][3], turned[NET][3];
     const vec north = vec_cross(g->up, g->east);
@@ -228,7 +228,7 @@ static size_t sort_places(places *p) {
 }
 
 /* All places where a rule may change: the pieces' ends first, then what happens between them. */
-static bat_status find_places(const bat_gaze *g, places *ends, places *out) {
+static bat_status find_places(const bat_look_at *g, places *ends, places *out) {
     const bat_curve *curve = g->path;
     bat_status status = BAT_OK;
     for (int i = curve->degree; i <= curve->spread && status == BAT_OK; i++)
@@ -250,7 +250,7 @@ static bat_status find_places(const bat_gaze *g, places *ends, places *out) {
 
 /* ---- the parts ---- */
 
-static bat_gaze_kind kind_at(const bat_gaze *g, double u) {
+static bat_gaze_kind kind_at(const bat_look_at *g, double u) {
     vec w, w1;
     away(g, u, &w, &w1);
     const double length = vec_norm(w), high = vec_dot(w, g->up);
@@ -258,7 +258,7 @@ static bat_gaze_kind kind_at(const bat_gaze *g, double u) {
     return high * high > COSINE2 * length * length ? BAT_GAZE_CONE : BAT_GAZE_UPRIGHT;
 }
 
-static bat_status add_parts(bat_gaze *g, const places *at) {
+static bat_status add_parts(bat_look_at *g, const places *at) {
     for (size_t i = 0; i + 1 < at->count; i++) {
         const bat_gaze_kind kind = kind_at(g, 0.5 * (at->u[i] + at->u[i + 1]));
         if (g->parts > 0 && g->part[g->parts - 1].kind == kind) {
@@ -272,7 +272,7 @@ static bat_status add_parts(bat_gaze *g, const places *at) {
 }
 
 /* On a closed path a cone at the start and one at the end are one. */
-static void join_seam(bat_gaze *g) {
+static void join_seam(bat_look_at *g) {
     bat_gaze_part *first = &g->part[0], *last = &g->part[g->parts - 1];
     if (!g->path->closed || (g->target && !g->target->closed) || g->parts < 3 ||
         first->kind != BAT_GAZE_CONE || last->kind != BAT_GAZE_CONE)
@@ -282,7 +282,7 @@ static void join_seam(bat_gaze *g) {
 }
 
 /* The roll: from that at the entry to that at the exit, the shorter way; one value where there is only one. */
-static bat_status roll_cone(bat_gaze *g, size_t index) {
+static bat_status roll_cone(bat_look_at *g, size_t index) {
     bat_gaze_part *part = &g->part[index];
     const bool joined = part->b > g->domain[1];
     const bool enters = joined || (index > 0 && g->part[index - 1].kind == BAT_GAZE_UPRIGHT);
@@ -301,7 +301,7 @@ static bat_status roll_cone(bat_gaze *g, size_t index) {
 }
 
 /* What is held is the gaze before, or at the start of an open path the one that comes after. */
-static bat_status hold(bat_gaze *g) {
+static bat_status hold(bat_look_at *g) {
     size_t seen = 0;
     while (seen < g->parts && g->part[seen].kind == BAT_GAZE_HELD) seen++;
     if (seen == g->parts) return BAT_SINGULAR;
@@ -316,12 +316,12 @@ static bat_status hold(bat_gaze *g) {
     return BAT_OK;
 }
 
-static bat_status take(const bat_curve *path, const bat_camera_options *options, bat_gaze *g) {
+static bat_status take(const bat_curve *path, const bat_camera_options *options, bat_look_at *g) {
     for (int k = 0; k < 3; k++)
         if (!(fabs(options->up[k]) <= BAT_COORDINATE_MAX) ||
             !(fabs(options->target[k]) <= BAT_COORDINATE_MAX))
             return BAT_NUMBER;
-    *g = (bat_gaze){
+    *g = (bat_look_at){
         .path = path, .point = vec_load(options->target, 3), .up = vec_unit(vec_load(options->up, 3))};
     if (!(vec_norm(g->up) > 0)) return BAT_SINGULAR;
     g->east = vec_any_normal(g->up);
@@ -332,9 +332,9 @@ static bat_status take(const bat_curve *path, const bat_camera_options *options,
     return status;
 }
 
-bat_status bat_gaze_make(const bat_curve *path, const bat_camera_options *options, bat_gaze *out) {
+bat_status bat_gaze_make(const bat_curve *path, const bat_camera_options *options, bat_look_at *out) {
     places ends = {NULL, 0, 0}, at = {NULL, 0, 0};
-    *out = (bat_gaze){.path = NULL};
+    *out = (bat_look_at){.path = NULL};
     bat_status status = take(path, options, out);
     if (status == BAT_OK) status = find_places(out, &ends, &at);
     if (status == BAT_OK) status = add_parts(out, &at);

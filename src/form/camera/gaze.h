@@ -27,7 +27,7 @@ typedef struct bat_gaze_part {
     quat kept;           /* held */
 } bat_gaze_part;
 
-typedef struct bat_gaze {
+typedef struct bat_look_at {
     const bat_curve *path; /* borrowed */
     bat_curve *target;     /* NULL: the point */
     vec point, up, east;
@@ -35,12 +35,12 @@ typedef struct bat_gaze {
     size_t parts, cells, parts_room, cells_room;
     bat_gaze_part *part;
     bat_gaze_cell *cell;
-} bat_gaze;
+} bat_look_at;
 
 /* BAT_SINGULAR: `up` is zero, or the path is at its target all the time; BAT_NUMBER. Clear it whatever happens. */
-bat_status bat_gaze_make(const bat_curve *path, const bat_camera_options *options, bat_gaze *out);
-void bat_gaze_clear(bat_gaze *gaze);
+bat_status bat_gaze_make(const bat_curve *path, const bat_camera_options *options, bat_look_at *out);
+void bat_gaze_clear(bat_look_at *gaze);
 /* At u in the domain. */
-quat bat_gaze_at(const bat_gaze *gaze, double u);
+quat bat_gaze_at(const bat_look_at *gaze, double u);
 
 #endif

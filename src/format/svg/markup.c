@@ -10,6 +10,8 @@
 
 /* Relative to the curve's size: the error allowed in the cubics for a curve above degree 3. */
 static const double CUBICS = 1e-7;
+/* The same: how far handles may be off the thirds of a line, which is rounding. */
+static const double THIRDS = 1e-12;
 
 void bat_svg_write_pair(bat_text *text, const double *p) {
     bat_text_number(text, p[0]);
@@ -17,8 +19,19 @@ void bat_svg_write_pair(bat_text *text, const double *p) {
     bat_text_number(text, p[1]);
 }
 
+/* Whether a cubic is what a reader makes of a line: its handles at the thirds. */
+static bool is_line(const double *p, int dimension, double size) {
+    const double *end = p + 3 * dimension;
+    for (int k = 1; k < 3; k++)
+        for (int i = 0; i < 2; i++)
+            if (!(fabs(p[k * dimension + i] - (p[i] + k * (end[i] - p[i]) / 3)) <= THIRDS * size))
+                return false;
+    return true;
+}
+
 bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve) {
-    double *points, tolerance = CUBICS * bat_curve_size(curve);
+    const double extent = bat_curve_size(curve);
+    double *points, tolerance = CUBICS * extent;
     int count, dimension = bat_curve_dimension(curve);
     bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &count, &points);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
@@ -26,7 +39,7 @@ bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve) {
     bat_text_string(text, "M");
     bat_svg_write_pair(text, p);
     for (int i = 0; i < count; i++, p += 4 * dimension) {
-        bool line = bat_curve_degree(curve) == 1;
+        bool line = bat_curve_degree(curve) == 1 || is_line(p, dimension, extent);
         bat_text_string(text, line ? "L" : "C");
         for (int k = line ? 3 : 1; k < 4; k++) {
             const double *q = p + k * dimension;
