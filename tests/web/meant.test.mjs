@@ -20,7 +20,7 @@ const bow = ([x0, y0], [x1, y1], lift) => Array.from({ length: 61 }, (_, i) => {
   return [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t - 4 * lift * t * (1 - t)];
 });
 
-for (const pointerType of ['pen', 'mouse']) {
+for (const pointerType of ['pen', 'mouse', 'touch']) {
   test(`${pointerType}: redraw only, new only, as drawn`, async (t) => {
     const server = await serve({ name: 'new.svg', bytes: PAGE });
     t.after(() => server.close());
@@ -35,22 +35,27 @@ for (const pointerType of ['pen', 'mouse']) {
     await page.evaluate(() => batten.engine.set('many-strokes', 1));
     const over = bow([330, 305], [520, 305], 62);
     const first = await draw(bow([280, 320], [620, 320], 80));
+    const button = page.locator('#tools [data-name=meaning-next]');
+    const next = async (said) => {
+      await (pointerType === 'pen' ? page.keyboard.press('w') : button.click());
+      await settle(page);
+      assert.equal(await button.locator('span').isVisible(), said !== '');
+      assert.equal(await button.locator('span').textContent(), said || 'As drawn');
+      assert.equal(await button.getAttribute('aria-pressed'), String(said !== ''));
+    };
     await page.locator('#stage').focus();
-    await page.keyboard.press('w'); // redraw only
-    await settle(page);
+    await next('Redraw only');
     await page.screenshot({ path: path.join(SCREENSHOTS, `meant-redraw-${pointerType}.png`) });
     assert.equal(await draw(bow([300, 560], [500, 560], 20)), first, 'away from all lines it draws nothing');
     const redrawn = await draw(over);
     assert.notEqual(redrawn, first);
     await page.keyboard.press('Control+z');
-    await page.keyboard.press('w'); // new only
-    await settle(page);
+    await next('New only');
     const fresh = await draw(over);
     assert.notEqual(fresh, first);
     await page.screenshot({ path: path.join(SCREENSHOTS, `meant-new-${pointerType}.png`) });
     await page.keyboard.press('Control+z');
-    await page.keyboard.press('w'); // as drawn
-    await settle(page);
+    await next('');
     assert.equal(await draw(over), redrawn);
     assert.match(await page.locator('.chips [aria-pressed=true]').textContent(), /^Redraw/);
     await page.locator('.chips button', { hasText: 'New line' }).click();

@@ -6,6 +6,7 @@ import { fillBar } from './bar.js';
 import { Buttons } from './buttons.js';
 import { Controls, SHEET_OF } from './controls.js';
 import { Foot } from './foot.js';
+import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/types.js').Frame} Frame */
@@ -135,7 +136,8 @@ export class Panel {
     // Changing the page costs more than comparing a line of text.
     const values = Foot.values(frame);
     const reach = this.engine.number('tolerance');
-    const shown = [values, reach, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
+    const meaning = this.engine.get('stroke-meaning');
+    const shown = [values, reach, meaning, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
       frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
       frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
     if (shown === this.shown) {
@@ -147,7 +149,18 @@ export class Panel {
     this.tables.tools.forEach((tool, index) => {
       this.buttons.commands.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
     });
+    this.#showMeaning(meaning);
     this.foot.show(frame, reach, values);
     this.controls.refresh();
+  }
+
+  /** What strokes may mean stands on its button unless they may mean anything. @param {number} meaning */
+  #showMeaning(meaning) {
+    const button = this.buttons.commands.get('meaning-next');
+    const said = button?.querySelector('span') ?? document.createElement('span');
+    button?.setAttribute('aria-pressed', String(meaning > 0));
+    button?.append(said);
+    said.hidden = meaning === 0;
+    tell(said, { text: `meaning.${['drawn', 'redraw', 'new'][meaning]}` });
   }
 }
