@@ -20,7 +20,7 @@ struct bat_camera {
     double domain[2];
     bat_rotation base;      /* no keys: none */
     bat_frame_chain *chain; /* along */
-    bat_look_at gaze;          /* look-at */
+    bat_look_at gaze;       /* look-at */
     bat_pace pace;
     int levels;
     bat_camera_level level[BAT_CAMERA_LEVELS_MAX];
