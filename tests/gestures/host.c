@@ -149,6 +149,24 @@ static void pointer(const char *line) {
     clock_now = fmax(clock_now, time);
 }
 
+/* ---- what is said while the pen is down ---- */
+
+static char shown[2][256];  /* what a stroke is taken for, now and before */
+static int shifts, returns; /* how often that changes, and how often to what it was before */
+
+static void watch(void) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    if (!events[0].buttons || !frame->live_count) {
+        shown[0][0] = shown[1][0] = '\0';
+        return;
+    }
+    if (!strcmp(shown[0], frame->hint)) return;
+    shifts += shown[0][0] != '\0';
+    returns += shown[1][0] && !strcmp(shown[1], frame->hint);
+    memcpy(shown[1], shown[0], sizeof shown[1]);
+    snprintf(shown[0], sizeof shown[0], "%s", frame->hint);
+}
+
 /* ---- what came of it ---- */
 
 static void put_text(const char *text) {
@@ -272,7 +290,7 @@ static void report(void) {
     printf(",\"pending\":%u,\"undo\":%u,\"selected\":%u,\"notice\":", frame->pending, frame->can_undo,
            frame->selected);
     put_text(frame->notice);
-    printf(",\"hint\":");
+    printf(",\"shifts\":%d,\"returns\":%d,\"hint\":", shifts, returns);
     put_text(frame->hint);
     printf(",\"view\":[%.9g,%.9g,%.9g,%.9g],\"marks\":[", frame->view[0], frame->view[1], frame->view[2],
            frame->view[3]);
@@ -307,7 +325,7 @@ static void order(char *line) {
     }
     hand_over();
     if (!strcmp(word, "frame"))
-        bat_editor_frame(editor);
+        watch();
     else if (!strcmp(word, "open"))
         open_drawing(rest);
     else if (!strcmp(word, "size") && sscanf(rest, "%lf %lf %lf", &size[0], &size[1], &size[2]) == 3)

@@ -451,7 +451,7 @@ def one(work):
     host, g, folder, keep = work
     raw = play(host, g, folder)
     ok, why, got = judge(g, raw)
-    return ok, why, got, raw if keep else None, kind_done(g, raw), cut_off(g, raw)
+    return ok, why, got, raw if keep else None, kind_done(g, raw), cut_off(g, raw), raw.get("returns", 0)
 
 
 def table(rows, verbose):
