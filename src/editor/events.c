@@ -68,7 +68,7 @@ static void cancel_uncommitted(bat_context *c) {
 }
 
 /* The function of the barrel button, held as the pen comes down. */
-enum { BARREL_SMOOTHS, BARREL_PANS, BARREL_IS_NOTHING };
+enum { BARREL_SMOOTHS, BARREL_PANS, BARREL_IS_NOTHING, BARREL_ORBITS };
 static bool barrel_is(const bat_context *c, const bat_pointer *event, int way) {
     return event->device == BAT_DEVICE_PEN && event->buttons & BAT_BUTTON_SECONDARY &&
            c->settings->values[BAT_PROPERTY_BARREL_BUTTON] == way;
@@ -88,7 +88,8 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
     const bool tilted = bat_stage_tilted(c->stage), pen = event->device == BAT_DEVICE_PEN;
     const bool middle = event->buttons & BAT_BUTTON_MIDDLE, alt = event->modifiers & BAT_ALT;
     const bool second = event->buttons & BAT_BUTTON_SECONDARY;
-    if ((event->device == BAT_DEVICE_MOUSE && second) || (middle && alt) || (pen && second && tilted))
+    if ((event->device == BAT_DEVICE_MOUSE && second) || (middle && alt) || (pen && second && tilted) ||
+        barrel_is(c, event, BARREL_ORBITS))
         return BAT_DUTY_ORBIT;
     if (event->device == BAT_DEVICE_TOUCH && only_pens) return tilted ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
     if (c->session->read_only) return BAT_DUTY_NAVIGATE;

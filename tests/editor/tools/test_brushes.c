@@ -166,11 +166,12 @@ static void eraser_end_of_the_pen(void **state) {
     }
 }
 
-/* The button on its barrel, held as it comes down, smooths with any tool that does not navigate, or moves the view, or does nothing. */
+/* The button on its barrel, held as it comes down, smooths with any tool that does not navigate, or moves the view, does nothing, or
+ * tilts the view. */
 static void barrel_of_the_pen(void **state) {
     (void)state;
     for (uint32_t tip = 0; tip <= BAT_BUTTON_PRIMARY; tip++) /* some tablets tell of the tip besides */
-        for (int way = 0; way < 3; way++) {
+        for (int way = 0; way < 4; way++) {
             bat_editor *editor = brush_editor("tool-points");
             pen p = pen_for(editor);
             uint64_t first = digest(editor);
@@ -182,13 +183,16 @@ static void barrel_of_the_pen(void **state) {
             for (int i = 0; i <= 20; i++) pen_event(&p, BAT_POINTER_MOVE, 440 + 4 * i, 200);
             assert_int_equal(pen_live(bat_editor_frame(editor), BAT_ROLE_REACH) != NULL, way == 0);
             check(editor);
-            pen_event(&p, BAT_POINTER_UP, 520, 200);
+            if (way == 3) pen_event(&p, BAT_POINTER_MOVE, 520, 40); /* upwards, as the page faces the eye */
+            pen_event(&p, BAT_POINTER_UP, 520, way == 3 ? 40 : 200);
             check(editor);
             const bat_frame *frame = bat_editor_frame(editor);
             assert_int_equal(frame->tool, tool);
             if (way == 0) assert_true(frame->view[0] == x);
             if (way == 1) assert_true(fabs(frame->view[0] - x) > 30 && digest(editor) == first);
             if (way == 2) assert_true(frame->view[0] == x && (tip || digest(editor) == first));
+            assert_true((frame->tilt > 1) == (way == 3));
+            if (way == 3) assert_true(digest(editor) == first);
             bat_editor_free(editor);
         }
     /* A mouse's second button is none of it. */
