@@ -6,6 +6,7 @@
 #include "format/svg/patch.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Where something is put: in an element, at an offset of the file. */
@@ -175,9 +176,18 @@ static void write_indent(bat_svg_patch *p, const spot *s, bool before) {
     bat_text_add(&p->made, text + at, s->at - at);
 }
 
+/* Of each place in the order: the element of the first thing from there on that stays, or 0. NULL: out of memory. */
+static uint32_t *find_above(const bat_svg_plan *plan) {
+    uint32_t *above = calloc((size_t)plan->count + 1, sizeof *above);
+    for (int i = plan->count - 1; above && i >= 0; i--)
+        above[i] = plan->stay[i] == BAT_SVG_STAYS ? bat_svg_plan_entry(plan, i)->element : above[i + 1];
+    return above;
+}
+
 void bat_svg_patch_new(bat_svg_patch *p) {
     const bat_svg_plan *plan = &p->plan;
-    uint32_t below = 0;
+    uint32_t below = 0, *above = find_above(plan);
+    if (!above) p->status = BAT_MEMORY;
     for (int i = 0, end; i < plan->count && p->status == BAT_OK; i = end) {
         const bat_object *object = bat_document_at(plan->document, i);
         end = i + 1;
@@ -186,13 +196,10 @@ void bat_svg_patch_new(bat_svg_patch *p) {
         const bool group = is_new_group(plan, i, last);
         if (!group && (plan->stay[i] == BAT_SVG_STAYS || !bat_object_is_drawn(object))) continue;
         if (group) end = last;
-        uint32_t above = 0;
-        for (int k = end; k < plan->count && !above; k++)
-            if (plan->stay[k] == BAT_SVG_STAYS) above = bat_svg_plan_entry(plan, k)->element;
         spot s;
-        if (!find_spot(plan, bat_object_parent(object), below, above, &s)) {
+        if (!find_spot(plan, bat_object_parent(object), below, above[end], &s)) {
             p->status = BAT_UNSUPPORTED;
-            return;
+            break;
         }
         const size_t from = p->made.size;
         const bool behind = below != 0;
@@ -204,4 +211,5 @@ void bat_svg_patch_new(bat_svg_patch *p) {
         if (!behind) write_indent(p, &s, true);
         bat_svg_patch_edit(p, from, s.at, 0);
     }
+    free(above);
 }
