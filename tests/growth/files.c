@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "growth.h"
+#include "format/svg/tags.h"
 #include "support/pen.h"
 #include "support/xml.h"
 #include "text/text.h"
@@ -207,6 +208,14 @@ static void foreign(bat_text *text, int n) {
     svg_end(text);
 }
 
+static void foreign_lines(bat_text *text, int n) {
+    svg_begin(text);
+    put(text, "<style>path{stroke:red}rect{fill:none}</style>");
+    for (int i = 0; i < n; i++)
+        put(text, "<text>%d</text><rect width='%d' height='2' stroke='blue'/>", i, i + 1);
+    svg_end(text);
+}
+
 static void native(bat_text *text, int n, bool grouped) {
     bat_document *document = NULL;
     bat_object *object = NULL;
@@ -351,6 +360,36 @@ static void read_svg(const char *text, size_t size) {
         bat_document_free(made);
     }
 }
+/* Keeps the file, edits each of its shapes (moved, painted, removed, or copied), and writes it with the native document. */
+static void edit_kept(const char *text, size_t size) {
+    bat_svg_reader *reader;
+    bat_document *made = NULL;
+    char *written;
+    const double rows[6] = {1, 0, 2, 0, 1, 3};
+    if (bat_svg_reader_create(NULL, &reader) != BAT_OK ||
+        bat_svg_reader_source(reader, text, size) != BAT_OK || bat_svg_feed(text, size, reader) != BAT_OK ||
+        bat_svg_reader_finish(reader, &made, NULL, NULL) != BAT_OK)
+        abort();
+    for (int i = bat_document_count(made) - 1; i >= 0; i--) {
+        const bat_object *object = bat_document_at(made, i);
+        bat_style style = *bat_object_style(object);
+        bat_object *edited = NULL;
+        bat_curve *curve = NULL;
+        if (!bat_object_is_drawn(object)) continue;
+        style.width += 1;
+        if (i % 4 == 0) bat_document_remove(made, i);
+        if (i % 4 == 1) bat_object_with_style(object, &style, &edited);
+        if (i % 4 == 2 && bat_curve_transform(bat_object_curve(object, 0), rows, &curve) == BAT_OK)
+            bat_object_with_curve(object, 0, curve, &edited);
+        if (edited) bat_document_replace(made, i, edited);
+        if (i % 4 == 3 && bat_object_with_id(object, bat_document_new_id(made), &edited) == BAT_OK)
+            bat_document_insert(made, i + 1, edited);
+        bat_object_release(edited);
+    }
+    if (bat_svg_write(made, true, &written, &size) != BAT_OK) abort();
+    bat_free(written);
+    bat_document_free(made);
+}
 static void read_model(const char *text, size_t size,
                        bat_status (*read)(const char *, size_t, bat_model *, bat_problem *)) {
     bat_model made;
@@ -405,6 +444,8 @@ static const kind kinds[] = {
     {"n transforms", transformed, read_svg, 800},
     {"n texts", words, read_svg, 400},
     {"n foreign elements", foreign, read_svg, 400},
+    {"n edits of a file that is kept", foreign_lines, edit_kept, 400},
+    {"n edits of copies in a file that is kept", uses, edit_kept, 200},
     {"a journal of n strokes beside each other", strokes_apart, read_journal, 32},
     {"a journal of n strokes over each other", strokes_over, read_journal, 128}, /* up to 32 converge */
     {"a journal of n steps", nudges, read_journal, 16},
