@@ -70,7 +70,7 @@ static bat_status split(bat_knots *knots, size_t frames, const double *off, doub
 }
 
 static bat_status refine(size_t frames, const double *data, double tolerance, bat_knots *knots) {
-    double *off = malloc(frames * sizeof *off), worst = INFINITY;
+    double *off = malloc((frames + 1) * sizeof *off), worst = INFINITY;
     bat_status status = off ? BAT_OK : BAT_MEMORY;
     while (status == BAT_OK) {
         int added = 0;

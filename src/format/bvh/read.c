@@ -140,6 +140,7 @@ static bat_status read_channels(reader *r, bat_bone *joint) {
 static bat_status read_joint(reader *r, int parent, bool end) {
     bat_status status = grow(r);
     if (status != BAT_OK) return status;
+    if (!r->joints || !r->names) return BAT_STATE; /* never: there is room for one more */
     const int own = r->count;
     bat_bone *joint = &r->joints[own];
     *joint = (bat_bone){.parent = parent, .end = end};

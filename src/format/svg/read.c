@@ -88,10 +88,11 @@ bat_status bat_svg_reader_end(bat_svg_reader *reader) {
 
 bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_t size) {
     if (!reader || (!text && size > 0)) return BAT_ARGUMENT;
-    if (size > BAT_JSON_SIZE || !bat_utf8_valid(text, size) || memchr(text, '\0', size)) return BAT_OK;
+    if (size == 0 || size > BAT_JSON_SIZE || !bat_utf8_valid(text, size) || memchr(text, '\0', size))
+        return BAT_OK;
     char *kept = malloc(size + 1);
     if (!kept) return note(reader, BAT_MEMORY);
-    if (size > 0) memcpy(kept, text, size);
+    memcpy(kept, text, size);
     kept[size] = '\0';
     free(reader->source);
     reader->source = kept;
