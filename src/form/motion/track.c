@@ -222,7 +222,7 @@ static bat_status finish(track *t, double tolerance, bat_knots *knots) {
         bat_status status = add_level(t, knots);
         if (status != BAT_OK || !(tolerance > 0) || largest_rest(t) <= tolerance) return status;
         int added = 0;
-        double *off = malloc(t->frames * sizeof *off);
+        double *off = malloc((t->frames + 1) * sizeof *off);
         if (!off) return BAT_MEMORY;
         for (size_t i = 0; i < t->frames; i++) off[i] = vec_norm(vec_load(t->rest + 3 * i, 3));
         const double worst = largest_rest(t);
@@ -284,7 +284,7 @@ static bat_status even_base(track *t, double tolerance, double duration, bat_kno
 
 /* One spline alone: the base on knots that are added until it is within the tolerance. */
 static bat_status only_base(track *t, double tolerance, double duration, bat_knots *knots) {
-    double *off = malloc(t->frames * sizeof *off);
+    double *off = malloc((t->frames + 1) * sizeof *off);
     bat_status status = off ? BAT_OK : BAT_MEMORY;
     bool held = false;
     while (status == BAT_OK && !held) {
