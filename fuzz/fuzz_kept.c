@@ -24,9 +24,10 @@ static bat_document *open_kept(const char *text, size_t size) {
     return document;
 }
 
-static void replace(bat_document *document, int index, bat_status status, bat_object *made) {
-    if (status == BAT_OK) bat_document_replace(document, index, made);
-    if (status == BAT_OK) bat_object_release(made);
+/* Takes over the object; NULL: nothing was made. */
+static void replace(bat_document *document, int index, bat_object *made) {
+    if (made) bat_document_replace(document, index, made);
+    bat_object_release(made);
 }
 
 static void edit(bat_document *document, bytes *in) {
@@ -45,17 +46,25 @@ static void edit(bat_document *document, bytes *in) {
     case 1:
         style.width = 1 + small(in, 9);
         style.fill = (uint32_t)small(in, 255) << 8 | 0xff;
-        replace(document, index, bat_object_with_style(object, &style, &made), made);
+        bat_object_with_style(object, &style, &made);
+        replace(document, index, made);
         break;
-    case 2:
-        replace(document, index, bat_object_with_state(object, small(in, 1), small(in, 1), &made), made);
+    case 2: {
+        const bool hidden = small(in, 1);
+        const bool locked = small(in, 1);
+        bat_object_with_state(object, hidden, locked, &made);
+        replace(document, index, made);
         break;
-    case 3: replace(document, index, bat_object_with_name(object, "named <\"&", &made), made); break;
+    }
+    case 3:
+        bat_object_with_name(object, "named <\"&", &made);
+        replace(document, index, made);
+        break;
     case 4:
         if (!bat_object_is_made_of_curves(object)) break;
         if (bat_curve_transform(bat_object_curve(object, 0), rows, &curve) != BAT_OK) break;
         if (bat_object_with_curve(object, 0, curve, &made) == BAT_OK)
-            replace(document, index, BAT_OK, made);
+            replace(document, index, made);
         else
             bat_curve_free(curve);
         break;
