@@ -124,7 +124,7 @@ static bat_status read_channels(reader *r, bat_bone *joint) {
     unsigned seen = 0;
     bat_status status = expect(r, "CHANNELS");
     if (status == BAT_OK) status = whole(r, "a number of channels from 0 to 6", CHANNELS, &count);
-    for (int k = 0; k < (int)count && status == BAT_OK; k++) {
+    for (int k = 0; status == BAT_OK && k < (int)count; k++) {
         int c = 0;
         while (c < CHANNELS && !is(r, NAMES[c])) c++;
         if (c == CHANNELS || (seen & 1u << c)) return complain(r, BAT_SYNTAX, EXPECTED_CHANNEL);

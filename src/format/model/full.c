@@ -32,7 +32,7 @@ double bat_full_knot(const bat_full_axis *axis, int i) {
     int k = i - axis->before, turns = 0;
     for (; axis->before && k < 0; k += axis->own) turns--;
     for (; axis->before && k > axis->own; k -= axis->own) turns++;
-    return axis->knots[k] + turns * axis->period;
+    return turns ? axis->knots[k] + turns * axis->period : axis->knots[k]; /* -0 stays what it is */
 }
 
 /* ---- back ---- */

@@ -85,7 +85,8 @@ static bat_status repeat_knots(const bat_numbers *many, const bat_numbers *knots
     for (size_t i = 0; i < many->count; i++) {
         if (!(many->list[i] >= 1 && many->list[i] <= BAT_DEGREE_MAX + 1)) return BAT_KNOTS;
         for (int k = 0; k < many->list[i]; k++)
-            if (!bat_numbers_add(out, knots->list[i])) return BAT_MEMORY;
+            if (!bat_numbers_add(out, knots->list[i] + 0.0))
+                return BAT_MEMORY; /* -0, of which one stands for all, is 0 */
     }
     return out->count == total ? BAT_OK : BAT_KNOTS;
 }
