@@ -105,7 +105,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                    "a file that nobody edited has changed");
             bat_free(same);
         }
-        while (in.left > 0) edit(document, &in);
+        while (in.left > 0 && bat_document_count(document) > 0) edit(document, &in);
         if (!bat_document_check(document)) {
             write_and_read(document, true);
             write_and_read(document, false);

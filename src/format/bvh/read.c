@@ -132,7 +132,7 @@ static bat_status read_channels(reader *r, bat_bone *joint) {
         joint->channels[k] = (bat_channel)c;
         next(r);
     }
-    joint->channel_count = (int)count;
+    if (status == BAT_OK) joint->channel_count = (int)count;
     return status;
 }
 
