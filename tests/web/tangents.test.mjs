@@ -185,8 +185,7 @@ test('a spline beside a drawing: saved as SVG, it comes back as a spline', async
   await page.keyboard.press('Enter');
   const before = await newest(page);
   const again = await page.evaluate(() => {
-    const text = new TextDecoder().decode(batten.engine.save(false));
-    batten.engine.openSvg(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement, 'again.svg');
+    batten.files.open(batten.engine.save(false), 'again.svg');
     return JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.at(-1);
   });
   assert.deepEqual(again, before);

@@ -4,13 +4,12 @@
 import { Refusal, word } from '../page/words.js';
 import { readFrame } from './frame.js';
 import { EVENTS, Instance, OK } from './instance.js';
+import { readLosses, writeLosses } from './losses.js';
 import { readSvg } from './svg_reader.js';
 
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Pointer} Pointer */
 /** @typedef {import('./types.js').Tables} Tables */
-
-/** @typedef {Record<string, number>} Losses count by kind */
 
 const decoder = new TextDecoder();
 
@@ -289,31 +288,13 @@ export class Engine extends Instance {
     return this.guard(() => this.wasm.editor_keeps(this.editor) !== 0, false);
   }
 
-  /** What the file contains and the drawing does not: overwriting the file would lose it, unless it `keeps` it. @returns {Losses} */
+  /** What the file contains and the drawing does not: overwriting the file would lose it, unless it `keeps` it. */
   get losses() {
-    return this.guard(() => {
-      const counts = this.wasm.editor_losses(this.editor);
-      /** @type {Losses} */
-      const losses = {};
-      for (let kind = 0, key = 0; (key = this.wasm.loss_key(kind)); kind++) {
-        const count = this.view().getInt32(counts + 4 * kind, true);
-        if (count > 0) {
-          losses[this.string(key)] = count;
-        }
-      }
-      return losses;
-    }, {});
+    return readLosses(this);
   }
 
   set losses(losses) {
-    this.guard(() => {
-      /** @type {number[]} */
-      const counts = [];
-      for (let key = 0; (key = this.wasm.loss_key(counts.length));) {
-        counts.push(losses[this.string(key)] ?? 0);
-      }
-      this.lend(new Uint8Array(new Int32Array(counts).buffer), (at) => this.wasm.editor_set_losses(this.editor, at));
-    }, undefined);
+    writeLosses(this, losses);
   }
 
   /** @param {number} status */

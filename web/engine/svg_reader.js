@@ -70,7 +70,7 @@ export function readSvg(module, root, text, finish) {
     throw new Refusal(word('shell.no-memory'));
   }
   const refused = walk(module, reader, root) ||
-    (text && module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)));
+    (text ? module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)) : OK);
   if (refused !== OK) {
     module.wasm.svg_cancel(reader);
     return refused;

@@ -4,7 +4,7 @@ import { totalOf } from '../keep/files.js';
 import { answer, question } from './question.js';
 import { counted, tell, word } from '../page/words.js';
 
-/** @typedef {import('../engine/engine.js').Losses} Losses */
+/** @typedef {import('../engine/losses.js').Losses} Losses */
 
 /** @param {Losses} losses */
 function list(losses) {

@@ -4,22 +4,19 @@
 
 import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
+import { Buffers } from './buffers.js';
 import { LINES, SURFACES } from './shaders.js';
 import { warp } from './warp.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {ReturnType<Space['read']>} Picture */
 /** @typedef {NonNullable<Picture>['items'][number]} Solid */
-/** @typedef {{ version: number, array: WebGLVertexArrayObject, vertices: WebGLBuffer, indices: WebGLBuffer | null, used: boolean }} Kept */
 
-const CORNER = 28; // bytes of a vertex of triangles: point, normal, curvature
-const POINT = 16; // bytes of a point of a line: point, length so far
 const LINE_LOOK = 4;
 const CURVATURES = [2, 3];
 const THINNEST = 0.75; // view pixels: as on the still canvas
 const HIDDEN = { fainter: 0.4, thinner: 0.7 };
 const RIM = { wider: 2.5, colour: 0x20242bb0 }; // px of both sides together
-const FLOAT = 5126; // as WebGL numbers it
 
 export class Space {
   /** @param {import('../main.js').Shell} shell */
@@ -30,8 +27,6 @@ export class Space {
     this.canvas.id = 'space';
     this.canvas.ariaHidden = 'true';
     this.canvas.hidden = true;
-    /** @type {Map<string, Kept>} */
-    this.kept = new Map();
     this.shown = '';
     /** For tests and measurements: pictures painted, bytes sent. */
     this.counts = { painted: 0, sent: 0, whole: 0 };
@@ -60,7 +55,7 @@ export class Space {
   #prepare() {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
     const constants = this.shell.engine.guard(() => this.shell.engine.string(this.shell.engine.wasm.space_constants()), '');
-    this.kept.clear();
+    this.buffers = new Buffers(gl, this.shell.engine, this.counts);
     this.shown = '';
     this.surfaces = this.#program(SURFACES.vertex, constants + SURFACES.fragment);
     this.lines = this.#program(LINES.vertex, LINES.fragment);
@@ -180,7 +175,7 @@ export class Space {
       this.canvas.height = painter.still.height;
       this.shown = '';
     }
-    this.#keep(picture);
+    this.buffers?.keep(picture);
     const shown = [picture.look, painter.ratio, this.shell.theme.dark, ...picture.clip,
       ...picture.items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
     if (shown !== this.shown || picture.items.some(({ kind, moved }) => kind === 0 && moved[0] < moved[1])) {
@@ -232,88 +227,6 @@ export class Space {
         };
       }),
     };
-  }
-
-  /** Brings the buffers up to date. @param {NonNullable<Picture>} picture */
-  #keep(picture) {
-    for (const one of this.kept.values()) {
-      one.used = false;
-    }
-    for (const solid of picture.items) {
-      const name = `${solid.kind} ${solid.id}`;
-      const kept = this.kept.get(name) ?? this.#make(solid, name);
-      kept.used = true;
-      if (kept.version !== solid.version) {
-        this.#sendAll(kept, solid);
-      } else if (solid.kind === 0 && solid.moved[0] < solid.moved[1]) {
-        this.#sendMoved(kept, solid);
-      }
-    }
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    for (const [name, one] of this.kept) {
-      if (!one.used) {
-        gl.deleteVertexArray(one.array);
-        gl.deleteBuffer(one.vertices);
-        gl.deleteBuffer(one.indices);
-        this.kept.delete(name);
-      }
-    }
-  }
-
-  /** @param {Solid} solid @param {string} name @returns {Kept} */
-  #make(solid, name) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    const array = /** @type {WebGLVertexArrayObject} */ (gl.createVertexArray());
-    const vertices = /** @type {WebGLBuffer} */ (gl.createBuffer());
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, vertices);
-    let indices = null;
-    if (solid.kind === 0) {
-      indices = gl.createBuffer();
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
-      [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], i) => {
-        gl.enableVertexAttribArray(i);
-        gl.vertexAttribPointer(i, size, FLOAT, false, CORNER, offset);
-      });
-    } else { // a quadrangle for each piece of the line, which also sees the pieces beside it
-      for (let i = 0; i < 4; i++) {
-        gl.enableVertexAttribArray(i);
-        gl.vertexAttribPointer(i, 4, FLOAT, false, POINT, POINT * i);
-        gl.vertexAttribDivisor(i, 1);
-      }
-    }
-    const kept = { version: 0, array, vertices, indices, used: true };
-    this.kept.set(name, kept);
-    return kept;
-  }
-
-  /** @param {Kept} kept @param {Solid} solid */
-  #sendAll(kept, solid) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    const bytes = solid.rows * solid.columns * (solid.kind === 0 ? CORNER : POINT);
-    gl.bindVertexArray(kept.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, kept.vertices);
-    gl.bufferData(gl.ARRAY_BUFFER, new Uint8Array(this.shell.engine.wasm.memory.buffer, solid.vertices, bytes), gl.DYNAMIC_DRAW);
-    if (kept.indices) {
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, solid.indices, gl.STATIC_DRAW);
-      this.counts.whole++;
-    }
-    kept.version = solid.version;
-    this.counts.sent += bytes + solid.indices.byteLength;
-  }
-
-  /** Rows that moved are sent in one piece; of columns, the piece of each row. @param {Kept} kept @param {Solid} solid */
-  #sendMoved(kept, { columns, moved: [row, end, first, last], vertices }) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    const { buffer } = this.shell.engine.wasm.memory;
-    const whole = first === 0 && last === columns;
-    gl.bindBuffer(gl.ARRAY_BUFFER, kept.vertices);
-    for (let i = row; i < end; i += whole ? end - row : 1) {
-      const from = CORNER * (i * columns + first);
-      const bytes = CORNER * (last - first) * (whole ? end - row : 1);
-      gl.bufferSubData(gl.ARRAY_BUFFER, from, new Uint8Array(buffer, vertices + from, bytes));
-      this.counts.sent += bytes;
-    }
   }
 
   /** @param {NonNullable<Picture>} picture */
@@ -378,9 +291,10 @@ export class Space {
     gl.uniform1f(at.deep, perspective);
     gl.uniform1i(at.look, look);
     gl.uniform1f(at.range, range);
-    for (const { id, colour, opacity, indices } of solids) {
+    for (const solid of solids) {
+      const { colour, opacity, indices } = solid;
       gl.uniform4fv(at.colour, colour ? this.#colour(colour, opacity) : [-1, 0, 0, opacity]);
-      gl.bindVertexArray(this.kept.get(`0 ${id}`)?.array ?? null);
+      gl.bindVertexArray(this.buffers?.array(solid) ?? null);
       gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
     }
   }
@@ -402,12 +316,12 @@ export class Space {
     gl.uniform2f(at.middle, this.canvas.width / 2, this.canvas.height / 2);
     gl.uniform1f(at.dash, hidden ? scale / 11 : 0);
     for (const line of lines) {
-      const { id, colour, opacity, width, cap, rows } = line;
+      const { colour, opacity, width, cap, rows } = line;
       const faint = opacity * (hidden ? HIDDEN.fainter : 1);
       gl.uniform1i(at.cap, cap);
       gl.uniform4fv(at.colour, rim || inked(line) ? this.#ink(rim?.colour ?? colour, faint) : this.#colour(colour, faint));
       gl.uniform1f(at.wide, (Math.max(width, THINNEST) + (rim?.wider ?? 0)) * ratio * 0.5 * (hidden ? HIDDEN.thinner : 1));
-      gl.bindVertexArray(this.kept.get(`1 ${id}`)?.array ?? null);
+      gl.bindVertexArray(this.buffers?.array(line) ?? null);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows - 3);
     }
   }

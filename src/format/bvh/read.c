@@ -98,6 +98,7 @@ static bat_status name_of(reader *r, char **out) {
     while (r->at < r->end && *r->at != '\n' && *r->at != '\r' && *r->at != '{') r->at++;
     const char *to = r->at;
     while (to > from && is_blank(to[-1])) to--;
+    if (memchr(from, '\0', (size_t)(to - from))) return complain(r, BAT_SYNTAX, "a name without NUL");
     *out = malloc((size_t)(to - from) + 1);
     if (!*out) return bat_problem_set(r->problem, BAT_MEMORY, "", bat_status_message(BAT_MEMORY));
     memcpy(*out, from, (size_t)(to - from));
