@@ -346,6 +346,48 @@ static void is_copied(void **state) {
     }
 }
 
+/* Duplicated together, the camera's copy follows the curve's copy, before it and after it; alone it follows the curve. */
+static void is_duplicated(void **state) {
+    (void)state;
+    for (int both = 0; both < 2; both++) {
+        bat_editor *editor = editor_of(with_follower());
+        const uint64_t first = digest(editor);
+        const bat_id curve = bat_object_followed(camera_in(editor));
+        if (both)
+            bat_editor_command(editor, "select-all");
+        else
+            assert_int_equal(bat_editor_select(editor, CAMERA, false), BAT_OK);
+        assert_int_equal(bat_editor_command(editor, "duplicate"), BAT_OK);
+        const bat_document *document = bat_editor_document(editor);
+        assert_int_equal(bat_document_count(document), both ? 4 : 3);
+        int cameras = 0;
+        for (int i = 0; i < bat_document_count(document); i++) {
+            const bat_object *object = bat_document_at(document, i);
+            const bat_id source = bat_object_followed(object);
+            if (!bat_object_camera(object)) continue;
+            cameras++;
+            if (bat_object_id(object) == CAMERA || !both) {
+                assert_int_equal(source, curve);
+                continue;
+            }
+            assert_int_not_equal(source, curve);
+            const bat_object *led = bat_document_at(document, bat_document_find(document, source));
+            const bat_camera *camera = bat_object_camera(object);
+            bat_camera_pose pose;
+            double domain[2], at[3] = {0};
+            bat_camera_domain(camera, domain);
+            bat_camera_at(camera, domain[1], &pose);
+            bat_curve_eval(bat_object_curve(led, 0), domain[1], 0, at);
+            for (int d = 0; d < 2; d++) assert_true(fabs(pose.position[d] - at[d]) < 1e-12);
+        }
+        assert_int_equal(cameras, 2);
+        check(editor);
+        replays(editor, (uint64_t)(2 + both));
+        round_trip(editor, first);
+        bat_editor_free(editor);
+    }
+}
+
 /* A file whose camera has another path than its curve, as after an edit by hand: the curve counts. */
 static void the_curve_counts(void **state) {
     (void)state;
@@ -411,6 +453,7 @@ int main(void) {
         cmocka_unit_test(text_refused),         cmocka_unit_test(refusals),
         cmocka_unit_test(moves_with_the_page),  cmocka_unit_test(goes_where_the_curve_goes),
         cmocka_unit_test(goes_with_the_curve),  cmocka_unit_test(is_copied),
+        cmocka_unit_test(is_duplicated),
         cmocka_unit_test(the_curve_counts),     cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -191,8 +191,10 @@ bat_status bat_arrange_delete(bat_context *c) {
     return apply(c, &listing, BAT_STRING_STEP_DELETE);
 }
 
-/* Adds copies of the objects first to end, transformed, with new ids; parents among them are mapped to their copies. */
-static void copy_range(bat_context *c, bat_listing *listing, int first, int end, const double matrix[6]) {
+/* Adds copies of the objects first to end, transformed, with new ids, which `made` is told by the objects' places; parents
+ * among them are mapped to their copies. */
+static void copy_range(bat_context *c, bat_listing *listing, int first, int end, const double matrix[6],
+                       bat_id *made) {
     const bat_document *document = c->session->document;
     int start = listing->count;
     for (int i = first; i < end && !listing->failed; i++) {
@@ -216,7 +218,25 @@ static void copy_range(bat_context *c, bat_listing *listing, int first, int end,
             bat_object_release(placed);
             placed = NULL;
         }
+        if (placed) made[i] = bat_object_id(placed);
         bat_listing_take(listing, placed);
+    }
+}
+
+/* Copies of what follows a curve follow its copy, where there is one. made: the copies' ids, by the places of what they are
+ * copies of. */
+static void lead_copies(const bat_context *c, bat_listing *listing, const bat_id *made) {
+    const bat_document *document = c->session->document;
+    for (int i = 0; i < listing->count && !listing->failed; i++) {
+        bat_object *object = listing->objects[i], *led = NULL;
+        const bat_id followed = bat_object_followed(object);
+        if (!followed || bat_document_find(document, bat_object_id(object)) >= 0) continue;
+        const bat_id copy = made[bat_document_find(document, followed)];
+        if (!copy) continue;
+        if (bat_object_type(object)->follow(object, copy, NULL, &led) == BAT_OK)
+            bat_object_release(object), listing->objects[i] = led;
+        else
+            listing->failed = true;
     }
 }
 
@@ -247,16 +267,19 @@ static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
     double matrix[6];
     bat_matrix_translation(dx, dy, matrix);
     bat_id *copies = malloc((size_t)count * sizeof *copies);
-    if (!copies) listing.failed = true;
+    bat_id *made = calloc((size_t)bat_document_count(document) + 1, sizeof *made);
+    if (!copies || !made) listing.failed = true;
     for (int i = 0; i < count && !listing.failed; i++) {
         int end = bat_document_end(document, roots[i]);
         bat_listing_range(&listing, document, at, end);
         int first = listing.count;
-        copy_range(c, &listing, roots[i], end, matrix);
+        copy_range(c, &listing, roots[i], end, matrix, made);
         if (!listing.failed) copies[i] = bat_object_id(listing.objects[first]);
         at = end;
     }
     bat_listing_range(&listing, document, at, bat_document_count(document));
+    if (!listing.failed) lead_copies(c, &listing, made);
+    free(made);
     if (open) {
         status = bat_listing_apply(&listing, c);
         bat_listing_free(&listing);
