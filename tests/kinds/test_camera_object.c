@@ -448,12 +448,16 @@ static void every_allocation_may_fail(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(text_gives_them_back), cmocka_unit_test(both_formats_give_them_back),
-        cmocka_unit_test(text_refused),         cmocka_unit_test(refusals),
-        cmocka_unit_test(moves_with_the_page),  cmocka_unit_test(goes_where_the_curve_goes),
-        cmocka_unit_test(goes_with_the_curve),  cmocka_unit_test(is_copied),
-        cmocka_unit_test(is_duplicated),
-        cmocka_unit_test(the_curve_counts),     cmocka_unit_test(every_allocation_may_fail)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(text_gives_them_back),
+                                       cmocka_unit_test(both_formats_give_them_back),
+                                       cmocka_unit_test(text_refused),
+                                       cmocka_unit_test(refusals),
+                                       cmocka_unit_test(moves_with_the_page),
+                                       cmocka_unit_test(goes_where_the_curve_goes),
+                                       cmocka_unit_test(goes_with_the_curve),
+                                       cmocka_unit_test(is_copied),
+                                       cmocka_unit_test(is_duplicated),
+                                       cmocka_unit_test(the_curve_counts),
+                                       cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
