@@ -1,0 +1,90 @@
+// three.js plays what `batten camera` writes: the camera of the file against the program's own samples at 1,000 times.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { AnimationMixer, Quaternion, Vector3 } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { PROGRAM } from './server.mjs';
+
+globalThis.self ??= globalThis; // the loader looks for a window
+const TIMES = 1000;
+const CLAMPED = [0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1];
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-three-'));
+process.on('exit', () => fs.rmSync(folder, { recursive: true }));
+
+/** Numbers in [-1, 1] that look random, the same in each run. */
+function source(seed) {
+  let state = seed;
+  return () => {
+    state = (state * 1103515245 + 12345) % 2147483648;
+    return (2 * state) / 2147483648 - 1;
+  };
+}
+
+/** @param {number} count @param {number} size @param {() => number} next @param {number} scale */
+const rows = (count, size, next, scale) => Array.from({ length: count }, () => Array.from({ length: size }, () => scale * next()));
+const curve = (points) => ({ degree: 3, closed: false, knots: CLAMPED, points });
+
+function camera(move, ...words) {
+  const name = path.join(folder, 'move.json');
+  fs.writeFileSync(name, JSON.stringify(move));
+  return execFileSync(PROGRAM, ['camera', name, ...words], { encoding: 'utf8', maxBuffer: 1 << 26 });
+}
+
+/** The greatest distance and angle (degrees) between player and program. */
+async function played(move) {
+  const file = path.join(folder, 'move.glb');
+  camera(move, '--fps', '2', '--out', file);
+  const data = fs.readFileSync(file);
+  const scene = await new GLTFLoader().parseAsync(data.buffer.slice(data.byteOffset, data.byteOffset + data.length), '');
+  assert.equal(scene.cameras.length, 1);
+  assert.equal(scene.animations.length, 1);
+  const mixer = new AnimationMixer(scene.scene);
+  mixer.clipAction(scene.animations[0]).play();
+  const { duration } = move.timing;
+  const times = Array.from({ length: TIMES }, (_, i) => (duration * (i + 0.5)) / TIMES);
+  const own = JSON.parse(camera(move, '--at', times.join()));
+  let [place, angle] = [0, 0];
+  times.forEach((time, i) => {
+    mixer.setTime(time);
+    scene.scene.updateMatrixWorld(true);
+    const at = scene.cameras[0].getWorldPosition(new Vector3());
+    const turn = scene.cameras[0].getWorldQuaternion(new Quaternion());
+    place = Math.max(place, at.distanceTo(new Vector3(...own.positions[i])));
+    angle = Math.max(angle, (turn.angleTo(new Quaternion(...own.rotations[i])) * 180) / Math.PI);
+  });
+  return { place, angle };
+}
+
+/** The diagonal of the box of the points. */
+function sizeOf(points) {
+  return Math.hypot(...[0, 1, 2].map((d) => Math.max(...points.map((p) => p[d])) - Math.min(...points.map((p) => p[d]))));
+}
+
+const next = source(7);
+const path3 = [[0, 0, 0], [40, 10, 20], [50, 70, 0], [90, 30, 30], [120, 80, 10], [150, 0, 60]];
+const levels = [{ knots: CLAMPED, details: rows(6, 3, next, 0.3) }, { knots: CLAMPED, details: rows(6, 3, next, 0.1) }];
+const eased = { duration: 5, curve: { degree: 2, knots: [0, 0, 0, 0.4, 1, 1, 1], values: [0, 0.1, 0.3, 1] } };
+const moves = {
+  'free, with levels and a timing': {
+    path: curve(path3), timing: eased, fov: { degree: 1, knots: [0, 0, 1, 1], values: [30, 50] },
+    orientation: { mode: 'free', base: curve(rows(6, 4, next, 1).map((q) => [q[0], q[1], q[2], q[3] + 2])), levels },
+  },
+  'along a path in space': { path: curve(path3), timing: { duration: 4 }, orientation: { mode: 'along', first: { s: [0, 0, -1] }, levels } },
+  'past the zenith of its target': {
+    path: curve([[-90, 2, 100], [-60, 2, 100], [-20, 0, 100], [20, 0, 100], [60, 0, 100], [90, 0, 100]]),
+    timing: { duration: 2 }, orientation: { mode: 'look-at', target: [0, 0, 0] },
+  },
+};
+
+for (const [name, move] of Object.entries(moves)) {
+  test(`three.js shows a move ${name}`, async () => {
+    const { place, angle } = await played(move);
+    console.log(`      ${(place / sizeOf(move.path.points)).toExponential(1)} of the size, ${angle.toFixed(4)} degrees`);
+    assert.ok(place < 1e-4 * sizeOf(move.path.points), `${place}`);
+    assert.ok(angle < 0.1, `${angle}`);
+  });
+}
