@@ -151,6 +151,7 @@ typedef struct bat_frame {
     uint32_t layer;          /* the active one; 0: none */
     uint32_t readings;       /* another number whenever the last stroke's readings change; 0: none */
     uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
+    uint32_t moves;          /* another number whenever the time strip shows something else; 0: no strip */
     uint32_t lost;           /* things of the file that writing over it would lose */
     uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;
@@ -191,8 +192,8 @@ typedef struct bat_space {
     uint32_t legend[3];          /* 0xRRGGBBAA: the colours of -range, 0 and range */
 } bat_space;
 
-/* The drawing as the last frame showed it, without its overlay, page, fills and pictures: for a host that has a depth buffer.
- * NULL: the view is face-on, or memory ran out; then the frame's static list is to be painted as it is. Owned by the
+/* The drawing as the last frame showed it, or as the camera sees it that it is seen through (bat_editor_move), without its overlay, page, fills and pictures: for a host that has a depth buffer.
+ * NULL: the view is face-on and through no camera, or memory ran out; then the frame's static list is to be painted as it is. Owned by the
  * editor, valid until the next call that is not const. */
 BAT_API const bat_space *bat_editor_space(bat_editor *editor);
 /* The constants of the looks in the language of OpenGL ES 3 shaders: a constant for each number and colour, and the

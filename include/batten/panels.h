@@ -65,6 +65,20 @@ BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
  * times it; command "cancel" gives the objects back as they were. BAT_STATE: it is settled. */
 BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done);
 
+/* ---- the camera move that is looked at, for the time strip ---- */
+
+/* Of the camera that is selected, else of the one before, else of the first in the drawing, as JSON: {"id" (0: there is no
+ * camera),"name","cameras": in the drawing,"at": seconds of the playhead,"duration","length": of its path,"rate": frames a
+ * second,"playing","through": the drawing is seen through it,"loop"}; the last three are 0 or 1. Owned by the editor, valid
+ * until the next call of it; NULL: out of memory. */
+BAT_API const char *bat_editor_move(bat_editor *editor);
+/* Moves the playhead, which stays within the move; what plays stops. Nothing enters the history or the journal, here and
+ * below. BAT_NUMBER: seconds are not finite; BAT_STATE: there is no camera. */
+BAT_API bat_status bat_editor_seek(bat_editor *editor, double seconds);
+/* While a move plays (command "move-play", or a tap of the space bar) the host says what time it is, in milliseconds, before
+ * each frame; the first call only begins. A change of the drawing stops it. */
+BAT_API void bat_editor_play(bat_editor *editor, double time);
+
 /* ---- levels of the chosen curve, for the level strip ---- */
 
 /* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the

@@ -21,7 +21,8 @@ typedef enum bat_trait {
     BAT_MADE = 16,  /* its curves are computed from something else, which is edited instead */
     BAT_FIXED = 32, /* its curves only show what it is: no other curves can take their place */
     BAT_SPACE = 64, /* lies in space: files that hold one are of version 2, which older programs refuse */
-    BAT_AID = 128   /* seen while drawing; pictures leave it out */
+    BAT_AID = 128,  /* seen while drawing; pictures leave it out */
+    BAT_MOVES = 256 /* a camera, whose move can be played */
 } bat_trait;
 
 typedef struct bat_kind_type {

@@ -18,6 +18,7 @@ static void wire(bat_editor *editor) {
                                     .clipboard = &editor->clipboard,
                                     .scene = &editor->scene,
                                     .snap = &editor->snap,
+                                    .moves = &editor->moves,
                                     .insight = &editor->insight,
                                     .simplifying = &editor->simplifying,
                                     .panels = &editor->panels,
@@ -84,6 +85,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     }
     bat_choice_forget(c);
     bat_simplify_free(c->simplifying);
+    bat_moves_forget(c->moves);
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);
     bat_view_look_afresh(&c->stage->view);
@@ -208,6 +210,14 @@ const char *bat_editor_outline_points(bat_editor *editor, bat_id id) {
 bat_status bat_editor_choose(bat_editor *editor, bat_id id, int point) {
     return settled(editor, bat_panel_choose(&editor->context, id, point));
 }
+
+const char *bat_editor_move(bat_editor *editor) { return bat_panel_move(&editor->context); }
+
+bat_status bat_editor_seek(bat_editor *editor, double seconds) {
+    return bat_panel_seek(&editor->context, seconds);
+}
+
+void bat_editor_play(bat_editor *editor, double time) { bat_panel_play(&editor->context, time); }
 
 const char *bat_editor_said(bat_editor *editor) { return bat_panel_said(&editor->context); }
 

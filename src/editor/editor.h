@@ -13,6 +13,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/inspect.h"
+#include "editor/show/moves.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
@@ -35,6 +36,7 @@ struct bat_editor {
     bat_clipboard clipboard;
     bat_scene scene;
     bat_snap snap;
+    bat_moves moves;
     bat_insight insight;
     bat_simplifying simplifying;
     bat_panels panels;

@@ -88,6 +88,7 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
     const bool tilted = bat_stage_tilted(c->stage), pen = event->device == BAT_DEVICE_PEN;
     const bool middle = event->buttons & BAT_BUTTON_MIDDLE, alt = event->modifiers & BAT_ALT;
     const bool second = event->buttons & BAT_BUTTON_SECONDARY;
+    if (c->moves->through) return BAT_DUTY_IGNORED; /* what is seen is not the view */
     if ((event->device == BAT_DEVICE_MOUSE && second) || (middle && alt) || (pen && second && tilted) ||
         barrel_is(c, event, BARREL_ORBITS))
         return BAT_DUTY_ORBIT;
@@ -168,6 +169,7 @@ static void point(bat_context *c, const bat_pointer *event) {
 }
 
 static void down(bat_context *c, const bat_pointer *event) {
+    c->input->pan_time = -1;
     bat_contacts *contacts = &c->input->contacts;
     bool finger = event->device == BAT_DEVICE_TOUCH;
     if (!finger) bat_fingers_yield(c);
@@ -338,9 +340,10 @@ void bat_editor_wheel(bat_editor *editor, double x, double y, double dx, double 
     bat_context *c = &editor->context;
     if (!isfinite(x) || !isfinite(y) || !isfinite(dx) || !isfinite(dy)) return;
     c->time = bounded(time, 0, 1e13, c->time);
+    c->input->pan_time = -1;
     bat_views_arrive(c->views, &c->stage->view);
     /* A stroke's samples are in the pixels of one view. */
-    if (bat_toolbox_busy(c)) return;
+    if (bat_toolbox_busy(c) || c->moves->through) return;
     double at[2] = {bounded(x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0),
                     bounded(y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0)};
     if (modifiers & BAT_CTRL) {

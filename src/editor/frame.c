@@ -1,6 +1,7 @@
 /* The frame: what the host paints and says. */
 #include "editor/show/axis.h"
 #include "editor/show/disc.h"
+#include "editor/show/flight.h"
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/commands/three.h"
@@ -17,6 +18,7 @@ enum { NAME_LONG = 80 /* bytes: a longer name does not stand in the hint */ };
 enum { BAT_OUTLINES_MAX = 300 }; /* of more objects than this, only the first ones are outlined */
 
 static bat_cursor cursor(bat_context *c) {
+    if (c->moves->through) return BAT_CURSOR_ARROW;
     if (c->input->orbit.on ||
         (!bat_contacts_clear(c) && bat_contacts_count(&c->input->contacts, BAT_DUTY_NAVIGATE, NULL)))
         return BAT_CURSOR_GRABBING;
@@ -30,6 +32,7 @@ static bat_cursor cursor(bat_context *c) {
 
 static const char *hint(bat_context *c) {
     const bat_slot *tool = bat_toolbox_tool(c);
+    if (c->moves->through) return bat_word(c, BAT_STRING_HINT_THROUGH);
     if (c->session->read_only) return bat_word(c, BAT_STRING_HINT_READ_ONLY);
     if (c->input->three.on) return bat_word(c, BAT_STRING_HINT_THREE_POINTS);
     if (!bat_guiding_of(c)->on && bat_guides_hot(c) >= 0)
@@ -107,6 +110,10 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     const bool faces = bat_toolbox_faces(c);
     bat_overlay_begin(overlay, c->scene->origin, c->scene->tilted ? c->scene->map : NULL,
                       c->scene->tolerance);
+    if (c->moves->through) { /* places in the window are not those of the view */
+        bat_overlay_end(overlay, bat_stage_pixel(c->stage));
+        return;
+    }
     bat_grid_show(c, overlay);
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
@@ -120,6 +127,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     show_pivot(c, overlay);
+    if (c->moves->camera) bat_flight_show(c, overlay);
     bat_three_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }
@@ -137,6 +145,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_scene_rebase(scene, c->stage);
     bat_seen_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
+    bat_moves_sync(c);
     if (tool->is->update) tool->is->update(c, tool->state);
     bat_seen_sync(c); /* a drag shows in the same frame */
     bat_readout made = bat_toolbox_readout(c);
@@ -174,6 +183,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .layer = (uint32_t)c->choice->layer,
         .readings = readings(c),
         .levels = bat_leveling_version(c),
+        .moves = bat_moves_version(c),
         .lost = (uint32_t)bat_losses_total(&c->session->losses),
         .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);

@@ -1,6 +1,7 @@
 /* The tilted view in space: the scene, in the guise that a tool gives it. */
 #include "editor/scene/space.h"
 #include "editor/editor.h"
+#include "editor/show/flight.h"
 #include "form/shade/shader.h"
 
 const bat_space *bat_editor_space(bat_editor *editor) {
@@ -8,8 +9,10 @@ const bat_space *bat_editor_space(bat_editor *editor) {
     const bat_slot *tool = bat_toolbox_tool(c);
     bat_guise guise;
     const bool guised = tool->is->guise && tool->is->guise(c, tool->state, &guise);
-    return bat_space_of(c->scene, c->stage, (bat_look)c->settings->values[BAT_PROPERTY_LOOK],
-                        guised ? &guise : NULL);
+    bat_viewpoint through;
+    const bool flies = c->moves->through && bat_flight_view(c, &through);
+    return bat_space_of(c->scene, c->stage, flies ? &through : NULL,
+                        (bat_look)c->settings->values[BAT_PROPERTY_LOOK], guised ? &guise : NULL);
 }
 
 const char *bat_space_constants(void) { return bat_shader_constants(); }

@@ -1,10 +1,10 @@
 /* A camera move. Its curves show it: the camera at the start, as a pyramid with a tip that is up, and its path where that is
  * its own. A camera can follow a curve of the drawing instead: that is its path then, and where it goes the camera goes. */
-#include "base/quat.h"
 #include "base/users.h"
 #include "curve/curve.h"
 #include "document/digest.h"
 #include "form/camera/camera.h"
+#include "form/camera/pyramid.h"
 #include "format/json/camera.h"
 #include "format/json/fields.h"
 #include "format/json/style.h"
@@ -14,8 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CORNERS = 11, CURVES = 2 };
-static const double depth_share = 0.1, depth_alone = 24; /* of the path's size; of a tripod, document units */
+enum { CURVES = 2 };
 
 /* The object's own part: a reference-counted value, shared by copies of the object. */
 typedef struct kept_camera {
@@ -41,25 +40,12 @@ static void end(void *own) {
 /* ---- what shows it ---- */
 
 static bat_status pyramid_of(const bat_camera *camera, bat_curve **out) {
-    /* c0 c1 (tip) c2 c3 c0 eye c2 c1 eye c3, the corners being those of the picture: bottom right, top right, top left, bottom
-     * left */
-    static const double sides[CORNERS][3] = {{1, -1, 1},  {1, 1, 1},  {0, 1.5, 1}, {-1, 1, 1},
-                                             {-1, -1, 1}, {1, -1, 1}, {0, 0, 0},   {-1, 1, 1},
-                                             {1, 1, 1},   {0, 0, 0},  {-1, -1, 1}};
-    double points[3 * CORNERS], domain[2];
+    double points[3 * BAT_PYRAMID_CORNERS], domain[2];
     bat_camera_pose pose;
     bat_camera_domain(camera, domain);
     bat_camera_at(camera, domain[0], &pose);
-    const double size = bat_curve_size(camera->path), depth = size > 0 ? depth_share * size : depth_alone;
-    const double half = 0.5 * fmin(fmax(pose.fov, 1), 150) * BAT_PI / 180;
-    const double tall = depth * bat_sin(half) / bat_cos(half), wide = tall * 16 / 9;
-    const quat q = quat_load(pose.rotation);
-    for (int i = 0; i < CORNERS; i++) {
-        const double *s = sides[i];
-        const vec v = quat_turn(q, (vec){s[0] * wide, s[1] * tall, -s[2] * depth});
-        vec_store(vec_add(v, vec_load(pose.position, 3)), points + 3 * i);
-    }
-    return bat_curve_create_clamped(3, 1, CORNERS, points, out);
+    bat_pyramid_of(&pose, bat_pyramid_depth(camera), points);
+    return bat_curve_create_clamped(3, 1, BAT_PYRAMID_CORNERS, points, out);
 }
 
 /* CURVES at most, which the caller frees; on failure none are left. */
@@ -239,7 +225,7 @@ static void write(const bat_object *object, bat_text *text) {
 const bat_kind_type bat_kind_of_camera = {.number = BAT_KIND_CAMERA,
                                           .name = "camera",
                                           .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE | BAT_FIXED |
-                                                    BAT_SPACE | BAT_AID,
+                                                    BAT_SPACE | BAT_AID | BAT_MOVES,
                                           .size = sizeof(own_part),
                                           .share = share,
                                           .end = end,

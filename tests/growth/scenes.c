@@ -446,6 +446,32 @@ static bat_editor *redrawn(int n) {
     return editor;
 }
 
+/* A camera along a curve of n points. */
+static bat_editor *flight(int n) {
+    return one_curve(n, false,
+                     (const char *const[]){"tool-select", "select-all", "camera-along", "move-next", NULL});
+}
+
+/* n curves with a camera each. */
+static bat_editor *cameras(int n) {
+    bat_document *made = document();
+    bat_style style = bat_style_defaults();
+    bat_camera_options options = bat_camera_defaults();
+    options.mode = BAT_CAMERA_ALONG;
+    for (int i = 0; i < n; i++) {
+        const bat_id id = add_small(made, i, n, LINES, 0);
+        bat_camera *camera = NULL;
+        bat_object *object = NULL;
+        const bat_object *curve = bat_document_at(made, bat_document_find(made, id));
+        if (bat_camera_create(bat_object_curve(curve, 0), &options, &camera) != BAT_OK ||
+            bat_object_create_camera(bat_document_new_id(made), "", &style, camera, id, &object) != BAT_OK)
+            abort();
+        bat_camera_free(camera);
+        append(made, object, 0);
+    }
+    return open(made, (const char *const[]){"tool-select", "move-next", NULL});
+}
+
 static bat_editor *isolated(int n) {
     bat_editor *editor = groups(n);
     bat_editor_command(editor, "isolate");
@@ -457,6 +483,8 @@ const growth_scene growth_scenes[] = {
     {"n lines", lines},
     {"n rings, ids from the front, half chosen", reversed},
     {"a group of n", group},
+    {"a camera along a curve of n points", flight},
+    {"n cameras", cameras},
     {"n/4 groups", groups},
     {"n/8 layers", layers},
     {"a layer of n", layer},

@@ -101,7 +101,15 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
     case 8: bat_editor_picture(editor, more); break;
     case 9: bat_editor_refit(editor, more % 7 / 5.0, more & 8); break;
-    default: bat_editor_readings(editor); bat_editor_read_as(editor, more % 5 - 1);
+    default:
+        bat_editor_readings(editor);
+        bat_editor_read_as(editor, more % 5 - 1);
+        bat_editor_seek(editor, more == 255 ? (double)NAN : more / 40.0 - 1);
+        if (more & 1) bat_editor_command(editor, "move-play");
+        for (int i = 0; i < 3; i++) bat_editor_play(editor, more * 30.0 * i);
+        bat_editor_move(editor);
+        bat_editor_frame(editor);
+        bat_editor_space(editor);
     }
 }
 

@@ -73,6 +73,7 @@ export function readFrame(memory, place, at, knownVersion, known) {
     layer: word('frame.layer'),
     readings: word('frame.readings'),
     levels: word('frame.levels'),
+    moves: word('frame.moves'),
     lost: word('frame.lost'),
     first: word('frame.first'),
   };

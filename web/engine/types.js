@@ -76,6 +76,7 @@
  * @property {number} layer the active one; 0: none
  * @property {number} readings changes with the last stroke's readings; 0: none
  * @property {number} levels changes when the level strip shows something else; 0: no strip
+ * @property {number} moves changes when the time strip shows something else; 0: no strip
  * @property {number} lost number of things that overwriting the file would lose
  * @property {number} first bits: first-use hints to show
  * @property {number} requests

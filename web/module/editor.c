@@ -34,6 +34,9 @@ MODULE_EXPORT(editor_refit) int editor_refit(bat_editor *editor, double amount, 
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
 int editor_level(bat_editor *editor, int act, int level, double value, int done);
+MODULE_EXPORT(editor_move) const char *editor_move(bat_editor *editor);
+MODULE_EXPORT(editor_seek) int editor_seek(bat_editor *editor, double seconds);
+MODULE_EXPORT(editor_play) void editor_play(bat_editor *editor, double time);
 MODULE_EXPORT(editor_outline) const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
@@ -168,6 +171,21 @@ const char *editor_levels(bat_editor *editor) {
 int editor_level(bat_editor *editor, int act, int level, double value, int done) {
     MODULE_CHECK(editor);
     return (int)bat_editor_level(editor, (bat_level_act)act, level, value, done != 0);
+}
+
+const char *editor_move(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_move(editor);
+}
+
+int editor_seek(bat_editor *editor, double seconds) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_seek(editor, seconds);
+}
+
+void editor_play(bat_editor *editor, double time) {
+    MODULE_CHECK(editor);
+    bat_editor_play(editor, time);
 }
 
 const char *editor_outline(bat_editor *editor, int first, int count) {

@@ -95,6 +95,7 @@ const module_field *module_layout(void) {
         {"frame.layer", offsetof(bat_frame, layer)},
         {"frame.readings", offsetof(bat_frame, readings)},
         {"frame.levels", offsetof(bat_frame, levels)},
+        {"frame.moves", offsetof(bat_frame, moves)},
         {"frame.lost", offsetof(bat_frame, lost)},
         {"frame.first", offsetof(bat_frame, first)},
         {"space.clip", offsetof(bat_space, clip)},

@@ -74,8 +74,8 @@ export class Loop {
       return;
     }
     const made = performance.now();
-    if (frame.tilt || frame.surfaces) {
-      void this.#deepen(frame.tilt !== 0);
+    if (frame.tilt || frame.surfaces || frame.moves) {
+      void this.#deepen(frame.tilt + frame.moves !== 0);
     }
     this.space?.show(frame);
     painter.paint(frame);

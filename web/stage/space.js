@@ -6,6 +6,7 @@ import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Buffers } from './buffers.js';
 import { LINES, SURFACES } from './shaders.js';
+import { TimeStrip } from './time.js';
 import { warp } from './warp.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
@@ -28,6 +29,7 @@ export class Space {
     this.canvas.ariaHidden = 'true';
     this.canvas.hidden = true;
     this.shown = '';
+    this.time = new TimeStrip(shell);
     /** For tests and measurements: pictures painted, bytes sent. */
     this.counts = { painted: 0, sent: 0, whole: 0 };
     shell.painter.warp = warp;
@@ -157,10 +159,11 @@ export class Space {
   show(frame) {
     const { painter } = this.shell;
     this.#tellDeep(frame);
+    this.time.show(frame);
     if (!this.gl || this.gl.isContextLost()) {
       return;
     }
-    const picture = frame.tilt ? this.read() : null;
+    const picture = frame.tilt || this.time.move.through ? this.read() : null;
     if (!picture) {
       this.#leave();
       return;

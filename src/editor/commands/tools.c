@@ -1,4 +1,5 @@
 /* Commands that choose a tool, and those passed on to the tool in force. */
+#include "editor/show/moves.h"
 #include "editor/commands/three.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/simplify.h"
@@ -32,8 +33,8 @@ bat_status bat_command_accept(bat_context *c, bat_command_id id) {
 }
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
-    if (bat_orbit_cancel(c) || bat_three_cancel(c) || bat_toolbox_drop(c) || bat_simplify_cancel(c) ||
-        bat_isolate_end(c) || bat_arrange_leave(c))
+    if (bat_moves_leave(c) || bat_orbit_cancel(c) || bat_three_cancel(c) || bat_toolbox_drop(c) ||
+        bat_simplify_cancel(c) || bat_isolate_end(c) || bat_arrange_leave(c))
         return BAT_OK;
     return bat_command_deselect(c, id);
 }

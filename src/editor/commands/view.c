@@ -5,12 +5,14 @@
 #include "editor/scene/seen.h"
 #include "editor/scene/space.h"
 #include "editor/session/notice.h"
+#include "editor/show/moves.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
 #include "editor/view/views.h"
 #include <math.h>
 
 static const double TURN = 15; /* degrees per step */
+static const double TAP = 300; /* ms that a tap of a key takes at most */
 
 bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
     (void)id;
@@ -105,7 +107,12 @@ bat_status bat_command_pan(bat_context *c, bat_command_id id) {
 }
 
 bat_status bat_command_hold_pan(bat_context *c, bool down) {
-    c->input->holding_pan = down;
+    bat_input *input = c->input;
+    const bool tapped = !down && input->holding_pan && input->pan_time >= 0 &&
+                        c->time - input->pan_time <= TAP;
+    if (down && !input->holding_pan) input->pan_time = c->time;
+    input->holding_pan = down;
+    if (tapped) bat_moves_toggle(c); /* a tap plays, or stops */
     return BAT_OK;
 }
 

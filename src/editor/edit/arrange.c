@@ -278,7 +278,7 @@ static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
         at = end;
     }
     bat_listing_range(&listing, document, at, bat_document_count(document));
-    if (!listing.failed) lead_copies(c, &listing, made);
+    if (made && !listing.failed) lead_copies(c, &listing, made);
     free(made);
     if (open) {
         status = bat_listing_apply(&listing, c);

@@ -21,6 +21,7 @@ typedef struct bat_input {
     bat_taps taps;
     bat_trail trail; /* of the pointer that drives the tool */
     bool holding_pan, pen_seen;
+    double pan_time;   /* when the key that pans went down; below 0: a pointer was used meanwhile */
     double pen_time;   /* of the last pen event */
     bool pen_near;     /* a pointer is over the drawing */
     double pen[2];     /* its last position, view pixels */

@@ -65,6 +65,7 @@ static bool possible(const facts *f, bat_command_id id, bool point) {
     case BAT_COMMAND_CURVE_CLOSE: return f->open > 0;
     case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
+    case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;

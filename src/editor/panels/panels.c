@@ -7,4 +7,5 @@ void bat_panels_free(bat_panels *panels) {
     free(panels->outline);
     free(panels->readings);
     free(panels->tables);
+    free(panels->move);
 }

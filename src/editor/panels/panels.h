@@ -8,7 +8,7 @@
 #include "editor/view/unit.h"
 
 typedef struct bat_panels {
-    char *actions, *layers, *outline, *readings, *tables;
+    char *actions, *layers, *outline, *readings, *tables, *move;
     char number_text[BAT_UNIT_ROOM]; /* the text returned by bat_panel_number */
     bat_told told;
 } bat_panels;
@@ -28,6 +28,9 @@ const char *bat_panel_levels(bat_context *c);
 const char *bat_panel_readings(bat_context *c);
 bat_status bat_panel_read_as(bat_context *c, int reading);
 bat_status bat_panel_refit(bat_context *c, double amount, bool done);
+const char *bat_panel_move(bat_context *c);
+bat_status bat_panel_seek(bat_context *c, double seconds);
+void bat_panel_play(bat_context *c, double time);
 bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done);
 
 #endif

@@ -1,5 +1,6 @@
 #include "editor/scene/space.h"
 #include "base/real.h"
+#include "document/kind.h"
 #include "form/shade/colour.h"
 #include "form/shade/curving.h"
 #include "form/view/view.h"
@@ -44,11 +45,13 @@ static double stretch(double pixels, double ratio) {
     return all / fmax(1, round(all));
 }
 
-static bat_status look_at(const bat_scene *scene, const bat_stage *stage, bat_space_kept *kept) {
+static bat_status look_at(const bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
+                          bat_space_kept *kept) {
     bat_space *space = &kept->space;
     bat_viewpoint view;
     bat_gaze gaze;
-    bat_status status = bat_stage_viewpoint(stage, &view);
+    bat_status status = through ? BAT_OK : bat_stage_viewpoint(stage, &view);
+    if (through) view = *through;
     if (status == BAT_OK) status = bat_gaze_of(&view, &gaze);
     if (status != BAT_OK) return status;
     const vec eye = vec_sub(gaze.eye, vec_load(kept->origin, 3)), back = vec_scale(gaze.ahead, -1);
@@ -89,8 +92,15 @@ static bat_status look_at(const bat_scene *scene, const bat_stage *stage, bat_sp
 /* ---- what is seen ---- */
 
 /* The origin of all buffers: moved when rounding to single precision would become visible. */
-static void settle_origin(bat_space_kept *kept, const bat_stage *stage) {
+static void settle_origin(bat_space_kept *kept, const bat_stage *stage, const bat_viewpoint *through) {
     double middle[2];
+    if (through) {
+        double far = 0;
+        for (int d = 0; d < 3; d++) far = fmax(far, fabs(through->eye[d] - kept->origin[d]));
+        if (far * bat_stage_scale(stage) * 0x1p-24 > 0.1)
+            memcpy(kept->origin, through->eye, sizeof kept->origin);
+        return;
+    }
     bat_stage_middle(stage, middle);
     bat_ray ray = bat_view_ray(&stage->view, middle);
     double away = 0;
@@ -197,16 +207,16 @@ static uint32_t legend_at(double share) {
     return rgb << 8 | 255;
 }
 
-const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, bat_look look,
-                              const bat_guise *guise) {
-    if (!bat_stage_tilted(stage)) return NULL;
+const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
+                              bat_look look, const bat_guise *guise) {
+    if (!bat_stage_tilted(stage) && !through) return NULL;
     if (!scene->space) scene->space = calloc(1, sizeof *scene->space);
     bat_space_kept *kept = scene->space;
     if (!kept) return NULL;
-    settle_origin(kept, stage);
+    settle_origin(kept, stage, through);
     bat_grain grain = {.scale = (int)ceil(bat_log(bat_stage_scale(stage)) / bat_log(2)), .look = look};
     memcpy(grain.origin, kept->origin, sizeof grain.origin);
-    if (!update(scene, &grain, guise) || look_at(scene, stage, kept) != BAT_OK ||
+    if (!update(scene, &grain, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
         measure(scene, look, kept) != BAT_OK)
         return NULL;
     bat_space_item *items = realloc(kept->items, (size_t)(2 * scene->count + 1) * sizeof *items);
@@ -219,6 +229,7 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, bat_look
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || !entry->solid || !bat_object_is_drawn(entry->object)) continue;
+        if (through && bat_object_is(entry->object, BAT_AID)) continue; /* a camera sees no cameras */
         if (entry->solid->mesh) add_triangles(space, items + space->count, entry);
         add_lines(space, items + space->count, scene, entry);
     }

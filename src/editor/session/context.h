@@ -19,6 +19,7 @@ typedef struct bat_context {
     struct bat_clipboard *clipboard; /* edit/clipboard.h */
     struct bat_scene *scene;         /* scene/scene.h: what is painted and can be hit */
     struct bat_snap *snap;           /* pick/snap.h: what the last position of a drag snapped to */
+    struct bat_moves *moves;         /* show/moves.h: the camera move that is looked at */
     struct bat_insight *insight;     /* show/inspect.h: the curve inspected last */
     struct bat_simplifying *simplifying; /* commands/simplify.h: what can still be simplified otherwise */
     struct bat_panels *panels;           /* panels/panels.h */

@@ -1,0 +1,151 @@
+/* Commands that make cameras and play their moves. */
+#include "base/quat.h"
+#include "document/document.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/arrange.h"
+#include "editor/pick/pivot.h"
+#include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/show/flight.h"
+#include "editor/show/moves.h"
+#include "editor/tables/commands.h"
+#include "editor/tables/settings.h"
+#include "editor/view/stage.h"
+#include "document/kind.h"
+#include <math.h>
+
+/* ---- making ---- */
+
+/* Puts it into the drawing, selected; takes the camera over. */
+static bat_status put(bat_context *c, bat_camera *camera, bat_id follows) {
+    const bat_style style = bat_style_defaults();
+    const bat_id id = bat_document_new_id(c->session->document);
+    bat_object *object = NULL;
+    bat_status status = bat_object_create_camera(id, "", &style, camera, follows, &object);
+    bat_camera_free(camera);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_arrange_insert(c, object), BAT_STRING_STEP_CAMERA);
+    bat_object_release(object);
+    if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+        return status;
+    }
+    if (bat_tool_at(c->choice->tool)->traits & BAT_DRAWS) c->choice->wanted = BAT_CHOOSES;
+    bat_selection_clear(&c->choice->selection);
+    bat_selection_add(&c->choice->selection, id); /* out of memory: not selected */
+    bat_moves_sync(c);
+    return BAT_OK;
+}
+
+/* The selected object, when its first curve can be a path. */
+static const bat_object *path_of(const bat_context *c) {
+    const bat_selection *selection = &c->choice->selection;
+    const bat_document *document = c->session->document;
+    const bat_object *object = selection->count == 1
+                                   ? bat_document_at(document, bat_document_find(document, selection->ids[0]))
+                                   : NULL;
+    return object && bat_object_is_made_of_curves(object) && bat_object_curve_count(object) ? object : NULL;
+}
+
+bat_status bat_command_camera_along(bat_context *c, bat_command_id id) {
+    const bat_object *object = path_of(c);
+    bat_camera_options options = bat_camera_defaults();
+    bat_camera *camera = NULL;
+    (void)id;
+    if (!object) {
+        bat_notice(c, BAT_STRING_NOTICE_SELECT_PATH);
+        return BAT_STATE;
+    }
+    options.mode = BAT_CAMERA_ALONG;
+    options.has_first = true;
+    options.first[2] = -1; /* up from the page */
+    bat_status status = bat_camera_create(bat_object_curve(object, 0), &options, &camera);
+    if (status == BAT_SINGULAR) { /* it begins straight up */
+        options.has_first = false;
+        status = bat_camera_create(bat_object_curve(object, 0), &options, &camera);
+    }
+    if (status == BAT_OK) return put(c, camera, bat_object_id(object));
+    bat_notice_failure(c, status);
+    return status;
+}
+
+/* The pose of the view as it is. */
+static void pose_of(bat_context *c, double place[3], double rotation[4], double *fov) {
+    bat_pivot_set(c, NULL);
+    const bat_view *view = &c->stage->view;
+    double middle[2], right[3], down[3], ahead[3];
+    bat_stage_middle(c->stage, middle);
+    bat_view_axes(view, right, down, ahead);
+    const bat_ray ray = bat_view_ray(view, middle);
+    const bool deep = bat_stage_deep(c->stage);
+    *fov = deep ? view->fov : BAT_FOV;
+    const double half = *fov * BAT_PI / 360, tall = fmax(view->height, 1) / view->zoom;
+    const double back = deep ? 0 : 0.5 * tall * bat_cos(half) / bat_sin(half);
+    const vec x = vec_load(right, 3), y = vec_scale(vec_load(down, 3), -1),
+              z = vec_scale(vec_load(ahead, 3), -1);
+    vec_store(vec_add(vec_load(ray.from, 3), vec_scale(z, back)), place);
+    quat_store(quat_of_axes(x, y, z), rotation);
+}
+
+bat_status bat_command_camera_here(bat_context *c, bat_command_id id) {
+    double points[6], keys[8], fov;
+    const double knots[4] = {0, 0, 1, 1};
+    bat_curve *path = NULL;
+    bat_camera *camera = NULL;
+    (void)id;
+    pose_of(c, points, keys, &fov);
+    for (int i = 0; i < 3; i++) points[3 + i] = points[i];
+    for (int i = 0; i < 4; i++) keys[4 + i] = keys[i];
+    const bat_rotation_curve base = {1, false, 2, keys, 4, knots};
+    bat_camera_options options = bat_camera_defaults();
+    options.base = &base;
+    options.fov = bat_function_of(fov);
+    bat_status status = bat_curve_create(3, 1, false, 2, points, 4, knots, &path);
+    if (status == BAT_OK) status = bat_camera_create(path, &options, &camera);
+    bat_curve_free(path);
+    if (status == BAT_OK) return put(c, camera, 0);
+    bat_notice_failure(c, status);
+    return status;
+}
+
+/* ---- playing ---- */
+
+bat_status bat_command_move_play(bat_context *c, bat_command_id id) {
+    (void)id;
+    return bat_moves_toggle(c) ? BAT_OK : BAT_STATE;
+}
+
+/* By a frame, or to an end; what plays stops. */
+bat_status bat_command_move_step(bat_context *c, bat_command_id id) {
+    bat_moves *m = c->moves;
+    bat_moves_sync(c);
+    const bat_camera *camera = bat_flight_camera(c);
+    if (!camera) return BAT_STATE;
+    const double end = bat_camera_duration(camera), rate = c->settings->values[BAT_PROPERTY_MOVE_RATE];
+    const double frame = floor(m->at * rate + 1e-6), on = m->at * rate - frame > 1e-6 ? 1 : 0;
+    const double to = id == BAT_COMMAND_MOVE_START  ? 0
+                      : id == BAT_COMMAND_MOVE_END  ? end
+                      : id == BAT_COMMAND_MOVE_NEXT ? (frame + 1) / rate
+                                                    : (frame - 1 + on) / rate;
+    m->at = fmin(fmax(to, 0), end);
+    m->playing = false;
+    m->version++;
+    return BAT_OK;
+}
+
+bat_status bat_command_look_through(bat_context *c, bat_command_id id) {
+    bat_viewpoint view;
+    (void)id;
+    bat_moves_sync(c);
+    if (bat_moves_leave(c)) return BAT_OK;
+    if (!bat_flight_view(c, &view)) {
+        bat_notice(c, BAT_STRING_NOTICE_NO_CAMERA);
+        return BAT_STATE;
+    }
+    c->moves->through = true;
+    c->moves->version++;
+    bat_notice(c, BAT_STRING_NOTICE_THROUGH);
+    return BAT_OK;
+}

@@ -1,0 +1,159 @@
+// Camera moves in the page: a camera along a curve, the time strip by pen, touch and keys, play, looking through it; nothing of
+// that is an edit, and undo gives the drawing back as it was.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { PROGRAM, serve } from './server.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const circle = (place) => ({ degree: 3, closed: true, knots: [0, 1, 2, 3, 4, 5, 6, 7, 8], points: Array.from({ length: 8 }, (_, i) => place((i * Math.PI) / 4)) });
+const clamped = (points) => ({ degree: 3, closed: false, knots: [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], points });
+const WAY = [[120, 500, -60], [250, 420, -90], [420, 300, -160], [560, 560, -120], [720, 460, -80], [900, 380, -140]];
+
+/** Three tori and a curve in space, face-on on a page. */
+function scene() {
+  const tori = [[330, 400, -120], [520, 450, -130], [760, 440, -95]].map((at, i) => {
+    const sweep = { path: circle((a) => [at[0] + 20 * Math.cos(a), at[1] + 60 * Math.sin(a), at[2] + 60 * Math.cos(a)]), profile: circle((a) => [12 * Math.cos(a), 12 * Math.sin(a)]) };
+    const { report, ...surface } = JSON.parse(execFileSync(PROGRAM, ['sweep', '-', '--tolerance', '0.1'], { input: JSON.stringify(sweep) }));
+    return { id: i + 2, kind: 'surface', name: `torus ${i + 1}`, style: { stroked: false, filled: true, fill: ['#3f8fdfff', '#60b060ff', '#e08030ff'][i] }, surface };
+  });
+  const objects = [{ id: 1, kind: 'path', name: 'way', style: { stroke: '#202020ff', width: 3 }, curves: [clamped(WAY)] }, ...tori];
+  return Buffer.from(JSON.stringify({ batten: 2, page: [0, 0, 1000, 800], objects }));
+}
+const SCENE = scene();
+const move = (page) => page.evaluate(() => {
+  const { engine } = globalThis.batten;
+  return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
+});
+const journal = (page) => page.evaluate(() => globalThis.batten.engine.journal.length);
+
+async function begin(t, options) {
+  const server = await serve({ name: 'tori.batten', bytes: SCENE });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address, options);
+  const first = await state(page);
+  await page.keyboard.press('v');
+  await page.evaluate(() => {
+    globalThis.batten.engine.wasm.editor_select(globalThis.batten.engine.editor, 1, 0);
+    globalThis.batten.wake();
+  });
+  await settle(page);
+  return { page, hand, first };
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a camera along a curve: made, played, looked through, undone, ${colorScheme}`, async (t) => {
+    const { page, hand, first } = await begin(t, { colorScheme });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `moves-${name}-${colorScheme}.png`) });
+    await page.evaluate(() => globalThis.batten.engine.command('camera-along'));
+    await page.evaluate(() => globalThis.batten.wake());
+    await page.waitForSelector('.time:not([hidden])');
+    await quiet(page);
+    await shot('made');
+    const made = await state(page);
+    assert.notEqual(made.digest, first.digest);
+    assert.deepEqual([(await move(page)).duration, (await move(page)).playing], [4, 0], 'four seconds, and nothing plays by itself');
+    await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
+    await quiet(page);
+    const written = await journal(page);
+
+    const slider = await page.locator('.time input').boundingBox();
+    await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.4 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
+    await quiet(page);
+    const scrubbed = (await move(page)).at;
+    await shot('tilted');
+    assert.ok(scrubbed > 1.2 && scrubbed < 2, `a pen scrubs: ${scrubbed}`);
+
+    await page.locator('#stage').focus();
+    await page.keyboard.press('.');
+    const stepped = (await move(page)).at;
+    assert.ok(stepped > scrubbed && stepped - scrubbed <= 1 / 24 + 1e-9 && Math.abs(stepped * 24 - Math.round(stepped * 24)) < 1e-6, `a frame on: ${stepped}`);
+    await page.keyboard.press(',');
+    assert.ok(Math.abs((await move(page)).at - (stepped - 1 / 24)) < 1e-9);
+
+    await page.keyboard.press(' ', { delay: 60 });
+    assert.equal((await move(page)).playing, 1, 'a tap of the space bar plays');
+    await page.waitForFunction((at) => {
+      const { engine } = globalThis.batten;
+      return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor))).at > at + 0.3;
+    }, stepped);
+    await page.keyboard.press(' ', { delay: 60 });
+    assert.equal((await move(page)).playing, 0);
+    await page.keyboard.down(' ');
+    await hand.stroke([[500, 300], [520, 320]], { pointerType: 'mouse' });
+    await page.keyboard.up(' ');
+    assert.equal((await move(page)).playing, 0, 'held, it pans');
+
+    const outside = await page.locator('#space').screenshot();
+    await page.keyboard.press('q');
+    await page.waitForSelector('#stage.through');
+    await quiet(page);
+    await shot('through');
+    assert.notDeepEqual(await page.locator('#space').screenshot(), outside);
+    await hand.stroke([[300, 300], [500, 500]], { pointerType: 'pen' });
+    await page.keyboard.press('Escape');
+    await quiet(page);
+    assert.equal((await move(page)).through, 0, 'Esc goes back');
+    assert.equal(await page.locator('#stage.through').count(), 0);
+
+    const now = await state(page);
+    assert.equal(now.digest, made.digest, 'playing is not editing');
+    assert.equal(await journal(page), written, 'nothing entered the journal');
+    assert.equal(now.check, '');
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+    assert.equal((await state(page)).digest, first.digest);
+    assert.ok(await page.locator('.time').isHidden(), 'no camera, no strip');
+  });
+}
+
+test('by touch, from a view, looped and in Korean', async (t) => {
+  const { page, hand, first } = await begin(t, { locale: 'ko-KR', reducedMotion: 'reduce', hasTouch: true, isMobile: true, viewport: { width: 1024, height: 768 } });
+  await page.evaluate(() => globalThis.batten.engine.command('deselect'));
+  await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+  await page.evaluate(() => globalThis.batten.engine.command('camera-here'));
+  await page.evaluate(() => globalThis.batten.wake());
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  assert.equal((await move(page)).playing, 0, 'with reduced motion, too');
+  assert.equal((await move(page)).length, 0, 'a tripod');
+  for (const button of await page.locator('.time button').all()) {
+    const box = await button.boundingBox();
+    assert.ok(box.width >= 44 && box.height >= 44, 'a target');
+    assert.match(await button.getAttribute('title'), /[가-힣]/);
+  }
+  const tap = async (command) => {
+    const box = await page.locator(`.time [data-command=${command}]`).boundingBox();
+    await page.touchscreen.tap(box.x + 22, box.y + 22);
+    await settle(page);
+  };
+  await tap('move-loop');
+  await page.keyboard.press('End');
+  await tap('move-play');
+  assert.equal((await move(page)).playing, 1);
+  await page.locator('#stage').focus();
+  await page.keyboard.press('End');
+  assert.equal((await move(page)).at, 4);
+  await page.keyboard.press(' ', { delay: 40 });
+  await page.waitForFunction(() => {
+    const { engine } = globalThis.batten;
+    const now = JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
+    return now.playing && now.at > 0.05 && now.at < 3;
+  });
+  assert.equal((await move(page)).loop, 1);
+  await tap('look-through');
+  await settle(page); // it plays
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'moves-here-ko.png') });
+  await page.keyboard.press('Escape');
+  await page.evaluate(() => globalThis.batten.engine.command('undo'));
+  await page.evaluate(() => globalThis.batten.wake());
+  await quiet(page);
+  assert.equal((await state(page)).digest, first.digest);
+});

@@ -1,0 +1,114 @@
+// The time strip: plays the move of a camera, and shows where it is. Nothing of this enters the drawing or its journal. The
+// engine holds all its state; here it is told what time it is while a move plays.
+
+import { dress } from '../page/build.js';
+import { word } from '../page/words.js';
+
+/** @typedef {import('../engine/types.js').Frame} Frame */
+/**
+ * @typedef {object} Move
+ * @property {number} id 0: there is no camera
+ * @property {string} name
+ * @property {number} cameras
+ * @property {number} at seconds
+ * @property {number} duration
+ * @property {number} length
+ * @property {number} rate frames a second
+ * @property {number} playing 0 or 1, as the next ones
+ * @property {number} through
+ * @property {number} loop
+ */
+
+const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0 });
+const PICTURES = {
+  'move-play': '<path d="M7 4l13 8-13 8z" fill="currentColor"/><path class="on" d="M6 4h4v16H6zM14 4h4v16h-4z" fill="currentColor"/>',
+  'move-loop': '<path d="M17 3l4 4-4 4M21 7H8a5 5 0 0 0-5 5M7 21l-4-4 4-4M3 17h13a5 5 0 0 0 5-5"/>',
+  'look-through': '<path d="M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12z"/><circle cx="12" cy="12" r="3"/>',
+};
+
+export class TimeStrip {
+  /** @param {import('../main.js').Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    this.move = NONE;
+    this.version = 0;
+    this.box = document.createElement('section');
+    this.box.className = 'time';
+    this.box.hidden = true;
+    this.buttons = /** @type {Record<string, HTMLButtonElement>} */ ({});
+    this.slider = document.createElement('input');
+    this.slider.type = 'range';
+    this.slider.min = '0';
+    this.told = document.createElement('output');
+    this.box.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('look-through'));
+    this.slider.addEventListener('input', () => this.#seek(this.slider.valueAsNumber));
+    this.box.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') {
+        shell.engine.command('cancel');
+        shell.stage.focus();
+        shell.wake();
+        event.stopPropagation();
+      }
+    });
+    void dress('styles/time.css').then(() => shell.stage.after(this.box));
+  }
+
+  /** @param {'move-play' | 'move-loop' | 'look-through'} command */
+  #button(command) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.command = command;
+    button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true">${PICTURES[command]}</svg>`;
+    button.addEventListener('click', () => {
+      this.shell.engine.command(command);
+      this.version = 0; // the loop is a setting, which changes no frame
+      this.shell.wake();
+    });
+    this.buttons[command] = button;
+    return button;
+  }
+
+  /** @param {number} seconds */
+  #seek(seconds) {
+    const { engine, wake } = this.shell;
+    engine.guard(() => engine.wasm.editor_seek(engine.editor, seconds), 0);
+    wake();
+  }
+
+  /** @param {Frame} frame */
+  show({ moves }) {
+    const { engine, wake } = this.shell;
+    if (moves !== this.version) {
+      this.version = moves;
+      this.move = moves ? engine.guard(() => JSON.parse(engine.string(engine.wasm.editor_move(engine.editor))), NONE) : NONE;
+      this.#fill();
+    }
+    if (this.move.playing) {
+      engine.guard(() => engine.wasm.editor_play(engine.editor, performance.now()), 0);
+      wake();
+    }
+  }
+
+  #fill() {
+    const { id, name, at, duration, rate, playing, through, loop } = this.move;
+    const states = { 'move-play': playing, 'move-loop': loop, 'look-through': through };
+    this.box.hidden = !id;
+    this.box.ariaLabel = name || word('moves.name');
+    this.shell.stage.classList.toggle('through', through !== 0);
+    this.slider.max = String(duration);
+    this.slider.step = String(1 / rate);
+    if (this.slider.valueAsNumber !== at) {
+      this.slider.step = 'any'; // the playhead may lie between two frames
+      this.slider.value = String(at);
+    }
+    const digits = duration < 100 ? 2 : 0;
+    this.told.textContent = word('moves.at', `${at.toFixed(digits)} / ${duration.toFixed(digits)}`);
+    this.slider.ariaLabel = word('moves.name');
+    this.slider.setAttribute('aria-valuetext', this.told.textContent);
+    for (const [command, on] of Object.entries(states)) {
+      const button = this.buttons[command];
+      button.ariaPressed = String(on !== 0);
+      button.title = button.ariaLabel = word(`command.${command}`);
+    }
+  }
+}
