@@ -66,3 +66,55 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await state(page)).check, '');
   });
 }
+
+/** A sheet over x from 60 to 360 as a surface object, and its image in x = 0. */
+const sheetAt = (id, side) => {
+  const even = (n) => Array.from({ length: n + 4 }, (_, i) => Math.min(Math.max(i - 3, 0), n - 3));
+  const points = Array.from({ length: 7 }, (_, i) => Array.from({ length: 6 }, (_, j) => [
+    side * (60 + 50 * i), 200 + 80 * j, 10 * ((3 * i + 5 * j) % 9 - 4),
+  ]));
+  return {
+    id, kind: 'surface', name: `sheet ${id}`,
+    surface: { degree: [3, 3], closed: [false, false], knots: [even(7), even(6)], points },
+  };
+};
+
+for (const pointerType of ['pen', 'touch']) {
+  test(`with symmetry a line is redrawn on the twin, too, ${pointerType}`, async (t) => {
+    const document = JSON.parse(first('sheet').toString());
+    document.page = [-500, 0, 1000, 800];
+    const like = document.objects.find((object) => object.kind === 'surface');
+    document.objects = [1, -1].map((side, i) => ({ ...like, ...sheetAt(i + 1, side) }));
+    document.next = 3;
+    const server = await serve({ name: 'twins.batten', bytes: Buffer.from(JSON.stringify(document)) });
+    t.after(() => server.close());
+    const { page, hand } = await open(browser, server.address, { colorScheme: 'light' });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `surface-${name}-${pointerType}.png`) });
+    const begun = await state(page);
+    await page.keyboard.press('b');
+    await page.keyboard.press('y');
+    for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+Alt+ArrowUp');
+    await page.keyboard.press('Shift+Alt+ArrowLeft');
+    await page.keyboard.press('Tab');
+    await settle(page);
+    await quiet(page);
+    await shot('twins-lit');
+    const line = await page.evaluate(() => {
+      const label = glance().labels?.[0];
+      const canvas = globalThis.document.getElementById('still').getBoundingClientRect();
+      return label && [canvas.left + label.x, canvas.top + label.y];
+    });
+    assert.ok(line, 'a line is lit');
+    const along = Array.from({ length: 40 }, (_, i) => [line[0] + 4 - 30 * Math.sin((Math.PI * i) / 39) ** 3, line[1] + 10 + i * 2]);
+    hand.rest(2);
+    await hand.stroke(along, { pointerType, during: () => shot('twins-drawing') });
+    await quiet(page);
+    await shot('twins-redrawn');
+    const now = await state(page);
+    assert.notEqual(now.digest, begun.digest, JSON.stringify(await page.evaluate(() => glance().notice)));
+    assert.equal(now.check, '');
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+    assert.equal((await state(page)).digest, begun.digest);
+  });
+}

@@ -53,6 +53,11 @@ bat_status bat_command_symmetry_axis(bat_context *c, bat_command_id id) {
     return choose(c, &axis);
 }
 
+bat_status bat_command_symmetry_origin(bat_context *c, bat_command_id id) {
+    (void)id;
+    return choose(c, &(bat_mirror){true, {0, 0}, {0, 1}});
+}
+
 bat_status bat_command_symmetry_middle(bat_context *c, bat_command_id id) {
     (void)id;
     return choose(c, &(bat_mirror){.on = false});

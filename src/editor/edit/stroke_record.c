@@ -1,4 +1,5 @@
 #include "editor/edit/stroke_record.h"
+#include "editor/edit/mirror_record.h"
 #include "editor/session/journal_line.h"
 #include "editor/view/stage.h"
 #include <math.h>
@@ -123,13 +124,6 @@ static void write_ground(bat_text *line, const bat_ground *ground) {
     bat_text_string(line, "}");
 }
 
-static void write_mirror(bat_text *line, const bat_mirror *mirror) {
-    if (!mirror->on) return;
-    bat_text_string(line, ",\"mirror\":");
-    bat_line_numbers(line, (double[]){mirror->at[0], mirror->at[1], mirror->along[0], mirror->along[1]}, 4,
-                     1);
-}
-
 void bat_edit_write(const bat_edit *edit, bat_text *line) {
     bat_text_string(line, "{\"do\":\"");
     bat_text_string(line, bat_edit_name(edit->kind));
@@ -160,7 +154,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
         number(line, "fairness", edit->options.fairness);
     if (edit->options.degree != 3) number(line, "degree", edit->options.degree);
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
-    write_mirror(line, &edit->mirror);
+    bat_mirror_write(&edit->mirror, line);
     bat_text_string(line, ",\"view\":");
     const bat_view *view = &edit->stage.view;
     bat_line_numbers(line,
@@ -392,17 +386,6 @@ static bat_status read_ground(const bat_json *json, bat_ground *ground, bat_prob
                 : BAT_OK;
 }
 
-static void read_mirror(reader *r, bat_mirror *mirror) {
-    double numbers[4];
-    mirror->on = read_numbers(r, "mirror", 4, BAT_COORDINATE_MAX, numbers);
-    if (!mirror->on) return;
-    memcpy(mirror->at, numbers, sizeof mirror->at);
-    memcpy(mirror->along, numbers + 2, sizeof mirror->along);
-    if (!bat_mirror_is_good(mirror))
-        r->status = bat_json_complain(r->json, bat_json_member(r->json, r->object, "mirror"), BAT_ARGUMENT,
-                                      "mirror", "a place and a direction of length 1", r->problem);
-}
-
 bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_edit *out,
                          bat_problem *problem) {
     static const double one = 1, three = 3, none = 0;
@@ -446,7 +429,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
     out->accepted = read_switch(&r, "accepted");
-    read_mirror(&r, &out->mirror);
+    if (r.status == BAT_OK) r.status = bat_mirror_read(json, 1, &out->mirror, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);
     return r.status;
 }

@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_EDIT_SURFACE_LINE_H
 #define BATTEN_EDITOR_EDIT_SURFACE_LINE_H
 
+#include "editor/edit/surface_pair.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include "text/json.h"
@@ -27,16 +28,29 @@ typedef struct bat_line_edit {
     int lock
         [BAT_EDGES]; /* what stays at the edges u low, u high, v low, v high: 0 nothing, 1 the place, 2 the tangents,
                            * too, 3 the curvature, too; directions that are closed have none */
+    bat_mirror mirror; /* on: the line's mirror image is redrawn, too, if there is one */
     size_t count;
     const double *pixels; /* x y; borrowed */
 } bat_line_edit;
 
-/* The surface as the edit makes it. Statuses as bat_surface_sketch; BAT_ARGUMENT: the document has no such surface. The
- * report is filled in as far as the call came. */
-bat_status bat_line_edit_compute(const bat_document *document, const bat_line_edit *edit, bat_surface **out,
+/* What an edit makes: the surface and, where another is its mirror image, that. */
+typedef struct bat_line_made {
+    bat_surface *surface;
+    bat_id twin;        /* 0: none */
+    bat_surface *image; /* the twin as it becomes; NULL: none */
+    bat_surface_way way;
+} bat_line_made;
+
+void bat_line_made_clear(bat_line_made *made);
+/* The edit performed on copies, which the caller clears. Statuses as bat_surface_sketch and bat_surface_redraw_image;
+ * BAT_ARGUMENT: the document has no such surface. The report is filled in as far as the call came;
+ * where the surface is its own image, redraw.moved holds both lines'. */
+bat_status bat_line_edit_compute(const bat_document *document, const bat_line_edit *edit, bat_line_made *out,
                                  bat_surface_sketch_report *report);
-/* Puts the surface into the document as one undo step and one line of the journal, or changes nothing. */
-bat_status bat_line_edit_commit(bat_context *c, const bat_line_edit *edit, const bat_surface *surface);
+/* Puts what was made into the document as one undo step and one line of the journal, or changes nothing. */
+bat_status bat_line_edit_commit(bat_context *c, const bat_line_edit *edit, const bat_line_made *made);
+/* The edit with what is locked at one edge locked at its image, too. */
+bat_line_edit bat_line_edit_paired(const bat_line_edit *edit, const bat_surface_pair *pair);
 /* How far an edit of this line would reach; as bat_surface_redraw, which it calls with the line as it is. */
 bat_status bat_line_edit_probe(const bat_surface *surface, const bat_line_edit *edit,
                                bat_surface_redraw_report *report);

@@ -1,4 +1,5 @@
 /* Redrawn lines of surfaces as lines of the journal (docs/journal.md). */
+#include "editor/edit/mirror_record.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/surface_line.h"
 #include "editor/session/journal_line.h"
@@ -36,6 +37,7 @@ void bat_line_edit_write(const bat_line_edit *edit, bat_text *line) {
         bat_text_string(line, ",\"along\":");
         bat_line_numbers(line, edit->along, 3, 1);
     }
+    bat_mirror_write(&edit->mirror, line);
     bat_text_string(line, ",\"view\":");
     bat_viewpoint_to_json(&edit->seen, line);
     bat_text_string(line, ",\"stroke\":[");
@@ -101,6 +103,7 @@ bat_status bat_line_edit_read(const bat_json *json, bat_line_edit *out, double *
     const uint32_t along = bat_json_member(json, 1, "along");
     if (status == BAT_OK && along)
         status = bat_vector_from_json(json, along, "along", 3, out->along, problem);
+    if (status == BAT_OK) status = bat_mirror_read(json, 1, &out->mirror, problem);
     if (status == BAT_OK)
         status = bat_viewpoint_from_json(json, bat_json_member(json, 1, "view"), &out->seen, problem);
     return status == BAT_OK ? read_stroke(json, out, pixels, problem) : status;

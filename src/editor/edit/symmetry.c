@@ -20,9 +20,12 @@ static bool upright_middle(const bat_context *c, bat_mirror *out) {
 }
 
 bat_mirror bat_symmetry(bat_context *c) {
+    return bat_stage_dimension(c->stage) == 2 ? bat_symmetry_plane(c) : (bat_mirror){0};
+}
+
+bat_mirror bat_symmetry_plane(bat_context *c) {
     bat_mirror axis = c->session->axis;
-    if (c->settings->values[BAT_PROPERTY_SYMMETRY] == 0 || bat_stage_dimension(c->stage) != 2)
-        return (bat_mirror){0};
+    if (c->settings->values[BAT_PROPERTY_SYMMETRY] == 0) return (bat_mirror){0};
     if (!axis.on && !upright_middle(c, &axis) && !c->session->read_only)
         bat_session_set_axis(c->session, &axis); /* out of memory: the same again next time */
     return axis;

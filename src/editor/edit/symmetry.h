@@ -10,6 +10,8 @@
  * through the middle of the drawing, or of the window when the drawing is empty, which is then kept for the session.
  * Off: symmetry is off, or the pen draws on something other than the page. */
 bat_mirror bat_symmetry(bat_context *c);
+/* The same for surfaces, for which the axis stands for the upright plane through it: whatever the pen draws on. */
+bat_mirror bat_symmetry_plane(bat_context *c);
 /* Before a tool's step is committed: mirrors what it changes, if steps of its kind are mirrored. Strokes of the
  * sketch tool state this themselves (stroke.h). */
 bat_status bat_symmetry_finish(bat_context *c, bat_string label);

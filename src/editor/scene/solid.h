@@ -23,6 +23,7 @@ typedef struct bat_guise {
     bat_direction direction;
     double moved[2];
 } bat_guise;
+enum { BAT_GUISES = 2 }; /* at a time */
 
 typedef struct bat_solid {
     bat_grain grain;

@@ -150,7 +150,7 @@ static void add_lines(bat_space *space, bat_space_item *to, const bat_scene *sce
 }
 
 /* The buffers of every object that is seen; false: some could not be made. */
-static bool update(bat_scene *scene, const bat_grain *grain, const bat_guise *guise) {
+static bool update(bat_scene *scene, const bat_grain *grain, int guises, const bat_guise *guise) {
     bool all = true;
     for (int i = 0; i < scene->count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
@@ -158,10 +158,12 @@ static bool update(bat_scene *scene, const bat_grain *grain, const bat_guise *gu
             bat_object_curve_count(entry->object) == 0)
             continue;
         if (!entry->solid) entry->solid = calloc(1, sizeof *entry->solid);
-        const bool guised = guise && guise->object == bat_object_id(entry->object) &&
-                            bat_object_surface(entry->object) && grain->look != BAT_LOOK_LINES;
-        if (!entry->solid || bat_solid_update(entry->solid, entry->object, grain, guised ? guise : NULL,
-                                              &scene->versions) != BAT_OK)
+        const bat_guise *own = NULL;
+        for (int k = 0; k < guises && grain->look != BAT_LOOK_LINES; k++)
+            if (guise[k].object == bat_object_id(entry->object) && bat_object_surface(entry->object))
+                own = &guise[k];
+        if (!entry->solid ||
+            bat_solid_update(entry->solid, entry->object, grain, own, &scene->versions) != BAT_OK)
             all = false;
     }
     return all;
@@ -208,7 +210,7 @@ static uint32_t legend_at(double share) {
 }
 
 const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
-                              bat_look look, const bat_guise *guise) {
+                              bat_look look, int guises, const bat_guise *guise) {
     if (!bat_stage_tilted(stage) && !through) return NULL;
     if (!scene->space) scene->space = calloc(1, sizeof *scene->space);
     bat_space_kept *kept = scene->space;
@@ -216,7 +218,7 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const ba
     settle_origin(kept, stage, through);
     bat_grain grain = {.scale = (int)ceil(bat_log(bat_stage_scale(stage)) / bat_log(2)), .look = look};
     memcpy(grain.origin, kept->origin, sizeof grain.origin);
-    if (!update(scene, &grain, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
+    if (!update(scene, &grain, guises, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
         measure(scene, look, kept) != BAT_OK)
         return NULL;
     bat_space_item *items = realloc(kept->items, (size_t)(2 * scene->count + 1) * sizeof *items);

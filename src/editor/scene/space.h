@@ -5,10 +5,11 @@
 #include "editor/scene/scene.h"
 #include "editor/scene/solid.h"
 
-/* The picture as the stage sees it, or from another eye (through: NULL: none), of the objects as the scene has them. guise may
- * be NULL. NULL: the view is face-on and there is no other, or memory ran out. Owned by the scene, valid until it changes. */
+/* The picture as the stage sees it, or from another eye (through: NULL: none), of the objects as the scene has them. guise: of
+ * so many objects. NULL: the view is face-on and there is no other, or memory ran out. Owned by the scene, valid until it
+ * changes. */
 const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
-                              bat_look look, const bat_guise *guise);
+                              bat_look look, int guises, const bat_guise *guise);
 /* Whether a surface is seen. */
 bool bat_space_shows_surface(const bat_scene *scene);
 

@@ -79,8 +79,8 @@ typedef struct bat_tool {
     bat_cursor (*cursor)(const bat_context *c, const void *state);
     /* out: zeroed before the call. */
     void (*readout)(const bat_context *c, const void *state, bat_readout *out);
-    /* The surface that it makes of an object's; false: none. */
-    bool (*guise)(const bat_context *c, const void *state, bat_guise *out);
+    /* The surfaces that it makes of objects'; returns how many. */
+    int (*guises)(const bat_context *c, const void *state, bat_guise out[BAT_GUISES]);
     /* The number of other readings offered for the last step; 0: it cannot be read otherwise. */
     uint32_t (*readings)(const bat_context *c, const void *state);
     bool (*over)(const bat_context *c, const void *state); /* the pointer is over something of the tool */

@@ -184,7 +184,7 @@ static void only_what_moves_is_made_anew(void **state) {
         const uint32_t version = solid->version;
         const bat_space_item sheet = *item_of(space_of(editor), BAT_SPACE_TRIANGLES, SHEET);
         const bat_surfacing *surfacing = bat_toolbox_state(&editor->context, bat_tool_surface());
-        assert_non_null(surfacing->preview);
+        assert_non_null(surfacing->made.surface);
         assert_int_equal(sheet.version, version);
         const int d = along ? 0 : 2; /* rows move, or columns */
         assert_true(sheet.moved[d] < sheet.moved[d + 1]);
@@ -195,8 +195,8 @@ static void only_what_moves_is_made_anew(void **state) {
             for (size_t j = 0; j < mesh.columns; j++) {
                 const size_t k = BAT_SOLID_CORNER * (i * mesh.columns + j);
                 double point[3], was[3];
-                bat_surface_eval(surfacing->preview, mesh.u[i], mesh.v[j], 0, point);
-                bat_surface_eval(surfacing->preview, mesh.u[0], mesh.v[0], 0, was);
+                bat_surface_eval(surfacing->made.surface, mesh.u[i], mesh.v[j], 0, point);
+                bat_surface_eval(surfacing->made.surface, mesh.u[0], mesh.v[0], 0, was);
                 for (int c = 0; c < 3; c++) {
                     const double off = (double)(solid->corners[k + (size_t)c] - solid->corners[c]) -
                                        (point[c] - was[c]);

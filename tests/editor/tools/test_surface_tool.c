@@ -223,8 +223,8 @@ static void a_stroke_redraws_the_lit_line(void **state) {
         assert_true(digest(editor) == first);
         const bat_frame *frame = bat_editor_frame(editor);
         assert_true(frame->busy && frame->knots_before == 10 && frame->knots_after >= 10);
-        assert_non_null(state_of(editor)->preview);
-        bat_surface_copy(state_of(editor)->preview, &shown);
+        assert_non_null(state_of(editor)->made.surface);
+        bat_surface_copy(state_of(editor)->made.surface, &shown);
         pen_event(&p, BAT_POINTER_UP, 500, 550);
         frame = bat_editor_frame(editor);
         assert_true(strstr(frame->notice, "Knots: 11") == frame->notice);
@@ -491,7 +491,7 @@ static void a_handle_turns_the_sheet(void **state) {
                       from[1] + (end[1] - from[1]) * i / 20 + 4 * sin(i * 0.157));
         bat_editor_frame(editor);
         check(editor);
-        if (state_of(editor)->preview)
+        if (state_of(editor)->made.surface)
             for (int k = 0; k < 3; k++)
                 assert_true(fabs(state_of(editor)->report.along[k] - free[k]) < 1e-12);
         pen_event(&p, BAT_POINTER_UP, end[0], end[1]);

@@ -1,5 +1,6 @@
 /* Redrawing the lit line: while the pen is down and when it is lifted, by the same calls. */
 #include "editor/tools/surface/state.h"
+#include "editor/edit/symmetry.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
@@ -32,7 +33,8 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .at = s->lit.at[s->lit.direction],
                            .seen = s->seen,
                            .count = s->count,
-                           .pixels = s->pixels};
+                           .pixels = s->pixels,
+                           .mirror = bat_symmetry_plane(c)};
     settings_of(c, surface, out);
     bat_surfacing_along(c, s, out->along);
     const double pixel = s->seen.height > 0 ? s->seen.height / s->seen.size[1] : bat_stage_pixel(c->stage);
@@ -41,19 +43,16 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
 }
 
 void bat_surfacing_drop(bat_surfacing *s) {
-    bat_surface_free(s->preview);
-    s->preview = NULL;
+    bat_line_made_clear(&s->made);
     s->due = false;
 }
 
 void bat_surfacing_follow(bat_context *c, bat_surfacing *s) {
     bat_line_edit edit;
-    bat_surface *made = NULL;
     if (s->doing != BAT_LINING_DRAW || !s->due) return;
     bat_surfacing_drop(s);
     if (!bat_surfacing_edit(c, s, &edit)) return;
-    s->status = bat_line_edit_compute(c->session->document, &edit, &made, &s->report);
-    s->preview = made;
+    s->status = bat_line_edit_compute(c->session->document, &edit, &s->made, &s->report);
     const int along = edit.direction == BAT_U ? 1 : 0; /* where knots come and go */
     s->said = (bat_sketch_report){.max_error = s->report.max_error,
                                   .knots_before = s->report.redraw.knots_before[along],
@@ -93,8 +92,8 @@ void bat_surfacing_finish(bat_context *c, bat_surfacing *s) {
     bat_surfacing_follow(c, s);
     bat_status status = s->status;
     const bat_string refusal = bat_surfacing_refusal(s);
-    if (s->preview && bat_surfacing_edit(c, s, &edit)) {
-        status = bat_line_edit_commit(c, &edit, s->preview);
+    if (s->made.surface && bat_surfacing_edit(c, s, &edit)) {
+        status = bat_line_edit_commit(c, &edit, &s->made);
         if (status == BAT_OK) tell(c, &s->report.redraw);
     }
     if (status == BAT_MEMORY || (status != BAT_OK && refusal == BAT_STRING_COUNT))
@@ -102,6 +101,16 @@ void bat_surfacing_finish(bat_context *c, bat_surfacing *s) {
     else if (refusal != BAT_STRING_COUNT)
         bat_notice(c, refusal);
     bat_surfacing_drop(s);
+}
+
+const bat_surface_pair *bat_surfacing_pair(bat_context *c, bat_surfacing *s) {
+    const bat_mirror plane = bat_symmetry_plane(c), *in = &s->paired_in;
+    const bool same = s->paired == s->lit.object && s->paired_revision == c->session->revision &&
+                      plane.on == in->on && plane.at[0] == in->at[0] && plane.at[1] == in->at[1] &&
+                      plane.along[0] == in->along[0] && plane.along[1] == in->along[1];
+    if (!same) s->pair = bat_surface_pair_of(c->session->document, s->lit.object, &plane);
+    s->paired = s->lit.object, s->paired_revision = c->session->revision, s->paired_in = plane;
+    return &s->pair;
 }
 
 static bool same_line(const bat_line *a, const bat_line *b) {
@@ -115,6 +124,7 @@ bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
     bat_surface_redraw_report report = {.gain = 0};
     bat_line_edit edit;
     if (!surface || !bat_surfacing_edit(c, s, &edit)) return false;
+    edit = bat_line_edit_paired(&edit, bat_surfacing_pair(c, s));
     asked.line = s->lit;
     memcpy(asked.lock, edit.lock, sizeof asked.lock);
     asked.radius = edit.reach;

@@ -2,6 +2,7 @@
  * edit would reach. */
 #include "editor/tools/surface/state.h"
 #include "base/real.h"
+#include "editor/session/session.h"
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
 #include "editor/show/overlay.h"
@@ -46,11 +47,10 @@ static double next_knot(const bat_surface *surface, bat_direction direction, dou
     return best;
 }
 
-/* The lines at the knots of the surface as it will be, where they move, and the redrawn line. */
-static void show_preview(bat_context *c, const bat_surfacing *s, bat_overlay *list) {
-    const bat_surface *surface = s->preview;
-    const bat_direction d = s->lit.direction, other = d == BAT_U ? BAT_V : BAT_U;
-    const double *moved = s->report.redraw.moved;
+/* The lines at the knots of a surface as it will be, where they move, and a redrawn line. */
+static void show_made(bat_context *c, const bat_surfacing *s, bat_overlay *list, const bat_surface *surface,
+                      bat_direction d, double value, const double moved[2]) {
+    const bat_direction other = d == BAT_U ? BAT_V : BAT_U;
     double points[3 * ACROSS];
     bat_overlay_item(list, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, 1);
     for (double at = -INFINITY; (at = next_knot(surface, d, at)) < INFINITY;)
@@ -60,7 +60,46 @@ static void show_preview(bat_context *c, const bat_surfacing *s, bat_overlay *li
         add_points(c, list, &s->seen, ACROSS, points);
     }
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2.5F);
-    add_line(c, list, &s->seen, surface, d, s->report.redraw.value);
+    add_line(c, list, &s->seen, surface, d, value);
+}
+
+static void show_preview(bat_context *c, bat_surfacing *s, bat_overlay *list) {
+    const bat_line_made *made = &s->made;
+    const bat_surface_redraw_report *report = &s->report.redraw;
+    const bat_surface_pair *pair = bat_surfacing_pair(c, s);
+    const bat_surface *there = made->image ? made->image : made->surface;
+    bat_direction d = s->lit.direction;
+    double moved[2];
+    show_made(c, s, list, made->surface, d, report->value, report->moved);
+    if (!pair->image) return;
+    const double value = bat_surface_way_line(&pair->way, there, &d, report->value);
+    if (made->image) {
+        d = s->lit.direction;
+        bat_surface_way_range(&pair->way, there, &d, report->moved, moved);
+        show_made(c, s, list, there, d, value, moved);
+    } else {
+        add_line(c, list, &s->seen, there, d, value);
+    }
+}
+
+/* The image of the lit line, and how far its edit would reach. */
+static void show_image(bat_context *c, bat_surfacing *s, bat_overlay *list, const bat_viewpoint *view) {
+    const bat_surface_pair *pair = bat_surfacing_pair(c, s);
+    const bat_document *document = c->session->document;
+    const int at = pair->image ? bat_document_find(document, pair->image) : -1;
+    const bat_surface *there = at < 0 ? NULL : bat_object_surface(bat_document_at(document, at));
+    bat_direction d = s->lit.direction;
+    double ends[2];
+    if (!there) return;
+    const double value = bat_surface_way_line(&pair->way, there, &d, s->lit.at[d]);
+    bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 3);
+    add_line(c, list, view, there, d, value);
+    if (!bat_surfacing_reach(c, s)) return;
+    d = s->lit.direction;
+    bat_surface_way_range(&pair->way, there, &d, s->reach.moved, ends);
+    bat_overlay_item(list, BAT_ROLE_REACH, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
+    for (int k = 0; k < 2; k++)
+        if (ends[k] != value) add_line(c, list, view, there, d, ends[k]);
 }
 
 /* The ruled surface on which the stroke lands. */
@@ -159,6 +198,7 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
         if (s->doing != BAT_LINING_DRAW) s->seen = view;
         if (s->doing == BAT_LINING_DRAW || turns || bat_surfacing_near(c, s)) show_sheet(c, s, list, surface);
         show_reach(c, s, list, &view, surface);
+        if (s->doing != BAT_LINING_DRAW) show_image(c, s, list, &view);
         if (s->doing == BAT_LINING_NOT) show_padlocks(c, s, list);
         bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
         add_line(c, list, &view, surface, other, s->lit.at[other]);
@@ -172,6 +212,6 @@ void bat_surfacing_show(bat_context *c, bat_surfacing *s, bat_overlay *list) {
             show_name(c, s, list, at);
         }
     }
-    if (s->preview) show_preview(c, s, list);
+    if (s->made.surface) show_preview(c, s, list);
     if (s->doing == BAT_LINING_STROKE || s->doing == BAT_LINING_DRAW) show_ink(c, s, list);
 }

@@ -35,7 +35,7 @@ typedef enum bat_lining {
 typedef struct bat_line_reach {
     bat_line line;
     uint64_t revision;
-    int lock[BAT_EDGES];
+    int lock[BAT_EDGES]; /* with those of the image's edges */
     double radius;
     bool known;      /* false: the line cannot move */
     double moved[2]; /* of the crossing parameter: where movement ends */
@@ -56,7 +56,12 @@ typedef struct bat_surfacing {
     /* what the stroke makes of the surface */
     bool due; /* it has gone on since */
     bat_status status;
-    bat_surface *preview; /* owned; NULL: nothing */
+    bat_line_made made; /* owned; without a surface: nothing */
+    /* with symmetry, the image of its surface as it was when it was looked for */
+    bat_surface_pair pair;
+    bat_id paired;
+    uint64_t paired_revision;
+    bat_mirror paired_in;
     bat_surface_sketch_report report;
     bat_sketch_report said; /* the part of it that is shown to the user */
     bat_line_reach reach;
@@ -105,6 +110,9 @@ void bat_surfacing_slide(bat_context *c, const bat_surface *surface, const doubl
                          bat_line *line);
 /* Finds where an edit of the lit line would end; false: the line cannot move. */
 bool bat_surfacing_reach(bat_context *c, bat_surfacing *s);
+
+/* With symmetry, the image of the lit line's surface; image 0: none. */
+const bat_surface_pair *bat_surfacing_pair(bat_context *c, bat_surfacing *s);
 
 /* The stroke so far as an edit of the lit line; false: there is none. */
 bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out);

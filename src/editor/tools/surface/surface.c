@@ -298,16 +298,20 @@ static void update(bat_context *c, void *state) {
 static void readout(const bat_context *c, const void *state, bat_readout *out) {
     (void)c;
     const bat_surfacing *s = state;
-    if (s->preview) out->report = &s->said;
+    if (s->made.surface) out->report = &s->said;
 }
 
-static bool guise(const bat_context *c, const void *state, bat_guise *out) {
+static int guises(const bat_context *c, const void *state, bat_guise out[BAT_GUISES]) {
     (void)c;
     const bat_surfacing *s = state;
-    if (!s->preview) return false;
-    *out = (bat_guise){.object = s->lit.object, .surface = s->preview, .direction = s->lit.direction};
-    memcpy(out->moved, s->report.redraw.moved, sizeof out->moved);
-    return true;
+    const bat_line_made *made = &s->made;
+    if (!made->surface) return 0;
+    out[0] = (bat_guise){.object = s->lit.object, .surface = made->surface, .direction = s->lit.direction};
+    memcpy(out[0].moved, s->report.redraw.moved, sizeof out[0].moved);
+    if (!made->image) return 1;
+    out[1] = (bat_guise){.object = made->twin, .surface = made->image, .direction = s->lit.direction};
+    bat_surface_way_range(&made->way, made->image, &out[1].direction, out[0].moved, out[1].moved);
+    return 2;
 }
 
 static void end(void *state) {
@@ -321,7 +325,7 @@ static const char *check(const bat_context *c, const void *state) {
     if (s->count > s->room) return "a marking is longer than its memory";
     if (s->doing != BAT_LINING_NOT && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a line is marked or slides without a pointer";
-    if (s->preview && s->doing != BAT_LINING_DRAW) return "a surface is shown that no stroke makes";
+    if (s->made.surface && s->doing != BAT_LINING_DRAW) return "a surface is shown that no stroke makes";
     return (s->doing == BAT_LINING_SLIDE || s->doing == BAT_LINING_TURN) && !s->before.object
                ? "a line slides that was not lit"
                : NULL;
@@ -341,7 +345,7 @@ const bat_tool *bat_tool_surface(void) {
                                   .busy = busy,
                                   .update = update,
                                   .readout = readout,
-                                  .guise = guise,
+                                  .guises = guises,
                                   .overlay = overlay,
                                   .hint = hint,
                                   .cursor = cursor,
