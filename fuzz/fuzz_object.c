@@ -2,6 +2,7 @@
  * valid, a copy of it is unchanged, and what an object was made from can be read from it again. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/paint.h>
 
 #include "support/pictures.h"
 
@@ -119,6 +120,32 @@ static bat_status make(source *s, bat_document *document, bat_object **out) {
     }
 }
 
+static void gradient(source *s, bat_stop *stops, bat_gradient *out) {
+    *out = (bat_gradient){.radial = byte(s) & 1, .spread = (bat_spread)(byte(s) % 4), .stops = stops};
+    for (int k = 0; k < 3; k++) out->from[k] = number(s);
+    for (int k = 0; k < 3; k++) out->to[k] = number(s);
+    for (int k = 0; k < 6; k++) out->matrix[k] = number(s);
+    out->count = (size_t)byte(s) % 5;
+    for (int i = 0; i < 4; i++) {
+        stops[i].at = i / 4.0 + number(s) * 1e-9;
+        stops[i].colour = (uint32_t)byte(s) << 8 | 0x80;
+    }
+}
+
+static bat_status with_paint(source *s, const bat_object *object, bat_object **out) {
+    bat_stop stops[2][4];
+    double dashes[4];
+    bat_paint paint = {.dash_count = (size_t)byte(s) % 5, .dashes = dashes};
+    gradient(s, stops[0], &paint.fill);
+    gradient(s, stops[1], &paint.stroke);
+    for (int k = 0; k < 4; k++) dashes[k] = number(s);
+    for (int k = 0; k < 4; k++) paint.pen[k] = number(s);
+    paint.dash_offset = number(s);
+    if (byte(s) & 1) paint.stroke.count = 0;
+    if (byte(s) & 1) memset(paint.pen, 0, sizeof paint.pen);
+    return bat_object_with_paint(object, byte(s) & 15 ? &paint : NULL, out);
+}
+
 static bat_status alter(source *s, const bat_object *object, bat_object **out) {
     double points[16], tangents[16], matrix[6];
     bat_style own = style(s);
@@ -137,7 +164,7 @@ static bat_status alter(source *s, const bat_object *object, bat_object **out) {
     case 5: return bat_object_with_state(object, index & 1, index & 2, out);
     case 6: return bat_object_with_id(object, (bat_id)byte(s), out);
     case 7: one = curve(s); return one ? bat_object_with_curve(object, index, one, out) : BAT_ARGUMENT;
-    case 8: return bat_object_with_style(object, &own, out);
+    case 8: return index & 1 ? with_paint(s, object, out) : bat_object_with_style(object, &own, out);
     case 9: shape = levels(s); return shape ? bat_object_with_shape(object, index, shape, out) : BAT_ARGUMENT;
     case 10: other = spline(s, points, tangents); return bat_object_with_spline(object, &other, out);
     case 11: return bat_object_to_path(object, out);
@@ -157,6 +184,7 @@ static void ask(const bat_object *object) {
     bool drawn = bat_object_is_drawn(object), group = bat_object_is_group(object);
     demand(bat_object_id(object) > 0 && bat_object_name(object) && bat_object_style(object));
     demand(bat_object_parent(object) != bat_object_id(object));
+    demand(!bat_object_paint(object) || bat_object_is_made_of_curves(object));
     (void)(bat_object_is_hidden(object) && bat_object_is_locked(object));
     demand(group == (kind == BAT_KIND_GROUP || kind == BAT_KIND_LAYER) &&
            drawn == (!group && kind != BAT_KIND_GUIDE));

@@ -5,6 +5,7 @@
 #include "document/nesting.h"
 
 #include <batten/bezier.h>
+#include <batten/paint.h>
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -12,13 +13,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* At least how much longer the pen is somewhere than a round one. */
+static double longest(const bat_paint *paint) {
+    double square = 0;
+    for (int k = 0; paint && k < 4; k++) square += paint->pen[k] * paint->pen[k];
+    return fmax(1, sqrt(square));
+}
+
 /* Extends the box by the object's box and half its stroke width; miters may stick out as far as their limit. */
 static void grow(const bat_object *object, double box[4]) {
     double own[4];
     bat_object_bounds(object, own);
     if (!(own[0] <= own[2])) return;
     const bat_style *style = bat_object_style(object);
-    double margin = style->stroked ? style->width / 2 : 0;
+    double margin = style->stroked ? style->width / 2 * longest(bat_object_paint(object)) : 0;
     if (style->stroked && style->join == BAT_JOIN_MITER) margin *= fmin(style->miter_limit, 4);
     if (style->stroked && style->cap == BAT_CAP_SQUARE) margin = fmax(margin, style->width * 0.7072);
     box[0] = fmin(box[0], own[0] - margin);
@@ -56,6 +64,33 @@ static void set_colour(cairo_t *cairo, uint32_t colour) {
                           ((colour >> 8) & 255) / 255.0, (colour & 255) / 255.0);
 }
 
+/* What paints: the gradient, or the colour where there is none. */
+static void set_source(cairo_t *cairo, const bat_gradient *g, uint32_t colour) {
+    static const cairo_extend_t extends[] = {CAIRO_EXTEND_PAD, CAIRO_EXTEND_REFLECT, CAIRO_EXTEND_REPEAT};
+    if (!g || g->count == 0) {
+        set_colour(cairo, colour);
+        return;
+    }
+    cairo_pattern_t *pattern = g->radial
+                                   ? cairo_pattern_create_radial(g->from[0], g->from[1], g->from[2], g->to[0],
+                                                                 g->to[1], g->to[2])
+                                   : cairo_pattern_create_linear(g->from[0], g->from[1], g->to[0], g->to[1]);
+    for (size_t i = 0; i < g->count; i++) {
+        const uint32_t c = g->stops[i].colour;
+        cairo_pattern_add_color_stop_rgba(pattern, g->stops[i].at, (c >> 24) / 255.0, (c >> 16 & 255) / 255.0,
+                                          (c >> 8 & 255) / 255.0, (c & 255) / 255.0);
+    }
+    const double *m = g->matrix;
+    cairo_matrix_t matrix = {m[0], m[1], m[2], m[3], m[4], m[5]};
+    cairo_pattern_set_extend(pattern, extends[g->spread]);
+    if (cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) {
+        cairo_pattern_set_matrix(pattern, &matrix);
+        cairo_set_source(cairo, pattern);
+    } else
+        set_colour(cairo, colour);
+    cairo_pattern_destroy(pattern);
+}
+
 /* Adds the curve to the path as cubic segments: exact up to degree 3, above that within tolerance. */
 static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance) {
     double *cubics;
@@ -74,6 +109,15 @@ static bat_status trace(cairo_t *cairo, const bat_curve *curve, double tolerance
     return BAT_OK;
 }
 
+/* Dashes, and the shape of the pen: between cairo_save and cairo_restore. */
+static void shape_pen(cairo_t *cairo, const bat_paint *paint) {
+    if (!paint) return;
+    const double *m = paint->pen;
+    cairo_matrix_t pen = {m[0], m[1], m[2], m[3], 0, 0};
+    if (m[0] * m[3] - m[1] * m[2] != 0) cairo_transform(cairo, &pen);
+    if (paint->dash_count) cairo_set_dash(cairo, paint->dashes, (int)paint->dash_count, paint->dash_offset);
+}
+
 static void set_pen(cairo_t *cairo, const bat_style *style) {
     static const cairo_line_cap_t caps[] = {CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_SQUARE};
     static const cairo_line_join_t joins[] = {CAIRO_LINE_JOIN_MITER, CAIRO_LINE_JOIN_ROUND,
@@ -86,12 +130,14 @@ static void set_pen(cairo_t *cairo, const bat_style *style) {
 
 /* Clips the next painting to the box of the path and its stroke; otherwise a group would be as large as the
  * picture. */
-static void clip_to_path(cairo_t *cairo, const bat_style *style, bool stroked) {
+static void clip_to_path(cairo_t *cairo, const bat_style *style, const bat_paint *paint, bool stroked) {
     double box[4], own[4], room = 2, across = 0; /* two pixels more, so that edges do not change */
     cairo_device_to_user_distance(cairo, &room, &across);
     cairo_fill_extents(cairo, &box[0], &box[1], &box[2], &box[3]);
     if (stroked) {
         set_pen(cairo, style);
+        cairo_set_line_width(cairo,
+                             style->width * longest(paint)); /* of a round pen around that of the paint */
         cairo_stroke_extents(cairo, &own[0], &own[1], &own[2], &own[3]);
         for (int k = 0; k < 2; k++) box[k] = fmin(box[k], own[k]), box[k + 2] = fmax(box[k + 2], own[k + 2]);
     }
@@ -106,6 +152,7 @@ static void clip_to_path(cairo_t *cairo, const bat_style *style, bool stroked) {
 
 static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
     const bat_style *style = bat_object_style(object);
+    const bat_paint *paint = bat_object_paint(object);
     bool stroked = style->stroked && style->width > 0;
     if ((!stroked && !style->filled) || style->opacity <= 0) return BAT_OK;
     cairo_new_path(cairo);
@@ -117,18 +164,21 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
                  1; /* opacity of the object as a whole: fill and stroke do not show through each other */
     if (group) {
         cairo_save(cairo);
-        clip_to_path(cairo, style, stroked);
+        clip_to_path(cairo, style, paint, stroked);
         cairo_push_group(cairo);
     }
     if (style->filled) {
-        set_colour(cairo, style->fill);
+        set_source(cairo, paint ? &paint->fill : NULL, style->fill);
         cairo_set_fill_rule(cairo, style->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
         cairo_fill_preserve(cairo);
     }
     if (stroked) {
-        set_colour(cairo, style->stroke);
+        set_source(cairo, paint ? &paint->stroke : NULL, style->stroke);
         set_pen(cairo, style);
+        cairo_save(cairo);
+        shape_pen(cairo, paint);
         cairo_stroke(cairo);
+        cairo_restore(cairo);
     }
     if (group) {
         cairo_pop_group_to_source(cairo);

@@ -25,6 +25,7 @@
 #include <batten/sight.h>
 #include <batten/motion.h>
 #include <batten/document.h>
+#include <batten/paint.h>
 #include <batten/format.h>
 #include <batten/input.h>
 #include <batten/frame.h>

@@ -69,8 +69,15 @@ typedef struct bat_item {
     uint32_t path_count; /* floats */
     float bounds[4];     /* x0 y0 x1 y1 with stroke width, relative to the origin */
     const float *path;
-    uint32_t picture; /* role IMAGE: the same number, the same picture (bat_editor_picture) */
+    uint32_t picture;     /* role IMAGE: the same number, the same picture (bat_editor_picture) */
+    uint32_t paint_count; /* floats */
+    const float *paint;   /* role OBJECT: what paints it besides its colours; NULL: nothing */
 } bat_item;
+
+/* The floats of an item's paint. First the pen {a, b, c, d} (of a round one 1, 0, 0, 1), the offset of the dashes, how many
+ * there are, and they themselves, in document units; then any number of gradients: 0 for the fill, 1 for the stroke; 1 if
+ * it is radial; bat_spread; two circles x, y, radius; the matrix {a, b, c, d, e, f} from its units to those of paths; how
+ * many stops, and for each its place, the upper 24 bits of its colour and the lower 8. */
 
 /* A short text of live values. `at` is relative to the frame's origin; the text's middle lies `offset` view pixels
  * from there. */

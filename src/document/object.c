@@ -8,6 +8,7 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/levelled.h"
+#include "document/paint.h"
 #include "document/style.h"
 #include "text/utf8.h"
 
@@ -32,6 +33,7 @@ typedef struct head {
     bat_id parent; /* id of the group that it is in; 0: none */
     bool hidden, locked;
     bat_style style;
+    bat_painted *paint; /* NULL: none */
 } head;
 
 struct bat_object {
@@ -111,6 +113,7 @@ static bat_status make(const bat_kind_type *type, const head *with, const char *
             return BAT_MEMORY;
         }
     }
+    bat_painted_retain(object->head.paint);
     for (int i = 0; i < count; i++) part_fill(object->parts[i], curves[i], NULL);
     if (own) memcpy(object->own, own, type->size);
     measure(object);
@@ -152,6 +155,7 @@ static bat_object *share_as(const bat_object *object, const bat_kind_type *type,
     bat_object *copy = allocate(type, object->count, name);
     if (!copy) return NULL;
     copy->head = object->head;
+    bat_painted_retain(copy->head.paint);
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
@@ -184,10 +188,30 @@ bat_status bat_object_with_part(const bat_object *object, const bat_kind_type *t
     return BAT_OK;
 }
 
+/* A gradient goes when the colour that it stands for is changed. */
+static bat_status keep_paint(bat_object *object, const bat_style *style) {
+    const bat_style *was = &object->head.style;
+    if (!object->head.paint || (was->fill == style->fill && was->stroke == style->stroke)) return BAT_OK;
+    bat_paint paint = *bat_painted_paint(object->head.paint);
+    if (was->fill != style->fill) paint.fill.count = 0;
+    if (was->stroke != style->stroke) paint.stroke.count = 0;
+    bat_painted *kept = NULL;
+    const bat_status status = bat_painted_create(&paint, &kept);
+    if (status != BAT_OK) return status;
+    bat_painted_release(object->head.paint);
+    object->head.paint = kept;
+    return BAT_OK;
+}
+
 bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out) {
     if (!object || !style || !out || !bat_style_valid(style)) return BAT_ARGUMENT;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
+    const bat_status status = keep_paint(copy, style);
+    if (status != BAT_OK) {
+        bat_object_release(copy);
+        return status;
+    }
     if (bat_object_is(object, BAT_CURVES))
         copy->head.style = *style;
     else if (bat_object_is(object, BAT_DRAWN)) /* what paints nothing has no style, and files store none */
@@ -195,6 +219,24 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     *out = copy;
     return BAT_OK;
 }
+
+bat_status bat_object_with_paint(const bat_object *object, const bat_paint *paint, bat_object **out) {
+    if (!object || !out || !bat_object_is_made_of_curves(object)) return BAT_ARGUMENT;
+    bat_painted *made = NULL;
+    const bat_status status = paint ? bat_painted_create(paint, &made) : BAT_OK;
+    if (status != BAT_OK) return status;
+    bat_object *copy = share(object);
+    if (!copy) {
+        bat_painted_release(made);
+        return BAT_MEMORY;
+    }
+    bat_painted_release(copy->head.paint);
+    copy->head.paint = made;
+    *out = copy;
+    return BAT_OK;
+}
+
+const bat_paint *bat_object_paint(const bat_object *object) { return bat_painted_paint(object->head.paint); }
 
 bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
     if (!object || !out || parent > BAT_ID_MAX || parent == object->head.id) return BAT_ARGUMENT;
@@ -240,6 +282,7 @@ bat_object *bat_object_retain(const bat_object *object) {
 
 void bat_object_release(bat_object *object) {
     if (!object || !bat_users_drop(&object->users)) return;
+    bat_painted_release(object->head.paint);
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
     if (object->type->end) object->type->end(object->own);
     free(object);
@@ -304,5 +347,6 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     if (object->head.parent) digest = bat_digest_number(digest, object->head.parent << 2 | 1);
     if (object->head.hidden) digest = bat_digest_number(digest, 2);
     if (object->head.locked) digest = bat_digest_number(digest, 3);
+    if (object->head.paint) digest = bat_digest_number(digest, bat_painted_digest(object->head.paint));
     return object->type->digest ? object->type->digest(digest, object->own) : digest;
 }

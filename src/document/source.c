@@ -69,6 +69,8 @@ void bat_sourced_note(bat_sourced *entry, const bat_object *object) {
     entry->shape = bat_sourced_shape(object);
     entry->name = bat_digest_text(bat_digest_begin(), bat_object_name(object));
     entry->style = *bat_object_style(object);
+    for (int k = 0; k < BAT_PAINT_PARTS; k++)
+        entry->paint[k] = bat_paint_digest(bat_object_paint(object), (bat_paint_part)k);
     entry->hidden = bat_object_is_hidden(object);
     entry->locked = bat_object_is_locked(object);
 }

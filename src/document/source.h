@@ -3,7 +3,7 @@
 #ifndef BATTEN_SRC_SOURCE_H
 #define BATTEN_SRC_SOURCE_H
 
-#include <batten/document.h>
+#include "document/paint.h"
 
 /* An element that draws or holds something. Those that are drawn from another place (`use`) stand for all that they
  * draw: there is one entry for each object. */
@@ -17,6 +17,8 @@ typedef struct bat_sourced {
     /* As it was read; without a meaning when id is 0. */
     uint64_t shape, name; /* digests */
     bat_style style;
+    uint64_t paint[BAT_PAINT_PARTS]; /* digests */
+    bool boxed;                      /* a gradient of it is placed by its shape's box */
     bool hidden, locked;
 } bat_sourced;
 

@@ -28,7 +28,7 @@ for text in written:
 
 text = (root / "docs/format.md").read_text()
 examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", text, re.S)]
-parts = ["#/$defs/curve", "#/$defs/surface", "#/$defs/mesh", "#/$defs/view", "#/$defs/sweep", "#/$defs/move", "#/$defs/wires", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None]
+parts = ["#/$defs/curve", "#/$defs/surface", "#/$defs/mesh", "#/$defs/view", "#/$defs/sweep", "#/$defs/move", "#/$defs/wires", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None, "#/$defs/paint"]
 assert len(examples) == len(parts)
 for example, part in zip(examples, parts):
     (document if part is None else jsonschema.Draft202012Validator({"$ref": part, "$defs": schema["$defs"]})).validate(example)
@@ -40,8 +40,8 @@ kinds = schema["$defs"]["object"]["properties"]
 assert [kinds["id"]["maximum"], kinds["parent"]["maximum"], schema["properties"]["next"]["maximum"] - 1] == 3 * [ids]
 assert f"| `id` | 1 to {ids}, each once |" in text and f"1 to {ids + 1}; may be left out" in text
 
-example = examples[-1]
-for path, value in [(("batten",), 4), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
+example = examples[parts.index(None)]
+for path, value in [(("batten",), 5), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
                     (("objects", 0, "id"), 0), (("objects", 0, "id"), ids + 1), (("next",), ids + 2), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
                     (("objects", 0, "style", "stroke"), "red"), (("objects", 0, "style", "opacity"), 2),
                     (("objects", 0, "curves", 0, "degree"), 8), (("objects", 0, "curves", 0, "points", 0), [1])]:

@@ -32,7 +32,7 @@ ROOM_OF_HEADER = {
     "nearest": "curve", "fit": "curve", "frames": "curve", "function": "curve",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "surface": "form/surface", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
-    "document": "document",
+    "document": "document", "paint": "document",
     "format": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",
     "svg_read": None,  # belongs to another library (expat/)

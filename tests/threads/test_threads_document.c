@@ -110,6 +110,10 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     bat_curve *curve = NULL, *other = NULL;
     d = add_object(d, bat_object_with_style(object, &style, &m), &m);
     d = add_object(d, bat_object_with_name(object, "other", &m), &m);
+    const double dashes[2] = {1, seed + 1.0};
+    const bat_paint paint = {.dash_count = 2, .dashes = dashes};
+    d = add_object(d, bat_object_with_paint(object, &paint, &m), &m);
+    d = add(d, bat_object_paint(object) != NULL);
     d = add_object(d, bat_object_with_id(object, 1000 + (bat_id)seed, &m), &m);
     d = add_object(d, bat_object_with_state(object, true, seed & 1, &m), &m);
     d = add_object(d, bat_object_with_parent(object, 500, &m), &m);

@@ -111,6 +111,7 @@ function readItems(view, place, first, count) {
       y1: single('item.bounds', 3),
       path: new Float32Array(view.buffer, word('item.path'), word('item.path_count')),
       picture: word('item.picture'),
+      paint: word('item.paint') ? new Float32Array(view.buffer, word('item.paint'), word('item.paint_count')).slice() : null,
     });
   }
   return items;

@@ -37,6 +37,7 @@
  * @property {number} x1
  * @property {number} y1
  * @property {Float32Array} path a view into the module's memory
+ * @property {Float32Array | null} paint gradients, dashes and the pen; null: a style is all
  * @property {number} picture number of an image's picture: equal numbers mean the same picture
  */
 

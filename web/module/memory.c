@@ -53,6 +53,8 @@ const module_field *module_layout(void) {
         {"item.bounds", offsetof(bat_item, bounds)},
         {"item.path", offsetof(bat_item, path)},
         {"item.picture", offsetof(bat_item, picture)},
+        {"item.paint_count", offsetof(bat_item, paint_count)},
+        {"item.paint", offsetof(bat_item, paint)},
         {"frame.view", offsetof(bat_frame, view)},
         {"frame.origin", offsetof(bat_frame, origin)},
         {"frame.still_version", offsetof(bat_frame, still_version)},

@@ -106,6 +106,8 @@ export class Painter {
     this.flat = false;
     /** Paints a picture in perspective. @type {typeof import('./warp.js').warp | undefined} */
     this.warp = undefined;
+    /** Paints an object with gradients; null: being fetched. @type {typeof import('./gradients.js').drawPainted | null | undefined} */
+    this.paints = undefined;
     this.timer = 0;
     /** Requests another frame. */
     this.onidle = () => {};
@@ -246,11 +248,26 @@ export class Painter {
       }
       if (item.role === Role.IMAGE) {
         this.#drawPicture(context, item, corners, frame.zoom);
+      } else if (item.paint && this.#fetched()) {
+        this.paints?.(context, item, shape, frame.zoom, this.theme, this.flat);
       } else {
         this.#draw(context, item, shape, frame.zoom);
       }
     }
     context.restore();
+  }
+
+  /** Whether gradients can be painted; else they are fetched. */
+  #fetched() {
+    if (this.paints === undefined) {
+      this.paints = null;
+      void import('./gradients.js').then(({ drawPainted }) => {
+        this.paints = drawPainted;
+        this.stale = true;
+        this.onidle();
+      });
+    }
+    return this.paints;
   }
 
   /**

@@ -2,6 +2,7 @@
 
 #include "base/matrix.h"
 #include "document/kind.h"
+#include "document/paint.h"
 
 #include <math.h>
 
@@ -17,14 +18,27 @@ static bat_status image_of(const bat_object *object, const double matrix[6], bat
     return status;
 }
 
+/* Takes `made` over. */
+static bat_status map_paint(bat_object *made, const double matrix[6], double longer, bat_object **out) {
+    double dashes[BAT_DASHES_MAX];
+    *out = made;
+    if (!bat_object_paint(made)) return BAT_OK;
+    const bat_paint paint = bat_paint_mapped(bat_object_paint(made), matrix, longer, dashes);
+    const bat_status status = bat_object_with_paint(made, &paint, out);
+    bat_object_release(made);
+    return status;
+}
+
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out) {
     bat_object *made = NULL, *thicker = NULL;
     bat_status status = image_of(object, matrix, &made);
+    const double area = bat_matrix_area(matrix);
+    strokes = strokes && area > 0 && fabs(area - 1) > 1e-12;
+    if (status == BAT_OK) status = map_paint(made, matrix, strokes ? sqrt(area) : 1, &made);
     if (status != BAT_OK) return status;
-    double area = bat_matrix_area(matrix);
     *out = made;
-    if (!strokes || !bat_object_is(made, BAT_CURVES) || !(area > 0) || fabs(area - 1) <= 1e-12) return BAT_OK;
+    if (!strokes || !bat_object_is(made, BAT_CURVES)) return BAT_OK;
     bat_style style = *bat_object_style(made);
     style.width = fmin(style.width * sqrt(area), BAT_COORDINATE_MAX);
     status = bat_object_with_style(made, &style, &thicker);

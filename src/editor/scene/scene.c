@@ -1,5 +1,6 @@
 #include "editor/scene/scene.h"
 #include "editor/scene/image.h"
+#include "editor/scene/paint.h"
 #include "curve/curve.h"
 #include "document/kind.h"
 #include "document/nesting.h"
@@ -29,6 +30,7 @@ static void free_entry(bat_scene_entry *entry) {
     free_lines(entry);
     if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
+    free(entry->paint);
     bat_object_release(entry->object);
 }
 
@@ -89,8 +91,17 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         free(path.data);
         return false;
     }
+    float *paint = NULL;
+    uint32_t paint_count = 0;
+    if (bat_object_paint(entry->object) && !scene->tilted &&
+        !(paint = bat_paint_floats(bat_object_paint(entry->object), scene->origin, &paint_count))) {
+        free(path.data);
+        return false;
+    }
     free(entry->path);
+    free(entry->paint);
     entry->path = path.data;
+    entry->paint = paint;
 
     const bat_style *style = bat_object_style(entry->object);
     bat_item *item = &entry->item;
@@ -105,7 +116,9 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
                        .join = (uint32_t)style->join,
                        .miter_limit = bat_path_float(style->miter_limit),
                        .path_count = (uint32_t)path.count,
-                       .path = path.data};
+                       .path = path.data,
+                       .paint_count = paint_count,
+                       .paint = paint};
     if (picture) {
         item->role = BAT_ROLE_IMAGE;
         item->picture = (uint32_t)bat_picture_digest(picture);
@@ -114,6 +127,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     double more = reach(style);
+    if (paint) more *= bat_paint_reach(bat_object_paint(entry->object));
     for (int i = 0; i < 4; i++)
         item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
     return true;
@@ -228,6 +242,8 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
     bat_item item = entry->item;
     if (scene->outline && item.role == BAT_ROLE_OBJECT) {
         item.flags = BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
+        item.paint = NULL;
+        item.paint_count = 0;
         item.stroke = 0x000000ff;
         item.width = item.opacity = 1;
     }
@@ -300,7 +316,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
 static void lose_paths(bat_scene *scene) {
     for (int i = 0; i < scene->count; i++) {
         free(scene->entries[i].path);
-        scene->entries[i].path = NULL;
+        free(scene->entries[i].paint);
+        scene->entries[i].path = scene->entries[i].paint = NULL;
         scene->entries[i].item = (bat_item){0};
     }
     scene->item_count = 0;

@@ -22,6 +22,7 @@ typedef struct bat_scene_entry {
     bat_object *object; /* retained */
     double box[4];      /* of the outline, drawing coordinates (editor/view/stage.h) */
     float *path;        /* NULL until made */
+    float *paint;       /* made with the path; NULL: none */
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
     bool pale;             /* not isolated */

@@ -21,6 +21,18 @@ static bat_status read_matrix(const bat_fields *f, uint32_t object, const char *
     return bat_fields_numbers(f, object, name, 6, "six numbers", m);
 }
 
+/* ["0123456789abcdef", ...], of the fill, the stroke and its line; left out: none has anything but a style. */
+static bat_status read_paint(const bat_fields *f, uint32_t node, bat_sourced *entry) {
+    const uint32_t list = bat_json_member(f->json, node, "paint");
+    uint32_t at = bat_json_first(f->json, list);
+    if (!list) return BAT_OK;
+    for (int k = 0; k < BAT_PAINT_PARTS; k++, at = at ? f->json->nodes[at].next : 0)
+        if (!at || !bat_json_text(f->json, at) ||
+            !bat_digest_scan(bat_json_text(f->json, at), &entry->paint[k]))
+            return bat_fields_complain(f, list, "paint", "three digests");
+    return bat_fields_flag(f, node, "boxed", &entry->boxed);
+}
+
 static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above, bat_sourced *entry) {
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "elements", "an object");
@@ -42,6 +54,7 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     status = read_digest(f, node, "shape", &entry->shape);
     if (status == BAT_OK) status = read_digest(f, node, "name", &entry->name);
     if (status == BAT_OK) status = bat_style_from_json(f, node, &entry->style);
+    if (status == BAT_OK) status = read_paint(f, node, entry);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
     return status;
@@ -100,6 +113,15 @@ static bool is_equal(const double *a, const double *b) {
     return true;
 }
 
+static void write_paint(const bat_sourced *entry, bat_text *text) {
+    bool any = false;
+    for (int k = 0; k < BAT_PAINT_PARTS; k++) any = any || entry->paint[k];
+    if (!any) return;
+    for (int k = 0; k < BAT_PAINT_PARTS; k++)
+        write_digest(text, k > 0 ? ",\"" : ",\"paint\":[\"", entry->paint[k]);
+    bat_text_string(text, entry->boxed ? "],\"boxed\":true" : "]");
+}
+
 static void write_entry(const bat_sourced *entry, bat_text *text) {
     bat_text_string(text, "{\"element\":");
     bat_text_integer(text, entry->element);
@@ -117,6 +139,7 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
         write_digest(text, ",\"name\":\"", entry->name);
         bat_text_string(text, ",\"style\":");
         bat_style_to_json(&entry->style, text);
+        write_paint(entry, text);
         if (entry->hidden) bat_text_string(text, ",\"hidden\":true");
         if (entry->locked) bat_text_string(text, ",\"locked\":true");
     }

@@ -6,11 +6,9 @@
 static const char *const caps[] = {"butt", "round", "square"};
 static const char *const joins[] = {"miter", "round", "bevel"};
 
-static bat_status read_colour(const bat_fields *f, uint32_t object, const char *name, uint32_t *value) {
-    uint32_t node = bat_json_member(f->json, object, name), colour = 0;
-    if (!node) return BAT_OK;
-    const char *text = bat_json_text(f->json, node);
+bool bat_colour_scan(const char *text, uint32_t *colour) {
     bool good = text && text[0] == '#' && strlen(text) == 9;
+    uint32_t made = 0;
     for (int i = 1; good && i < 9; i++) {
         char c = text[i];
         int digit = c >= '0' && c <= '9'   ? c - '0'
@@ -18,11 +16,16 @@ static bat_status read_colour(const bat_fields *f, uint32_t object, const char *
                     : c >= 'A' && c <= 'F' ? c - 'A' + 10
                                            : -1;
         good = digit >= 0;
-        colour = colour << 4 | (uint32_t)(digit & 15);
+        made = made << 4 | (uint32_t)(digit & 15);
     }
-    if (!good) return bat_fields_complain(f, node, name, "a colour \"#rrggbbaa\"");
-    *value = colour;
-    return BAT_OK;
+    if (good) *colour = made;
+    return good;
+}
+
+static bat_status read_colour(const bat_fields *f, uint32_t object, const char *name, uint32_t *value) {
+    uint32_t node = bat_json_member(f->json, object, name);
+    if (!node || bat_colour_scan(bat_json_text(f->json, node), value)) return BAT_OK;
+    return bat_fields_complain(f, node, name, "a colour \"#rrggbbaa\"");
 }
 
 static bat_status read_choice(const bat_fields *f, uint32_t object, const char *name,
@@ -62,7 +65,7 @@ bat_status bat_style_from_json(const bat_fields *f, uint32_t object, bat_style *
     return status;
 }
 
-static void write_colour(bat_text *text, const char *member, uint32_t colour) {
+void bat_colour_write(bat_text *text, const char *member, uint32_t colour) {
     char value[12];
     bat_text_string(text, member);
     snprintf(value, sizeof value, "\"#%08lx\"", (unsigned long)colour);
@@ -76,7 +79,7 @@ static void write_flag(bat_text *text, const char *member, bool flag) {
 
 void bat_style_to_json(const bat_style *style, bat_text *text) {
     write_flag(text, "{\"stroked\":", style->stroked);
-    write_colour(text, ",\"stroke\":", style->stroke);
+    bat_colour_write(text, ",\"stroke\":", style->stroke);
     bat_text_string(text, ",\"width\":");
     bat_text_number(text, style->width);
     bat_text_string(text, ",\"cap\":\"");
@@ -86,7 +89,7 @@ void bat_style_to_json(const bat_style *style, bat_text *text) {
     bat_text_string(text, "\",\"miter_limit\":");
     bat_text_number(text, style->miter_limit);
     write_flag(text, ",\"filled\":", style->filled);
-    write_colour(text, ",\"fill\":", style->fill);
+    bat_colour_write(text, ",\"fill\":", style->fill);
     write_flag(text, ",\"even_odd\":", style->even_odd);
     bat_text_string(text, ",\"opacity\":");
     bat_text_number(text, style->opacity);

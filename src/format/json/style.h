@@ -9,4 +9,9 @@
 bat_status bat_style_from_json(const bat_fields *f, uint32_t object, bat_style *style);
 void bat_style_to_json(const bat_style *style, bat_text *text);
 
+/* "#rrggbbaa"; false: the text is something else, or NULL. */
+bool bat_colour_scan(const char *text, uint32_t *colour);
+/* before: what stands before it. */
+void bat_colour_write(bat_text *text, const char *before, uint32_t colour);
+
 #endif

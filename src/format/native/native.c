@@ -7,6 +7,7 @@
 #include "text/base64.h"
 #include "format/json/curve.h"
 #include "format/json/fields.h"
+#include "format/json/paint.h"
 #include "format/json/source.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
@@ -16,9 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings that keep the file
- * that they were read from, drawings with something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3 };
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with paint beyond
+ * styles, drawings that keep the file that they were read from, drawings with something in space, and all others. */
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -38,6 +39,8 @@ static bat_status place_object(const bat_fields *f, uint32_t node, bat_object *o
     bat_status status = bat_fields_id(f, node, "parent", BAT_ID_MAX, &parent);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &locked);
+    if (status == BAT_OK && bat_json_member(f->json, node, "paint"))
+        status = bat_paint_from_json(f, node, &object);
     if (status == BAT_OK && parent > 0) {
         status = bat_object_with_parent(object, parent, &placed);
         status = exchange(f, node, status, "parent: not itself", placed, &object);
@@ -175,8 +178,8 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (number != PLAIN && number != SPATIAL && number != SOURCED)
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2 or 3",
+    if (number != PLAIN && number != SPATIAL && number != SOURCED && number != PAINTED)
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3 or 4",
                                  f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
@@ -240,6 +243,7 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     }
     if (bat_object_is_hidden(object)) bat_text_string(text, ",\"hidden\":true");
     if (bat_object_is_locked(object)) bat_text_string(text, ",\"locked\":true");
+    if (bat_object_paint(object)) bat_paint_to_json(bat_object_paint(object), text);
     if (type->write) type->write(object, text);
     bat_text_string(text, "}");
 }
@@ -261,10 +265,13 @@ static void write_pictures(const bat_document *document, bat_text *text) {
 }
 
 static uint64_t version_of(const bat_document *document, bool whole) {
-    if (whole && bat_document_origin(document)) return SOURCED;
-    for (int i = 0; i < bat_document_count(document); i++)
-        if (bat_object_is(bat_document_at(document, i), BAT_SPACE)) return SPATIAL;
-    return PLAIN;
+    uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        if (bat_object_paint(object)) return PAINTED;
+        if (bat_object_is(object, BAT_SPACE) && version < SPATIAL) version = SPATIAL;
+    }
+    return version;
 }
 
 void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text) {

@@ -4,10 +4,14 @@
 
 #include <math.h>
 
-uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_style *style) {
+uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_style *style,
+                        const bat_paint *paint) {
     digest = bat_digest_number(digest, style->stroked);
     if (style->stroked) {
-        digest = bat_digest_number(digest, style->stroke);
+        const uint64_t gradient = bat_paint_digest(paint, BAT_PAINT_STROKE),
+                       line = bat_paint_digest(paint, BAT_PAINT_LINE);
+        digest = bat_digest_number(digest, gradient ? gradient : style->stroke);
+        if (line) digest = bat_digest_number(digest, line);
         digest = bat_digest_double(digest, style->width);
         digest = bat_digest_number(digest, (uint64_t)style->cap);
         digest = bat_digest_number(digest, (uint64_t)style->join);
@@ -15,7 +19,8 @@ uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_s
     }
     digest = bat_digest_number(digest, style->filled);
     if (style->filled) {
-        digest = bat_digest_number(digest, style->fill);
+        const uint64_t gradient = bat_paint_digest(paint, BAT_PAINT_FILL);
+        digest = bat_digest_number(digest, gradient ? gradient : style->fill);
         digest = bat_digest_number(digest, style->even_odd);
     }
     digest = bat_digest_double(digest, style->opacity);

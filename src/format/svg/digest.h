@@ -2,12 +2,12 @@
 #ifndef BATTEN_FORMAT_SVG_DIGEST_H
 #define BATTEN_FORMAT_SVG_DIGEST_H
 
+#include "document/paint.h"
 #include "format/svg/outline.h"
 
-#include <batten/document.h>
-
-/* Adds one drawn object: its outline in user units and the visible part of its style. */
-uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_style *style);
+/* Adds one drawn object: its outline in user units and the visible part of its style and paint (NULL: none). */
+uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_style *style,
+                        const bat_paint *paint);
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity);
 /* The page as written: the document's own, or, when it has none, the box of the drawing with its strokes. */

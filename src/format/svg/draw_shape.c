@@ -58,7 +58,21 @@ static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style
     return count;
 }
 
-static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_style *style) {
+/* The object with its paint; without, where the paint has numbers that no object can have. Takes the object over. */
+static bat_object *with_paint(bat_svg_walk *w, uint32_t element, bat_object *object, const bat_paint *paint) {
+    bat_object *made = NULL;
+    const bat_status status = bat_object_with_paint(object, paint, &made);
+    if (status == BAT_MEMORY) w->status = status;
+    if (!made) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_GRADIENT);
+        return object;
+    }
+    bat_object_release(object);
+    return made;
+}
+
+static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_svg_painted *painted) {
+    const bat_style *style = &painted->style;
     const char *name = bat_svg_find_name(w, element);
     bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
     if (!curves) {
@@ -73,6 +87,8 @@ static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_
                                         &object);
     else
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
+    if (object && !bat_paint_is_plain(&painted->paint))
+        object = with_paint(w, element, object, &painted->paint);
     if (object) {
         bat_svg_put_object(w, element, shown, object);
         if (w->unseen)
@@ -108,13 +124,17 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
     if (w->outline.subpath_count == 0 || w->status != BAT_OK) return;
+    bat_svg_painted painted;
+    double box[4];
+    bat_outline_box(&w->outline, box);
     bat_outline_transform(&w->outline, s->matrix);
-    bat_style style = bat_svg_resolve_style(w, element, s);
+    bat_svg_resolve_style(w, element, s, box, &painted);
+    const bat_style style = painted.style;
     if (!style.stroked && !style.filled) {
         bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
-    bat_svg_note_style(w, element, s, &style);
-    if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style);
-    add_object(w, element, s->style.shown, &style);
+    bat_svg_note_style(w, element, s, &painted);
+    if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style, &painted.paint);
+    add_object(w, element, s->style.shown, &painted);
 }

@@ -1,5 +1,6 @@
 #include "format/svg/markup.h"
 
+#include "base/matrix.h"
 #include "text/base64.h"
 
 #include <batten/bezier.h>
@@ -60,42 +61,6 @@ void bat_svg_write_number(bat_text *text, const char *attribute, double number) 
     bat_text_string(text, "\"");
 }
 
-/* Three decimals of alpha are enough to restore all 256 values. */
-static void bat_svg_write_paint(bat_text *text, const char *property, uint32_t colour) {
-    char value[80];
-    snprintf(value, sizeof value, " %s=\"#%06lx\"", property, (unsigned long)(colour >> 8));
-    bat_text_string(text, value);
-    if ((colour & 0xff) == 0xff) return;
-    snprintf(value, sizeof value, " %s-opacity=\"", property);
-    bat_svg_write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
-}
-
-void bat_svg_write_style(bat_text *text, const bat_style *style) {
-    static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
-                                                                                     "bevel"};
-    if (style->filled) {
-        bat_svg_write_paint(text, "fill", style->fill);
-        if (style->even_odd) bat_text_string(text, " fill-rule=\"evenodd\"");
-    } else
-        bat_text_string(text, " fill=\"none\"");
-    if (style->stroked) {
-        bat_svg_write_paint(text, "stroke", style->stroke);
-        bat_svg_write_number(text, " stroke-width=\"", style->width);
-        if (style->cap != BAT_CAP_BUTT) {
-            bat_text_string(text, " stroke-linecap=\"");
-            bat_text_string(text, caps[style->cap]);
-            bat_text_string(text, "\"");
-        }
-        if (style->join != BAT_JOIN_MITER) {
-            bat_text_string(text, " stroke-linejoin=\"");
-            bat_text_string(text, joins[style->join]);
-            bat_text_string(text, "\"");
-        }
-        if (style->miter_limit != 4) bat_svg_write_number(text, " stroke-miterlimit=\"", style->miter_limit);
-    }
-    if (style->opacity != 1) bat_svg_write_number(text, " opacity=\"", style->opacity);
-}
-
 void bat_svg_write_name(bat_text *text, const char *attribute, const char *name) {
     if (!*name) return;
     bat_text_string(text, attribute);
@@ -129,13 +94,178 @@ void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const dou
     bat_text_string(text, "\"/>");
 }
 
+bool bat_svg_inverse(const double m[6], double out[6]) {
+    const double det = m[0] * m[3] - m[1] * m[2];
+    if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
+    const double a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
+    const double made[6] = {a, b, c, d, -(a * m[4] + c * m[5]), -(b * m[4] + d * m[5])};
+    memcpy(out, made, sizeof made);
+    return true;
+}
+
+void bat_svg_write_matrix(const double m[6], bat_text *out) {
+    bat_text_string(out, "matrix(");
+    for (int i = 0; i < 6; i += 2) {
+        if (i > 0) bat_text_string(out, " ");
+        bat_svg_write_pair(out, m + i);
+    }
+    bat_text_string(out, ")");
+}
+
+/* ---- style and paint ---- */
+
+static void write_stops(bat_text *text, const bat_gradient *g) {
+    for (size_t i = 0; i < g->count; i++) {
+        char value[40];
+        const uint32_t colour = g->stops[i].colour;
+        bat_svg_write_number(text, "<stop offset=\"", g->stops[i].at);
+        snprintf(value, sizeof value, " stop-color=\"#%06lx\"", (unsigned long)(colour >> 8));
+        bat_text_string(text, value);
+        if ((colour & 0xff) != 0xff)
+            bat_svg_write_number(text, " stop-opacity=\"", floor((colour & 0xff) / 0.255 + 0.5) / 1000);
+        bat_text_string(text, "/>");
+    }
+}
+
+void bat_svg_write_gradient(bat_text *text, const bat_gradient *g, const double m[6], const char *id) {
+    static const char *const line[] = {" x1=\"", " y1=\"", "", " x2=\"", " y2=\"", ""},
+                             *const circle[] = {" fx=\"", " fy=\"", " fr=\"", " cx=\"", " cy=\"", " r=\""};
+    static const char *const spreads[] = {"", " spreadMethod=\"reflect\"", " spreadMethod=\"repeat\""};
+    const char *const *names = g->radial ? circle : line;
+    double own[6];
+    bat_text_string(text, g->radial ? "<radialGradient id=\"" : "<linearGradient id=\"");
+    bat_text_string(text, id);
+    bat_text_string(text, "\" gradientUnits=\"userSpaceOnUse\"");
+    for (int k = 0; k < 6; k++)
+        if (*names[k] && (k != 2 || g->from[2] > 0))
+            bat_svg_write_number(text, names[k], k < 3 ? g->from[k] : g->to[k - 3]);
+    bat_matrix_compose(m, g->matrix, own);
+    if (own[0] != 1 || own[1] != 0 || own[2] != 0 || own[3] != 1 || own[4] != 0 || own[5] != 0) {
+        bat_text_string(text, " gradientTransform=\"");
+        bat_svg_write_matrix(own, text);
+        bat_text_string(text, "\"");
+    }
+    bat_text_string(text, spreads[g->spread]);
+    bat_text_string(text, ">");
+    write_stops(text, g);
+    bat_text_string(text, g->radial ? "</radialGradient>" : "</linearGradient>");
+}
+
+bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, const double m[6], int number) {
+    const bat_paint *paint = bat_object_paint(object);
+    const bat_style *style = bat_object_style(object);
+    const unsigned long id = (unsigned long)bat_object_id(object);
+    bat_svg_ids ids = {{0}, {0}};
+    if (!paint) return ids;
+    if (style->filled && paint->fill.count) {
+        snprintf(ids.fill, sizeof ids.fill, BAT_SVG_PAINT_ID "%lu-fill-%d", id, number);
+        bat_svg_write_gradient(text, &paint->fill, m, ids.fill);
+    }
+    if (style->stroked && paint->stroke.count) {
+        snprintf(ids.stroke, sizeof ids.stroke, BAT_SVG_PAINT_ID "%lu-stroke-%d", id, number);
+        bat_svg_write_gradient(text, &paint->stroke, m, ids.stroke);
+    }
+    return ids;
+}
+
+bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]) {
+    double own[4];
+    bat_paint_pen(bat_object_paint(object), own);
+    const double m[6] = {own[0], own[1], own[2], own[3], 0, 0};
+    const bool uneven = own[0] != 1 || own[1] != 0 || own[2] != 0 || own[3] != 1;
+    memcpy(pen, m, sizeof m);
+    if (uneven && bat_object_style(object)->stroked && bat_svg_inverse(m, back)) return true;
+    bat_matrix_identity(pen);
+    bat_matrix_identity(back);
+    return false;
+}
+
+bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6]) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
+        const bat_curve *curve = bat_object_curve(object, i);
+        bat_curve *own = NULL;
+        double rows[12];
+        if (m) {
+            bat_matrix_rows(m, bat_curve_dimension(curve), rows);
+            status = bat_curve_transform(curve, rows, &own);
+        }
+        if (status == BAT_OK) status = bat_svg_write_curve(text, m ? own : curve);
+        bat_curve_free(own);
+    }
+    return status;
+}
+
+void bat_svg_write_dashes(bat_text *text, const bat_paint *paint, double scale) {
+    for (size_t i = 0; i < paint->dash_count; i++) {
+        if (i > 0) bat_text_string(text, " ");
+        bat_text_number(text, paint->dashes[i] * scale);
+    }
+}
+
+/* Three decimals of alpha are enough to restore all 256 values. */
+static void write_paint(bat_text *text, const char *property, uint32_t colour, const char *id) {
+    char value[80];
+    if (*id) {
+        snprintf(value, sizeof value, " %s=\"url(#%s)\"", property, id);
+        bat_text_string(text, value);
+        return;
+    }
+    snprintf(value, sizeof value, " %s=\"#%06lx\"", property, (unsigned long)(colour >> 8));
+    bat_text_string(text, value);
+    if ((colour & 0xff) == 0xff) return;
+    snprintf(value, sizeof value, " %s-opacity=\"", property);
+    bat_svg_write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
+}
+
+void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids) {
+    const bat_style *style = bat_object_style(object);
+    const bat_paint *paint = bat_object_paint(object);
+    static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
+                                                                                     "bevel"};
+    if (style->filled) {
+        write_paint(text, "fill", style->fill, ids->fill);
+        if (style->even_odd) bat_text_string(text, " fill-rule=\"evenodd\"");
+    } else
+        bat_text_string(text, " fill=\"none\"");
+    if (style->stroked) {
+        write_paint(text, "stroke", style->stroke, ids->stroke);
+        bat_svg_write_number(text, " stroke-width=\"", style->width);
+        if (style->cap != BAT_CAP_BUTT) {
+            bat_text_string(text, " stroke-linecap=\"");
+            bat_text_string(text, caps[style->cap]);
+            bat_text_string(text, "\"");
+        }
+        if (style->join != BAT_JOIN_MITER) {
+            bat_text_string(text, " stroke-linejoin=\"");
+            bat_text_string(text, joins[style->join]);
+            bat_text_string(text, "\"");
+        }
+        if (style->miter_limit != 4) bat_svg_write_number(text, " stroke-miterlimit=\"", style->miter_limit);
+        if (paint && paint->dash_count) {
+            bat_text_string(text, " stroke-dasharray=\"");
+            bat_svg_write_dashes(text, paint, 1);
+            bat_text_string(text, "\"");
+            if (paint->dash_offset != 0)
+                bat_svg_write_number(text, " stroke-dashoffset=\"", paint->dash_offset);
+        }
+    }
+    if (style->opacity != 1) bat_svg_write_number(text, " opacity=\"", style->opacity);
+}
+
 static void declare(bat_text *text, const char *property, double number) {
     bat_text_string(text, property);
     bat_text_number(text, number);
 }
 
-static void declare_paint(bat_text *text, const char *property, bool painted, uint32_t colour) {
+static void declare_paint(bat_text *text, const char *property, bool painted, uint32_t colour,
+                          const char *id) {
     char value[80];
+    if (painted && *id) {
+        snprintf(value, sizeof value, "%s:url(#%s);%s-opacity:1;", property, id, property);
+        bat_text_string(text, value);
+        return;
+    }
     snprintf(value, sizeof value, painted ? "%s:#%06lx;" : "%s:none;", property,
              (unsigned long)(colour >> 8));
     bat_text_string(text, value);
@@ -145,13 +275,15 @@ static void declare_paint(bat_text *text, const char *property, bool painted, ui
     bat_text_string(text, ";");
 }
 
-void bat_svg_write_style_attribute(bat_text *text, const bat_style *style) {
+void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, const bat_style *style,
+                                   const bat_svg_ids *ids) {
+    const bat_paint *paint = bat_object_paint(object);
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
     bat_text_string(text, " style=\"");
-    declare_paint(text, "fill", style->filled, style->fill);
+    declare_paint(text, "fill", style->filled, style->fill, ids->fill);
     if (style->filled) bat_text_string(text, style->even_odd ? "fill-rule:evenodd;" : "fill-rule:nonzero;");
-    declare_paint(text, "stroke", style->stroked, style->stroke);
+    declare_paint(text, "stroke", style->stroked, style->stroke, ids->stroke);
     if (style->stroked) {
         declare(text, "stroke-width:", style->width);
         bat_text_string(text, ";stroke-linecap:");
@@ -159,7 +291,13 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_style *style) {
         bat_text_string(text, ";stroke-linejoin:");
         bat_text_string(text, joins[style->join]);
         declare(text, ";stroke-miterlimit:", style->miter_limit);
-        bat_text_string(text, ";stroke-dasharray:none;");
+        bat_text_string(text, ";stroke-dasharray:");
+        if (paint && paint->dash_count) {
+            bat_svg_write_dashes(text, paint, 1);
+            declare(text, ";stroke-dashoffset:", paint->dash_offset);
+            bat_text_string(text, ";");
+        } else
+            bat_text_string(text, "none;");
     }
     declare(text, "opacity:", style->opacity);
     bat_text_string(text, "\"");

@@ -2,20 +2,39 @@
 #ifndef BATTEN_FORMAT_SVG_MARKUP_H
 #define BATTEN_FORMAT_SVG_MARKUP_H
 
+#include "document/paint.h"
 #include "text/text.h"
 
-#include <batten/document.h>
-
+bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
+void bat_svg_write_matrix(const double m[6], bat_text *out);
 void bat_svg_write_pair(bat_text *text, const double *p);
 /* Path data: cubic Béziers, exact up to degree 3. */
 bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve);
+/* All curves of an object, mapped by m before (NULL: as they are). */
+bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6]);
+/* The object's pen as a matrix, and its inverse. False: the pen is round, and both are the identity. */
+bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]);
 /* attribute: with the space before it, and up to the quote behind it: ` width="`. */
 void bat_svg_write_number(bat_text *text, const char *attribute, double number);
 void bat_svg_write_name(bat_text *text, const char *attribute,
                         const char *name); /* nothing for an empty name */
-void bat_svg_write_style(bat_text *text, const bat_style *style);
+enum { BAT_SVG_ID = 48 };
+/* The element of a gradient; m: from the document's units to those where it is used. */
+void bat_svg_write_gradient(bat_text *text, const bat_gradient *gradient, const double m[6], const char *id);
+/* The elements of the gradients of a paint (NULL: it has none) that are used, and their ids: empty without one. */
+typedef struct bat_svg_ids {
+    char fill[BAT_SVG_ID], stroke[BAT_SVG_ID];
+} bat_svg_ids;
+/* Ids that begin so belong to gradients. */
+#define BAT_SVG_PAINT_ID "batten-paint-"
+/* number: to tell the ids from those that are taken. */
+bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, const double m[6], int number);
+/* The value of stroke-dasharray. */
+void bat_svg_write_dashes(bat_text *text, const bat_paint *paint, double scale);
+void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids);
 /* The same as one attribute, which overrules style sheets and says all that something around it could say otherwise. */
-void bat_svg_write_style_attribute(bat_text *text, const bat_style *style);
+void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, const bat_style *style,
+                                   const bat_svg_ids *ids);
 /* The rest of an image element after its name: placed by m, and ended. */
 void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity);
 void bat_svg_write_state(bat_text *text, const bat_object *object); /* hidden, locked */

@@ -85,7 +85,7 @@ static const struct {
     {"stop-opacity", BAT_SVG_STOP_OPACITY},
     {"stroke", BAT_SVG_STROKE},
     {"stroke-dasharray", BAT_SVG_DASHES},
-    {"stroke-dashoffset", BAT_SVG_IDLE},
+    {"stroke-dashoffset", BAT_SVG_DASH_OFFSET},
     {"stroke-linecap", BAT_SVG_CAP},
     {"stroke-linejoin", BAT_SVG_JOIN},
     {"stroke-miterlimit", BAT_SVG_MITER},

@@ -22,6 +22,7 @@ typedef enum bat_svg_name {
     BAT_SVG_DISPLAY,
     BAT_SVG_STOP_COLOUR,
     BAT_SVG_STOP_OPACITY,
+    BAT_SVG_DASH_OFFSET,
     /* properties that are not ("odd" ones): each is a bit in a style */
     BAT_SVG_ODD,
     BAT_SVG_DASHES = BAT_SVG_ODD,

@@ -1,7 +1,6 @@
 /* Losses from elements that are drawn. */
 #include "format/svg/walk.h"
 
-#include <math.h>
 #include <string.h>
 
 /* Notes what is lost from an element, apart from its style. */
@@ -29,28 +28,20 @@ void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_sty
     bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | BAT_SVG_BIT(BAT_SVG_EFFECT)));
 }
 
-/* Whether the matrix maps circles to circles, within 1 percent. */
-static bool is_even(const double m[6]) {
-    double x = m[0] * m[0] + m[1] * m[1], y = m[2] * m[2] + m[3] * m[3], xy = m[0] * m[2] + m[1] * m[3];
-    return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
-}
-
 /* Notes what is lost from a shape's style, as far as it would be visible. */
-void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const bat_style *style) {
+void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
+                        const bat_svg_painted *painted) {
+    const bat_style *style = &painted->style;
     const char *name = bat_svg_tree_name(w->tree, element);
     uint32_t markers = BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
                        BAT_SVG_BIT(BAT_SVG_MARKER_END);
     uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~BAT_SVG_BIT(BAT_SVG_IMAGE_HINT);
-    if (style->stroked)
-        mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
-    else
-        mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
+    if (style->stroked) mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
+    if (!style->stroked || painted->paint.dash_count) mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
     bool line = name[0] == 'p' || strcmp(name, "line") == 0; /* path, polyline, polygon */
     if (!line) mask &= ~markers;
     if (!style->stroked || !style->filled) {
         if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
     }
     bat_svg_note_odd(&w->notes, element, odd, mask);
-    bool fixed = odd & BAT_SVG_BIT(BAT_SVG_EFFECT);
-    if (style->stroked && !fixed && !is_even(s->matrix)) bat_svg_note(&w->notes, element, BAT_LOSS_UNEVEN);
 }

@@ -146,3 +146,38 @@ void bat_outline_free(bat_outline *o) {
     free(o->subpaths);
     *o = (bat_outline){0};
 }
+
+/* ---- the box ---- */
+
+static double cubic_at(const double *p, double t) {
+    const double u = 1 - t;
+    return u * u * u * p[0] + 3 * u * u * t * p[2] + 3 * u * t * t * p[4] + t * t * t * p[6];
+}
+
+static void widen(double value, double *low, double *high) {
+    *low = fmin(*low, value);
+    *high = fmax(*high, value);
+}
+
+/* One coordinate of a cubic, p[0], p[2], p[4], p[6]: where its derivative a t^2 + 2 b t + c is zero. */
+static void widen_by_cubic(const double *p, double *low, double *high) {
+    const double a = p[6] - 3 * p[4] + 3 * p[2] - p[0], b = p[4] - 2 * p[2] + p[0], c = p[2] - p[0];
+    const double root = b * b - a * c;
+    widen(p[0], low, high);
+    widen(p[6], low, high);
+    if (!(root >= 0)) return;
+    const double q = -(b + (b < 0 ? -1 : 1) * sqrt(root)), t[2] = {q / a, c / q};
+    for (int i = 0; i < 2; i++)
+        if (t[i] > 0 && t[i] < 1) widen(cubic_at(p, t[i]), low, high);
+}
+
+void bat_outline_box(const bat_outline *outline, double box[4]) {
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < outline->subpath_count; i++) {
+        const bat_subpath *path = &outline->subpaths[i];
+        for (int k = 0; k < path->segments; k++)
+            for (int axis = 0; axis < 2; axis++)
+                widen_by_cubic(outline->points + 2 * (path->first + 3 * (size_t)k) + axis, &box[axis],
+                               &box[axis + 2]);
+    }
+}

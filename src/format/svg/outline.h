@@ -35,6 +35,8 @@ void bat_outline_arc(bat_outline *outline, double rx, double ry, double rotation
 void bat_outline_close(bat_outline *outline);
 /* x' = a x + c y + e, y' = b x + d y + f with m = {a, b, c, d, e, f}. */
 void bat_outline_transform(bat_outline *outline, const double m[6]);
+/* The box of the curves, not of their handles: low x, low y, high x, high y; empty when there is no subpath. */
+void bat_outline_box(const bat_outline *outline, double box[4]);
 /* Empties the outline but keeps its memory. */
 void bat_outline_clear(bat_outline *outline);
 void bat_outline_free(bat_outline *outline);

@@ -1,95 +1,104 @@
-/* How a shape is painted: colours, and what replaces a gradient or a pattern. */
+/* How a shape is painted: colours, gradients, dashes, and what replaces a pattern. */
+#include "format/svg/svg.h"
 #include "format/svg/walk.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* For shapes without a known colour, so that the outline is visible and can be edited. */
 #define GREY 0x808080ffu
 
-/* Adds a gradient's stops, weighted by their opacity; sum: red, green, blue, opacity, count. */
-static void add_stops(bat_svg_walk *w, uint32_t gradient, double sum[5]) {
-    bat_svg_scope s = {.width = 100, .height = 100};
-    bat_svg_cascade_in_place(w, gradient, &s);
-    for (uint32_t at = w->tree->elements[gradient].first; at; at = w->tree->elements[at].next) {
-        if (w->tree->elements[at].kind != BAT_SVG_STOP) continue;
-        if (++w->drawn > BAT_SVG_DRAWN_MAX) {
-            w->status = BAT_COUNT;
-            return;
-        }
-        bat_svg_style style;
-        bat_svg_cascade(w, at, &s, &style);
-        uint32_t c = style.stop.kind == BAT_PAINT_CURRENT ? style.colour : style.stop.colour;
-        double share = (c & 0xff) * style.stop_opacity;
-        for (int k = 0; k < 3; k++) sum[k] += share * (c >> (24 - 8 * k) & 0xff);
-        sum[3] += share;
-        sum[4]++;
-    }
-}
+typedef struct painting {
+    const bat_svg_scope *scope;
+    const double *box;
+    bat_stop *stops;
+    bat_gradient *gradient;
+} painting;
 
-/* The mean of a gradient's stops, which it may take from another gradient; *colour is unchanged when there are
- * none. */
-static void find_mean(bat_svg_walk *w, uint32_t gradient, uint32_t *colour) {
-    enum { HOPS_MAX = 32 };
-    double sum[5] = {0};
-    for (int hops = 0; hops < HOPS_MAX && sum[4] == 0; hops++) {
-        add_stops(w, gradient, sum);
-        const char *href = bat_svg_find_href(w, gradient);
-        gradient = href ? bat_svg_tree_refer(w->tree, href) : 0;
-        if (!gradient || w->tree->elements[gradient].kind != BAT_SVG_GRADIENT) break;
+/* What a gradient, pattern or similar paints. *painted, *colour: of its fallback. */
+static void resolve_server(bat_svg_walk *w, uint32_t element, const bat_svg_paint *paint, double share,
+                           const painting *to, bool *painted, uint32_t *colour) {
+    const uint32_t server = bat_svg_tree_refer(w->tree, paint->server);
+    if (!server || w->tree->elements[server].kind != BAT_SVG_GRADIENT) {
+        bat_svg_note(&w->notes, element, server ? BAT_LOSS_PATTERN : BAT_LOSS_BROKEN);
+        return;
     }
-    if (sum[4] == 0) return;
-    uint32_t mean = 0;
-    for (int k = 0; k < 3; k++) mean = mean << 8 | (uint32_t)floor(sum[3] > 0 ? sum[k] / sum[3] + 0.5 : 0);
-    *colour = mean << 8 | (uint32_t)floor(sum[3] / sum[4] + 0.5);
-}
-
-/* The colour that replaces a gradient, pattern or similar. *colour: its fallback, unchanged when no mean is
- * known. Returns whether there is one. */
-static bool resolve_server(bat_svg_walk *w, uint32_t element, const char *text, uint32_t *colour) {
-    uint32_t server = bat_svg_tree_refer(w->tree, text);
-    bool gradient = server && w->tree->elements[server].kind == BAT_SVG_GRADIENT;
-    bat_svg_note(&w->notes, element,
-                 gradient ? BAT_LOSS_GRADIENT
-                 : server ? BAT_LOSS_PATTERN
-                          : BAT_LOSS_BROKEN);
-    if (!gradient) return false;
-    if (!w->means && !(w->means = calloc(w->tree->count, sizeof *w->means))) {
-        w->status = BAT_MEMORY;
-        return false;
-    }
-    uint32_t mean = GREY;
-    if (!w->means[server]) {
-        find_mean(w, server, &mean);
-        w->means[server] = mean ^ 1;
-    }
-    *colour = w->means[server] ^ 1;
-    return true;
+    const bat_svg_served served = bat_svg_gradient(w, server, to->scope, to->box, share, to->stops,
+                                                   to->gradient, colour);
+    if (served == BAT_SVG_MEAN) bat_svg_note(&w->notes, element, BAT_LOSS_GRADIENT);
+    if (served != BAT_SVG_NOTHING)
+        *painted = true;
+    else if (paint->bare)
+        *painted = false;
 }
 
 /* Returns false when nothing is painted. */
-static bool resolve_paint(bat_svg_walk *w, uint32_t element, const bat_svg_paint *paint,
-                          const bat_svg_style *style, double share, uint32_t *colour) {
+static bool resolve_paint(bat_svg_walk *w, uint32_t element, const bat_svg_paint *paint, double share,
+                          const painting *to, uint32_t *colour) {
+    const bat_svg_style *style = &to->scope->style;
     uint32_t c = paint->bare ? GREY : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;
     bool painted = paint->kind != BAT_PAINT_NONE || paint->bare;
-    if (paint->server && resolve_server(w, element, paint->server, &c)) painted = true;
-    if (!painted) return false;
-    *colour = (c & 0xffffff00) | (uint32_t)floor((double)(c & 0xff) * share + 0.5);
-    return true;
+    c = (c & 0xffffff00) | (uint32_t)floor((double)(c & 0xff) * share + 0.5);
+    if (paint->server) resolve_server(w, element, paint, share, to, &painted, &c);
+    if (painted) *colour = c;
+    return painted;
 }
 
-bat_style bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+static bool ends_dashes(char c) { return c == '\0' || c == ';' || c == '!' || c == '}'; }
+
+/* The dashes in user units, and how many; -1: they are not understood. */
+static int read_dashes(const char *at, double whole, double *dashes) {
+    int count = 0;
+    for (;;) {
+        char word[32];
+        size_t size = 0;
+        while (*at == ' ' || *at == ',' || *at == '\t' || *at == '\n' || *at == '\r') at++;
+        if (ends_dashes(*at)) return count;
+        while (!ends_dashes(*at) && !strchr(" ,\t\n\r", *at) && size + 1 < sizeof word) word[size++] = *at++;
+        word[size] = '\0';
+        if (count == BAT_DASHES_MAX || !bat_svg_length(word, whole, &dashes[count]) || !(dashes[count] >= 0))
+            return -1;
+        count++;
+    }
+}
+
+/* scale: from user units to the document's. */
+static void resolve_dashes(const bat_svg_scope *s, double scale, bat_svg_painted *out) {
+    const double whole = sqrt((s->width * s->width + s->height * s->height) / 2);
+    const int count = s->style.dashes ? read_dashes(s->style.dashes, whole, out->dashes) : 0;
+    double sum = 0;
+    for (int i = 0; i < count; i++) sum += out->dashes[i] *= scale;
+    if (!(sum > 0)) return;
+    out->paint.dashes = out->dashes;
+    out->paint.dash_count = (size_t)count;
+    out->paint.dash_offset = s->style.dash_offset * scale;
+}
+
+/* The width is the mean one; where the matrix makes strokes uneven, the pen says so. */
+static void resolve_line(const bat_svg_scope *s, bat_svg_painted *out) {
+    const double *m = s->matrix, scale = sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
+    const bool fixed = s->style.odd & BAT_SVG_BIT(BAT_SVG_EFFECT);
+    if (!fixed) out->style.width *= scale;
+    if (!out->style.stroked || !(scale > 0)) return;
+    resolve_dashes(s, fixed ? 1 : scale, out);
+    for (int k = 0; k < 4 && !fixed; k++) out->paint.pen[k] = m[k] / scale;
+}
+
+void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
+                           bat_svg_painted *out) {
     const bat_svg_style *from = &s->style;
-    const double *m = s->matrix;
-    bat_style style = {.even_odd = from->even_odd,
-                       .width = from->width,
-                       .opacity = s->opacity,
-                       .cap = from->cap,
-                       .join = from->join,
-                       .miter_limit = from->miter_limit};
-    style.filled = resolve_paint(w, element, &from->fill, from, from->fill_opacity, &style.fill);
-    style.stroked = resolve_paint(w, element, &from->stroke, from, from->stroke_opacity, &style.stroke);
-    if (!(from->odd & BAT_SVG_BIT(BAT_SVG_EFFECT))) style.width *= sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
-    return style;
+    const painting fill = {s, box, out->stops[0], &out->paint.fill};
+    const painting stroke = {s, box, out->stops[1], &out->paint.stroke};
+    bat_style *style = &out->style;
+    *style = (bat_style){.even_odd = from->even_odd,
+                         .width = from->width,
+                         .opacity = s->opacity,
+                         .cap = from->cap,
+                         .join = from->join,
+                         .miter_limit = from->miter_limit};
+    out->paint = (bat_paint){0};
+    w->boxed = false;
+    style->filled = resolve_paint(w, element, &from->fill, from->fill_opacity, &fill, &style->fill);
+    style->stroked = resolve_paint(w, element, &from->stroke, from->stroke_opacity, &stroke, &style->stroke);
+    resolve_line(s, out);
 }

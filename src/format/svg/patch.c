@@ -36,8 +36,9 @@ static void keep_object(bat_svg_patch *p, int index) {
     const bool shared = fate & BAT_SVG_NEEDED && fate & BAT_SVG_TOUCHED && !bat_object_is_group(object);
     if (shared) copy_element(p, tag); /* what refers to it goes on showing what it was */
     const int mark = p->fresh_count;
+    const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, false);
     bat_svg_patch_mark(p, bat_object_id(object));
-    if (!bat_svg_patch_tag(p, object, entry, false, plan->hidden[index], shared)) {
+    if (!bat_svg_patch_tag(p, object, entry, false, plan->hidden[index], shared, &ids)) {
         p->fresh_count = mark;
         p->made.size = from;
         p->kept[p->kept_count++] = (bat_svg_mark){bat_object_id(object), tag->open};

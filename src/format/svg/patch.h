@@ -3,6 +3,7 @@
 #ifndef BATTEN_FORMAT_SVG_PATCH_H
 #define BATTEN_FORMAT_SVG_PATCH_H
 
+#include "format/svg/markup.h"
 #include "format/svg/plan.h"
 #include "text/text.h"
 
@@ -26,6 +27,7 @@ typedef struct bat_svg_patch {
     bat_svg_mark *kept,
         *fresh; /* whose element stays, by its place in the file; written anew, by their place in made */
     int kept_count, fresh_count;
+    int number; /* of new gradients; 0: not known yet */
     bat_status status;
 } bat_svg_patch;
 
@@ -38,11 +40,14 @@ void bat_svg_patch_mark(bat_svg_patch *p, bat_id id); /* the next thing written 
  * `hides`: a group without an element hides it; `anonymous`: without its id. False: it is as it
  * was, and nothing is written. */
 bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
-                       bool hides, bool anonymous);
+                       bool hides, bool anonymous, const bat_svg_ids *ids);
+/* Writes the gradients that the element cannot go on referring to, and gives their ids. */
+bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,
+                                    bool apart);
+/* A number with which no id of gradients is taken in the file. */
+int bat_svg_patch_number(bat_svg_patch *p);
 void bat_svg_patch_page(bat_svg_patch *p);
 void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
-bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
-void bat_svg_write_matrix(const double m[6], bat_text *out);
 /* ---- patch_new.c: what is written anew ---- */
 /* Every object that is new or has moved is written behind the one below it. */
 void bat_svg_patch_new(bat_svg_patch *p);

@@ -75,9 +75,9 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     bat_text *out = &p->made;
     bat_style style = *bat_object_style(object);
     if (s->opacity > 0) style.opacity = fmin(1, style.opacity / s->opacity);
-    bat_svg_patch_mark(p, bat_object_id(object));
     if (bat_object_picture(object)) {
         double m[6];
+        bat_svg_patch_mark(p, bat_object_id(object));
         bat_matrix_compose(s->back, bat_object_matrix(object), m);
         bat_text_string(out, "<image");
         bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
@@ -85,14 +85,18 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
         bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity);
         return;
     }
+    double pen[6], back[6], m[6];
+    const bool uneven = bat_svg_pen(object, pen, back);
+    const bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
+    bat_svg_patch_mark(p, bat_object_id(object));
     bat_text_string(out, "<path");
     bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
     write_hidden(out, object, hides);
-    write_transform(s->back, out);
-    bat_svg_write_style_attribute(out, &style);
+    bat_matrix_compose(s->back, pen, m);
+    write_transform(m, out);
+    bat_svg_write_style_attribute(out, object, &style, &ids);
     bat_text_string(out, " d=\"");
-    for (int i = 0; i < bat_object_curve_count(object) && p->status == BAT_OK; i++)
-        p->status = bat_svg_write_curve(out, bat_object_curve(object, i));
+    p->status = bat_svg_write_curves(out, object, uneven ? back : NULL);
     bat_text_string(out, "\"/>");
 }
 
@@ -110,10 +114,11 @@ static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_so
         write_transform(m, &p->made);
         bat_text_string(&p->made, ">");
     }
+    const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, apart);
     bat_svg_patch_mark(p, bat_object_id(object));
     bat_sourced there = *entry;
     if (apart) there.opacity = s->opacity;
-    if (!bat_svg_patch_tag(p, object, &there, apart, hides, false))
+    if (!bat_svg_patch_tag(p, object, &there, apart, hides, false, &ids))
         bat_text_add(&p->made, plan->text + tag->open, tag->body - tag->open);
     bat_text_add(&p->made, plan->text + tag->body, tag->close - tag->body);
     bat_svg_patch_end_tag(p, object, entry);

@@ -43,16 +43,71 @@ static bool says_shape(const char *name, size_t size) {
            !(size == 20 && memcmp(name + 9, "insensitive", 11) == 0);
 }
 
-bool bat_svg_inverse(const double m[6], double out[6]) {
-    const double det = m[0] * m[3] - m[1] * m[2];
-    if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
-    const double a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
-    const double made[6] = {a, b, c, d, -(a * m[4] + c * m[5]), -(b * m[4] + d * m[5])};
-    memcpy(out, made, sizeof made);
-    return true;
+static void print(char value[NUMBER], double number) { value[bat_number_print(number, value)] = '\0'; }
+
+/* Whether a style sheet has a rule for elements of that name. */
+static bool has_rule(const bat_svg_plan *plan, const char *name, size_t size) {
+    for (uint32_t i = 1; i < plan->tags.count; i++) {
+        if (!bat_svg_is_called(plan, i, "style")) continue;
+        const char *end = plan->text + plan->tags.list[i].close;
+        for (const char *at = plan->text + plan->tags.list[i].body; at + size < end; at++) {
+            if (memcmp(at, name, size) != 0) continue;
+            const char before = at[-1], behind = at[size];
+            const bool begins = strchr(" \t\r\n,>+~}[*|;", before) != NULL;
+            if (begins && strchr(" \t\r\n,>+~{.#[:", behind)) return true;
+        }
+    }
+    return false;
 }
 
-static void print(char value[NUMBER], double number) { value[bat_number_print(number, value)] = '\0'; }
+/* Whether rules for its name, or for paths, say how it looks: as a path it has to say so itself. */
+static bool is_ruled(const bat_svg_plan *plan, uint32_t element) {
+    const char *name = plan->text + plan->tags.list[element].open + 1;
+    size_t size = bat_svg_tag_name(name - 1, plan->tags.list[element].body - plan->tags.list[element].open);
+    const char *colon = memchr(name, ':', size);
+    if (colon) {
+        size -= (size_t)(colon + 1 - name);
+        name = colon + 1;
+    }
+    return plan->sheets && (has_rule(plan, "path", 4) || has_rule(plan, name, size));
+}
+
+static bool says_all(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry,
+                     bool apart) {
+    const bool renamed = bat_svg_reshaped(object, entry) && !bat_svg_is_called(plan, entry->element, "path");
+    return apart || (renamed && is_ruled(plan, entry->element));
+}
+
+static bool differs(const bat_object *object, const bat_sourced *entry, bat_paint_part part) {
+    return bat_paint_digest(bat_object_paint(object), part) != entry->paint[part];
+}
+
+int bat_svg_patch_number(bat_svg_patch *p) {
+    if (p->number) return p->number;
+    for (const char *at = p->plan.text; (at = strstr(at, BAT_SVG_PAINT_ID)); at++) {
+        const char *end = at + sizeof BAT_SVG_PAINT_ID - 1;
+        int number = 0;
+        while (*end == '-' || (*end >= 'a' && *end <= 'z') || (*end >= '0' && *end <= '9')) {
+            number = *end >= '0' && *end <= '9' && number < 100000000 ? 10 * number + (*end - '0') : 0;
+            end++;
+        }
+        if (number > p->number) p->number = number;
+    }
+    return ++p->number;
+}
+
+/* A gradient that is placed by the shape's box would follow the shape. */
+bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,
+                                    bool apart) {
+    bat_svg_ids ids = {{0}, {0}};
+    double m[6];
+    if (!bat_object_paint(object) || !bat_svg_inverse(entry->inner, m)) return ids;
+    const bool all = (entry->boxed && bat_svg_reshaped(object, entry)) ||
+                     says_all(&p->plan, object, entry, apart);
+    if (!all && !differs(object, entry, BAT_PAINT_FILL) && !differs(object, entry, BAT_PAINT_STROKE))
+        return ids;
+    return bat_svg_write_gradients(&p->made, object, m, bat_svg_patch_number(p));
+}
 
 static void set_number(bat_svg_retag *r, const char *property, double number) {
     char value[NUMBER];
@@ -60,8 +115,29 @@ static void set_number(bat_svg_retag *r, const char *property, double number) {
     bat_svg_retag_style(r, property, value);
 }
 
-static void set_paint(bat_svg_retag *r, bool fill, bool painted, uint32_t colour, uint32_t before, bool all) {
-    char value[NUMBER];
+/* scale: from the element's units to the document's. */
+static void set_dashes(bat_svg_retag *r, const bat_paint *paint, double scale) {
+    bat_text text = {0};
+    if (paint && paint->dash_count && scale > 0) {
+        bat_svg_write_dashes(&text, paint, 1 / scale);
+        bat_text_add(&text, "", 1);
+        if (text.data) bat_svg_retag_style(r, "stroke-dasharray", text.data);
+        set_number(r, "stroke-dashoffset", paint->dash_offset / scale);
+    } else
+        bat_svg_retag_style(r, "stroke-dasharray", "none");
+    r->failed = r->failed || text.failed;
+    bat_text_free(&text);
+}
+
+static void set_paint(bat_svg_retag *r, bool fill, bool painted, uint32_t colour, uint32_t before, bool all,
+                      const char *id) {
+    char value[BAT_SVG_ID + 8];
+    if (painted && *id) {
+        snprintf(value, sizeof value, "url(#%s)", id);
+        bat_svg_retag_style(r, fill ? "fill" : "stroke", value);
+        set_number(r, fill ? "fill-opacity" : "stroke-opacity", 1);
+        return;
+    }
     snprintf(value, sizeof value, painted ? "#%06lx" : "none", (unsigned long)(colour >> 8));
     bat_svg_retag_style(r, fill ? "fill" : "stroke", value);
     if (painted && (all || (colour & 0xff) != (before & 0xff)))
@@ -69,18 +145,25 @@ static void set_paint(bat_svg_retag *r, bool fill, bool painted, uint32_t colour
 }
 
 /* all: whatever the element does not say itself is said. */
-static void set_style(bat_svg_retag *r, const bat_style *now, const bat_sourced *entry, bool all) {
+static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all,
+                      const bat_svg_ids *ids) {
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
-    const bat_style *was = &entry->style;
-    const bool fill = now->filled != was->filled || (now->filled && now->fill != was->fill);
-    const bool stroke = now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
+    const bat_style *was = &entry->style, *now = bat_object_style(object);
+    const bool fill_served = entry->paint[BAT_PAINT_FILL] != 0,
+               stroke_served = entry->paint[BAT_PAINT_STROKE] != 0;
+    const bool fill = *ids->fill || differs(object, entry, BAT_PAINT_FILL) || now->filled != was->filled ||
+                      (now->filled && now->fill != was->fill);
+    const bool stroke = *ids->stroke || differs(object, entry, BAT_PAINT_STROKE) ||
+                        now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
     const bool begun = now->stroked && !was->stroked;
     const double scale = sqrt(bat_matrix_area(entry->inner));
     if (fill || (all && !bat_svg_retag_says(r, "fill")))
-        set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff, !was->filled);
+        set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff,
+                  !was->filled || fill_served, ids->fill);
     if (stroke || (all && !bat_svg_retag_says(r, "stroke")))
-        set_paint(r, false, now->stroked, now->stroke, was->stroked ? was->stroke : 0xff, begun);
+        set_paint(r, false, now->stroked, now->stroke, was->stroked ? was->stroke : 0xff,
+                  begun || stroke_served, ids->stroke);
     if (now->even_odd != was->even_odd || (all && !bat_svg_retag_says(r, "fill-rule")))
         bat_svg_retag_style(r, "fill-rule", now->even_odd ? "evenodd" : "nonzero");
     if (now->stroked) {
@@ -93,6 +176,9 @@ static void set_style(bat_svg_retag *r, const bat_style *now, const bat_sourced 
         if (now->miter_limit != was->miter_limit || begun ||
             (all && !bat_svg_retag_says(r, "stroke-miterlimit")))
             set_number(r, "stroke-miterlimit", now->miter_limit);
+        if (differs(object, entry, BAT_PAINT_LINE) || (begun && bat_svg_retag_says(r, "stroke-dasharray")) ||
+            (all && !bat_svg_retag_says(r, "stroke-dasharray")))
+            set_dashes(r, bat_object_paint(object), scale);
     }
     if (now->opacity != was->opacity || all)
         set_number(r, "opacity", entry->opacity > 0 ? fmin(1, now->opacity / entry->opacity) : now->opacity);
@@ -139,15 +225,6 @@ static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat
     return status;
 }
 
-void bat_svg_write_matrix(const double m[6], bat_text *out) {
-    bat_text_string(out, "matrix(");
-    for (int i = 0; i < 6; i += 2) {
-        if (i > 0) bat_text_string(out, " ");
-        bat_svg_write_pair(out, m + i);
-    }
-    bat_text_string(out, ")");
-}
-
 /* The picture's own pixels are the units, and the transform places them. */
 static bat_status set_image(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
     double out[6], m[6], sides[2];
@@ -171,35 +248,8 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
     return failed ? BAT_MEMORY : BAT_OK;
 }
 
-/* Whether a style sheet has a rule for elements of that name. */
-static bool has_rule(const bat_svg_plan *plan, const char *name, size_t size) {
-    for (uint32_t i = 1; i < plan->tags.count; i++) {
-        if (!bat_svg_is_called(plan, i, "style")) continue;
-        const char *end = plan->text + plan->tags.list[i].close;
-        for (const char *at = plan->text + plan->tags.list[i].body; at + size < end; at++) {
-            if (memcmp(at, name, size) != 0) continue;
-            const char before = at[-1], behind = at[size];
-            const bool begins = strchr(" \t\r\n,>+~}[*|;", before) != NULL;
-            if (begins && strchr(" \t\r\n,>+~{.#[:", behind)) return true;
-        }
-    }
-    return false;
-}
-
-/* Whether rules for its name, or for paths, say how it looks: as a path it has to say so itself. */
-static bool is_ruled(const bat_svg_plan *plan, uint32_t element) {
-    const char *name = plan->text + plan->tags.list[element].open + 1;
-    size_t size = bat_svg_tag_name(name - 1, plan->tags.list[element].body - plan->tags.list[element].open);
-    const char *colon = memchr(name, ':', size);
-    if (colon) {
-        size -= (size_t)(colon + 1 - name);
-        name = colon + 1;
-    }
-    return plan->sheets && (has_rule(plan, "path", 4) || has_rule(plan, name, size));
-}
-
 bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
-                       bool hides, bool anonymous) {
+                       bool hides, bool anonymous, const bat_svg_ids *ids) {
     const bat_svg_plan *plan = &p->plan;
     const bat_svg_tag *tag = &plan->tags.list[entry->element];
     bat_svg_retag r;
@@ -207,8 +257,7 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
                         plan->sheets);
     if (!bat_object_is_group(object)) {
         const bool reshaped = bat_svg_reshaped(object, entry);
-        const bool renamed = reshaped && !bat_svg_is_called(plan, entry->element, "path");
-        set_style(&r, bat_object_style(object), entry, apart || (renamed && is_ruled(plan, entry->element)));
+        set_style(&r, object, entry, says_all(plan, object, entry, apart), ids);
         if (reshaped) {
             const bat_status status = bat_object_picture(object) ? set_image(&r, object, entry)
                                                                  : set_path(&r, object, entry);

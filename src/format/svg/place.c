@@ -43,4 +43,5 @@ void bat_svg_place_object(bat_svg_walk *w, const bat_object *object) {
         at->copied = true;
     }
     at->id = bat_object_id(object);
+    at->boxed = w->boxed;
 }

@@ -130,7 +130,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     bat_outline_free(&w->outline);
     bat_pictures_free(&w->pictures);
     bat_svg_notes_free(&w->notes);
-    free(w->means);
+    bat_svg_stops_free(w);
     free(w);
     bat_svg_sheet_free(&sheet);
     if (status != BAT_OK)

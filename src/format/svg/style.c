@@ -103,6 +103,12 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     case BAT_SVG_DISPLAY: style->shown = parent->shown; break;
     case BAT_SVG_STOP_COLOUR: style->stop = parent->stop; break;
     case BAT_SVG_STOP_OPACITY: style->stop_opacity = parent->stop_opacity; break;
+    case BAT_SVG_DASH_OFFSET: style->dash_offset = parent->dash_offset; break;
+    case BAT_SVG_DASHES:
+        style->dashes = parent->dashes;
+        style->odd = (style->odd & ~BAT_SVG_BIT(BAT_SVG_DASHES)) |
+                     (parent->odd & BAT_SVG_BIT(BAT_SVG_DASHES));
+        break;
     default: break;
     }
 }
@@ -163,6 +169,11 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
     case BAT_SVG_RULE: return set_word(style, name, value);
     case BAT_SVG_VISIBILITY: style->visible = strcmp(value, "visible") == 0; return true;
     case BAT_SVG_DISPLAY: style->shown = strcmp(value, "none") != 0; return true;
+    case BAT_SVG_DASH_OFFSET: return set_length(&style->dash_offset, value, diagonal, -INFINITY);
+    case BAT_SVG_DASHES:
+        set_odd(style, name, value);
+        style->dashes = style->odd & BAT_SVG_BIT(BAT_SVG_DASHES) ? source : NULL;
+        return true;
     default: set_odd(style, name, value); return true;
     }
 }

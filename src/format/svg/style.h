@@ -18,7 +18,9 @@ typedef struct bat_svg_style {
     uint32_t colour; /* currentColor */
     bat_svg_paint fill, stroke;
     double fill_opacity, stroke_opacity;
-    double width; /* user units */
+    double width;       /* user units */
+    const char *dashes; /* where they were read; NULL: none */
+    double dash_offset;
     double miter_limit;
     bat_cap cap;
     bat_join join;

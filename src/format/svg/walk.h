@@ -26,6 +26,14 @@ typedef struct bat_svg_scope {
     double width, height; /* of the viewport */
 } bat_svg_scope;
 
+/* The stops of a gradient. */
+typedef struct bat_svg_stops {
+    bat_stop *list; /* follows in the same block */
+    int count;
+    bool more;     /* than BAT_STOPS_MAX */
+    uint32_t mean; /* colour */
+} bat_svg_stops;
+
 typedef struct bat_svg_walk bat_svg_walk;
 typedef void bat_svg_way(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 
@@ -36,7 +44,8 @@ struct bat_svg_walk {
     bat_document *document;
     bat_svg_report *report;
     bat_svg_notes notes;
-    uint32_t *means; /* mean colours of gradients, by element, the last bit flipped; 0: not known yet */
+    bat_svg_stops **stops; /* of gradients, by element; NULL: not known yet */
+    bool boxed;            /* a gradient of the shape being drawn is placed by its box */
     bat_outline outline;
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
@@ -77,16 +86,39 @@ void bat_svg_place_object(bat_svg_walk *w, const bat_object *object);
 void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bat_svg_style *style);
 /* The style of an element at its place in the file, from all its ancestors. */
 void bat_svg_cascade_in_place(bat_svg_walk *w, uint32_t element, bat_svg_scope *s);
-bat_style bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+/* What a shape is painted with; the numbers of its paint. */
+typedef struct bat_svg_painted {
+    bat_style style;
+    bat_paint paint;
+    bat_stop stops[2][BAT_STOPS_MAX];
+    double dashes[BAT_DASHES_MAX];
+} bat_svg_painted;
+/* box: of the shape, in its own units. */
+void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
+                           bat_svg_painted *out);
+
+/* ---- server.c: gradients ---- */
+typedef enum bat_svg_served {
+    BAT_SVG_SERVED,  /* as it is */
+    BAT_SVG_PLAIN,   /* it is one colour */
+    BAT_SVG_MEAN,    /* in its place the mean of its stops */
+    BAT_SVG_NOTHING, /* it paints nothing */
+} bat_svg_served;
+/* stops: room for BAT_STOPS_MAX, to which *out refers; share: opacity; *colour: what stands for it. */
+bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
+                                const double box[4], double share, bat_stop *stops, bat_gradient *out,
+                                uint32_t *colour);
+void bat_svg_stops_free(bat_svg_walk *w);
 
 /* ---- note_drawn.c: what is lost ---- */
 /* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's
  * style, as far as it is visible. */
 void bat_svg_note_element(bat_svg_walk *w, uint32_t element);
 void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style);
-void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const bat_style *style);
+void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
+                        const bat_svg_painted *painted);
 
-/* ---- put.c: into the document ---- */
+/* ---- walk.c: into the document ---- */
 const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element);
 /* Puts the object into the group being read, hidden and locked as the element says. Takes the object over. */
 void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_object *object);

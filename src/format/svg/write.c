@@ -1,5 +1,6 @@
 /* Writing SVG: every curve as cubic Béziers, exact up to degree 3, and the native document as text in the
  * metadata. */
+#include "base/matrix.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/nesting.h"
@@ -14,12 +15,14 @@
 
 #include <batten/format.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Whether a name can be used as an XML id unchanged (ASCII only, to be safe everywhere). */
 static bool is_id(const char *name) {
+    if (strncmp(name, BAT_SVG_PAINT_ID, sizeof BAT_SVG_PAINT_ID - 1) == 0) return false;
     for (size_t i = 0; name[i]; i++) {
         char c = name[i];
         bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -65,29 +68,64 @@ static void open_group(bat_text *text, const bat_object *object, bool as_id) {
     bat_text_string(text, ">\n");
 }
 
+/* Style and paint as a reader will find them under the transform that makes the pen. */
+static void see(bat_style *style, bat_paint *paint, const double pen[6], const double back[6],
+                double dashes[BAT_DASHES_MAX]) {
+    const double scale = sqrt(fabs(pen[0] * pen[3] - pen[1] * pen[2]));
+    bat_gradient *const parts[2] = {&paint->fill, &paint->stroke};
+    style->width *= scale;
+    for (int k = 0; k < 2; k++) {
+        double own[6];
+        bat_matrix_compose(back, parts[k]->matrix, own);
+        bat_matrix_compose(pen, own, parts[k]->matrix);
+    }
+    for (size_t i = 0; i < paint->dash_count; i++) dashes[i] = paint->dashes[i] * scale;
+    paint->dashes = dashes;
+    paint->dash_offset *= scale;
+    for (int k = 0; k < 4; k++) paint->pen[k] = pen[k] / scale;
+}
+
+/* Adds what a reader will see of the path to the digest. */
+static bat_status digest_object(const bat_text *text, size_t start, const bat_object *object,
+                                bat_outline *outline, uint64_t *digest) {
+    double pen[6], back[6], dashes[BAT_DASHES_MAX];
+    bat_style style = *bat_object_style(object);
+    bat_paint paint = bat_object_paint(object) ? *bat_object_paint(object) : (bat_paint){0};
+    bat_outline_clear(outline);
+    bat_svg_path(text->data + start, text->size - start, outline);
+    if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
+    if (bat_svg_pen(object, pen, back)) {
+        bat_outline_transform(outline, pen);
+        see(&style, &paint, pen, back, dashes);
+    }
+    *digest = bat_svg_digest(*digest, outline, &style, &paint);
+    return BAT_OK;
+}
+
 /* Writes the path element, and adds what a reader will see of it to the digest. */
 static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
                                bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
+    double pen[6], back[6];
+    const bool uneven = bat_svg_pen(object, pen, back);
+    const bat_svg_ids ids = bat_svg_write_gradients(text, object, back, 1);
     bat_text_string(text, "<path");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
-    bat_svg_write_style(text, style);
+    if (uneven) {
+        bat_text_string(text, " transform=\"");
+        bat_svg_write_matrix(pen, text);
+        bat_text_string(text, "\"");
+    }
+    bat_svg_write_style(text, object, &ids);
     bat_text_string(text, " d=\"");
-    size_t start = text->size;
-    for (int i = 0; i < bat_object_curve_count(object); i++) {
-        bat_status status = bat_svg_write_curve(text, bat_object_curve(object, i));
-        if (status != BAT_OK) return status;
-    }
-    if (text->failed) return BAT_MEMORY;
-    bat_outline_clear(outline);
-    if (!hidden && (style->stroked || style->filled)) {
-        bat_svg_path(text->data + start, text->size - start, outline);
-        if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
-        *digest = bat_svg_digest(*digest, outline, style);
-    }
+    const size_t start = text->size;
+    bat_status status = bat_svg_write_curves(text, object, uneven ? back : NULL);
+    if (status == BAT_OK && text->failed) status = BAT_MEMORY;
+    if (status == BAT_OK && !hidden && (style->stroked || style->filled))
+        status = digest_object(text, start, object, outline, digest);
     bat_text_string(text, "\"/>\n");
-    return BAT_OK;
+    return status;
 }
 
 static void write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {

@@ -211,10 +211,10 @@ static void references(void **state) {
         {"<defs><linearGradient id='a'><stop stop-color='red'/></linearGradient><linearGradient id='b' "
          "href='#a'><title/><stop stop-color='blue'/></linearGradient></defs><path fill='url(#b)' d='" BOX_AT
          "'/>",
-         "<path fill='blue' d='" BOX_AT "'/>", "{\"gradients\":1}"},
+         "<path fill='blue' d='" BOX_AT "'/>", "{}"},
         {"<defs><rect id='a' width='6' height='3'/><linearGradient id='b' href='#a'/></defs><path "
-         "fill='url(#b)' d='" BOX_AT "'/>",
-         "<path fill='gray' d='" BOX_AT "'/>", "{\"gradients\":1}"},
+         "fill='url(#b)' stroke='red' d='" BOX_AT "'/>",
+         "<path fill='none' stroke='red' d='" BOX_AT "'/>", "{}"},
         {"<path fill='red' marker-end='url(#m)' paint-order='markers' d='" BOX_AT "'/>",
          "<path fill='red' d='" BOX_AT "'/>", "{\"markers\":1,\"orders\":1}"},
     };

@@ -13,6 +13,7 @@
 #include "support/random_curve.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/paint.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -382,6 +383,12 @@ static void random_edits_are_written(void **state) {
 }
 
 /* The native document keeps the file, too, and journals begin with one. */
+static bool paint_in(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++)
+        if (bat_object_paint(bat_document_at(document, i))) return true;
+    return false;
+}
+
 static void native_documents_keep_it(void **state) {
     (void)state;
     random_source r = {5};
@@ -391,7 +398,7 @@ static void native_documents_keep_it(void **state) {
         char *text, *again;
         size_t size, other;
         assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
-        assert_memory_equal(text, "{\"batten\":3", 11);
+        assert_memory_equal(text, paint_in(document) ? "{\"batten\":4" : "{\"batten\":3", 11);
         assert_int_equal(bat_document_read(text, size, &back, NULL), BAT_OK);
         char *one = written(document, true), *two = written(back, true);
         assert_string_equal(one, two);
@@ -527,6 +534,43 @@ static void running_out_of_memory(void **state) {
     assert_int_equal(alloc_live(), before);
 }
 
+/* A gradient that still paints the same stays; one that would follow the box of its shape is given to it anew. */
+static void gradients_stay_where_they_are(void **state) {
+    (void)state;
+    static const char file[] =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'>"
+        "<linearGradient id='b'><stop stop-color='red'/><stop offset='1'/></linearGradient>"
+        "<linearGradient id='u' gradientUnits='userSpaceOnUse' href='#b' x2='40'/>"
+        "<g transform='translate(5,5)'><path fill='url(#b)' d='M0 0H20V10Z'/>"
+        "<path fill='none' stroke='url(#u)' stroke-dasharray='3 1' d='M0 20H20V30'/></g></svg>";
+    bat_document *document = opened(file), *back = NULL;
+    shift(document, find_drawn(document, 0), 10, 10);
+    shift(document, find_drawn(document, 1), 10, 10);
+    char *text = written(document, false);
+    assert_non_null(strstr(text, "stroke='url(#u)' stroke-dasharray='3 1'"));
+    assert_null(strstr(text, "fill='url(#b)'"));
+    assert_int_equal(strncmp(text, file, (size_t)(strstr(file, "<path") - file)), 0);
+    assert_int_equal(read_file(text, strlen(text), &back, NULL), BAT_OK);
+    for (int i = 0; i < 2; i++) {
+        const bat_paint *was = bat_object_paint(bat_document_at(document, find_drawn(document, i)));
+        const bat_paint *now = bat_object_paint(bat_document_at(back, find_drawn(back, i)));
+        const bat_gradient *a = i ? &was->stroke : &was->fill, *b = i ? &now->stroke : &now->fill;
+        assert_true(a->count == 2 && b->count == 2 && was->dash_count == now->dash_count);
+        for (int k = 0; k < 2; k++) { /* both ends lie where they did */
+            const double *p = k ? a->to : a->from, *q = k ? b->to : b->from, *m = a->matrix, *n = b->matrix;
+            assert_true(fabs(m[0] * p[0] + m[2] * p[1] + m[4] - n[0] * q[0] - n[2] * q[1] - n[4]) <= 1e-9);
+            assert_true(fabs(m[1] * p[0] + m[3] * p[1] + m[5] - n[1] * q[0] - n[3] * q[1] - n[5]) <= 1e-9);
+        }
+    }
+    bat_document_free(back);
+    bat_free(text);
+    paint(document, find_drawn(document, 1), 0x123456ff, 2);
+    text = written(document, false);
+    assert_non_null(strstr(text, "stroke=\"#123456\""));
+    bat_document_free(document);
+    bat_free(text);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(untouched_files_are_the_same),
@@ -538,6 +582,7 @@ int main(void) {
         cmocka_unit_test(bad_native_documents_are_refused),
         cmocka_unit_test(what_cannot_be_kept_is_not),
         cmocka_unit_test(a_tolerance_asks_for_other_data),
+        cmocka_unit_test(gradients_stay_where_they_are),
         cmocka_unit_test(running_out_of_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

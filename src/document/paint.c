@@ -1,0 +1,162 @@
+#include "document/paint.h"
+
+#include "base/matrix.h"
+#include "base/users.h"
+#include "document/digest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct bat_painted {
+    bat_users users;
+    uint64_t digest;
+    bat_paint paint; /* what it points to follows in the same block */
+};
+
+static bool are_finite(const double *numbers, int count) {
+    for (int i = 0; i < count; i++)
+        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
+    return true;
+}
+
+static bool maps(const double m[4]) {
+    const double area = m[0] * m[3] - m[1] * m[2];
+    return area != 0 && isfinite(1 / area);
+}
+
+static bat_status check_gradient(const bat_gradient *g) {
+    if (g->count == 0) return BAT_OK;
+    if (g->count < 2 || g->count > BAT_STOPS_MAX) return BAT_COUNT;
+    if (!g->stops || (unsigned)g->spread > BAT_SPREAD_REPEAT) return BAT_ARGUMENT;
+    if (!are_finite(g->from, 3) || !are_finite(g->to, 3) || !are_finite(g->matrix, 6) || !maps(g->matrix))
+        return BAT_NUMBER;
+    if (g->radial ? g->from[2] < 0 || !(g->to[2] > 0) : g->from[2] != 0 || g->to[2] != 0) return BAT_NUMBER;
+    if (!g->radial && g->from[0] == g->to[0] && g->from[1] == g->to[1]) return BAT_NUMBER;
+    for (size_t i = 0; i < g->count; i++)
+        if (!(g->stops[i].at >= (i > 0 ? g->stops[i - 1].at : 0) && g->stops[i].at <= 1)) return BAT_NUMBER;
+    return BAT_OK;
+}
+
+/* Whether the matrix maps circles to circles, within 1 percent, or is none. */
+static bool is_round(const double m[4]) {
+    const double x = m[0] * m[0] + m[1] * m[1], y = m[2] * m[2] + m[3] * m[3], xy = m[0] * m[2] + m[1] * m[3];
+    return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
+}
+
+static bat_status check(const bat_paint *paint) {
+    bat_status status = check_gradient(&paint->fill);
+    if (status == BAT_OK) status = check_gradient(&paint->stroke);
+    if (status != BAT_OK) return status;
+    if (!are_finite(paint->pen, 4) || (!is_round(paint->pen) && !maps(paint->pen))) return BAT_NUMBER;
+    if (paint->dash_count == 0) return BAT_OK;
+    if (paint->dash_count > BAT_DASHES_MAX) return BAT_COUNT;
+    if (!paint->dashes) return BAT_ARGUMENT;
+    if (!are_finite(paint->dashes, (int)paint->dash_count) || !are_finite(&paint->dash_offset, 1))
+        return BAT_NUMBER;
+    double sum = 0;
+    for (size_t i = 0; i < paint->dash_count; i++) {
+        if (paint->dashes[i] < 0) return BAT_NUMBER;
+        sum += paint->dashes[i];
+    }
+    return sum > 0 ? BAT_OK : BAT_NUMBER;
+}
+
+/* -0 is 0. */
+static uint64_t digest_number(uint64_t digest, double number) {
+    return bat_digest_double(digest, number + 0.0);
+}
+
+static uint64_t digest_gradient(const bat_gradient *g) {
+    uint64_t digest = bat_digest_number(bat_digest_begin(), (uint64_t)g->radial << 8 | (uint64_t)g->spread);
+    for (int i = 0; i < 3; i++) digest = digest_number(digest_number(digest, g->from[i]), g->to[i]);
+    for (int i = 0; i < 6; i++) digest = digest_number(digest, g->matrix[i]);
+    for (size_t i = 0; i < g->count; i++)
+        digest = bat_digest_number(digest_number(digest, g->stops[i].at), g->stops[i].colour);
+    return digest;
+}
+
+uint64_t bat_paint_digest(const bat_paint *paint, bat_paint_part part) {
+    if (!paint) return 0;
+    if (part == BAT_PAINT_FILL) return paint->fill.count ? digest_gradient(&paint->fill) : 0;
+    if (part == BAT_PAINT_STROKE) return paint->stroke.count ? digest_gradient(&paint->stroke) : 0;
+    if (paint->dash_count == 0 && is_round(paint->pen)) return 0;
+    uint64_t digest = bat_digest_number(bat_digest_begin(), paint->dash_count);
+    for (size_t i = 0; i < paint->dash_count && paint->dashes; i++)
+        digest = digest_number(digest, paint->dashes[i]);
+    if (paint->dash_count) digest = digest_number(digest, paint->dash_offset);
+    for (int i = 0; i < 4 && !is_round(paint->pen); i++) digest = digest_number(digest, paint->pen[i]);
+    return digest;
+}
+
+bool bat_paint_is_plain(const bat_paint *paint) {
+    return paint->fill.count + paint->stroke.count + paint->dash_count == 0 && is_round(paint->pen);
+}
+
+bat_status bat_painted_create(const bat_paint *paint, bat_painted **out) {
+    const bat_status status = check(paint);
+    if (status != BAT_OK) return status;
+    *out = NULL;
+    if (bat_paint_is_plain(paint)) return BAT_OK;
+    const size_t stops = (paint->fill.count + paint->stroke.count) * sizeof(bat_stop);
+    bat_painted *made = malloc(sizeof *made + stops + paint->dash_count * sizeof(double));
+    if (!made) return BAT_MEMORY;
+    *made = (bat_painted){.users = BAT_USERS_ONE, .paint = *paint};
+    bat_stop *at = (bat_stop *)(void *)(made + 1);
+    bat_gradient *const parts[2] = {&made->paint.fill, &made->paint.stroke};
+    for (int k = 0; k < 2; k++) {
+        if (parts[k]->count == 0) {
+            *parts[k] = (bat_gradient){0};
+            continue;
+        }
+        for (size_t i = 0; i < parts[k]->count; i++) at[i] = parts[k]->stops[i];
+        parts[k]->stops = at;
+        at += parts[k]->count;
+    }
+    double *dashes = (double *)(void *)at;
+    if (paint->dash_count) memcpy(dashes, paint->dashes, paint->dash_count * sizeof *dashes);
+    made->paint.dashes = paint->dash_count ? dashes : NULL;
+    if (!paint->dash_count) made->paint.dash_offset = 0;
+    if (is_round(paint->pen)) memset(made->paint.pen, 0, sizeof made->paint.pen);
+    made->digest = bat_digest_begin();
+    for (int k = 0; k < BAT_PAINT_PARTS; k++)
+        made->digest = bat_digest_number(made->digest, bat_paint_digest(&made->paint, (bat_paint_part)k));
+    *out = made;
+    return BAT_OK;
+}
+
+bat_painted *bat_painted_retain(const bat_painted *painted) {
+    bat_painted *shared = (bat_painted *)painted; /* only the count changes */
+    if (shared) bat_users_add(&shared->users);
+    return shared;
+}
+
+void bat_painted_release(bat_painted *painted) {
+    if (painted && bat_users_drop(&painted->users)) free(painted);
+}
+
+const bat_paint *bat_painted_paint(const bat_painted *painted) { return painted ? &painted->paint : NULL; }
+uint64_t bat_painted_digest(const bat_painted *painted) { return painted ? painted->digest : 0; }
+
+void bat_paint_pen(const bat_paint *paint, double pen[4]) {
+    static const double circle[4] = {1, 0, 0, 1};
+    memcpy(pen, !paint || is_round(paint->pen) ? circle : paint->pen, sizeof circle);
+}
+
+bat_paint bat_paint_mapped(const bat_paint *paint, const double matrix[6], double longer,
+                           double dashes[BAT_DASHES_MAX]) {
+    bat_paint made = *paint;
+    bat_gradient *const parts[2] = {&made.fill, &made.stroke};
+    for (int k = 0; k < 2; k++) {
+        double m[6];
+        bat_matrix_compose(matrix, parts[k]->matrix, m);
+        memcpy(parts[k]->matrix, m, sizeof m);
+        if (check_gradient(parts[k]) != BAT_OK) *parts[k] = (bat_gradient){0};
+    }
+    for (size_t i = 0; i < made.dash_count; i++)
+        dashes[i] = fmin(made.dashes[i] * longer, BAT_COORDINATE_MAX);
+    made.dashes = dashes;
+    made.dash_offset = fmax(fmin(made.dash_offset * longer, BAT_COORDINATE_MAX), -BAT_COORDINATE_MAX);
+    if (check(&made) != BAT_OK) made.dash_count = 0;
+    return made;
+}

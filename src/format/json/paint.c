@@ -1,0 +1,152 @@
+#include "format/json/paint.h"
+
+#include "base/matrix.h"
+#include "format/json/style.h"
+
+#include <string.h>
+
+static const char *const spread_words[] = {"pad", "reflect", "repeat"};
+
+static bat_status read_spread(const bat_fields *f, uint32_t node, bat_spread *spread) {
+    const uint32_t named = bat_json_member(f->json, node, "spread");
+    if (!named) return BAT_OK;
+    const char *word = bat_json_text(f->json, named);
+    for (int i = 0; word && i < 3; i++)
+        if (strcmp(word, spread_words[i]) == 0) {
+            *spread = (bat_spread)i;
+            return BAT_OK;
+        }
+    return bat_fields_complain(f, named, "spread", "pad, reflect or repeat");
+}
+
+/* [[at, "#rrggbbaa"], ...] */
+static bat_status read_stops(const bat_fields *f, uint32_t node, bat_stop *stops, size_t *count) {
+    const uint32_t list = bat_json_member(f->json, node, "stops");
+    const uint32_t room = bat_json_count(f->json, list);
+    if (bat_json_type_of(f->json, list) != BAT_JSON_LIST || room < 2 || room > BAT_STOPS_MAX)
+        return bat_fields_complain(f, list ? list : node, "stops", "a list of 2 to 256 stops");
+    *count = 0;
+    for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next) {
+        const uint32_t first = bat_json_first(f->json, at);
+        const uint32_t second = first ? f->json->nodes[first].next : 0;
+        bat_stop *stop = &stops[(*count)++];
+        if (bat_json_type_of(f->json, first) != BAT_JSON_NUMBER ||
+            !bat_colour_scan(bat_json_text(f->json, second), &stop->colour))
+            return bat_fields_complain(f, at, "stops", "[place, \"#rrggbbaa\"]");
+        stop->at = f->json->nodes[first].value.number;
+    }
+    return BAT_OK;
+}
+
+static bat_status read_gradient(const bat_fields *f, uint32_t outer, const char *name, bat_stop *stops,
+                                bat_gradient *out) {
+    const uint32_t node = bat_json_member(f->json, outer, name);
+    if (!node) return BAT_OK;
+    if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
+        return bat_fields_complain(f, node, name, "an object");
+    bat_gradient made = {.stops = stops};
+    bat_status status = bat_fields_flag(f, node, "radial", &made.radial);
+    if (status == BAT_OK) status = read_spread(f, node, &made.spread);
+    const size_t numbers = made.radial ? 3 : 2;
+    const char *expected = made.radial ? "x, y and radius" : "x and y";
+    if (status == BAT_OK) status = bat_fields_numbers(f, node, "from", numbers, expected, made.from);
+    if (status == BAT_OK) status = bat_fields_numbers(f, node, "to", numbers, expected, made.to);
+    bat_matrix_identity(made.matrix);
+    if (status == BAT_OK && bat_json_member(f->json, node, "matrix"))
+        status = bat_fields_numbers(f, node, "matrix", 6, "six numbers", made.matrix);
+    if (status == BAT_OK) status = read_stops(f, node, stops, &made.count);
+    if (status == BAT_OK) *out = made;
+    return status;
+}
+
+static bat_status read_dashes(const bat_fields *f, uint32_t node, double *dashes, bat_paint *paint) {
+    const uint32_t list = bat_json_member(f->json, node, "dashes");
+    if (!list) return BAT_OK;
+    const uint32_t count = bat_json_count(f->json, list);
+    if (count < 1 || count > BAT_DASHES_MAX)
+        return bat_fields_complain(f, list, "dashes", "a list of 1 to 64 numbers");
+    const bat_status status = bat_fields_numbers(f, node, "dashes", count, "a list of numbers", dashes);
+    if (status != BAT_OK) return status;
+    paint->dashes = dashes;
+    paint->dash_count = count;
+    return bat_fields_number(f, node, "dash_offset", -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, "a number",
+                             &paint->dash_offset);
+}
+
+bat_status bat_paint_from_json(const bat_fields *f, uint32_t node, bat_object **object) {
+    const uint32_t at = bat_json_member(f->json, node, "paint");
+    if (bat_json_type_of(f->json, at) != BAT_JSON_OBJECT)
+        return bat_fields_complain(f, at, "paint", "an object");
+    bat_stop stops[2][BAT_STOPS_MAX];
+    double dashes[BAT_DASHES_MAX];
+    bat_paint paint = {0};
+    bat_status status = read_gradient(f, at, "fill", stops[0], &paint.fill);
+    if (status == BAT_OK) status = read_gradient(f, at, "stroke", stops[1], &paint.stroke);
+    if (status == BAT_OK) status = read_dashes(f, at, dashes, &paint);
+    if (status == BAT_OK && bat_json_member(f->json, at, "pen"))
+        status = bat_fields_numbers(f, at, "pen", 4, "four numbers", paint.pen);
+    if (status != BAT_OK) return status;
+    bat_object *made = NULL;
+    status = bat_fields_say(f, at, bat_object_with_paint(*object, &paint, &made));
+    if (status != BAT_OK) return status;
+    bat_object_release(*object);
+    *object = made;
+    return BAT_OK;
+}
+
+static void write_numbers(bat_text *text, const char *member, const double *numbers, int count) {
+    bat_text_string(text, member);
+    for (int i = 0; i < count; i++) {
+        bat_text_string(text, i > 0 ? "," : "[");
+        bat_text_number(text, numbers[i]);
+    }
+    bat_text_string(text, "]");
+}
+
+static void write_gradient(bat_text *text, const char *member, const bat_gradient *g) {
+    const int numbers = g->radial ? 3 : 2;
+    bat_text_string(text, member);
+    if (g->radial) bat_text_string(text, "\"radial\":true,");
+    if (g->spread != BAT_SPREAD_PAD) {
+        bat_text_string(text, "\"spread\":\"");
+        bat_text_string(text, spread_words[g->spread]);
+        bat_text_string(text, "\",");
+    }
+    write_numbers(text, "\"from\":", g->from, numbers);
+    write_numbers(text, ",\"to\":", g->to, numbers);
+    write_numbers(text, ",\"matrix\":", g->matrix, 6);
+    bat_text_string(text, ",\"stops\":");
+    for (size_t i = 0; i < g->count; i++) {
+        bat_text_string(text, i > 0 ? ",[" : "[[");
+        bat_text_number(text, g->stops[i].at);
+        bat_colour_write(text, ",", g->stops[i].colour);
+        bat_text_string(text, "]");
+    }
+    bat_text_string(text, "]}");
+}
+
+void bat_paint_to_json(const bat_paint *paint, bat_text *text) {
+    const char *comma = "";
+    bat_text_string(text, ",\n  \"paint\":{");
+    if (paint->fill.count) {
+        write_gradient(text, "\"fill\":{", &paint->fill);
+        comma = ",";
+    }
+    if (paint->stroke.count) {
+        bat_text_string(text, comma);
+        write_gradient(text, "\"stroke\":{", &paint->stroke);
+        comma = ",";
+    }
+    if (paint->dash_count) {
+        bat_text_string(text, comma);
+        write_numbers(text, "\"dashes\":", paint->dashes, (int)paint->dash_count);
+        bat_text_string(text, ",\"dash_offset\":");
+        bat_text_number(text, paint->dash_offset);
+        comma = ",";
+    }
+    if (paint->pen[0] != 0 || paint->pen[1] != 0 || paint->pen[2] != 0 || paint->pen[3] != 0) {
+        bat_text_string(text, comma);
+        write_numbers(text, "\"pen\":", paint->pen, 4);
+    }
+    bat_text_string(text, "}");
+}

@@ -1,0 +1,84 @@
+// Gradients, dashes and uneven strokes as the page paints them, against what SVG says they are at a point.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, place, quiet, SCREENSHOTS } from './page.mjs';
+import { serve } from './server.mjs';
+
+const STOPS = '<stop stop-color="#ff0000"/><stop offset="1" stop-color="#0000ff"/>';
+const FILE = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300">
+<linearGradient id="a">${STOPS}</linearGradient>
+<linearGradient id="b" href="#a" x2="0" y2=".25" spreadMethod="reflect"/>
+<linearGradient id="c" href="#a" gradientUnits="userSpaceOnUse" x1="20" x2="40" spreadMethod="repeat"/>
+<radialGradient id="d" href="#a"/>
+<rect x="20" y="20" width="100" height="60" fill="url(#a)"/>
+<rect x="140" y="20" width="100" height="80" fill="url(#b)"/>
+<rect x="260" y="20" width="120" height="60" fill="url(#c)"/>
+<ellipse cx="100" cy="150" rx="80" ry="40" fill="url(#d)"/>
+<path d="M210 150H370" stroke="url(#c)" stroke-width="20" fill="none"/>
+<ellipse cx="290" cy="230" rx="80" ry="40" fill="none" stroke="url(#d)" stroke-width="20"/>
+<path d="M20 220H180" stroke="#008000" stroke-width="12" stroke-dasharray="30 10" stroke-dashoffset="5"/>
+<g transform="scale(4,1)"><path d="M10 250V290M20 270H40" stroke="#804000" stroke-width="4"/></g></svg>`;
+
+/** The colour at t between the stops. */
+const mix = (t) => [255 * (1 - t), 0, 255 * t];
+const PAPER = [255, 255, 255];
+const POINTS = [
+  [30, 50, mix(0.1)], [70, 30, mix(0.5)], [115, 70, mix(0.95)], // the box's width
+  [190, 30, mix(0.5)], [150, 45, mix(0.75)], [230, 70, mix(0.5)], [190, 79, mix(0.95)], // there and back
+  [265, 50, mix(0.25)], [285, 30, mix(0.25)], [375, 70, mix(0.75)], // again and again
+  [100, 150, mix(0)], [140, 150, mix(0.5)], [100, 170, mix(0.5)], [44, 150, mix(0.7)], // rings are ellipses
+  [215, 150, mix(0.75)], [305, 145, mix(0.25)],
+  [210, 230, mix(1)], [290, 190, mix(1)], [218, 230, mix(0.9)], // a stroke of uniform width
+  [22, 220, [0, 128, 0]], [50, 220, PAPER], [60, 224, [0, 128, 0]], [90, 220, PAPER], [130, 220, PAPER],
+  [33, 270, [128, 64, 0]], [47, 270, [128, 64, 0]], [120, 271, [128, 64, 0]], [120, 275, PAPER], // a pen four times as wide as high
+];
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+/** Colours of the still canvas at places of the drawing. */
+async function colours(page, points) {
+  const places = await Promise.all(points.map(([x, y]) => place(page, x, y)));
+  return page.evaluate((all) => all.map(([x, y]) => {
+    const still = document.getElementById('still');
+    const box = still.getBoundingClientRect();
+    const ratio = still.width / box.width;
+    return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data];
+  }), places);
+}
+
+test('curves are painted with what the file says', async (t) => {
+  const server = await serve({ name: 'paint.svg', bytes: Buffer.from(FILE) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.waitForFunction(() => globalThis.batten.painter.paints);
+  await quiet(page);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'gradients.png') });
+  const found = await colours(page, POINTS);
+  POINTS.forEach(([x, y, expected], i) => {
+    const far = Math.max(...expected.map((value, k) => Math.abs(value - found[i][k])));
+    assert.ok(far <= 16, `${x} ${y}: expected ${expected}, found ${found[i]}`);
+  });
+});
+
+test('a gradient is moved with its curve, and undone', async (t) => {
+  const server = await serve({ name: 'paint.svg', bytes: Buffer.from(FILE) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.waitForFunction(() => globalThis.batten.painter.paints);
+  const before = await page.evaluate(() => globalThis.batten.engine.digest());
+  await page.keyboard.press('v');
+  const at = await place(page, 70, 40);
+  await page.mouse.click(...at);
+  await page.keyboard.press('Shift+ArrowDown');
+  await quiet(page);
+  const after = await page.evaluate(() => globalThis.batten.engine.digest());
+  assert.notEqual(after, before);
+  const [[red, , blue]] = await colours(page, [[30, 50]]);
+  assert.ok(Math.abs(red - 229) <= 16 && Math.abs(blue - 26) <= 16, `${red} ${blue}`);
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal(await page.evaluate(() => globalThis.batten.engine.digest()), before);
+});

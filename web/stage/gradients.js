@@ -1,0 +1,175 @@
+// Painting objects with gradients, dashes and uneven pens. Fetched with a drawing's first such object.
+
+import { Cap, Flag, Join, names } from '../engine/codes.js';
+
+/** @typedef {import('../engine/types.js').Item} Item */
+/** @typedef {import('./theme.js').Theme} Theme */
+/** @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
+/** @typedef {{ radial: boolean, spread: number, circles: number[], matrix: DOMMatrix, stops: number[][] }} Gradient */
+/** @typedef {{ pen: DOMMatrix | null, offset: number, dashes: number[], gradients: (Gradient | undefined)[] }} Paint */
+
+const CAPS = /** @type {CanvasLineCap[]} */ (names(Cap));
+const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
+const PERIODS = 256; // at most so often is a gradient repeated
+const HAIRLINE = 0.75; // as in paint.js
+const [PAD, REFLECT] = [0, 1]; // bat_spread
+
+/** @type {WeakMap<Float32Array, Paint>} */
+const known = new WeakMap();
+
+/** @param {Float32Array} floats as bat_item says @returns {Paint} */
+function parse(floats) {
+  let at = 0;
+  const take = (/** @type {number} */ count) => [...floats.subarray(at, at += count)];
+  const pen = take(4);
+  const [offset, count] = take(2);
+  /** @type {Paint} */
+  const paint = { pen: `${pen}` === '1,0,0,1' ? null : new DOMMatrix([...pen, 0, 0]), offset, dashes: take(count), gradients: [] };
+  while (at < floats.length) {
+    const [stroke, radial, spread] = take(3);
+    const circles = take(6);
+    const matrix = new DOMMatrix(take(6));
+    const stops = Array.from({ length: take(1)[0] }, () => take(3));
+    paint.gradients[stroke] = { radial: radial !== 0, spread, circles, matrix, stops };
+  }
+  return paint;
+}
+
+/**
+ * How often a gradient has to be repeated, from and to, so that it covers the corners of a box.
+ * @param {Gradient} gradient @param {DOMPoint[]} corners in the gradient's units
+ */
+function periods({ radial, circles: [x0, y0, r0, x1, y1, r1] }, corners) {
+  const [dx, dy] = [x1 - x0, y1 - y0];
+  if (!radial) {
+    const places = corners.map(({ x, y }) => ((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy));
+    const first = Math.floor(Math.min(...places));
+    return [first, Math.min(Math.max(Math.ceil(Math.max(...places)), first + 1), first + PERIODS)];
+  }
+  let last = 1;
+  while (last < PERIODS && corners.some(({ x, y }) =>
+    Math.hypot(x - x0 - last * dx, y - y0 - last * dy) > r0 + last * (r1 - r0))) {
+    last++;
+  }
+  return [r1 > r0 ? -Math.floor(r0 / (r1 - r0)) : 0, last];
+}
+
+/**
+ * @param {Context} context @param {Gradient} gradient @param {Item} item @param {Theme} theme
+ * @param {number[]} [line] its ends in other units (linear)
+ */
+function styleOf(context, gradient, item, theme, line) {
+  const { radial, spread, circles, matrix, stops } = gradient;
+  const back = matrix.inverse();
+  const corners = [[item.x0, item.y0], [item.x1, item.y0], [item.x1, item.y1], [item.x0, item.y1]]
+    .map(([x, y]) => back.transformPoint({ x, y }));
+  const [first, last] = spread === PAD ? [0, 1] : periods(gradient, corners);
+  const [x0, y0, r0, x1, y1, r1] = line ? [line[0], line[1], 0, line[2], line[3], 0] : circles;
+  const at = (/** @type {number} */ k) => [x0 + k * (x1 - x0), y0 + k * (y1 - y0), Math.max(0, r0 + k * (r1 - r0))];
+  const [a, b] = [at(first), at(last)];
+  const style = radial ? context.createRadialGradient(a[0], a[1], a[2], b[0], b[1], b[2])
+    : context.createLinearGradient(a[0], a[1], b[0], b[1]);
+  for (let k = first; k < last; k++) {
+    const turned = spread === REFLECT && k % 2 !== 0;
+    for (const [place, colour, alpha] of turned ? [...stops].reverse() : stops) {
+      const share = (k - first + (turned ? 1 - place : place)) / (last - first);
+      style.addColorStop(Math.min(1, Math.max(0, share)), theme.colour((colour * 256 + alpha) >>> 0));
+    }
+  }
+  return style;
+}
+
+/**
+ * The ends of a linear gradient without its matrix: its lines of one colour stay across it.
+ * @param {Gradient} gradient @param {DOMMatrix} matrix
+ */
+function straighten({ circles: [x0, y0, , x1, y1] }, matrix) {
+  const a = matrix.transformPoint({ x: x0, y: y0 });
+  const b = matrix.transformPoint({ x: x1, y: y1 });
+  const c = matrix.transformPoint({ x: x0 - (y1 - y0), y: y0 + (x1 - x0) });
+  const [x, y] = [c.y - a.y, a.x - c.x]; // across the lines
+  const share = ((b.x - a.x) * x + (b.y - a.y) * y) / (x * x + y * y);
+  return [a.x, a.y, a.x + share * x, a.y + share * y];
+}
+
+/** @param {Path2D} shape @param {DOMMatrix} matrix */
+function mapped(shape, matrix) {
+  const made = new Path2D();
+  made.addPath(shape, matrix);
+  return made;
+}
+
+/**
+ * Strokes a gradient that only a matrix makes, which must not change the pen: in a layer of its own.
+ * @param {CanvasRenderingContext2D} context @param {Path2D} shape @param {Gradient} gradient @param {DOMMatrix} matrix
+ * @param {Item} item @param {Theme} theme
+ */
+function strokeLayer(context, shape, gradient, matrix, item, theme) {
+  const { width, height } = context.canvas;
+  const layer = new OffscreenCanvas(width, height);
+  const to = /** @type {OffscreenCanvasRenderingContext2D} */ (layer.getContext('2d'));
+  to.setTransform(context.getTransform());
+  to.lineWidth = context.lineWidth;
+  to.lineCap = context.lineCap;
+  to.lineJoin = context.lineJoin;
+  to.miterLimit = context.miterLimit;
+  to.setLineDash(context.getLineDash());
+  to.lineDashOffset = context.lineDashOffset;
+  to.stroke(shape);
+  to.globalCompositeOperation = 'source-in';
+  const whole = new Path2D();
+  whole.rect(0, 0, width, height);
+  const all = to.getTransform().multiply(matrix);
+  to.setTransform(all);
+  to.fillStyle = styleOf(to, gradient, item, theme);
+  to.fill(mapped(whole, all.inverse()));
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.drawImage(layer, 0, 0);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {Item} item @param {Path2D} shape @param {number} zoom
+ * @param {Theme} theme @param {boolean} flat without its stroke
+ */
+export function drawPainted(context, item, shape, zoom, theme, flat) {
+  const floats = /** @type {Float32Array} */ (item.paint);
+  const paint = known.get(floats) ?? parse(floats);
+  known.set(floats, paint);
+  const { pen, gradients: [fill, stroke] } = paint;
+  const rule = item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero';
+  context.save();
+  context.globalAlpha = item.opacity;
+  if (item.flags & Flag.FILLED && fill) {
+    context.save();
+    context.transform(...components(fill.matrix));
+    context.fillStyle = styleOf(context, fill, item, theme);
+    context.fill(mapped(shape, fill.matrix.inverse()), rule);
+    context.restore();
+  } else if (item.flags & Flag.FILLED) {
+    context.fillStyle = theme.colour(item.fill);
+    context.fill(shape, rule);
+  }
+  if (item.flags & Flag.STROKED && !flat) {
+    const own = pen ?? new DOMMatrix();
+    context.transform(...components(own));
+    context.lineWidth = Math.max(item.width, HAIRLINE / zoom);
+    context.lineCap = CAPS[item.cap] ?? 'round';
+    context.lineJoin = JOINS[item.join] ?? 'round';
+    context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
+    context.setLineDash(paint.dashes);
+    context.lineDashOffset = paint.offset;
+    const line = pen ? mapped(shape, own.inverse()) : shape;
+    const matrix = stroke && own.inverse().multiply(stroke.matrix);
+    if (stroke?.radial && matrix) {
+      strokeLayer(context, line, stroke, matrix, item, theme);
+    } else {
+      context.strokeStyle = stroke && matrix ? styleOf(context, stroke, item, theme, straighten(stroke, matrix))
+        : theme.colour(item.stroke);
+      context.stroke(line);
+    }
+  }
+  context.restore();
+}
+
+/** @param {DOMMatrix} m @returns {[number, number, number, number, number, number]} */
+const components = ({ a, b, c, d, e, f }) => [a, b, c, d, e, f];
