@@ -67,7 +67,7 @@ typedef struct bat_cast_point {
 /*
  * Casts each sample of a stroke, in pixels of the view. out: as many as the stroke has samples. *landed (may be NULL):
  * how many landed. A ray can meet a ruled surface more than once: of the places that can be kept the first sample
- * takes the one with the least |h|, every other one the s nearest to that of the sample that landed before it. On a
+ * takes the one with the least |h| (of those within 1e-6 of the size, the nearest to the eye), every other one the s nearest to that of the sample that landed before it. On a
  * surface it is the hit nearest to the eye. BAT_DIMENSION: the stroke does not have 2 coordinates; BAT_NUMBER: a sample
  * or the canvas is not finite; BAT_ARGUMENT: along or normal is zero; else as bat_viewpoint_check. Cost: a curve's
  * spans for each sample; on a surface that of bat_surface_hits.

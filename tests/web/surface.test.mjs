@@ -95,17 +95,29 @@ for (const pointerType of ['pen', 'touch']) {
     await page.keyboard.press('y');
     for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+Alt+ArrowUp');
     await page.keyboard.press('Shift+Alt+ArrowLeft');
-    await page.keyboard.press('Tab');
     await settle(page);
+    const box = await page.evaluate(() => {
+      const canvas = globalThis.document.getElementById('still').getBoundingClientRect();
+      return [canvas.left, canvas.top, canvas.width, canvas.height];
+    });
+    const at = (x, y) => [box[0] + box[2] * x, box[1] + box[3] * y];
+    await hand.stroke([at(0.652, 0.44), at(0.632, 0.52)], { pointerType });
     await quiet(page);
     await shot('twins-lit');
     const line = await page.evaluate(() => {
-      const label = glance().labels?.[0];
+      const view = glance();
+      const label = view.labels?.[0];
       const canvas = globalThis.document.getElementById('still').getBoundingClientRect();
-      return label && [canvas.left + label.x, canvas.top + label.y];
+      if (!label) return null;
+      const at = new DOMMatrix().scale(view.zoom).rotate(view.angle).translate(view.originX - view.x, view.originY - view.y)
+        .transformPoint(label);
+      return [canvas.left + at.x, canvas.top + at.y];
     });
     assert.ok(line, 'a line is lit');
-    const along = Array.from({ length: 40 }, (_, i) => [line[0] + 4 - 30 * Math.sin((Math.PI * i) / 39) ** 3, line[1] + 10 + i * 2]);
+    const along = Array.from({ length: 40 }, (_, i) => { // beneath the grip, along the line, bulging
+      const share = i / 39;
+      return [line[0] - 18 - 30 * share - 20 * Math.sin(Math.PI * share) ** 3, line[1] + 50 + 85 * share];
+    });
     hand.rest(2);
     await hand.stroke(along, { pointerType, during: () => shot('twins-drawing') });
     await quiet(page);

@@ -10,7 +10,9 @@
 #include <stdlib.h>
 
 static const double edge_on = 0.0871557427476581736; /* sine of 5 degrees */
-static const double far_out = 4;                     /* times the curve's size */
+static const double equally_far =
+    1e-6; /* of the size: places so equally far from the line are told apart by the eye */
+static const double far_out = 4; /* times the curve's size */
 
 typedef struct bat_caster {
     const bat_surface *surface; /* borrowed */
@@ -46,7 +48,10 @@ static double from_last(const casting *c, double s) {
 /* Whether a place is to be preferred to the best one so far; best->distance is NaN when there is none. */
 static bool is_better(const casting *c, const bat_cast_point *place, const bat_cast_point *best) {
     if (best->fate != BAT_CAST_LANDED) return true;
-    if (isnan(c->s)) return fabs(place->own[1]) < fabs(best->own[1]);
+    if (isnan(c->s)) {
+        const double less = fabs(best->own[1]) - fabs(place->own[1]);
+        return fabs(less) > equally_far * c->size ? less > 0 : place->distance < best->distance;
+    }
     return from_last(c, place->own[0]) < from_last(c, best->own[0]);
 }
 

@@ -4,9 +4,12 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "base/real.h"
 #include "editor/editor.h"
 #include "editor/tools/surface/state.h"
 #include "editor/tools/toolbox.h"
@@ -349,13 +352,18 @@ static void reach_locks_and_tilt(void **state) {
     }
     bat_editor_set(editor, "lock-v-low", 1);
     const uint64_t locked = digest(editor);
-    p.time += 1000;
-    pen_event(&p, BAT_POINTER_DOWN, 520, 202); /* beside the end of the line, which it would move */
-    for (int i = 1; i <= 30; i++) pen_event(&p, BAT_POINTER_MOVE, 520 - i * 0.2, 202 + 6 * i);
-    pen_event(&p, BAT_POINTER_UP, 514, 382);
-    const char *notice = bat_editor_frame(editor)->notice;
-    check(editor);
-    if (digest(editor) == locked) assert_non_null(strstr(notice, "locked"));
+    for (int on = 1; on >= 0;
+         on--) { /* beside the end of the line, which the stroke moves: not while it is locked */
+        bat_editor_set(editor, "lock-v-low", on);
+        p.time += 1000;
+        pen_event(&p, BAT_POINTER_DOWN, 520, 202);
+        for (int i = 1; i <= 30; i++) pen_event(&p, BAT_POINTER_MOVE, 520 - i * 0.2, 202 + 6 * i);
+        pen_event(&p, BAT_POINTER_UP, 514, 382);
+        const char *notice = bat_editor_frame(editor)->notice;
+        check(editor);
+        assert_true((digest(editor) == locked) == on);
+        assert_true((strstr(notice, "locked") != NULL) == on);
+    }
     assert_true(round_trip(editor, first) >= 1);
     bat_surface_free(before);
     bat_editor_free(editor);
@@ -393,6 +401,167 @@ static void reach_locks_and_tilt(void **state) {
     assert_true(digest(editor) != flat);
     assert_int_equal(round_trip(editor, flat), 1);
     bat_editor_free(editor);
+}
+
+/* Beside a locked edge the surface moves farther than the line: told from 1.25 times on, refused over 4 times. */
+static void a_gain_is_told(void **state) {
+    (void)state;
+    static const struct {
+        double u;
+        const char *says;
+    } cases[] = {{0.02, "would move over 4 times"}, {0.2, "times as far as the line"}, {1.5, "Knots: "}};
+    for (int i = 0; i < 3; i++) {
+        bat_editor *editor = with_sheet();
+        const uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        bat_editor_set(editor, "lock-u-low", 1);
+        state_of(editor)->lit = (bat_line){SHEET, BAT_U, {cases[i].u, 2.4}};
+        bat_editor_frame(editor);
+        bat_viewpoint view;
+        double point[3], from[2], to[2];
+        assert_int_equal(bat_stage_viewpoint(editor->context.stage, &view), BAT_OK);
+        bat_surface_eval(sheet_in(editor), cases[i].u, 0.7, 0, point);
+        bat_viewpoint_project(&view, point, from, NULL);
+        bat_surface_eval(sheet_in(editor), cases[i].u, 2, 0, point);
+        bat_viewpoint_project(&view, point, to, NULL);
+        pen_event(&p, BAT_POINTER_DOWN, from[0], from[1]);
+        for (int k = 1; k <= 30; k++) {
+            const double t = k / 30.0, w = 16 * t * t * (1 - t) * (1 - t);
+            pen_event(&p, BAT_POINTER_MOVE, from[0] + (to[0] - from[0]) * t + 8 * w,
+                      from[1] + (to[1] - from[1]) * t);
+        }
+        pen_event(&p, BAT_POINTER_UP, to[0], to[1]);
+        const char *notice = bat_editor_frame(editor)->notice;
+        const double gain = state_of(editor)->report.redraw.gain;
+        if (!strstr(notice, cases[i].says)) fail_msg("%g: %s, gain %g", cases[i].u, notice, gain);
+        assert_true(i == 0 ? gain > 4 : i == 1 ? gain > 1.25 && gain <= 4 : gain <= 1.25);
+        if (i == 1) { /* the number that is told is the gain */
+            const char *digits = notice + strcspn(notice, "0123456789");
+            assert_true(fabs(strtod(digits, NULL) - gain) <= 0.0051);
+        }
+        assert_true((digest(editor) == first) == (i == 0));
+        assert_int_equal(round_trip(editor, first), i != 0);
+        bat_editor_free(editor);
+    }
+}
+
+/* A tap shows both lines through the place: each drawn from edge to edge where the surface has it. */
+static void a_tap_shows_both_lines(void **state) {
+    (void)state;
+    bat_editor *editor = with_sheet();
+    pen p = pen_for(editor);
+    tap(&p, 503, 430);
+    const bat_frame *frame = bat_editor_frame(editor);
+    static const bat_role roles[2] = {BAT_ROLE_HIGHLIGHT, BAT_ROLE_GHOST};
+    for (int d = 0; d < 2; d++) {
+        const bat_item *item = pen_live(frame, roles[d]);
+        assert_non_null(item);
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, point[3], pixel[2];
+        bat_viewpoint view;
+        bat_stage_viewpoint(editor->context.stage, &view);
+        for (int i = 0; i <= 400; i++) {
+            const double *at = lit(editor)->at;
+            bat_surface_eval(sheet_in(editor), d ? i * 0.01 : at[0], d ? at[1] : i * 0.0075, 0, point);
+            bat_viewpoint_project(&view, point, pixel, NULL);
+            double drawn[2];
+            bat_stage_seen(editor->context.stage, pixel, drawn);
+            for (int k = 0; k < 2; k++) low[k] = fmin(low[k], drawn[k]), high[k] = fmax(high[k], drawn[k]);
+        }
+        for (int k = 0; k < 2; k++) { /* the picture's box, with the line's width */
+            assert_true(fabs(item->bounds[k] + frame->origin[k] - low[k]) < 3);
+            assert_true(fabs(item->bounds[2 + k] + frame->origin[k] - high[k]) < 3);
+        }
+        assert_true(high[d ? 0 : 1] - low[d ? 0 : 1] > 395);
+    }
+    bat_editor_free(editor);
+}
+
+/* A tube over the page, closed round its axis, whose seam is at its row `seam`. */
+static bat_surface *tube(int seam) {
+    enum { ROUND = 12, LONG = 7 };
+    double points[ROUND * LONG * 3], u[ROUND + 1], v[LONG + 4];
+    for (int i = 0; i <= ROUND; i++) u[i] = i;
+    for (int j = 0; j < LONG + 4; j++) v[j] = fmin(fmax(j - 3, 0), LONG - 3);
+    for (int i = 0; i < ROUND; i++)
+        for (int j = 0; j < LONG; j++) {
+            double *q = points + 3 * (i * LONG + j);
+            const int k = (i + seam) % ROUND;
+            const double angle = 2 * BAT_PI * k / ROUND, radius = 120 + 6.0 * ((3 * k + 5 * j) % 4);
+            q[0] = 300 + 400.0 * j / (LONG - 1), q[1] = 400 + radius * cos(angle), q[2] = radius * sin(angle);
+        }
+    bat_surface *surface = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){3, 3}, (const bool[2]){true, false},
+                                        (const size_t[2]){ROUND, LONG}, points,
+                                        (const int[2]){ROUND + 1, LONG + 4}, u, v, &surface),
+                     BAT_OK);
+    return surface;
+}
+
+/* A stroke over the tube, from one place to another: k rows round it (wherever its seam is), and along it; it bulges by so
+ * many pixels. */
+static void over_tube(pen *p, const bat_surface *surface, int seam, const double from[2], const double to[2],
+                      double height) {
+    bat_viewpoint view;
+    double point[3], at[2], last[2] = {0, 0};
+    bat_stage_viewpoint(p->editor->context.stage, &view);
+    p->time += 1000;
+    for (int i = 0; i <= 30; i++) {
+        const double t = i / 30.0, w = 16 * t * t * (1 - t) * (1 - t);
+        bat_surface_eval(surface, from[0] + t * (to[0] - from[0]) + 2 - seam, from[1] + t * (to[1] - from[1]),
+                         0, point);
+        assert_int_equal(bat_viewpoint_project(&view, point, at, NULL), BAT_OK);
+        last[0] = at[0] + height * w, last[1] = at[1];
+        pen_event(p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, last[0], last[1]);
+    }
+    pen_event(p, BAT_POINTER_UP, last[0], last[1]);
+    check(p->editor);
+}
+
+/* Lines cross the seam unseen: wherever it is, the same strokes light the same lines and make the same surface. */
+static void the_seam_is_not_felt(void **state) {
+    (void)state;
+    enum { SEAMS = 12 };
+    bat_surface *first_made = NULL;
+    double first_at[2] = {0, 0};
+    for (int seam = 0; seam < SEAMS; seam++) {
+        bat_surface *surface = tube(seam);
+        bat_editor *editor = with(surface);
+        const uint64_t first = digest(editor);
+        pen p = pen_for(editor); /* face-on the back of the tube is seen where its front is */
+        over_tube(&p, surface, seam, (double[]){9.3, 1}, (double[]){9.3, 2}, 0); /* along it: the line at u */
+        assert_int_equal(lit(editor)->direction, BAT_U);
+        const double at = fmod(lit(editor)->at[0] + seam, SEAMS);
+        if (seam == 0) first_at[0] = at;
+        assert_true(fabs(remainder(at - first_at[0], SEAMS)) < 1e-4);
+        bat_editor_command(editor, "cancel");
+        over_tube(&p, surface, seam, (double[]){8.4, 1.8}, (double[]){9.6, 1.8}, 0); /* round it */
+        assert_int_equal(lit(editor)->direction, BAT_V);
+        if (seam == 0) first_at[1] = lit(editor)->at[1];
+        assert_true(fabs(lit(editor)->at[1] - first_at[1]) < 1e-4);
+        over_tube(&p, surface, seam, (double[]){7.6, first_at[1]}, (double[]){10.4, first_at[1]}, 30);
+        const bat_surface *now = sheet_in(editor);
+        if (seam == 0) bat_surface_copy(now, &first_made);
+        double worst = 0, moved = 0, a[3], b[3], c[3];
+        for (int i = 0; i < 48; i++)
+            for (int j = 0; j <= 20; j++) {
+                bat_surface_eval(now, 0.25 * i, 0.2 * j, 0, a);
+                bat_surface_eval(surface, 0.25 * i, 0.2 * j, 0, c);
+                bat_surface_eval(first_made, 0.25 * i + seam, 0.2 * j, 0, b);
+                for (int k = 0; k < 3; k++) {
+                    worst = fmax(worst, fabs(a[k] - b[k]));
+                    moved = fmax(moved, fabs(a[k] - c[k]));
+                }
+            }
+        assert_true(moved > 15);
+        bat_surface_eval(now, 11 - seam, first_at[1], 0, a);
+        bat_surface_eval(surface, 11 - seam, first_at[1], 0, c);
+        assert_true(fabs(a[0] - c[0]) > 15); /* in front */
+        if (!(worst < 1)) fail_msg("seam %d: %g apart", seam, worst);
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_surface_free(surface);
+        bat_editor_free(editor);
+    }
+    bat_surface_free(first_made);
 }
 
 /* The eye is put before the whole surface, however far it reaches towards it. */
@@ -574,6 +743,9 @@ int main(void) {
         cmocka_unit_test(a_stroke_that_cannot_is_refused_in_words),
         cmocka_unit_test(many_redraws_do_not_add_up),
         cmocka_unit_test(reach_locks_and_tilt),
+        cmocka_unit_test(a_gain_is_told),
+        cmocka_unit_test(a_tap_shows_both_lines),
+        cmocka_unit_test(the_seam_is_not_felt),
         cmocka_unit_test(a_handle_turns_the_sheet),
         cmocka_unit_test(the_handle_stops_and_steps),
         cmocka_unit_test(of_two_gestures_the_first_wins),
