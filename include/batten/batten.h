@@ -10,6 +10,7 @@
 #include <batten/drag.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
+#include <batten/relate.h>
 #include <batten/fit.h>
 #include <batten/frames.h>
 #include <batten/function.h>

@@ -52,6 +52,31 @@ static uint64_t measure_curve(const void *shared, int seed) {
     return add_doubles(add(digest, (uint64_t)count), frames[1].s, 3);
 }
 
+/* Curves beside curves. */
+static uint64_t relate_curve(const void *shared, int seed) {
+    const bat_curve *curve = shared;
+    bat_curve *other = NULL;
+    bat_meeting meeting = {0};
+    bat_apart apart = {0};
+    size_t count = 0;
+    double *points = NULL;
+    bat_arc *arcs = NULL;
+    uint64_t d = add(bat_digest_begin(), (uint64_t)bat_curve_reverse(curve, &other));
+    d = add(d, (uint64_t)bat_curve_hausdorff(curve, other, 1e-3, &apart));
+    d = bat_digest_double(d, apart.distance);
+    d = add(d, (uint64_t)bat_curve_intersect(curve, other, 1e-3, &meeting));
+    d = add(d, (uint64_t)meeting.overlap_count);
+    bat_meeting_free(&meeting);
+    d = add(d, (uint64_t)bat_curve_self_intersect(curve, 1e-3, &meeting));
+    d = add(d, (uint64_t)meeting.count);
+    bat_meeting_free(&meeting);
+    d = add(d, (uint64_t)bat_curve_flatten(curve, 0.1 + 0.01 * seed, &count, &points, NULL));
+    d = add(d, (uint64_t)count), bat_free(points);
+    d = add(d, (uint64_t)bat_curve_arcs(curve, 0.1, 0.1, &count, &arcs, NULL));
+    bat_free(arcs), bat_curve_free(other);
+    return add(d, (uint64_t)count);
+}
+
 /* Other curves made of one. */
 static uint64_t rework_curve(const void *shared, int seed) {
     const bat_curve *curve = shared;
@@ -160,6 +185,7 @@ static void const_calls_on_a_curve(void **state) {
         prepared p = {NULL, NULL};
         assert_alike(evaluate_curve, curve, 7);
         assert_alike(measure_curve, curve, 7);
+        assert_alike(relate_curve, curve, 7);
         assert_alike(rework_curve, curve, 7);
         assert_alike(convert_curve, curve, 3);
         assert_int_equal(bat_finder_create(curve, &p.finder), BAT_OK);

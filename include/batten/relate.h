@@ -1,0 +1,94 @@
+/*
+ * Batten: curves beside curves: how far apart they are, where they meet, and what is made of one: polylines and
+ * arcs.
+ */
+#ifndef BATTEN_RELATE_H
+#define BATTEN_RELATE_H
+
+#include <batten/curve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- distance ---- */
+
+typedef struct bat_apart {
+    double distance; /* Hausdorff's: no point of either curve is further from the other */
+    double u, v;     /* parameters on a and on b of two points that are so far apart */
+} bat_apart;
+
+/*
+ * The Hausdorff distance of two curves, document units: never above the true one, and below it by no more than
+ * `precision` (> 0). Branch and bound: each piece is bounded by the hull of its difference from the piece of the other
+ * curve opposite it (docs/math/relate.md 1). BAT_DIMENSION: the dimensions differ. BAT_TOLERANCE, with the best found:
+ * the precision was not reached within two million pieces. Cost: some hundred closest-point searches, as a rule.
+ */
+BAT_API bat_status bat_curve_hausdorff(const bat_curve *a, const bat_curve *b, double precision,
+                                       bat_apart *out);
+
+/* ---- where curves meet ---- */
+
+typedef struct bat_crossing {
+    double u, v;                     /* on a and on b */
+    double point[BAT_DIMENSION_MAX]; /* halfway between the two */
+} bat_crossing;
+
+typedef struct bat_overlap {
+    double u[2]; /* ascending */
+    double v[2]; /* opposite u[0] and u[1]: descending where b runs the other way */
+} bat_overlap;
+
+typedef struct bat_meeting {
+    size_t count;
+    bat_crossing *crossings; /* ascending in u */
+    size_t overlap_count;
+    bat_overlap *overlaps; /* ascending in u[0] */
+} bat_meeting;
+
+/*
+ * Where two curves, in the plane or in space, come within tolerance (document units, > 0; what rounding hides at their
+ * coordinates counts as met, too). Curves that cross or touch at a place give one crossing there; where they run
+ * together for longer than the tolerance, an overlap, and no crossings within it. A crossing at the seam of a closed
+ * curve has the start of its domain. *out is the caller's (bat_meeting_free). BAT_DIMENSION: the dimensions differ;
+ * BAT_COUNT: over two million pairs of pieces would have to be looked at. docs/math/relate.md 2.
+ */
+BAT_API bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double tolerance,
+                                       bat_meeting *out);
+/* Where one curve meets itself, u < v; overlaps are not looked for. The ends of a closed curve, and of an open one
+ * whose ends meet, do not count. */
+BAT_API bat_status bat_curve_self_intersect(const bat_curve *curve, double tolerance, bat_meeting *out);
+BAT_API void bat_meeting_free(bat_meeting *meeting); /* NULL is fine; leaves it empty */
+
+/* ---- what is made of a curve ---- */
+
+/*
+ * A polyline from which no point of the curve is further than tolerance (document units, > 0), by Wang's bound on second
+ * differences. Its points lie on the curve; knots are among them. docs/math/relate.md 4. *points: *count * dimension doubles, *u (may be NULL)
+ * their parameters, both the caller's (bat_free); the last point of a closed curve repeats the first. BAT_COUNT: more
+ * than BAT_POINTS_MAX points.
+ */
+BAT_API bat_status bat_curve_flatten(const bat_curve *curve, double tolerance, size_t *count, double **points,
+                                     double **u);
+
+typedef struct bat_arc {
+    double from[2], to[2];
+    double centre[2];
+    double radius; /* 0: a straight line */
+    bool ccw;      /* anticlockwise where y points up */
+} bat_arc;
+
+/*
+ * A planar curve as arcs of circles and straight lines, from which it is nowhere further than tolerance (document
+ * units, > 0); they meet on one tangent wherever the curve does, and its corners (tangents that turn by more than
+ * `corner` radians) stay. As few pairs of arcs as reach from point to point of the curve, each as far as it can
+ * (biarcs; docs/math/relate.md 3). *max_error (may be NULL): a bound on the distance. *arcs is the caller's (bat_free).
+ * BAT_DIMENSION: a space curve; BAT_COUNT: more than BAT_POINTS_MAX arcs.
+ */
+BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, double corner, size_t *count,
+                                  bat_arc **arcs, double *max_error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,366 @@
+/* Pairs of pieces are halved until their hulls are apart, their directions let them meet once at most, or they are straight
+ * within the gap (docs/math/relate.md 2). */
+#include "relate/encounter.h"
+
+#include <batten/nearest.h>
+
+#include "base/real.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEPTH_MAX = 200, NEWTON_STEPS = 16, GOLDEN_STEPS = 40, PROJECT_STEPS = 4 };
+
+static double dot(const double *a, const double *b, int m) {
+    return a[0] * b[0] + a[1] * b[1] + (m == 3 ? a[2] * b[2] : 0);
+}
+
+static double norm(const double *v, int m) {
+    const double plane = bat_hypot(v[0], v[1]);
+    return m == 3 ? bat_hypot(plane, v[2]) : plane;
+}
+
+static bat_status add(bat_encounter *m, const bat_candidate *candidate) {
+    if (m->count == m->room) {
+        const size_t room = 2 * m->room + 16;
+        bat_candidate *more = realloc(m->candidates, room * sizeof *more);
+        if (!more) return BAT_MEMORY;
+        m->candidates = more, m->room = room;
+    }
+    m->candidates[m->count++] = *candidate;
+    return BAT_OK;
+}
+
+/* The distance at u and v, and the point between; derivatives of first order where da is not NULL. */
+static double apart_at(const bat_encounter *m, double u, double v, double *gap, double *da, double *db,
+                       double *point) {
+    const int size = bat_curve_dimension(m->a);
+    double a[2 * BAT_DIMENSION_MAX], b[2 * BAT_DIMENSION_MAX];
+    bat_curve_eval(m->a, u, da ? 1 : 0, a);
+    bat_curve_eval(m->b, v, da ? 1 : 0, b);
+    for (int c = 0; c < size; c++) {
+        gap[c] = a[c] - b[c], point[c] = 0.5 * a[c] + 0.5 * b[c];
+        if (da) da[c] = a[size + c], db[c] = b[size + c];
+    }
+    return norm(gap, size);
+}
+
+static double clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+
+/* From the middle of both pieces to a place where they meet; false: there is none, as far as Newton's steps see. */
+static bool newton(const bat_encounter *m, const bat_segment *a, const bat_segment *b, bat_candidate *out) {
+    const int size = a->size;
+    const double width = a->to - a->from, wide = b->to - b->from;
+    double u = 0.5 * a->from + 0.5 * a->to, v = 0.5 * b->from + 0.5 * b->to, gap[3], da[3], db[3], point[3];
+    for (int step = 0; step < NEWTON_STEPS; step++) {
+        apart_at(m, u, v, gap, da, db, point);
+        const double aa = dot(da, da, size), bb = dot(db, db, size), ab = dot(da, db, size);
+        const double det = aa * bb - ab * ab, ga = dot(gap, da, size), gb = dot(gap, db, size);
+        if (!(det > 1e-24 * aa * bb)) break;
+        const double du = (-ga * bb + gb * ab) / det, dv = (gb * aa - ga * ab) / det;
+        u = clamp(u + du, a->from, a->to), v = clamp(v + dv, b->from, b->to);
+        if (fabs(du) <= 1e-15 * width && fabs(dv) <= 1e-15 * wide) break;
+    }
+    *out = (bat_candidate){.u = {u, u}, .v = {v, v}, .at = {.u = u, .v = v}};
+    out->distance = apart_at(m, u, v, gap, NULL, NULL, out->at.point);
+    return out->distance <= m->gap;
+}
+
+/* Two straight pieces side by side: as near as the ends and middles come. */
+static bat_candidate side_by_side(const bat_encounter *m, const bat_segment *a, const bat_segment *b) {
+    bat_candidate best = {.u = {a->from, a->to}, .v = {b->from, b->to}, .distance = INFINITY};
+    for (int i = 0; i <= 2; i++)
+        for (int j = 0; j <= 2; j++) {
+            double gap[3];
+            bat_crossing at = {.u = a->from + (a->to - a->from) * i / 2,
+                               .v = b->from + (b->to - b->from) * j / 2};
+            const double d = apart_at(m, at.u, at.v, gap, NULL, NULL, at.point);
+            if (d < best.distance) best.distance = d, best.at = at;
+        }
+    return best;
+}
+
+/* The angle between the axes of two cones, 0 to a right angle: which way they run does not matter. */
+static double angle_of(const double *a, const double *b, int size) {
+    return bat_acos(clamp(fabs(dot(a, b, size)), 0, 1));
+}
+
+/* Both within one overlap, and turning so little that they can meet nowhere else. */
+static bool run_together(const bat_encounter *m, const bat_segment *a, const bat_segment *b, double angle,
+                         double turn) {
+    if (angle + turn >= 0.25 * BAT_PI) return false;
+    for (size_t i = 0; i < m->overlap_count; i++) {
+        const bat_overlap *o = m->overlaps + i;
+        const double low = fmin(o->v[0], o->v[1]), high = fmax(o->v[0], o->v[1]);
+        if (a->from >= o->u[0] && a->to <= o->u[1] && b->from >= low && b->to <= high) return true;
+    }
+    return false;
+}
+
+static double period_of(const bat_curve *curve) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    return domain[1] - domain[0];
+}
+
+/* The end of one is the start of the other, on a curve that meets itself. */
+static bool joined(const bat_encounter *m, const bat_segment *a, const bat_segment *b) {
+    if (m->a != m->b) return false;
+    if (a->to == b->from || b->to == a->from) return true;
+    double domain[2];
+    bat_curve_domain(m->a, domain);
+    return (a->from == domain[0] && b->to == domain[1]) || (b->from == domain[0] && a->to == domain[1]);
+}
+
+static bool is_point(const bat_segment *s, double gap) { return bat_segment_reach(s) <= 0.25 * gap; }
+
+static bat_status pair(bat_encounter *m, const bat_segment *a, const bat_segment *b, int depth);
+
+static bat_status split(bat_encounter *m, const bat_segment *a, const bat_segment *b, int depth) {
+    bat_segment left, right;
+    const bool first = bat_segment_reach(a) >= bat_segment_reach(b);
+    bat_segment_halve(first ? a : b, &left, &right);
+    if (!(left.from < left.to && right.from < right.to)) { /* no number lies between */
+        const bat_candidate candidate = side_by_side(m, a, b);
+        return candidate.distance <= m->gap ? add(m, &candidate) : BAT_OK;
+    }
+    const bat_status status = first ? pair(m, &left, b, depth + 1) : pair(m, a, &left, depth + 1);
+    if (status != BAT_OK) return status;
+    return first ? pair(m, &right, b, depth + 1) : pair(m, a, &right, depth + 1);
+}
+
+static bat_status pair(bat_encounter *m, const bat_segment *a, const bat_segment *b, int depth) {
+    if (bat_segments_apart(a, b, m->gap)) return BAT_OK;
+    if (m->left-- <= 0) return BAT_COUNT;
+    double axis[3], other[3], half, wide;
+    bat_segment_cone(a, axis, &half), bat_segment_cone(b, other, &wide);
+    const double angle = angle_of(axis, other, a->size), turn = half + wide;
+    if (joined(m, a, b) && dot(axis, other, a->size) > 0 && angle + turn < 0.49 * BAT_PI) return BAT_OK;
+    if (run_together(m, a, b, angle, turn)) return BAT_OK;
+    const bool dots = is_point(a, m->gap) && is_point(b, m->gap);
+    bat_candidate candidate;
+    if (!dots && angle > turn + 1e-9) { /* they meet once at most */
+        if (newton(m, a, b, &candidate)) return add(m, &candidate);
+    } else if (dots || depth == DEPTH_MAX ||
+               (bat_segment_bulge(a) <= 0.25 * m->gap && bat_segment_bulge(b) <= 0.25 * m->gap &&
+                bat_segment_reach(a) <= 2 * bat_segment_reach(b) &&
+                bat_segment_reach(b) <= 2 * bat_segment_reach(a))) {
+        candidate = side_by_side(m, a, b);
+        return add(m, &candidate);
+    }
+    return depth == DEPTH_MAX ? BAT_OK : split(m, a, b, depth);
+}
+
+/* A piece that turns by less than half a turn does not meet itself. */
+static bat_status alone(bat_encounter *m, const bat_segment *s, int depth) {
+    double axis[3], half;
+    bat_segment_cone(s, axis, &half);
+    if (half < 0.49 * BAT_PI || depth == DEPTH_MAX || is_point(s, m->gap)) return BAT_OK;
+    bat_segment left, right;
+    bat_segment_halve(s, &left, &right);
+    if (!(left.from < left.to && right.from < right.to)) return BAT_OK;
+    bat_status status = alone(m, &left, depth + 1);
+    if (status == BAT_OK) status = alone(m, &right, depth + 1);
+    return status == BAT_OK ? pair(m, &left, &right, depth + 1) : status;
+}
+
+typedef struct strip {
+    double low, high;
+    const bat_segment *segment;
+} strip;
+
+static int by_low(const void *a, const void *b) {
+    const strip *x = a, *y = b;
+    return x->low != y->low ? (x->low < y->low ? -1 : 1)
+                            : (x->segment > y->segment) - (x->segment < y->segment);
+}
+
+/* Segments by the least of their first coordinates. */
+static strip *strips_of(int count, const bat_segment *segments) {
+    strip *all = malloc((size_t)count * sizeof *all);
+    for (int i = 0; all && i < count; i++) {
+        const bat_segment *s = segments + i;
+        all[i] = (strip){s->b[0], s->b[0], s};
+        for (int k = 1; k <= s->degree; k++)
+            all[i].low = fmin(all[i].low, s->b[k * s->size]),
+            all[i].high = fmax(all[i].high, s->b[k * s->size]);
+    }
+    if (all) qsort(all, (size_t)count, sizeof *all, by_low);
+    return all;
+}
+
+bat_status bat_encounter_search(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
+                                const bat_segment *b) {
+    const bool itself = m->a == m->b;
+    strip *own = strips_of(a_count, a), *others = strips_of(b_count, b);
+    bat_status status = own && others ? BAT_OK : BAT_MEMORY;
+    double widest = 0;
+    for (int j = 0; j < b_count && status == BAT_OK; j++)
+        widest = fmax(widest, others[j].high - others[j].low);
+    int first = 0;
+    for (int i = 0; i < a_count && status == BAT_OK; i++) {
+        const double low = own[i].low - m->gap, high = own[i].high + m->gap;
+        while (first < b_count && others[first].low + widest < low) first++;
+        for (int j = first; j < b_count && others[j].low <= high && status == BAT_OK; j++) {
+            if (others[j].high < low || (itself && others[j].segment <= own[i].segment)) continue;
+            status = pair(m, own[i].segment, others[j].segment, 0);
+        }
+        if (itself && status == BAT_OK) status = alone(m, own[i].segment, 0);
+    }
+    free(own), free(others);
+    return status;
+}
+
+/* ---- from candidates to crossings ---- */
+
+static int by_u(const void *a, const void *b) {
+    const bat_candidate *x = a, *y = b;
+    if (x->u[0] != y->u[0]) return x->u[0] < y->u[0] ? -1 : 1;
+    return (x->v[0] > y->v[0]) - (x->v[0] < y->v[0]);
+}
+
+/* Whether ranges of parameters touch, give or take what is nothing on the curve. */
+static bool touch(const bat_curve *curve, const double *x, const double *y, double gap) {
+    const double low = fmax(x[0], y[0]), high = fmin(x[1], y[1]);
+    if (low <= high) return true;
+    const double period = period_of(curve);
+    if (low - high > 1e-3 * period) return false;
+    double from[3], to[3], d[3];
+    const int size = bat_curve_dimension(curve);
+    for (int i = 0; i <= 4; i++) { /* the curve between them stays where it is */
+        bat_curve_eval(curve, high, 0, from);
+        bat_curve_eval(curve, high + (low - high) * i / 4, 0, to);
+        for (int c = 0; c < size; c++) d[c] = to[c] - from[c];
+        if (norm(d, size) > 8 * gap) return false;
+    }
+    return true;
+}
+
+static void merge(bat_candidate *into, const bat_candidate *other) {
+    /* what a step of Newton's found is better than the nearest of nine */
+    const bool exact = into->u[0] == into->u[1], more = other->u[0] == other->u[1];
+    if (more != exact ? more : other->distance < into->distance)
+        into->at = other->at, into->distance = other->distance;
+    for (int i = 0; i < 2; i++) {
+        into->u[i] = i ? fmax(into->u[i], other->u[i]) : fmin(into->u[i], other->u[i]);
+        into->v[i] = i ? fmax(into->v[i], other->v[i]) : fmin(into->v[i], other->v[i]);
+    }
+}
+
+bool bat_encounter_at(const bat_curve *curve, double u, double place, double gap) {
+    const double x[2] = {u, u}, y[2] = {place, place};
+    return touch(curve, x, y, gap);
+}
+
+/* The seam of a closed curve is the start of its domain. Returns whether it is there. */
+static bool home(const bat_curve *curve, double gap, double *u) {
+    if (!bat_curve_is_closed(curve)) return false;
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    if (bat_encounter_at(curve, *u, domain[1], gap)) *u = domain[0];
+    return bat_encounter_at(curve, *u, domain[0], gap);
+}
+
+static bool within(const bat_encounter *m, const bat_candidate *x) {
+    for (size_t i = 0; i < m->overlap_count; i++) {
+        const bat_overlap *o = m->overlaps + i;
+        const double v[2] = {fmin(o->v[0], o->v[1]), fmax(o->v[0], o->v[1])};
+        if (touch(m->a, x->u, o->u, m->gap) && touch(m->b, x->v, v, m->gap)) return true;
+    }
+    return false;
+}
+
+/* A curve is where it is: no meeting. */
+static bool trivial(const bat_encounter *m, const bat_candidate *x) {
+    if (m->a != m->b) return false;
+    if (touch(m->a, x->u, x->v, m->gap)) return true;
+    double domain[2];
+    bat_curve_domain(m->a, domain);
+    const double low = fmin(x->u[0], x->v[0]), high = fmax(x->u[1], x->v[1]);
+    return bat_encounter_at(m->a, low, domain[0], m->gap) && bat_encounter_at(m->a, high, domain[1], m->gap);
+}
+
+static bool same(const bat_encounter *m, const bat_candidate *x, const bat_candidate *y) {
+    return touch(m->a, x->u, y->u, m->gap) && touch(m->b, x->v, y->v, m->gap);
+}
+
+static bool same_crossing(const bat_encounter *m, const bat_crossing *x, const bat_crossing *y) {
+    return bat_encounter_at(m->a, x->u, y->u, m->gap) && bat_encounter_at(m->b, x->v, y->v, m->gap);
+}
+
+static int by_crossing(const void *a, const void *b) {
+    const bat_crossing *x = a, *y = b;
+    if (x->u != y->u) return x->u < y->u ? -1 : 1;
+    return (x->v > y->v) - (x->v < y->v);
+}
+
+/* Joins candidates that are one place: each with those whose ranges in u it may touch. */
+static void gather(bat_encounter *m) {
+    if (m->count) qsort(m->candidates, m->count, sizeof *m->candidates, by_u);
+    const double reach = 1e-3 * period_of(m->a);
+    bool again = true;
+    while (again) {
+        again = false;
+        size_t kept = 0;
+        for (size_t i = 0; i < m->count; i++) {
+            size_t j = kept;
+            while (j > 0 && m->candidates[i].u[0] - m->candidates[j - 1].u[0] <= reach &&
+                   !same(m, m->candidates + i, m->candidates + j - 1))
+                j--;
+            if (j > 0 && same(m, m->candidates + i, m->candidates + j - 1))
+                merge(m->candidates + j - 1, m->candidates + i), again = true;
+            else
+                m->candidates[kept++] = m->candidates[i];
+        }
+        m->count = kept;
+    }
+}
+
+/* Where the curves come nearest within a range that holds no crossing: golden section in u. */
+static void nearest_of(const bat_encounter *m, const bat_candidate *x, bat_crossing *at) {
+    const double golden = 0.6180339887498949;
+    double low = x->u[0], high = x->u[1], best = x->distance, gap[3], point[3];
+    for (int i = 0; i < GOLDEN_STEPS; i++) {
+        double tried[2], v[2], d[2];
+        for (int k = 0; k < 2; k++) {
+            tried[k] = k ? low + golden * (high - low) : high - golden * (high - low);
+            bat_curve_eval(m->a, tried[k], 0, point);
+            v[k] = clamp(bat_curve_project_near(m->b, point, at->v, PROJECT_STEPS), x->v[0], x->v[1]);
+            d[k] = apart_at(m, tried[k], v[k], gap, NULL, NULL, point);
+            if (d[k] < best) {
+                best = d[k], at->u = tried[k], at->v = v[k];
+                memcpy(at->point, point, sizeof at->point);
+            }
+        }
+        if (d[0] <= d[1])
+            high = tried[1];
+        else
+            low = tried[0];
+    }
+}
+
+bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
+    gather(m);
+    size_t count = 0;
+    bat_crossing *all = malloc((m->count + 1) * sizeof *all);
+    if (!all) return BAT_MEMORY;
+    for (size_t i = 0; i < m->count; i++) {
+        if (within(m, m->candidates + i) || trivial(m, m->candidates + i)) continue;
+        bat_crossing at = m->candidates[i].at;
+        if (m->candidates[i].u[0] < m->candidates[i].u[1]) nearest_of(m, m->candidates + i, &at);
+        const bool a_seam = home(m->a, m->gap, &at.u), b_seam = home(m->b, m->gap, &at.v);
+        if (m->a == m->b && at.u > at.v) {
+            const double u = at.u;
+            at.u = at.v, at.v = u;
+        }
+        bool known = false;
+        for (size_t j = 0; j < count && !known && (a_seam || b_seam); j++)
+            known = same_crossing(m, all + j, &at);
+        if (!known) all[count++] = at;
+    }
+    qsort(all, count, sizeof *all, by_crossing);
+    *out = (bat_meeting){count, all, m->overlap_count, m->overlaps};
+    m->overlaps = NULL;
+    return BAT_OK;
+}

@@ -1,0 +1,58 @@
+/* Where curves meet: each other, and themselves (docs/math/relate.md 2). */
+#include <batten/bezier.h>
+#include <batten/relate.h>
+
+#include "relate/encounter.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { PAIRS_MAX = 2 * 1000 * 1000 };
+
+/* The gap below which rounding hides whether points of these curves are the same. */
+static double hidden(const bat_curve *curve) {
+    const size_t count = bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+    const double *points = bat_curve_points(curve);
+    double most = 0;
+    for (size_t i = 0; i < count; i++) most = fmax(most, fabs(points[i]));
+    return 64 * DBL_EPSILON * most;
+}
+
+static bat_status meet(bat_encounter *m, bat_meeting *out) {
+    bat_segment *a = NULL, *b = NULL;
+    int a_count = 0, b_count = 0;
+    const bool itself = m->a == m->b;
+    bat_status status = bat_segments_of(m->a, &a_count, &a);
+    if (status == BAT_OK && !itself) status = bat_segments_of(m->b, &b_count, &b);
+    if (status == BAT_OK && !itself) status = bat_encounter_overlaps(m, a_count, a, b_count, b);
+    if (status == BAT_OK)
+        status = bat_encounter_search(m, a_count, a, itself ? a_count : b_count, itself ? a : b);
+    if (status == BAT_OK) status = bat_encounter_settle(m, out);
+    free(a), free(b), free(m->candidates), free(m->overlaps);
+    return status;
+}
+
+bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double tolerance, bat_meeting *out) {
+    if (!a || !b || !out || !(tolerance > 0)) return BAT_ARGUMENT;
+    if (bat_curve_dimension(a) != bat_curve_dimension(b)) return BAT_DIMENSION;
+    bat_curve *copy = NULL; /* a curve against itself is asked for its overlaps, too */
+    if (a == b && bat_curve_copy(a, &copy) != BAT_OK) return BAT_MEMORY;
+    bat_encounter m = {.a = a, .b = copy ? copy : b, .left = PAIRS_MAX};
+    m.gap = fmax(tolerance, fmax(hidden(a), hidden(b)));
+    const bat_status status = meet(&m, out);
+    bat_curve_free(copy);
+    return status;
+}
+
+bat_status bat_curve_self_intersect(const bat_curve *curve, double tolerance, bat_meeting *out) {
+    if (!curve || !out || !(tolerance > 0)) return BAT_ARGUMENT;
+    bat_encounter m = {.a = curve, .b = curve, .left = PAIRS_MAX, .gap = fmax(tolerance, hidden(curve))};
+    return meet(&m, out);
+}
+
+void bat_meeting_free(bat_meeting *meeting) {
+    if (!meeting) return;
+    free(meeting->crossings), free(meeting->overlaps);
+    *meeting = (bat_meeting){0};
+}

@@ -1,0 +1,163 @@
+/* Where curves run together: between places where a span of one begins or ends on the other, two polynomials that agree
+ * in more places than different ones can are the same (Bézout). */
+#include <batten/nearest.h>
+
+#include "base/real.h"
+#include "relate/encounter.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEET_MAX = 32 };
+
+typedef struct place {
+    double u, v;
+    bool a_ends; /* u is an end of a span; otherwise v is */
+} place;
+
+typedef struct places {
+    size_t count, room;
+    place *all;
+} places;
+
+static bat_status put(places *to, double u, double v, bool a_ends) {
+    if (to->count == to->room) {
+        const size_t room = 2 * to->room + 32;
+        place *more = realloc(to->all, room * sizeof *more);
+        if (!more) return BAT_MEMORY;
+        to->all = more, to->room = room;
+    }
+    to->all[to->count++] = (place){u, v, a_ends};
+    return BAT_OK;
+}
+
+/* Notes where the ends of the spans of one curve lie on the other. */
+static bat_status ends_on(const bat_curve *other, int count, const bat_segment *own, double gap, bool turned,
+                          places *to) {
+    double domain[2];
+    bat_curve_domain(other, domain);
+    bat_status status = BAT_OK;
+    for (int i = 0; i <= count && status == BAT_OK; i++) {
+        const bat_segment *s = own + (i < count ? i : count - 1);
+        const double u = i < count ? s->from : s->to;
+        bat_near feet[FEET_MAX];
+        size_t found = 0;
+        status = bat_curve_nearest_all(other, i < count ? s->b : s->b + s->degree * s->size, gap, FEET_MAX,
+                                       feet, &found);
+        for (size_t k = 0; k < found && k < FEET_MAX && status == BAT_OK; k++) {
+            double v = feet[k].u;
+            for (int again = 0; again < 2 && status == BAT_OK; again++) {
+                status = turned ? put(to, v, u, false) : put(to, u, v, true);
+                if (!bat_curve_is_closed(other) || (v != domain[0] && v != domain[1])) break;
+                v = v == domain[0] ? domain[1] : domain[0]; /* the seam, from both sides */
+            }
+        }
+    }
+    return status;
+}
+
+static int by_u(const void *a, const void *b) {
+    const place *x = a, *y = b;
+    if (x->u != y->u) return x->u < y->u ? -1 : 1;
+    return (x->v > y->v) - (x->v < y->v);
+}
+
+/* Places that are the same but for rounding become one, at the ends of spans in both. */
+static void unite(const bat_encounter *m, places *at) {
+    double domain[2];
+    bat_curve_domain(m->a, domain);
+    const double reach = 1e-3 * (domain[1] - domain[0]);
+    size_t kept = 0;
+    for (size_t i = 0; i < at->count; i++) {
+        const place x = at->all[i];
+        size_t j = kept;
+        for (; j > 0 && x.u - at->all[j - 1].u <= reach; j--) {
+            place *y = at->all + j - 1;
+            if (!bat_encounter_at(m->a, x.u, y->u, m->gap) || !bat_encounter_at(m->b, x.v, y->v, m->gap))
+                continue;
+            if (x.a_ends && !y->a_ends)
+                y->u = x.u;
+            else if (y->a_ends && !x.a_ends)
+                y->v = x.v;
+            break;
+        }
+        if (j == 0 || x.u - at->all[j - 1].u > reach) at->all[kept++] = x;
+    }
+    at->count = kept;
+}
+
+static const bat_segment *segment_at(int count, const bat_segment *all, double u) {
+    int low = 0, high = count;
+    while (high - low > 1) {
+        const int at = low + (high - low) / 2;
+        if (all[at].from <= u)
+            low = at;
+        else
+            high = at;
+    }
+    return all + low;
+}
+
+static double between(const double *a, const double *b, int m) {
+    const double plane = bat_hypot(b[0] - a[0], b[1] - a[1]);
+    return m == 3 ? bat_hypot(plane, b[2] - a[2]) : plane;
+}
+
+/* Whether the curves are one between two places that each have in one span. */
+static bool together(const bat_encounter *m, place x, place y, int tries) {
+    const int size = bat_curve_dimension(m->a);
+    double v = x.v, first[3], point[3], foot[3], run = 0;
+    const double low = fmin(x.v, y.v), high = fmax(x.v, y.v);
+    bat_curve_eval(m->a, x.u, 0, first);
+    for (int i = 1; i <= tries; i++) {
+        const double share = (double)i / (tries + 1);
+        bat_curve_eval(m->a, x.u + (y.u - x.u) * share, 0, point);
+        v = bat_curve_project_near(m->b, point, x.v + (y.v - x.v) * share, 20);
+        bat_curve_eval(m->b, v, 0, foot);
+        if (!(between(point, foot, size) <= m->gap) || v < low || v > high) return false;
+        run = fmax(run, between(point, first, size));
+    }
+    return run > 4 * m->gap;
+}
+
+static bat_status keep(bat_encounter *m, place x, place y) {
+    if (m->overlap_count) { /* it goes on where the last one ends */
+        bat_overlap *last = m->overlaps + m->overlap_count - 1;
+        if (last->u[1] == x.u && last->v[1] == x.v && (y.v > x.v) == (last->v[1] > last->v[0])) {
+            last->u[1] = y.u, last->v[1] = y.v;
+            return BAT_OK;
+        }
+    }
+    if (m->overlap_count == m->overlap_room) {
+        const size_t room = 2 * m->overlap_room + 8;
+        bat_overlap *more = realloc(m->overlaps, room * sizeof *more);
+        if (!more) return BAT_MEMORY;
+        m->overlaps = more, m->overlap_room = room;
+    }
+    m->overlaps[m->overlap_count++] = (bat_overlap){{x.u, y.u}, {x.v, y.v}};
+    return BAT_OK;
+}
+
+bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
+                                  const bat_segment *b) {
+    places at = {0};
+    bat_status status = ends_on(m->b, a_count, a, m->gap, false, &at);
+    if (status == BAT_OK) status = ends_on(m->a, b_count, b, m->gap, true, &at);
+    if (status == BAT_OK && at.count) qsort(at.all, at.count, sizeof *at.all, by_u), unite(m, &at);
+    const int tries = a[0].degree * b[0].degree + 1;
+    for (size_t i = 0; i < at.count && status == BAT_OK; i++) {
+        const place x = at.all[i];
+        const bat_segment *s = segment_at(a_count, a, x.u);
+        /* the next place of the same two spans: further ones lie behind it */
+        for (size_t j = i + 1; j < at.count && at.all[j].u <= s->to; j++) {
+            const place y = at.all[j];
+            if (y.u <= x.u || y.v == x.v) continue;
+            const bat_segment *t = segment_at(b_count, b, 0.5 * x.v + 0.5 * y.v);
+            if (fmin(x.v, y.v) < t->from || fmax(x.v, y.v) > t->to || !together(m, x, y, tries)) continue;
+            status = keep(m, x, y);
+            break;
+        }
+    }
+    free(at.all);
+    return status;
+}

@@ -1,0 +1,433 @@
+/* Curves beside curves: polylines keep their bound; the distance of two curves agrees with closed forms, is nothing between
+ * two representations of one curve and not below that of any samples; crossings agree with closed forms and with those of
+ * dense polylines; overlaps are found and hold no crossings; a curve's own crossings. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <math.h>
+#include <cmocka.h>
+#include <batten/bezier.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/refine.h>
+#include <batten/relate.h>
+#include "support/random_curve.h"
+
+static double distance_of(const double *a, const double *b, int m) {
+    double d = 0;
+    for (int c = 0; c < m; c++) d = hypot(d, a[c] - b[c]);
+    return d;
+}
+
+static double to_chord(const double *x, const double *a, const double *b, int m) {
+    double along = 0, length = 0, foot[3];
+    for (int c = 0; c < m; c++)
+        along += (x[c] - a[c]) * (b[c] - a[c]), length += (b[c] - a[c]) * (b[c] - a[c]);
+    const double t = length > 0 ? fmin(fmax(along / length, 0), 1) : 0;
+    for (int c = 0; c < m; c++) foot[c] = a[c] + t * (b[c] - a[c]);
+    return distance_of(x, foot, m);
+}
+
+static bat_curve *bezier(int degree, const double *points) {
+    bat_curve *curve;
+    double knots[16];
+    for (int i = 0; i <= degree; i++) knots[i] = 0, knots[degree + 1 + i] = 1;
+    assert_int_equal(
+        bat_curve_create(2, degree, false, (size_t)(degree + 1), points, 2 * degree + 2, knots, &curve),
+        BAT_OK);
+    return curve;
+}
+
+static bat_curve *line(double x0, double y0, double x1, double y1) {
+    return bezier(1, (const double[]){x0, y0, x1, y1});
+}
+
+/* ---- polylines ---- */
+
+static void polylines_keep_their_bound(void **state) {
+    (void)state;
+    random_source r = {5};
+    for (int round = 0; round < 300; round++) {
+        const int p = random_int(&r, 1, 7), m = random_int(&r, 2, 3), kind = random_int(&r, 0, 2);
+        bat_curve *curve = random_curve(&r, p, m, kind, random_int(&r, 0, 12));
+        const double tolerance = bat_curve_size(curve) * pow(10, -random_between(&r, 1, 4));
+        size_t count;
+        double *points, *u;
+        assert_int_equal(bat_curve_flatten(curve, tolerance, &count, &points, &u), BAT_OK);
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        assert_true(u[0] == domain[0] && u[count - 1] == domain[1]);
+        for (size_t i = 0; i + 1 < count; i++) {
+            assert_true(u[i] < u[i + 1]);
+            for (int k = 0; k <= 8; k++) {
+                double x[3];
+                bat_curve_eval(curve, u[i] + (u[i + 1] - u[i]) * k / 8, 0, x);
+                const double limit = k == 0 ? 1e-12 * bat_curve_size(curve) : tolerance;
+                assert_true(to_chord(x, points + i * (size_t)m, points + (i + 1) * (size_t)m, m) <=
+                            limit * (1 + 1e-9));
+            }
+        }
+        if (p == 1) assert_int_equal(count, (size_t)bat_curve_segment_count(curve) + 1);
+        bat_free(points), bat_free(u), bat_curve_free(curve);
+    }
+}
+
+static void polylines_are_short(void **state) {
+    (void)state;
+    /* y = x^2 on [-1, 1]: a chord of width h is h^2 / 4 away, so that 1 / sqrt(tolerance) chords are the fewest */
+    bat_curve *parabola = bezier(2, (const double[]){-1, 1, 0, -1, 1, 1});
+    for (double tolerance = 1e-1; tolerance > 1e-9; tolerance *= 0.37) {
+        size_t count;
+        double *points;
+        assert_int_equal(bat_curve_flatten(parabola, tolerance, &count, &points, NULL), BAT_OK);
+        assert_true((double)(count - 1) >= 1 / sqrt(tolerance) - 1e-6);
+        assert_true((double)(count - 1) <= 1.34 / sqrt(tolerance) + 2);
+        bat_free(points);
+    }
+    bat_curve_free(parabola);
+}
+
+/* ---- distance ---- */
+
+static void distance_has_closed_forms(void **state) {
+    (void)state;
+    bat_apart apart;
+    bat_curve *a = line(0, 0, 10, 0), *b = line(0, 1, 10, 1), *c = line(2, 3, 4, 3), *d = line(10, 2, 0, 4);
+    assert_int_equal(bat_curve_hausdorff(a, b, 1e-12, &apart), BAT_OK);
+    assert_true(fabs(apart.distance - 1) <= 1e-12);
+    assert_int_equal(bat_curve_hausdorff(a, c, 1e-12, &apart), BAT_OK); /* (10, 0) to (4, 3) */
+    assert_true(fabs(apart.distance - sqrt(45)) <= 1e-12 && apart.u == 1 && apart.v == 1);
+    assert_int_equal(bat_curve_hausdorff(c, a, 1e-12, &apart), BAT_OK);
+    assert_true(fabs(apart.distance - sqrt(45)) <= 1e-12 && apart.u == 1 && apart.v == 1);
+    assert_int_equal(bat_curve_hausdorff(a, d, 1e-12, &apart), BAT_OK); /* (0, 4) to (0, 0) */
+    assert_true(fabs(apart.distance - 4) <= 1e-12 && apart.u == 0 && apart.v == 1);
+    bat_curve_free(a), bat_curve_free(b), bat_curve_free(c), bat_curve_free(d);
+    /* The vertex of y = x^2 is 1/4 below y = 1/4 but its sides are further away; between them the greatest distance from the
+     * line to the parabola is at (0, 1/4): to (0, 0), which is its centre of curvature's half. */
+    bat_curve *parabola = bezier(2, (const double[]){-1, 1, 0, -1, 1, 1});
+    bat_curve *across = line(-0.5, 0.25, 0.5, 0.25);
+    assert_int_equal(bat_curve_hausdorff(parabola, across, 1e-12, &apart), BAT_OK);
+    assert_true(fabs(apart.distance - hypot(0.5, 0.75)) <= 1e-12);
+    bat_curve_free(parabola), bat_curve_free(across);
+}
+
+static void one_curve_is_nowhere_apart(void **state) {
+    (void)state;
+    random_source r = {23};
+    for (int round = 0; round < 60; round++) {
+        const int p = random_int(&r, 1, 5), m = random_int(&r, 2, 3), kind = random_int(&r, 0, 2);
+        bat_curve *curve = random_curve(&r, p, m, kind, random_int(&r, 0, 6)), *other, *turned;
+        const double size = bat_curve_size(curve);
+        bat_apart apart;
+        assert_int_equal(bat_curve_elevate(curve, p + random_int(&r, 0, 2), &other), BAT_OK);
+        assert_int_equal(bat_curve_reverse(other, &turned), BAT_OK);
+        assert_int_equal(bat_curve_hausdorff(curve, turned, 1e-9 * size, &apart), BAT_OK);
+        assert_true(apart.distance <= 1e-9 * size);
+        bat_curve_free(curve), bat_curve_free(other), bat_curve_free(turned);
+    }
+}
+
+static void distance_is_that_of_the_furthest_samples(void **state) {
+    (void)state;
+    random_source r = {29};
+    for (int round = 0; round < 60; round++) {
+        const int m = random_int(&r, 2, 3), p = random_int(&r, 1, 4), q = random_int(&r, 1, 4);
+        const int kind = random_int(&r, 0, 2), other = random_int(&r, 0, 2);
+        bat_curve *a = random_curve(&r, p, m, kind, 5), *b = random_curve(&r, q, m, other, 5);
+        const double size = fmax(bat_curve_size(a), bat_curve_size(b));
+        bat_apart apart;
+        double there, back, x[3], y[3];
+        assert_int_equal(bat_curve_hausdorff(a, b, 1e-9 * size, &apart), BAT_OK);
+        assert_int_equal(bat_curve_distance(a, b, 128, &there, &back), BAT_OK);
+        assert_true(apart.distance >= fmax(there, back) - 1.01e-9 * size);
+        assert_true(apart.distance <= fmax(there, back) + 1e-5 * size); /* a maximum between samples */
+        bat_curve_eval(a, apart.u, 0, x), bat_curve_eval(b, apart.v, 0, y);
+        assert_true(fabs(distance_of(x, y, m) - apart.distance) <= 1e-11 * size);
+        bat_curve_free(a), bat_curve_free(b);
+    }
+}
+
+/* ---- crossings ---- */
+
+static void check_crossings(const bat_curve *a, const bat_curve *b, const bat_meeting *meeting, double gap) {
+    const int m = bat_curve_dimension(a);
+    for (size_t i = 0; i < meeting->count; i++) {
+        const bat_crossing *at = meeting->crossings + i;
+        double x[3], y[3];
+        bat_curve_eval(a, at->u, 0, x), bat_curve_eval(b, at->v, 0, y);
+        assert_true(distance_of(x, y, m) <= gap && distance_of(x, at->point, m) <= gap);
+        if (i) assert_true(at[-1].u <= at->u);
+    }
+}
+
+static void crossings_have_closed_forms(void **state) {
+    (void)state;
+    bat_curve *parabola = bezier(2, (const double[]){-1, 1, 0, -1, 1, 1}); /* x = 2 u - 1 */
+    for (int i = -1; i <= 10; i++) {
+        const double height = 0.0999 * i;
+        bat_curve *level = line(-2, height, 2, height);
+        bat_meeting meeting;
+        assert_int_equal(bat_curve_intersect(parabola, level, 1e-12, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, i < 0 ? 0 : i == 0 ? 1 : 2);
+        assert_int_equal(meeting.overlap_count, 0);
+        for (size_t k = 0; k < meeting.count; k++) {
+            const double x = (k ? 1 : -1) * sqrt(height);
+            assert_true(fabs(meeting.crossings[k].point[0] - x) <= (i ? 1e-13 : 1e-6));
+            assert_true(fabs(meeting.crossings[k].u - 0.5 - x / 2) <= (i ? 1e-13 : 1e-6));
+        }
+        check_crossings(parabola, level, &meeting, 1e-12);
+        bat_meeting_free(&meeting), bat_curve_free(level);
+    }
+    /* y = x^3 and y = 0 touch and cross at once */
+    bat_curve *cubic = bezier(3, (const double[]){-1, -1, -1.0 / 3, 1, 1.0 / 3, -1, 1, 1}),
+              *axis = line(-1, 0, 1, 0);
+    bat_meeting meeting;
+    assert_int_equal(bat_curve_intersect(cubic, axis, 1e-10, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 1);
+    assert_true(fabs(meeting.crossings[0].point[0]) <= 1e-3 && fabs(meeting.crossings[0].point[1]) <= 1e-10);
+    bat_meeting_free(&meeting);
+    bat_curve_free(cubic), bat_curve_free(axis), bat_curve_free(parabola);
+}
+
+static void ends_that_touch_count_once(void **state) {
+    (void)state;
+    const double square[] = {0, 0, 10, 0, 10, 10, 0, 10};
+    bat_curve *ring, *a = line(-5, 5, 0, 0), *b = line(0, 0, 5, 5), *c = line(-5, -5, 15, 15),
+                     *d = line(-5, 15, 0, 10);
+    assert_int_equal(bat_curve_create(2, 1, true, 4, square, 5, (const double[]){0, 1, 2, 3, 4}, &ring),
+                     BAT_OK);
+    const struct {
+        const bat_curve *curve;
+        size_t count;
+        double u;
+    } cases[] = {{a, 1, 1}, {b, 1, 1}, {c, 2, 1}, {d, 1, 0}}; /* the ring begins at its last point */
+    for (size_t i = 0; i < 4; i++) {                          /* at the seam, at a corner: once each */
+        bat_meeting meeting;
+        assert_int_equal(bat_curve_intersect(ring, cases[i].curve, 1e-9, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, cases[i].count);
+        assert_true(meeting.overlap_count == 0 && meeting.crossings[0].u == cases[i].u);
+        bat_meeting_free(&meeting);
+        assert_int_equal(bat_curve_intersect(cases[i].curve, ring, 1e-9, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, cases[i].count);
+        bat_meeting_free(&meeting);
+    }
+    bat_curve_free(ring), bat_curve_free(a), bat_curve_free(b), bat_curve_free(c), bat_curve_free(d);
+}
+
+/* Crossings of two polylines, by signs of areas. */
+static size_t polyline_crossings(size_t n, const double *a, size_t m, const double *b) {
+    size_t found = 0;
+    for (size_t i = 0; i + 1 < n; i++)
+        for (size_t j = 0; j + 1 < m; j++) {
+            const double *p = a + 2 * i, *q = b + 2 * j;
+            const double dx = p[2] - p[0], dy = p[3] - p[1], ex = q[2] - q[0], ey = q[3] - q[1];
+            const double s0 = dx * (q[1] - p[1]) - dy * (q[0] - p[0]),
+                         s1 = dx * (q[3] - p[1]) - dy * (q[2] - p[0]);
+            const double r0 = ex * (p[1] - q[1]) - ey * (p[0] - q[0]),
+                         r1 = ex * (p[3] - q[1]) - ey * (p[2] - q[0]);
+            found += (s0 > 0) != (s1 > 0) && (r0 > 0) != (r1 > 0);
+        }
+    return found;
+}
+
+static void crossings_are_those_of_fine_polylines(void **state) {
+    (void)state;
+    random_source r = {31};
+    size_t all = 0, differ = 0;
+    for (int round = 0; round < 200; round++) {
+        const int p = random_int(&r, 1, 7), q = random_int(&r, 1, 7);
+        const int kind = random_int(&r, 0, 2), other = random_int(&r, 0, 2);
+        bat_curve *a = random_curve(&r, p, 2, kind, 8), *b = random_curve(&r, q, 2, other, 8);
+        const double gap = 1e-10 * fmax(bat_curve_size(a), bat_curve_size(b));
+        bat_meeting meeting, back;
+        size_t n, m;
+        double *x, *y;
+        assert_int_equal(bat_curve_intersect(a, b, gap, &meeting), BAT_OK);
+        assert_int_equal(bat_curve_intersect(b, a, gap, &back), BAT_OK);
+        assert_int_equal(meeting.count, back.count);
+        check_crossings(a, b, &meeting, gap);
+        assert_int_equal(bat_curve_flatten(a, 1e5 * gap, &n, &x, NULL), BAT_OK);
+        assert_int_equal(bat_curve_flatten(b, 1e5 * gap, &m, &y, NULL), BAT_OK);
+        all += meeting.count, differ += meeting.count != polyline_crossings(n, x, m, y);
+        bat_meeting_free(&meeting), bat_meeting_free(&back);
+        bat_free(x), bat_free(y), bat_curve_free(a), bat_curve_free(b);
+    }
+    assert_true(all > 1000);
+    assert_int_equal(differ, 0);
+}
+
+static void space_curves_meet_where_they_were_made_to(void **state) {
+    (void)state;
+    random_source r = {37};
+    for (int round = 0; round < 100; round++) {
+        const int p = random_int(&r, 1, 5), q = random_int(&r, 1, 5);
+        bat_curve *a = random_curve(&r, p, 3, 0, 4), *b = random_curve(&r, q, 3, 0, 4), *moved;
+        double domain[2], x[3], y[3];
+        bat_curve_domain(a, domain);
+        const double u = random_between(&r, domain[0], domain[1]);
+        bat_curve_eval(a, u, 0, x);
+        bat_curve_domain(b, domain);
+        const double v = random_between(&r, domain[0], domain[1]);
+        bat_curve_eval(b, v, 0, y);
+        const double matrix[] = {1, 0, 0, x[0] - y[0], 0, 1, 0, x[1] - y[1], 0, 0, 1, x[2] - y[2]};
+        assert_int_equal(bat_curve_transform(b, matrix, &moved), BAT_OK);
+        bat_meeting meeting;
+        assert_int_equal(bat_curve_intersect(a, moved, 1e-9, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, 1);
+        assert_true(distance_of(meeting.crossings[0].point, x, 3) <= 1e-7);
+        check_crossings(a, moved, &meeting, 1e-9);
+        bat_meeting_free(&meeting);
+        bat_curve_free(a), bat_curve_free(b), bat_curve_free(moved);
+    }
+}
+
+/* ---- overlaps ---- */
+
+static void overlaps_are_found(void **state) {
+    (void)state;
+    random_source r = {41};
+    for (int round = 0; round < 120; round++) {
+        const int p = random_int(&r, 1, 5), m = random_int(&r, 2, 3);
+        bat_curve *curve = random_curve(&r, p, m, 0, random_int(&r, 0, 5)), *a, *b, *raised, *other;
+        double domain[2], cut[4];
+        bat_curve_domain(curve, domain);
+        for (int i = 0; i < 4; i++)
+            cut[i] = domain[0] + (domain[1] - domain[0]) * (i + random_between(&r, 0.1, 0.9)) / 4;
+        assert_int_equal(bat_curve_piece(curve, cut[0], cut[2], &a), BAT_OK);
+        assert_int_equal(bat_curve_piece(curve, cut[1], cut[3], &b), BAT_OK);
+        assert_int_equal(bat_curve_elevate(b, p + random_int(&r, 0, 2), &raised), BAT_OK);
+        const bool turned = round % 2;
+        assert_int_equal(turned ? bat_curve_reverse(raised, &other) : bat_curve_copy(raised, &other), BAT_OK);
+        const double size = bat_curve_size(curve);
+        bat_meeting meeting, own;
+        assert_int_equal(bat_curve_intersect(a, other, 1e-9 * size, &meeting), BAT_OK);
+        assert_int_equal(meeting.overlap_count, 1);
+        double from[3], to[3], x[3], y[3];
+        bat_curve_eval(curve, cut[1], 0, from), bat_curve_eval(curve, cut[2], 0, to);
+        bat_curve_eval(a, meeting.overlaps[0].u[0], 0, x), bat_curve_eval(a, meeting.overlaps[0].u[1], 0, y);
+        assert_true(distance_of(from, x, m) <= 1e-7 * size && distance_of(to, y, m) <= 1e-7 * size);
+        bat_curve_eval(other, meeting.overlaps[0].v[0], 0, x),
+            bat_curve_eval(other, meeting.overlaps[0].v[1], 0, y);
+        assert_true(distance_of(from, x, m) <= 1e-7 * size && distance_of(to, y, m) <= 1e-7 * size);
+        assert_true((meeting.overlaps[0].v[1] < meeting.overlaps[0].v[0]) == turned);
+        /* what else they share is where the curve crosses itself */
+        assert_int_equal(bat_curve_self_intersect(curve, 1e-9 * size, &own), BAT_OK);
+        assert_true(meeting.count <= 2 * own.count);
+        check_crossings(a, other, &meeting, 1.01e-9 * size);
+        bat_meeting_free(&meeting), bat_meeting_free(&own);
+        bat_curve_free(curve), bat_curve_free(a), bat_curve_free(b), bat_curve_free(raised),
+            bat_curve_free(other);
+    }
+}
+
+/* ---- a curve that meets itself ---- */
+
+static void loops_have_closed_forms(void **state) {
+    (void)state;
+    /* x = t^2, y = t^3 - t: the double point is (1, 0), at t = -1 and 1 */
+    bat_curve *loop = bezier(
+        3, (const double[]){4, -6, -4.0 / 3, 26.0 / 3, -4.0 / 3, -26.0 / 3, 4, 6}); /* t = 4 u - 2 */
+    bat_meeting meeting;
+    assert_int_equal(bat_curve_self_intersect(loop, 1e-12, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 1);
+    double x[2], y[2];
+    bat_curve_eval(loop, meeting.crossings[0].u, 0, x), bat_curve_eval(loop, meeting.crossings[0].v, 0, y);
+    assert_true(distance_of(x, y, 2) <= 1e-12);
+    assert_true(fabs(meeting.crossings[0].u - 0.25) <= 1e-13 && fabs(meeting.crossings[0].v - 0.75) <= 1e-13);
+    bat_meeting_free(&meeting), bat_curve_free(loop);
+    /* an arch and a ring cross themselves nowhere */
+    bat_curve *arch = bezier(3, (const double[]){0, 0, 0, 10, 10, 10, 10, 0}), *ring;
+    assert_int_equal(bat_curve_self_intersect(arch, 1e-9, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 0);
+    bat_meeting_free(&meeting), bat_curve_free(arch);
+    const double points[] = {10, 0, 0, 10, -10, 0, 0, -10}, knots[] = {0, 1, 2, 3, 4};
+    for (int p = 1; p <= 7; p++) {
+        assert_int_equal(bat_curve_create(2, p, true, 4, points, 5, knots, &ring), BAT_OK);
+        assert_int_equal(bat_curve_self_intersect(ring, 1e-9, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, 0);
+        bat_meeting_free(&meeting), bat_curve_free(ring);
+    }
+}
+
+static void own_crossings_are_those_of_fine_polylines(void **state) {
+    (void)state;
+    random_source r = {43};
+    size_t all = 0, differ = 0;
+    for (int round = 0; round < 120; round++) {
+        const int p = random_int(&r, 2, 7), kind = random_int(&r, 0, 2);
+        bat_curve *curve = random_curve(&r, p, 2, kind, 9);
+        const double gap = 1e-10 * bat_curve_size(curve);
+        bat_meeting meeting;
+        size_t n, found = 0;
+        double *x;
+        assert_int_equal(bat_curve_self_intersect(curve, gap, &meeting), BAT_OK);
+        check_crossings(curve, curve, &meeting, gap);
+        assert_int_equal(bat_curve_flatten(curve, 1e4 * gap, &n, &x, NULL), BAT_OK);
+        for (size_t i = 0; i + 3 < n; i++) {
+            const size_t rest = n - i - 2 - (bat_curve_is_closed(curve) && i == 0);
+            found += polyline_crossings(2, x + 2 * i, rest, x + 2 * (i + 2));
+        }
+        all += meeting.count, differ += meeting.count != found;
+        bat_meeting_free(&meeting), bat_free(x), bat_curve_free(curve);
+    }
+    assert_true(all > 300);
+    assert_true(differ == 0);
+}
+
+/* ---- what is refused ---- */
+
+static void bad_arguments(void **state) {
+    (void)state;
+    bat_curve *plane = line(0, 0, 1, 1), *space;
+    const double points[] = {0, 0, 0, 1, 1, 1};
+    assert_int_equal(bat_curve_create_clamped(3, 1, 2, points, &space), BAT_OK);
+    bat_apart apart;
+    bat_meeting meeting;
+    size_t count;
+    double *flat;
+    assert_int_equal(bat_curve_hausdorff(plane, space, 1, &apart), BAT_DIMENSION);
+    assert_int_equal(bat_curve_hausdorff(plane, plane, (double)NAN, &apart), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_hausdorff(plane, NULL, 1, &apart), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_intersect(plane, space, 1, &meeting), BAT_DIMENSION);
+    assert_int_equal(bat_curve_intersect(plane, plane, 0, &meeting), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_self_intersect(NULL, 1, &meeting), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_flatten(plane, -1, &count, &flat, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_flatten(plane, 1, NULL, &flat, NULL), BAT_ARGUMENT);
+    bat_meeting_free(NULL);
+    /* a curve of one place */
+    bat_curve *dot = line(3, 4, 3, 4), *arm = line(0, 0, 6, 8);
+    assert_int_equal(bat_curve_intersect(dot, arm, 1e-9, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 1);
+    bat_meeting_free(&meeting);
+    assert_int_equal(bat_curve_intersect(dot, dot, 1e-9, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 1);
+    bat_meeting_free(&meeting);
+    assert_int_equal(bat_curve_self_intersect(dot, 1e-9, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 0);
+    bat_meeting_free(&meeting);
+    assert_int_equal(bat_curve_hausdorff(dot, arm, 1e-9, &apart), BAT_OK);
+    assert_true(fabs(apart.distance - 5) <= 1e-9);
+    bat_curve_free(dot), bat_curve_free(arm), bat_curve_free(plane), bat_curve_free(space);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(polylines_keep_their_bound),
+        cmocka_unit_test(polylines_are_short),
+        cmocka_unit_test(distance_has_closed_forms),
+        cmocka_unit_test(one_curve_is_nowhere_apart),
+        cmocka_unit_test(distance_is_that_of_the_furthest_samples),
+        cmocka_unit_test(crossings_have_closed_forms),
+        cmocka_unit_test(ends_that_touch_count_once),
+        cmocka_unit_test(crossings_are_those_of_fine_polylines),
+        cmocka_unit_test(space_curves_meet_where_they_were_made_to),
+        cmocka_unit_test(overlaps_are_found),
+        cmocka_unit_test(loops_have_closed_forms),
+        cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
+        cmocka_unit_test(bad_arguments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
