@@ -13,7 +13,7 @@ import { counted, word } from '../page/words.js';
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
 
-/** @param {import('../engine/engine.js').Losses} losses */
+/** @param {import('../engine/losses.js').Losses} losses */
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
 
 /** @param {string} name */
@@ -61,7 +61,7 @@ export class Files {
     this.find = async () => null;
     /** Called as soon as it is open. @type {(kept: Kept | null) => void} */
     this.onopen = () => {};
-    /** What was in the opened file and is not in the drawing. @type {import('../engine/engine.js').Losses} */
+    /** What was in the opened file and is not in the drawing. @type {import('../engine/losses.js').Losses} */
     this.losses = {};
     /** The document is the server's file, and is saved there. */
     this.bound = false;
