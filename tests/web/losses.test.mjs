@@ -9,9 +9,9 @@ import { edit, EXAMPLE, serve } from './server.mjs';
 
 /** A file whose elements are not all in its text cannot be kept as it is. */
 const ART = `<!DOCTYPE svg [<!ENTITY e "<g/>">]><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300"><title>Art</title>&e;
-  <linearGradient id="g"><stop stop-color="#f00"/><stop offset="1" stop-color="#00f"/></linearGradient>
+  <pattern id="g" width=".2" height=".2"><rect width="9" height="9" fill="#00f"/></pattern>
   <rect id="box" x="40" y="60" width="120" height="90" fill="url(#g)"/><text x="20" y="40">Hello</text><text>again</text>
-  <path d="M200 80C240 20 300 140 360 80" fill="none" stroke="#070" stroke-width="4" stroke-dasharray="9 5"/></svg>`;
+  <path d="M200 80C240 20 300 140 360 80" fill="none" stroke="#070" stroke-width="4" stroke-dasharray="9 five"/></svg>`;
 const LINE = bezier([60, 220], [140, 200], [220, 250], [340, 220]);
 
 let browser;
@@ -46,7 +46,7 @@ test('asked once, before the first save that would lose something', async (t) =>
   assert.deepEqual(await page.$$eval('#lossy button', (all) => all.map((one) => one.textContent)),
     ['Save a copy', 'Save and lose 5 things', 'Cancel']);
   assert.deepEqual(await page.$$eval('#lossy li', (all) => all.map((one) => one.textContent)),
-    ['Texts 2', 'Gradients 1', 'Dashed strokes 1', 'Titles or descriptions 1']);
+    ['Texts 2', 'Patterns 1', 'Dashed strokes 1', 'Titles or descriptions 1']);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Save a copy');
   await page.keyboard.press('Escape');
   await page.waitForSelector('#lossy', { state: 'detached' });
@@ -139,7 +139,7 @@ test('the list is there at any time, in the language in force', async (t) => {
   await page.click('#unkept');
   await page.waitForSelector('#losses:popover-open');
   assert.deepEqual(await page.$$eval('#losses li', (all) => all.map((one) => one.textContent)),
-    ['글자 2', '그라디언트 1', '점선 1', '제목이나 설명 1']);
+    ['글자 2', '무늬 1', '점선 1', '제목이나 설명 1']);
   await page.keyboard.press('Escape');
   await page.evaluate(() => batten.engine.command('losses') && batten.wake());
   await page.waitForSelector('#losses:popover-open');
