@@ -18,6 +18,10 @@ typedef struct source {
     size_t left;
 } source;
 
+static void demand(bool holds) {
+    if (!holds) abort();
+}
+
 static int byte(source *s) { return s->left == 0 ? 0 : (s->left--, *s->data++); }
 static double number(source *s) {
     static const double odd[] = {NAN, INFINITY, 1e300, -1e100, 1e-310, 0, -0.0, 1e9};
@@ -103,6 +107,35 @@ static bat_status image(source *s, bat_id id, bat_object **out) {
     return status;
 }
 
+/* A surface of neighbours in the document; from: an object that becomes it. */
+static bat_status made_of(source *s, const bat_document *document, const bat_object *from, bat_object **out) {
+    const bat_object *sources[5];
+    const bat_curve *curves[2];
+    const int way = byte(s), all = bat_document_count(document), first = byte(s);
+    const size_t count = 2 + (size_t)(way / 8 % 4);
+    const bat_style own = style(s);
+    bat_recipe recipe = bat_recipe_of((bat_recipe_kind)(way % 8));
+    recipe.stand = (bat_recipe_stand)(way / 32 % 4);
+    if (way & 128) recipe.twist = number(s), recipe.scale = number(s) / 9, recipe.angle = 4 * number(s);
+    if (all == 0) return BAT_STATE;
+    for (size_t i = 0; i < count; i++) sources[i] = bat_document_at(document, (first + (int)i) % all);
+    for (int i = 0; i < 2; i++) curves[i] = bat_object_curve(sources[i], 0);
+    demand(bat_recipe_stands(curves[0], curves[1]) < BAT_STAND_COUNT);
+    const bat_status status = from ? bat_object_with_recipe(from, &recipe, count, sources, out)
+                                   : bat_object_create_made((bat_id)byte(s) + 1, "", &own, &recipe, count,
+                                                            sources, out);
+    if (status != BAT_OK || !(way & 64)) return status;
+    bat_surface *again = NULL;
+    const bat_curve *given[5];
+    bat_recipe_report report;
+    for (size_t i = 0; i < count; i++) given[i] = bat_object_curve(sources[i], 0);
+    demand(bat_recipe_check(&recipe, count) == BAT_OK);
+    demand(bat_recipe_surface(&recipe, count, given, &again, &report) == BAT_OK && report.apart >= 0);
+    demand(bat_surface_is_equal(again, bat_object_surface(*out)));
+    bat_surface_free(again);
+    return BAT_OK;
+}
+
 static bat_status make(source *s, bat_document *document, bat_object **out) {
     double points[16], tangents[16];
     int kind = byte(s);
@@ -116,6 +149,7 @@ static bat_status make(source *s, bat_document *document, bat_object **out) {
     case 3:
         made = spline(s, points, tangents);
         return bat_object_create_spline(id, name(s), &own, &made, NULL, out);
+    case 4: return made_of(s, document, NULL, out);
     default: return with_curves(s, NULL, out);
     }
 }
@@ -146,14 +180,14 @@ static bat_status with_paint(source *s, const bat_object *object, bat_object **o
     return bat_object_with_paint(object, byte(s) & 15 ? &paint : NULL, out);
 }
 
-static bat_status alter(source *s, const bat_object *object, bat_object **out) {
+static bat_status alter(source *s, const bat_document *document, const bat_object *object, bat_object **out) {
     double points[16], tangents[16], matrix[6];
     bat_style own = style(s);
     bat_spline other;
     bat_curve *one;
     bat_shape *shape;
     int index = byte(s) % 5 - 1;
-    switch (byte(s) % 13) {
+    switch (byte(s) % 14) {
     case 0:
         for (int i = 0; i < 6; i++) matrix[i] = number(s);
         return bat_object_with_matrix(object, matrix, out);
@@ -168,12 +202,9 @@ static bat_status alter(source *s, const bat_object *object, bat_object **out) {
     case 9: shape = levels(s); return shape ? bat_object_with_shape(object, index, shape, out) : BAT_ARGUMENT;
     case 10: other = spline(s, points, tangents); return bat_object_with_spline(object, &other, out);
     case 11: return bat_object_to_path(object, out);
+    case 12: return made_of(s, document, object, out);
     default: *out = bat_object_retain(object); return BAT_OK;
     }
-}
-
-static void demand(bool holds) {
-    if (!holds) abort();
 }
 
 /* Everything that can be queried of an object is consistent. */
@@ -191,7 +222,14 @@ static void ask(const bat_object *object) {
     demand((bat_object_guide(object, &at) >= 0) == (kind == BAT_KIND_GUIDE));
     demand((bat_object_spline(object) != NULL) == (kind == BAT_KIND_SPLINE));
     demand(!bat_object_spline(object) || bat_object_spline_options(object));
-    demand(bat_object_is_made_of_curves(object) == (bat_object_curve_count(object) > 0));
+    demand(bat_object_is_made_of_curves(object) ==
+           (bat_object_curve_count(object) > 0 && kind != BAT_KIND_SURFACE));
+    const bat_id *from = NULL;
+    const bat_recipe *recipe = bat_object_recipe(object);
+    const int sources = bat_object_sources(object, &from);
+    demand((recipe != NULL) == (sources > 0) && (!recipe || kind == BAT_KIND_SURFACE));
+    demand(!recipe || bat_recipe_check(recipe, (size_t)sources) == BAT_OK);
+    for (int i = 0; i < sources; i++) demand(from[i] > 0 && from[i] != bat_object_id(object));
     bat_object_bounds(object, box);
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_shape *shape = bat_object_shape(object, i);
@@ -220,7 +258,7 @@ static void step(source *s, bat_document *document) {
         status = make(s, document, &made);
         if (status == BAT_OK) status = bat_document_insert(document, at, made);
     } else if (way % 8 < 7) {
-        status = alter(s, there, &made);
+        status = alter(s, document, there, &made);
         demand((status == BAT_OK) == (made != NULL));
         if (made) ask(made);
         if (status == BAT_OK) status = bat_document_replace(document, at, made);
@@ -257,7 +295,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_document *back = NULL;
     if (!bat_document_check(document) && bat_document_write(document, &text, &size) == BAT_OK) {
         demand(bat_document_read(text, size, &back, NULL) == BAT_OK);
-        demand(bat_document_digest(back) == bat_document_digest(document));
+        bool follows = false; /* what changed here without its surfaces is made again when it is read */
+        for (int i = 0; i < bat_document_count(document); i++)
+            follows = follows || bat_object_sources(bat_document_at(document, i), NULL) > 0;
+        demand(follows || bat_document_digest(back) == bat_document_digest(document));
         bat_free(text);
     }
     bat_document_free(back);

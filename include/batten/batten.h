@@ -21,6 +21,7 @@
 #include <batten/mesh.h>
 #include <batten/wires.h>
 #include <batten/sweep.h>
+#include <batten/recipe.h>
 #include <batten/view.h>
 #include <batten/trace.h>
 #include <batten/sight.h>

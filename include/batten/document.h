@@ -9,6 +9,7 @@
 
 #include <batten/camera.h>
 #include <batten/levels.h>
+#include <batten/recipe.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
 
@@ -102,7 +103,16 @@ BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const do
  * in each direction have one. */
 BAT_API bat_status bat_object_create_surface(bat_id id, const char *name, const bat_style *style,
                                              const bat_surface *surface, bat_object **out);
-/* A copy with another surface. BAT_ARGUMENT: the object is not a surface. */
+/* A surface made from the first curve of each of these objects by a recipe (bat_recipe_surface, whose statuses it has). A
+ * document keeps it so: when one of the curves changes, it is made again; when one goes, or makes no surface any longer, it
+ * is free and keeps the surface it has. BAT_ARGUMENT: an object is not made of curves, is given twice, or has this id. */
+BAT_API bat_status bat_object_create_made(bat_id id, const char *name, const bat_style *style,
+                                          const bat_recipe *recipe, size_t count,
+                                          const bat_object *const *sources, bat_object **out);
+/* A copy made by another recipe. BAT_ARGUMENT: the object is not a surface; else as above. */
+BAT_API bat_status bat_object_with_recipe(const bat_object *object, const bat_recipe *recipe, size_t count,
+                                          const bat_object *const *sources, bat_object **out);
+/* A copy with another surface, which is free. BAT_ARGUMENT: the object is not a surface. */
 BAT_API bat_status bat_object_with_surface(const bat_object *object, const bat_surface *surface,
                                            bat_object **out);
 /* Copies the move. follows: the object whose first curve is the path, which a document keeps so: when that curve changes,
@@ -167,6 +177,10 @@ bat_object_is_drawn(const bat_object *object); /* no group, guide or plane: it c
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
 /* Owned by the object; NULL when it is not a surface. */
 BAT_API const bat_surface *bat_object_surface(const bat_object *object);
+/* How it is made, owned by the object; NULL when it is not a surface, or is free. */
+BAT_API const bat_recipe *bat_object_recipe(const bat_object *object);
+/* What it is made from: how many objects; *ids (may be NULL): theirs, owned by the object. 0 when it is free. */
+BAT_API int bat_object_sources(const bat_object *object, const bat_id **ids);
 /* Owned by the object; NULL when it is not a camera. */
 BAT_API const bat_camera *bat_object_camera(const bat_object *object);
 /* The object whose first curve is its path; 0: its path is its own, or it is not a camera. */
@@ -206,7 +220,7 @@ BAT_API bat_status bat_document_set_page(bat_document *document, const double pa
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
 /* The invariants: ids unique, from 1 to BAT_ID_MAX, below the next id; curves valid; splines and levels give their
- * curves; styles in range; the contents of groups follow them, and layers are in nothing but layers. Returns NULL
+ * curves; what is followed is there; styles in range; the contents of groups follow them, and layers are in nothing but layers. Returns NULL
  * when all hold, otherwise which one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
 /* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is

@@ -18,7 +18,12 @@ struct bat_document {
     bat_id next;   /* greater than every id that was ever in the document */
     double page[4];
     bat_source *source;
+    int followers; /* objects that follow others */
 };
+
+static bool follows(const bat_object *object) {
+    return bat_object_followed(object) != 0 || bat_object_sources(object, NULL) > 0;
+}
 
 bat_status bat_document_create(bat_document **out) {
     if (!out) return BAT_ARGUMENT;
@@ -55,6 +60,7 @@ bat_status bat_document_copy(const bat_document *document, bat_document **out) {
         return status;
     }
     copy->next = document->next;
+    copy->followers = document->followers;
     copy->source = bat_source_retain(document->source);
     memcpy(copy->page, document->page, sizeof copy->page);
     *out = copy;
@@ -87,6 +93,7 @@ bat_status bat_document_insert(bat_document *document, int index, const bat_obje
     bat_status status = bat_list_reserve(&document->list, document->list.count + 1);
     if (status != BAT_OK) return status;
     bat_list_insert(&document->list, index, bat_object_retain(after));
+    document->followers += follows(after);
     bat_document_raise_next(document, id + 1);
     return BAT_OK;
 }
@@ -94,12 +101,14 @@ bat_status bat_document_insert(bat_document *document, int index, const bat_obje
 bat_status bat_document_replace(bat_document *document, int index, const bat_object *after) {
     if (!document || !after || index < 0 || index >= document->list.count) return BAT_ARGUMENT;
     if (bat_object_id(after) != bat_object_id(bat_list_at(&document->list, index))) return BAT_ARGUMENT;
+    document->followers += follows(after) - follows(bat_list_at(&document->list, index));
     bat_object_release(bat_list_exchange(&document->list, index, bat_object_retain(after)));
     return BAT_OK;
 }
 
 bat_status bat_document_remove(bat_document *document, int index) {
     if (!document || index < 0 || index >= document->list.count) return BAT_ARGUMENT;
+    document->followers -= follows(bat_list_at(&document->list, index));
     bat_object_release(bat_list_take(&document->list, index));
     return BAT_OK;
 }
@@ -116,7 +125,10 @@ bat_status bat_document_fill(bat_document *document, int count, bat_object *cons
             bat_list_insert(list, i, objects[i]);
     }
     while (status != BAT_OK && list->count) bat_list_take(list, list->count - 1); /* stay the caller's */
-    for (int i = 0; i < list->count; i++) bat_document_raise_next(document, bat_object_id(objects[i]) + 1);
+    for (int i = 0; i < list->count; i++) {
+        bat_document_raise_next(document, bat_object_id(objects[i]) + 1);
+        document->followers += follows(objects[i]);
+    }
     return status;
 }
 
@@ -216,6 +228,19 @@ bool bat_document_is_left(const bat_document *document, int index) {
     return bat_object_followed(object) && !bat_document_source(document, object);
 }
 
+bool bat_document_sources(const bat_document *document, const bat_object *object, const bat_object **out) {
+    const bat_id *ids;
+    const int count = bat_object_sources(object, &ids);
+    for (int i = 0; i < count; i++) {
+        const int at = bat_document_find(document, ids[i]);
+        out[i] = bat_document_at(document, at);
+        if (!bat_object_is_made_of_curves(out[i])) return false;
+    }
+    return true;
+}
+
+bool bat_document_has_followers(const bat_document *document) { return document->followers > 0; }
+
 const char *bat_document_check(const bat_document *document) {
     if (!page_valid(document->page)) return "the page is out of range";
     for (int i = 0; i < document->list.count; i++) {
@@ -228,8 +253,14 @@ const char *bat_document_check(const bat_document *document) {
         if (wrong) return wrong;
     }
     if (!bat_list_holds(&document->list)) return "the list and its ids differ";
-    for (int i = 0; i < document->list.count; i++)
+    int followers = 0;
+    for (int i = 0; i < document->list.count; i++) {
+        const bat_object *from[BAT_RECIPE_CURVES], *object = bat_list_at(&document->list, i);
         if (bat_document_is_left(document, i)) return "what an object follows is gone";
+        if (!bat_document_sources(document, object, from)) return "what an object is made from is gone";
+        followers += follows(object);
+    }
+    if (followers != document->followers) return "the objects that follow others are not counted";
     return bat_document_check_nesting(document);
 }
 

@@ -4,12 +4,13 @@
 #include "document/kind.h"
 
 bat_status bat_document_follower(const bat_document *document, int index, bat_object **out) {
-    const bat_object *object = bat_document_at(document, index);
+    const bat_object *object = bat_document_at(document, index), *from[BAT_RECIPE_CURVES];
     const bat_object *source = bat_document_source(document, object);
+    const bat_kind_type *type = bat_object_type(object);
     *out = NULL;
-    return source ? bat_object_type(object)->follow(object, bat_object_id(source),
-                                                    bat_object_curve(source, 0), out)
-                  : BAT_OK;
+    if (source) return type->follow(object, bat_object_id(source), bat_object_curve(source, 0), out);
+    if (bat_object_sources(object, NULL) == 0) return BAT_OK;
+    return type->remake(object, NULL, bat_document_sources(document, object, from) ? from : NULL, out);
 }
 
 /* Takes `made` over. */
@@ -19,11 +20,18 @@ static bat_status put(bat_document *document, int index, bat_object *made) {
     return status;
 }
 
+static bool is_short(const bat_document *document, int index) {
+    const bat_object *from[BAT_RECIPE_CURVES];
+    return bat_document_is_left(document, index) ||
+           !bat_document_sources(document, bat_document_at(document, index), from);
+}
+
 bat_status bat_document_follow(bat_document *document) {
     bat_status status = BAT_OK;
+    if (!bat_document_has_followers(document)) return BAT_OK;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         bat_object *made = NULL;
-        if (bat_document_is_left(document, i)) return BAT_ARGUMENT;
+        if (is_short(document, i)) return BAT_ARGUMENT;
         status = bat_document_follower(document, i, &made);
         if (status == BAT_OK) status = put(document, i, made);
     }
@@ -35,9 +43,22 @@ bat_status bat_document_let_go(bat_document *document) {
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);
         bat_object *made = NULL;
-        if (!bat_document_is_left(document, i)) continue;
-        status = bat_object_type(object)->follow(object, 0, NULL, &made);
+        if (!is_short(document, i)) continue;
+        status = bat_document_is_left(document, i)
+                     ? bat_object_type(object)->follow(object, 0, NULL, &made)
+                     : bat_object_type(object)->remake(object, NULL, NULL, &made);
         if (status == BAT_OK) status = put(document, i, made);
     }
     return status;
+}
+
+bat_status bat_object_renumbered(const bat_object *object, const bat_id *ids, bat_object **out) {
+    const bat_id followed = bat_object_followed(object);
+    const int count = bat_object_sources(object, NULL);
+    bool all = true;
+    *out = NULL;
+    if (followed) return bat_object_type(object)->follow(object, ids[0], NULL, out);
+    for (int i = 0; i < count; i++) all = all && ids[i];
+    if (count == 0) return BAT_OK;
+    return bat_object_type(object)->remake(object, all ? ids : NULL, NULL, out);
 }

@@ -1,4 +1,5 @@
-/* Objects that follow a curve of another object: where that goes they go, and when it is gone, so are they. */
+/* Objects that follow curves of others. A camera follows one: where that goes it goes, and when it is gone, so is the camera.
+ * A surface is made from several: it is made again when one changes, and when one is gone, it is free. */
 #ifndef BATTEN_DOCUMENT_FOLLOW_H
 #define BATTEN_DOCUMENT_FOLLOW_H
 
@@ -11,5 +12,8 @@ bat_status bat_document_follower(const bat_document *document, int index, bat_ob
 bat_status bat_document_follow(bat_document *document);
 /* Those that are left keep the curve they have, and follow nothing from then on. */
 bat_status bat_document_let_go(bat_document *document);
+/* A copy that follows the objects with these ids, one for each that it follows now; an id of 0: it is not made from
+ * anything from then on. *out NULL with BAT_OK: it follows nothing. */
+bat_status bat_object_renumbered(const bat_object *object, const bat_id *ids, bat_object **out);
 
 #endif

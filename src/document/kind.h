@@ -51,6 +51,14 @@ typedef struct bat_kind_type {
      * NULL with BAT_OK: it is so already. NULL: the kind follows nothing. */
     bat_id (*followed)(const bat_object *object);
     bat_status (*follow)(const bat_object *object, bat_id id, const bat_curve *path, bat_object **out);
+    /* For objects that are made from the first curves of several others (follow.h): their ids, *count of them. remake: a
+     * copy made from those objects, `from`, as they now are; with ids, a copy made from the objects that have these instead,
+     * which is made again when it is asked to follow them; with neither, a copy that is free, and keeps what it is. *out NULL
+     * with BAT_OK: it is so already. One that can't be made any longer, or was moved while its objects were not, becomes
+     * free. NULL: the kind is made from nothing. */
+    const bat_id *(*sources)(const bat_object *object, int *count);
+    bat_status (*remake)(const bat_object *object, const bat_id *ids, const bat_object *const *from,
+                         bat_object **out);
     /* JSON. write: writes the kind's own members, each with a comma before it. read: makes an object with this
      * id and name from the members of a node. NULL: it has no members. */
     void (*write)(const bat_object *object, struct bat_text *text);
@@ -72,6 +80,9 @@ static inline bool bat_object_is_mere_group(const bat_object *object) {
 }
 /* NULL when the object is of another kind. */
 const void *bat_object_own(const bat_object *object, const bat_kind_type *type);
+
+/* Of a curve and its levels, computed when it was made. O(1). */
+uint64_t bat_object_curve_digest(const bat_object *object, int index);
 
 /* For kinds/: a new object. style NULL: the default. The own part (type->size bytes; NULL: zeros) and the
  * curves are taken over on success. BAT_ARGUMENT: id, name or style is not valid; BAT_COUNT: no curves;

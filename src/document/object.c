@@ -304,6 +304,12 @@ bool bat_object_is_group(const bat_object *object) { return bat_object_is(object
 bat_id bat_object_followed(const bat_object *object) {
     return object->type->followed ? object->type->followed(object) : 0;
 }
+int bat_object_sources(const bat_object *object, const bat_id **ids) {
+    int count = 0;
+    const bat_id *found = object->type->sources ? object->type->sources(object, &count) : NULL;
+    if (ids) *ids = found;
+    return count;
+}
 bool bat_object_is_drawn(const bat_object *object) { return bat_object_is(object, BAT_DRAWN); }
 bool bat_object_is_made_of_curves(const bat_object *object) {
     return object && bat_object_is(object, BAT_CURVES) && !bat_object_is(object, BAT_FIXED);
@@ -313,6 +319,10 @@ int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {
     return index >= 0 && index < object->count ? object->parts[index]->curve : NULL;
+}
+
+uint64_t bat_object_curve_digest(const bat_object *object, int index) {
+    return index >= 0 && index < object->count ? object->parts[index]->digest : 0;
 }
 
 const bat_shape *bat_object_shape(const bat_object *object, int index) {

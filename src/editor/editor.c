@@ -42,6 +42,7 @@ bat_status bat_editor_create(bat_editor **out) {
     editor->stage.casters = &editor->casters;
     editor->casters.document = &editor->session.document;
     editor->notices.notice = BAT_STRING_COUNT;
+    editor->session.freed = BAT_STRING_COUNT;
     bat_scene_init(&editor->scene);
     bat_settings_init(&editor->settings);
     bat_document *document = NULL;

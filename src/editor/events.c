@@ -290,7 +290,8 @@ static void one(bat_context *c, bat_pointer event) {
         return;
     }
     c->time = event.time;
-    c->session->freed = c->session->refused = false;
+    c->session->freed = BAT_STRING_COUNT;
+    c->session->refused = false;
     if (event.device == BAT_DEVICE_PEN) see_pen(c, &event);
     set_modifiers(c, event.modifiers);
     const bat_slot *tool = bat_toolbox_tool(c);

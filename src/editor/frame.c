@@ -137,6 +137,13 @@ static uint32_t readings(const bat_context *c) {
     return simplified ? simplified : bat_toolbox_readings(c);
 }
 
+/* A drag shows in the same frame, and with it what follows its curves. */
+static void update(bat_context *c, const bat_slot *tool) {
+    if (tool->is->update) tool->is->update(c, tool->state);
+    bat_transaction_follow(c);
+    bat_seen_sync(c);
+}
+
 const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_context *c = &editor->context;
     bat_overlay *overlay = &editor->overlay;
@@ -146,8 +153,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_seen_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
     bat_moves_sync(c);
-    if (tool->is->update) tool->is->update(c, tool->state);
-    bat_seen_sync(c); /* a drag shows in the same frame */
+    update(c, tool);
     bat_readout made = bat_toolbox_readout(c);
     show_overlay(c, tool, &made, overlay);
 

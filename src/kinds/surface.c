@@ -1,14 +1,17 @@
-/* A surface in space. Its curves are its lines at the knots: they show it, and change only with it. */
+/* A surface in space. Its curves are its lines at the knots: they show it, and change only with it. It can be made from
+ * curves of the drawing by a recipe: when they change, it is made again. */
 #include "base/matrix.h"
 #include "base/users.h"
 #include "document/digest.h"
 #include "format/json/fields.h"
+#include "format/json/recipe.h"
 #include "format/json/style.h"
 #include "format/json/surface.h"
 #include "kinds/kinds.h"
 #include "text/text.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { LINES = 65 }; /* in each direction at most; on finer surfaces not every knot has one */
 
@@ -18,11 +21,24 @@ typedef struct kept_surface {
     bat_surface *surface;
 } kept_surface;
 
+/* What it is made from: a value like that one. */
+typedef struct kept_recipe {
+    bat_users users;
+    bat_recipe recipe;
+    bool known; /* it is made of curves with these digests */
+    bool moved; /* since then */
+    int count;
+    bat_id ids[BAT_RECIPE_CURVES];
+    uint64_t digests[BAT_RECIPE_CURVES];
+} kept_recipe;
+
 typedef struct own_part {
     kept_surface *kept;
+    kept_recipe *made; /* NULL: it is free */
 } own_part;
 
 static kept_surface *kept_of(const void *own) { return ((const own_part *)own)->kept; }
+static kept_recipe *made_of(const void *own) { return ((const own_part *)own)->made; }
 
 static void release(kept_surface *kept) {
     if (!kept || !bat_users_drop(&kept->users)) return;
@@ -30,8 +46,15 @@ static void release(kept_surface *kept) {
     free(kept);
 }
 
-static void share(const void *own) { bat_users_add(&kept_of(own)->users); }
-static void end(void *own) { release(kept_of(own)); }
+static void drop(kept_recipe *made) {
+    if (made && bat_users_drop(&made->users)) free(made);
+}
+
+static void share(const void *own) {
+    bat_users_add(&kept_of(own)->users);
+    if (made_of(own)) bat_users_add(&made_of(own)->users);
+}
+static void end(void *own) { release(kept_of(own)), drop(made_of(own)); }
 
 /* ---- lines ---- */
 
@@ -77,14 +100,14 @@ static bat_status lines_of(const bat_surface *surface, bat_curve *curves[2 * LIN
 
 /* ---- making ---- */
 
-/* Makes a new object, or a copy of `object` with another surface, which is taken over on success. */
+/* Makes a new object, or a copy of `object` with another surface, which is taken over on success, as is `made`. */
 static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
-                       bat_surface *surface, bat_object **out) {
+                       bat_surface *surface, kept_recipe *made, bat_object **out) {
     bat_curve *curves[2 * LINES];
     int count;
     bat_status status = lines_of(surface, curves, &count);
     if (status != BAT_OK) return status;
-    own_part own = {malloc(sizeof *own.kept)};
+    own_part own = {malloc(sizeof *own.kept), made};
     if (own.kept) *own.kept = (kept_surface){BAT_USERS_ONE, surface};
     status = !own.kept ? BAT_MEMORY
              : object  ? bat_object_remake(object, &bat_kind_of_surface, &own, count, curves, out)
@@ -99,7 +122,7 @@ static bat_status make_of_copy(const bat_object *object, bat_id id, const char *
                                const bat_surface *surface, bat_object **out) {
     bat_surface *copy = NULL;
     bat_status status = surface && out ? bat_surface_copy(surface, &copy) : BAT_ARGUMENT;
-    if (status == BAT_OK) status = make(object, id, name, style, copy, out);
+    if (status == BAT_OK) status = make(object, id, name, style, copy, NULL, out);
     if (status != BAT_OK) bat_surface_free(copy);
     return status;
 }
@@ -119,6 +142,125 @@ const bat_surface *bat_object_surface(const bat_object *object) {
     return own ? kept_of(own)->surface : NULL;
 }
 
+/* ---- what it is made from ---- */
+
+/* Without what has no meaning for its kind, as files keep it. */
+static bat_recipe plain(const bat_recipe *recipe) {
+    bat_recipe kept = bat_recipe_of(recipe->kind);
+    if (recipe->kind == BAT_RECIPE_SWEEP)
+        kept.stand = recipe->stand, kept.twist = recipe->twist, kept.scale = recipe->scale;
+    if (recipe->kind == BAT_RECIPE_REVOLVE) kept.angle = recipe->angle;
+    return kept;
+}
+
+static kept_recipe *note(const bat_recipe *recipe, int count, const bat_id *ids) {
+    kept_recipe *made = calloc(1, sizeof *made);
+    if (!made) return NULL;
+    *made = (kept_recipe){.users = BAT_USERS_ONE, .recipe = plain(recipe), .count = count};
+    memcpy(made->ids, ids, (size_t)count * sizeof *ids);
+    return made;
+}
+
+/* The surface of a recipe, made from objects whose digests are noted. */
+static bat_status cook(kept_recipe *made, const bat_object *const *from, bat_surface **out) {
+    const bat_curve *curves[BAT_RECIPE_CURVES];
+    for (int i = 0; i < made->count; i++) {
+        curves[i] = bat_object_curve(from[i], 0);
+        made->digests[i] = bat_object_curve_digest(from[i], 0);
+    }
+    made->known = true;
+    return bat_recipe_surface(&made->recipe, (size_t)made->count, curves, out, NULL);
+}
+
+static bat_status take_ids(bat_id id, size_t count, const bat_object *const *sources, bat_id *ids) {
+    for (size_t i = 0; i < count; i++) {
+        if (!bat_object_is_made_of_curves(sources[i])) return BAT_ARGUMENT;
+        ids[i] = bat_object_id(sources[i]);
+        for (size_t k = 0; k < i; k++)
+            if (ids[k] == ids[i]) return BAT_ARGUMENT;
+        if (ids[i] == id) return BAT_ARGUMENT;
+    }
+    return BAT_OK;
+}
+
+static bat_status make_from(const bat_object *object, bat_id id, const char *name, const bat_style *style,
+                            const bat_recipe *recipe, size_t count, const bat_object *const *sources,
+                            bat_object **out) {
+    bat_id ids[BAT_RECIPE_CURVES];
+    bat_surface *surface = NULL;
+    bat_status status = bat_recipe_check(recipe, count);
+    if (status == BAT_OK) status = sources && out ? BAT_OK : BAT_ARGUMENT;
+    if (status == BAT_OK) status = take_ids(object ? bat_object_id(object) : id, count, sources, ids);
+    if (status != BAT_OK) return status;
+    kept_recipe *made = note(recipe, (int)count, ids);
+    status = made ? cook(made, sources, &surface) : BAT_MEMORY;
+    if (status == BAT_OK) status = make(object, id, name, style, surface, made, out);
+    if (status == BAT_OK) return BAT_OK;
+    bat_surface_free(surface), drop(made);
+    return status;
+}
+
+bat_status bat_object_create_made(bat_id id, const char *name, const bat_style *style,
+                                  const bat_recipe *recipe, size_t count, const bat_object *const *sources,
+                                  bat_object **out) {
+    return style ? make_from(NULL, id, name, style, recipe, count, sources, out) : BAT_ARGUMENT;
+}
+
+bat_status bat_object_with_recipe(const bat_object *object, const bat_recipe *recipe, size_t count,
+                                  const bat_object *const *sources, bat_object **out) {
+    return object && bat_object_surface(object)
+               ? make_from(object, 0, NULL, NULL, recipe, count, sources, out)
+               : BAT_ARGUMENT;
+}
+
+const bat_recipe *bat_object_recipe(const bat_object *object) {
+    const void *own = bat_object_own(object, &bat_kind_of_surface);
+    return own && made_of(own) ? &made_of(own)->recipe : NULL;
+}
+
+static const bat_id *sources(const bat_object *object, int *count) {
+    const kept_recipe *made = made_of(bat_object_own(object, &bat_kind_of_surface));
+    *count = made ? made->count : 0;
+    return made ? made->ids : NULL;
+}
+
+/* A copy of the object with the same surface, made as noted, which is taken over on success; NULL: free. */
+static bat_status with_note(const bat_object *object, kept_recipe *made, bat_object **out) {
+    bat_surface *copy = NULL;
+    bat_status status = bat_surface_copy(bat_object_surface(object), &copy);
+    if (status == BAT_OK) status = make(object, 0, NULL, NULL, copy, made, out);
+    if (status != BAT_OK) bat_surface_free(copy);
+    return status;
+}
+
+static bool is_up_to_date(const kept_recipe *made, const bat_object *const *from) {
+    bool same = made->known;
+    for (int i = 0; i < made->count && same; i++)
+        same = made->digests[i] == bat_object_curve_digest(from[i], 0);
+    return same;
+}
+
+static bat_status remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
+                         bat_object **out) {
+    const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
+    *out = NULL;
+    if (!now) return BAT_OK;
+    if (!ids && from && is_up_to_date(now, from)) {
+        if (!now->moved) return BAT_OK;
+        from = NULL; /* it was moved away from its curves */
+    }
+    if (!ids && !from) return with_note(object, NULL, out);
+    kept_recipe *made = note(&now->recipe, now->count, ids ? ids : now->ids);
+    if (!made) return BAT_MEMORY;
+    bat_surface *surface = NULL;
+    bat_status status = ids ? with_note(object, made, out) : cook(made, from, &surface);
+    if (status == BAT_OK && !ids) status = make(object, 0, NULL, NULL, surface, made, out);
+    if (status == BAT_OK) return BAT_OK;
+    bat_surface_free(surface);
+    drop(made);
+    return status == BAT_MEMORY ? status : with_note(object, NULL, out);
+}
+
 /* ---- what the document asks ---- */
 
 static uint64_t digest_surface(uint64_t digest, const void *own) {
@@ -136,7 +278,15 @@ static uint64_t digest_surface(uint64_t digest, const void *own) {
         const double *row = bat_surface_row(surface, i);
         for (size_t k = 0; k < width; k++) digest = bat_digest_double(digest, row[k]);
     }
-    return digest;
+    const kept_recipe *made = made_of(own);
+    if (!made) return digest;
+    digest = bat_digest_number(digest, (uint64_t)made->recipe.kind);
+    digest = bat_digest_number(digest, (uint64_t)made->recipe.stand);
+    digest = bat_digest_double(digest, made->recipe.twist);
+    digest = bat_digest_double(digest, made->recipe.scale);
+    digest = bat_digest_double(digest, made->recipe.angle);
+    for (int i = 0; i < made->count; i++) digest = bat_digest_number(digest, made->ids[i]);
+    return bat_digest_number(digest, (uint64_t)made->count);
 }
 
 static const char *check(const bat_object *object) {
@@ -151,13 +301,24 @@ static const char *check(const bat_object *object) {
     return same ? NULL : "the lines of a surface are not where its knots are";
 }
 
+/* What it is made from is kept: whether it was moved with it is seen when it is asked to follow. */
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+    const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
     double rows[12];
     bat_surface *image = NULL;
+    kept_recipe *made = NULL;
     bat_matrix_rows(m, 3, rows);
     bat_status status = bat_surface_transform(bat_object_surface(object), rows, &image);
-    if (status == BAT_OK) status = make(object, 0, NULL, NULL, image, out);
-    if (status != BAT_OK) bat_surface_free(image);
+    if (status == BAT_OK && now) {
+        made = note(&now->recipe, now->count, now->ids);
+        status = made ? BAT_OK : BAT_MEMORY;
+    }
+    if (status == BAT_OK && made) {
+        memcpy(made->digests, now->digests, sizeof made->digests);
+        made->known = now->known, made->moved = true;
+    }
+    if (status == BAT_OK) status = make(object, 0, NULL, NULL, image, made, out);
+    if (status != BAT_OK) bat_surface_free(image), drop(made);
     return status;
 }
 
@@ -166,20 +327,32 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
 static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
     bat_style style = bat_style_defaults();
     bat_surface *surface = NULL;
-    const uint32_t member = bat_json_member(f->json, node, "surface");
+    kept_recipe *made = NULL;
+    const uint32_t member = bat_json_member(f->json, node, "surface"),
+                   from = bat_json_member(f->json, node, "made");
+    bat_recipe recipe;
+    bat_id ids[BAT_RECIPE_CURVES];
+    int count = 0;
     bat_status status = bat_style_from_json(f, node, &style);
     if (status == BAT_OK && !member) return bat_fields_complain(f, node, "surface", "an object");
+    if (status == BAT_OK && from) status = bat_recipe_from_json(f, from, &recipe, ids, &count);
     if (status == BAT_OK) status = bat_surface_from_json(f->json, member, &surface, f->problem);
     if (status != BAT_OK) return status;
-    status = make(NULL, id, name, &style, surface, out);
+    if (from && !(made = note(&recipe, count, ids))) status = BAT_MEMORY;
+    if (status == BAT_OK) status = make(NULL, id, name, &style, surface, made, out);
     if (status == BAT_OK) return BAT_OK;
-    bat_surface_free(surface);
+    bat_surface_free(surface), drop(made);
     return bat_fields_say(f, node, status);
 }
 
 static void write(const bat_object *object, bat_text *text) {
+    const kept_recipe *made = made_of(bat_object_own(object, &bat_kind_of_surface));
     bat_text_string(text, ",\n  \"style\":");
     bat_style_to_json(bat_object_style(object), text);
+    if (made) {
+        bat_text_string(text, ",\n  \"made\":");
+        bat_recipe_to_json(&made->recipe, made->count, made->ids, text);
+    }
     bat_text_string(text, ",\n  \"surface\":");
     bat_surface_to_json(bat_object_surface(object), text);
 }
@@ -194,5 +367,7 @@ const bat_kind_type bat_kind_of_surface = {.number = BAT_KIND_SURFACE,
                                            .check = check,
                                            .digest = digest_surface,
                                            .transform = transform,
+                                           .sources = sources,
+                                           .remake = remake,
                                            .write = write,
                                            .read = read};

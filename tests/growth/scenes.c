@@ -407,6 +407,38 @@ static bat_editor *pair(int n) {
     return editor;
 }
 
+static bat_curve *segment(double x0, double y0, double x1, double y1) {
+    bat_curve *line = NULL;
+    if (bat_curve_create_clamped(2, 1, 2, (double[]){x0, y0, x1, y1}, &line) != BAT_OK) abort();
+    return line;
+}
+
+/* Chosen lines that bound a patch, side by side, or a profile and an axis, with n others beside them. */
+static bat_editor *among(int n, int count, double lines[][4], const char *then) {
+    bat_document *made = document();
+    bat_id ids[4];
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    for (int i = 0; i < count; i++)
+        ids[i] = add_curve(made, segment(lines[i][0], lines[i][1], lines[i][2], lines[i][3]), 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    for (int i = 0; i < count; i++) bat_editor_select(editor, ids[i], i > 0);
+    if (then && bat_editor_command(editor, then) != BAT_OK) abort();
+    bat_editor_frame(editor);
+    return editor;
+}
+
+static double ring_of_four[4][4] = {
+    {300, 300, 500, 300}, {500, 300, 520, 500}, {520, 500, 280, 500}, {280, 500, 300, 300}};
+static double four_apart[4][4] = {
+    {301, 300, 500, 300}, {500, 300, 520, 500}, {520, 500, 280, 500}, {280, 500, 300, 300}};
+static double side_by_side[4][4] = {{300, 300, 500, 300}, {300, 400, 500, 410}, {300, 500, 500, 490}};
+static bat_editor *bounds(int n) { return among(n, 4, ring_of_four, NULL); }
+static bat_editor *bounds_apart(int n) { return among(n, 4, four_apart, NULL); }
+static double two_lines[4][4] = {{300, 300, 400, 500}, {250, 600, 250, 200}};
+static bat_editor *with_axis(int n) { return among(n, 2, two_lines, NULL); }
+static bat_editor *sections(int n) { return among(n, 3, side_by_side, NULL); }
+static bat_editor *made_surface(int n) { return among(n, 3, side_by_side, "surface-loft"); }
+
 /* A straight one, chosen, with n beside it. */
 static bat_editor *straight(int n) {
     bat_document *made = document();
@@ -517,6 +549,11 @@ const growth_scene growth_scenes[] = {
     {"n lines, the view tilted", tilted},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
+    {"four around a patch, of n", bounds},
+    {"four that nearly meet, of n", bounds_apart},
+    {"a profile and an axis, of n", with_axis},
+    {"three side by side, of n", sections},
+    {"a surface that follows three of n", made_surface},
     {"a straight line beside n", straight},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},

@@ -49,6 +49,13 @@ static bat_document *rich_document(void) {
     assert_int_equal(bat_object_create_surface(12, "surface", &style, sheet, &object), BAT_OK);
     put(document, object);
     bat_surface_free(sheet);
+    const bat_object *from[2] = {bat_document_at(document, 0), bat_document_at(document, 0)};
+    for (int i = 1; i < bat_document_count(document) && from[1] == from[0]; i++)
+        if (bat_object_is_made_of_curves(bat_document_at(document, i)))
+            from[1] = bat_document_at(document, i);
+    const bat_recipe recipe = bat_recipe_of(BAT_RECIPE_RULED);
+    assert_int_equal(bat_object_create_made(14, "made", &style, &recipe, 2, from, &object), BAT_OK);
+    put(document, object);
     bat_camera *camera = NULL;
     bat_camera_options options = bat_camera_defaults();
     options.mode = BAT_CAMERA_ALONG;
@@ -80,7 +87,9 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     if (bat_object_plane(object)) d = add_doubles(d, bat_object_plane(object), 9);
     const bat_surface *surface = bat_object_surface(object);
     if (surface) d = add_doubles(d, bat_surface_row(surface, 0), 3);
-    d = add(d, bat_object_followed(object));
+    const bat_id *ids = NULL;
+    d = add(add(d, bat_object_followed(object)), (uint64_t)bat_object_sources(object, &ids));
+    if (bat_object_recipe(object)) d = add(d, (uint64_t)bat_object_recipe(object)->kind + ids[0]);
     if (bat_object_camera(object)) d = bat_digest_double(d, bat_camera_length(bat_object_camera(object)));
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
@@ -145,6 +154,19 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     return d;
 }
 
+/* A surface made from two objects, and made again with other numbers. */
+static uint64_t make_of(uint64_t d, const bat_object *a, const bat_object *b, int seed) {
+    const bat_style style = bat_style_defaults();
+    const bat_object *from[2] = {a, b};
+    bat_recipe recipe = bat_recipe_of(BAT_RECIPE_RULED);
+    bat_object *made = NULL, *m = NULL;
+    d = add(d, (uint64_t)bat_object_create_made(900 + (bat_id)seed, "", &style, &recipe, 2, from, &made));
+    if (!made) return d;
+    recipe.kind = BAT_RECIPE_LOFT;
+    d = add_object(d, bat_object_with_recipe(made, &recipe, 2, from, &m), &m);
+    return add_object(d, BAT_OK, &made);
+}
+
 static uint64_t look_at_document(const void *shared, int seed) {
     const bat_document *document = shared;
     double box[4], page[4];
@@ -162,6 +184,8 @@ static uint64_t look_at_document(const void *shared, int seed) {
         digest = add(digest, (uint64_t)bat_document_end(document, i));
         digest = vary(look_at_object(digest, object), object, seed);
     }
+    for (int i = 1; i < bat_document_count(document); i++)
+        digest = make_of(digest, bat_document_at(document, i - 1), bat_document_at(document, i), seed);
     digest = add_text(digest, bat_document_write(document, &text, &size), &text, &size);
     digest = add_text(digest, bat_svg_write(document, true, &text, &size), &text, &size);
     digest = add(digest, bat_svg_is_kept(document));

@@ -50,6 +50,9 @@ static uint64_t add_made(uint64_t digest, const bat_surface *s, int seed) {
     if (status == BAT_OK) {
         status = bat_surface_revolve(line[seed % 4], origin, axis, 1 + seed, 0.1, &made, NULL);
         digest = add_surface(digest, status, &made);
+        const bat_recipe recipe = bat_recipe_of(BAT_RECIPE_RULED);
+        status = bat_recipe_surface(&recipe, 2, given, &made, NULL);
+        digest = add(add_surface(digest, status, &made), (uint64_t)bat_recipe_stands(given[0], given[1]));
         status = bat_surface_loft(4, given, &made, NULL);
         digest = add_surface(digest, status, &made);
         status = bat_surface_coons(given, 100, &made, NULL);

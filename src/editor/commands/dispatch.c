@@ -28,7 +28,8 @@ bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
                                                                      : !bat_stage_tilted(c->stage);
     if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && !faces) return BAT_STATE;
     bat_views_arrive(c->views, &c->stage->view);
-    c->session->freed = c->session->refused = false;
+    c->session->freed = BAT_STRING_COUNT;
+    c->session->refused = false;
     return functions[id].held ? functions[id].held(c, down) : functions[id].function(c, id);
 }
 

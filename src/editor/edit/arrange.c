@@ -1,4 +1,6 @@
 #include "editor/edit/arrange.h"
+#include "document/document.h"
+#include "document/follow.h"
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
 #include "editor/choice/choice.h"
@@ -223,20 +225,31 @@ static void copy_range(bat_context *c, bat_listing *listing, int first, int end,
     }
 }
 
-/* Copies of what follows a curve follow its copy, where there is one. made: the copies' ids, by the places of what they are
- * copies of. */
+/* The copy of an object, to follow copies of what that follows. A camera whose curve was not copied follows the one there is, a
+ * surface of whose curves not all were copied is free. */
+static bat_status lead(const bat_document *document, const bat_object *object, const bat_id *made,
+                       bat_object **out) {
+    const bat_id *from, followed = bat_object_followed(object);
+    bat_id ids[BAT_RECIPE_CURVES] = {0};
+    const int count = bat_object_sources(object, &from);
+    *out = NULL;
+    if (followed) ids[0] = made[bat_document_find(document, followed)];
+    if (followed && !ids[0]) return BAT_OK;
+    for (int i = 0; i < count; i++) ids[i] = made[bat_document_find(document, from[i])];
+    return bat_object_renumbered(object, ids, out);
+}
+
+/* made: the copies' ids, by the places of what they are copies of. */
 static void lead_copies(const bat_context *c, bat_listing *listing, const bat_id *made) {
     const bat_document *document = c->session->document;
+    if (!bat_document_has_followers(document)) return;
     for (int i = 0; i < listing->count && !listing->failed; i++) {
         bat_object *object = listing->objects[i], *led = NULL;
-        const bat_id followed = bat_object_followed(object);
-        if (!followed || bat_document_find(document, bat_object_id(object)) >= 0) continue;
-        const bat_id copy = made[bat_document_find(document, followed)];
-        if (!copy) continue;
-        if (bat_object_type(object)->follow(object, copy, NULL, &led) == BAT_OK)
-            bat_object_release(object), listing->objects[i] = led;
-        else
+        if (bat_document_find(document, bat_object_id(object)) >= 0) continue;
+        if (lead(document, object, made, &led) != BAT_OK)
             listing->failed = true;
+        else if (led)
+            bat_object_release(object), listing->objects[i] = led;
     }
 }
 

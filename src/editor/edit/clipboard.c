@@ -101,6 +101,17 @@ typedef struct pasting {
     bat_id parent;
 } pasting;
 
+/* *out: the object, which follows the copies of what it follows; NULL: nothing. */
+static bat_status follow_copies(const bat_document *document, const bat_object *object, const bat_id *copies,
+                                bat_object **out) {
+    const bat_id *from, followed = bat_object_followed(object);
+    bat_id ids[BAT_RECIPE_CURVES] = {0};
+    const int count = bat_object_sources(object, &from);
+    if (followed) ids[0] = copies[bat_document_find(document, followed)];
+    for (int i = 0; i < count; i++) ids[i] = copies[bat_document_find(document, from[i])];
+    return bat_object_renumbered(object, ids, out);
+}
+
 static bat_status paste_one(bat_context *c, const bat_document *document, int i, const double matrix[6],
                             pasting *p) {
     const bat_object *object = bat_document_at(document, i);
@@ -116,10 +127,7 @@ static bat_status paste_one(bat_context *c, const bat_document *document, int i,
     if (status == BAT_OK) status = bat_object_with_parent(named, parent, &placed);
     if (status == BAT_OK && !bat_object_is_group(placed))
         status = bat_affine_object(placed, matrix, false, &moved);
-    const bat_id followed = bat_object_followed(object);
-    if (status == BAT_OK && followed)
-        status = bat_object_type(object)->follow(moved, p->ids[bat_document_find(document, followed)], NULL,
-                                                 &led);
+    if (status == BAT_OK && moved) status = follow_copies(document, moved, p->ids, &led);
     if (status == BAT_OK) status = bat_transaction_insert(c, p->index++, led ? led : moved ? moved : placed);
     bat_object_release(loose);
     bat_object_release(named);

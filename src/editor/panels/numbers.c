@@ -3,6 +3,7 @@
 #include "base/real.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/making.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
 #include "editor/panels/panels.h"
@@ -51,6 +52,9 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
         *value = at - zero[axis];
         return true;
     }
+    case BAT_NUMBER_SURFACE_TWIST: return bat_making_get(c, BAT_MAKING_TWIST, value);
+    case BAT_NUMBER_SURFACE_SCALE: return bat_making_get(c, BAT_MAKING_SCALE, value);
+    case BAT_NUMBER_SURFACE_ANGLE: return bat_making_get(c, BAT_MAKING_ANGLE, value);
     default: break;
     }
     if (!bat_arrange_selection_box(c, box)) return false;
@@ -97,12 +101,19 @@ static bat_status change_point(bat_context *c, int axis, double by) {
 }
 
 static bat_status change(bat_context *c, bat_number_id id, double from, double to) {
+    if (id == BAT_NUMBER_SURFACE_TWIST) return bat_making_set(c, BAT_MAKING_TWIST, to);
+    if (id == BAT_NUMBER_SURFACE_SCALE) return bat_making_set(c, BAT_MAKING_SCALE, to);
+    if (id == BAT_NUMBER_SURFACE_ANGLE) return bat_making_set(c, BAT_MAKING_ANGLE, to);
     if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
         return change_point(c, id == BAT_NUMBER_POINT_Y, to - from);
     if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);
     double at;
     int axis = bat_object_guide(bat_document_at(c->session->document, bat_guide_chosen(c)), &at);
     return bat_guide_put(c, bat_guiding_of(c)->chosen, axis, at + to - from);
+}
+
+static bool is_angle(bat_number_id id) {
+    return id == BAT_NUMBER_TURN || id == BAT_NUMBER_SURFACE_TWIST || id == BAT_NUMBER_SURFACE_ANGLE;
 }
 
 static bat_status enter_property(bat_context *c, const char *name, const char *text) {
@@ -121,7 +132,7 @@ bat_status bat_panel_enter(bat_context *c, const char *name, const char *text) {
     if (id == BAT_NUMBER_COUNT) return enter_property(c, name, text);
     if (bat_toolbox_busy(c) || c->session->transaction.open || !bat_number_now(c, id, &from))
         return BAT_STATE;
-    bat_status status = bat_unit_read(c, text, id == BAT_NUMBER_TURN, &to);
+    bat_status status = bat_unit_read(c, text, is_angle(id) || id == BAT_NUMBER_SURFACE_SCALE, &to);
     if (status != BAT_OK) return status;
     if (!(fabs(to) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (to == from) return BAT_OK;
@@ -137,9 +148,10 @@ const char *bat_panel_number(bat_context *c, const char *name) {
     *text = 0;
     if (id != BAT_NUMBER_COUNT) {
         if (!bat_number_now(c, id, &value)) return text;
-        if (id == BAT_NUMBER_TURN)
-            strcpy(text, "0°");
-        else
+        if (is_angle(id) || id == BAT_NUMBER_SURFACE_SCALE) {
+            bat_unit_number(value, text);
+            if (is_angle(id)) strcat(text, "°");
+        } else
             bat_unit_write(c, value, text);
         return text;
     }

@@ -1,6 +1,7 @@
 /* Which commands the selection makes possible: the contents of a row of buttons. */
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
+#include "editor/commands/surfaces.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
@@ -45,7 +46,7 @@ static bat_status find(const bat_context *c, facts *f) {
     return BAT_OK;
 }
 
-static bool possible(const facts *f, bat_command_id id, bool point) {
+static bool possible(const bat_context *c, const facts *f, bat_command_id id, bool point) {
     switch (id) {
     case BAT_COMMAND_DELETE:
     case BAT_COMMAND_ORDER_FRONT:
@@ -66,6 +67,13 @@ static bool possible(const facts *f, bat_command_id id, bool point) {
     case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
+    case BAT_COMMAND_SURFACE_SWEEP:
+    case BAT_COMMAND_SURFACE_RULED:
+    case BAT_COMMAND_SURFACE_REVOLVE:
+    case BAT_COMMAND_SURFACE_COONS:
+    case BAT_COMMAND_SURFACE_CLOSE:
+    case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_FREE: return bat_surface_command_fits(c, id);
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
@@ -79,7 +87,7 @@ const char *bat_panel_actions(bat_context *c) {
     facts f;
     if (find(c, &f) != BAT_OK) return NULL;
     for (int i = 0; i < BAT_COMMAND_COUNT && bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES; i++) {
-        if (!possible(&f, (bat_command_id)i, bat_selecting_of(c)->has_point)) continue;
+        if (!possible(c, &f, (bat_command_id)i, bat_selecting_of(c)->has_point)) continue;
         if (text.size) bat_text_string(&text, " ");
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
     }

@@ -7,9 +7,10 @@
 const char *bat_word(const bat_context *c, bat_string text) { return bat_settings_word(c->settings, text); }
 
 void bat_notice_value(bat_context *c, bat_string text, const char *value) {
-    if (c->session->freed) text = BAT_STRING_NOTICE_FREED;
+    if (c->session->freed != BAT_STRING_COUNT) text = c->session->freed;
     if (c->session->refused) text = BAT_STRING_NOTICE_READ_ONLY;
-    c->session->freed = c->session->refused = false;
+    c->session->freed = BAT_STRING_COUNT;
+    c->session->refused = false;
     c->notices->notice = text;
     c->notices->offer = BAT_COMMAND_COUNT;
     if (text == BAT_STRING_COUNT) return;

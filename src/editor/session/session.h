@@ -29,8 +29,11 @@ typedef struct bat_session {
     bat_status (*mirror)(bat_context *c,
                          bat_string step); /* called before a tool's step is made, while symmetry is on */
     bool read_only;
-    bool refused; /* this event would have changed a read-only document; the user is notified */
-    bool freed;   /* this event made a spline a plain curve; the notice comes before all others */
+    bool refused;      /* this event would have changed a read-only document; the user is notified */
+    uint64_t followed; /* the revision for which bat_transaction_follow was called last */
+    bat_string
+        freed; /* this event made a spline a plain curve, or freed a surface: the notice, which comes before all
+                        * others; BAT_STRING_COUNT: neither */
 } bat_session;
 
 /* Takes ownership of the document, with a journal that begins with it. On failure everything is unchanged. */

@@ -77,15 +77,16 @@ bat_status bat_transaction_remove(bat_context *c, int index) {
     return before ? add(c, index, before, NULL) : BAT_ARGUMENT;
 }
 
-/* Objects that follow a curve go where it goes: those whose curve is gone are removed, from the end, so that indices before
- * them stay. */
-static bat_status follow(bat_context *c) {
+/* Objects that follow curves go where they go: those that are left are removed at the end, from the last one on, so that
+ * indices before them stay. */
+static bat_status follow(bat_context *c, bool ends) {
     const bat_document *document = c->session->document;
     bat_status status = BAT_OK;
+    if (!bat_document_has_followers(document)) return BAT_OK;
     for (int i = bat_document_count(document) - 1; i >= 0 && status == BAT_OK; i--) {
         bat_object *made = NULL;
         if (bat_document_is_left(document, i)) {
-            status = bat_transaction_remove(c, i);
+            if (ends) status = bat_transaction_remove(c, i);
             continue;
         }
         status = bat_document_follower(document, i, &made);
@@ -95,14 +96,26 @@ static bat_status follow(bat_context *c) {
     return status;
 }
 
-/* Whether any curve that was generated from other data is plain now. */
-static bool frees(const bat_transaction *transaction) {
+void bat_transaction_follow(bat_context *c) {
+    bat_session *session = c->session;
+    if (!session->transaction.open || session->transaction.count == 0 ||
+        session->followed == session->revision)
+        return;
+    follow(c, false); /* what fails here fails again at the end, which tells */
+    session->followed = session->revision;
+}
+
+/* What the user is told when something that was computed from other data no longer is; BAT_STRING_COUNT: nothing. */
+static bat_string frees(const bat_transaction *transaction) {
     for (int i = 0; i < transaction->count; i++) {
         const bat_object *before = transaction->deltas[i].before, *after = transaction->deltas[i].after;
-        if (before && after && bat_object_is(before, BAT_MADE) && !bat_object_is(after, BAT_MADE))
-            return true;
+        if (!before || !after) continue;
+        if (bat_object_is(before, BAT_MADE) && !bat_object_is(after, BAT_MADE))
+            return BAT_STRING_NOTICE_FREED;
+        if (bat_object_sources(before, NULL) > 0 && bat_object_sources(after, NULL) == 0)
+            return BAT_STRING_NOTICE_SURFACE_FREED;
     }
-    return false;
+    return BAT_STRING_COUNT;
 }
 
 /* A stroke has a journal line of its own, and has mirrored its changes already. */
@@ -124,7 +137,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
             return mirrored;
         }
     }
-    bat_status followed = follow(c);
+    bat_status followed = follow(c, true);
     if (followed != BAT_OK) {
         bat_transaction_cancel(c);
         return followed;
@@ -153,9 +166,10 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         return status;
     }
     /* Whichever tool it was, notify now, and again if the tool has a notice of its own. */
-    if (frees(transaction)) {
-        bat_notice(c, BAT_STRING_NOTICE_FREED);
-        c->session->freed = true;
+    const bat_string told = frees(transaction);
+    if (told != BAT_STRING_COUNT) {
+        bat_notice(c, told);
+        c->session->freed = told;
     }
     bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas);
     bat_replaced_clear(&transaction->replaced);

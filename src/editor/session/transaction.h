@@ -26,6 +26,8 @@ bat_status bat_transaction_begin(bat_context *c);
 bat_status bat_transaction_insert(bat_context *c, int index, bat_object *object);
 bat_status bat_transaction_replace(bat_context *c, int index, bat_object *object);
 bat_status bat_transaction_remove(bat_context *c, int index);
+/* Within an open transaction, before it is shown: what follows curves goes where they are now. O(1) when nothing follows. */
+void bat_transaction_follow(bat_context *c);
 /* Ends the transaction. label: the string that names the undo step. line: its journal line without the digest and the
  * closing brace, which are added here; NULL: the line is made from the changes themselves (record.h), so that a tool
  * needs no codec of its own. On failure everything is reverted: BAT_MEMORY, BAT_ARGUMENT when a group would fall

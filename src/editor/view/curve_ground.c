@@ -1,45 +1,10 @@
 #include "editor/view/curve_ground.h"
 #include "base/vec.h"
+#include "form/recipe/flat.h"
 
 enum { SAMPLES = 33 };
 static const double SLANTED = 0.25881904510252076; /* sine of 15 degrees */
-static const double FLAT = 1e-6; /* of the size: what is this close to a plane or a line lies in it */
-
-typedef struct spread {
-    vec at, across, normal; /* a point; unit: the longest way from it, the normal of the plane; 0: none */
-    double size;
-    bool planar;
-} spread;
-
-static vec point(const bat_curve *curve, int i) {
-    const int dimension = bat_curve_dimension(curve);
-    return vec_load(bat_curve_points(curve) + i * dimension, dimension);
-}
-
-/* The plane through the first point, the one farthest from it, and the one farthest from the line of both. */
-static spread measure(const bat_curve *curve) {
-    spread s = {.at = point(curve, 0)};
-    const int count = (int)bat_curve_count(curve);
-    double most = 0;
-    for (int i = 1; i < count; i++) {
-        const vec way = vec_sub(point(curve, i), s.at);
-        if (vec_norm(way) > s.size) s.size = vec_norm(way), s.across = way;
-    }
-    s.across = vec_unit(s.across);
-    for (int i = 1; i < count; i++) {
-        const vec beside = vec_reject(vec_sub(point(curve, i), s.at), s.across);
-        if (vec_norm(beside) > most) most = vec_norm(beside), s.normal = vec_cross(s.across, beside);
-    }
-    s.normal = most > FLAT * s.size ? vec_unit(s.normal) : (vec){0, 0, 0};
-    s.planar = most > FLAT * s.size;
-    for (int i = 1; i < count && s.planar; i++)
-        s.planar = fabs(vec_dot(vec_sub(point(curve, i), s.at), s.normal)) <= FLAT * s.size;
-    return s;
-}
-
-static bool straight(const spread *s) { return !(vec_norm(s->normal) > 0); }
-
-static bat_ground plane_of(const spread *s) {
+static bat_ground plane_of(const bat_flat *s) {
     double origin[3], x[3], y[3];
     vec_store(s->at, origin);
     vec_store(s->across, x);
@@ -48,13 +13,13 @@ static bat_ground plane_of(const spread *s) {
 }
 
 bool bat_curve_normal(const bat_curve *curve, double normal[3]) {
-    const spread s = measure(curve);
-    vec_store(straight(&s) ? vec_any_normal(s.across) : s.normal, normal);
+    const bat_flat s = bat_curve_flat(curve);
+    vec_store(bat_flat_is_straight(&s) ? vec_any_normal(s.across) : s.normal, normal);
     return s.planar;
 }
 
 bool bat_ground_of_planar(const bat_curve *curve, bat_ground *out) {
-    const spread s = measure(curve);
+    const bat_flat s = bat_curve_flat(curve);
     if (s.planar) *out = plane_of(&s);
     return s.planar;
 }
@@ -81,24 +46,25 @@ static bool edge_on(const bat_stage *stage, const bat_curve *curve, vec along) {
 }
 
 /* Whether the line lies in the ground, which is a plane. */
-static bool holds(const bat_ground *plane, const spread *s) {
+static bool holds(const bat_ground *plane, const bat_flat *s) {
     double x[3], y[3];
     if (plane->type->numbers != BAT_GROUND_NUMBERS) return false;
     bat_ground_axes(plane, x, y);
     const vec n = vec_cross(vec_load(x, 3), vec_load(y, 3)),
               from = vec_sub(s->at, vec_load(plane->numbers, 3));
-    return fabs(vec_dot(n, from)) <= FLAT * s->size && fabs(vec_dot(n, s->across)) <= FLAT;
+    return fabs(vec_dot(n, from)) <= BAT_FLAT_SHARE * s->size &&
+           fabs(vec_dot(n, s->across)) <= BAT_FLAT_SHARE;
 }
 
 bat_ground bat_ground_of_curve(const bat_stage *stage, bat_id object, int index, const bat_curve *curve) {
-    const spread s = measure(curve);
+    const bat_flat s = bat_curve_flat(curve);
     const vec gaze = gaze_at(stage, s.at);
     double along[3];
     if (s.planar && fabs(vec_dot(s.normal, gaze)) >= SLANTED) return plane_of(&s);
-    if (straight(&s) && holds(&stage->ground, &s)) return stage->ground;
+    if (bat_flat_is_straight(&s) && holds(&stage->ground, &s)) return stage->ground;
     vec d = s.normal;
-    if (straight(&s) || edge_on(stage, curve, d)) d = vec_cross(gaze, s.across);
-    d = vec_norm(d) > FLAT ? vec_unit(d) : vec_any_normal(gaze);
+    if (bat_flat_is_straight(&s) || edge_on(stage, curve, d)) d = vec_cross(gaze, s.across);
+    d = vec_norm(d) > BAT_FLAT_SHARE ? vec_unit(d) : vec_any_normal(gaze);
     vec_store(d, along);
     return bat_ground_ruled(object, index, along);
 }

@@ -26,4 +26,8 @@ typedef struct bat_sweep_jet {
 /* u within the path's domain, both ends included (at the end of a closed path twist and scale are those of the end). */
 void bat_sweep_jet_at(const bat_sweep *sweep, double u, bat_sweep_jet *out);
 
+/* bat_sweep_surface with at most this many points along u: BAT_TOLERANCE when that is too few. */
+bat_status bat_sweep_surface_within(const bat_sweep *sweep, double tolerance, size_t most, bat_surface **out,
+                                    bat_sweep_report *report);
+
 #endif

@@ -28,6 +28,7 @@ typedef struct fitting {
     bool closed;
     double reach[2]; /* greatest |x| and |y| of the profile's control points */
     double tolerance, error;
+    size_t most; /* knots */
     knot_list knots;
     bat_curve *space; /* on these knots; its points are those of the path */
     double *a, *b;    /* control points of the two vectors */
@@ -114,7 +115,7 @@ static bool begin_knots(fitting *f) {
 static bat_status make_space(fitting *f, const bat_curve *path) {
     size_t size = 0;
     for (int i = 0; i < f->knots.count; i++) size += (size_t)f->knots.times[i];
-    if (size > BAT_POINTS_MAX) return BAT_TOLERANCE;
+    if (size > f->most) return BAT_TOLERANCE;
     double *knots = malloc(size * sizeof *knots);
     if (!knots) return BAT_MEMORY;
     int filled = 0;
@@ -308,8 +309,14 @@ static bool meets(const bat_sweep *sweep) {
 
 bat_status bat_sweep_surface(const bat_sweep *sweep, double tolerance, bat_surface **out,
                              bat_sweep_report *report) {
+    return bat_sweep_surface_within(sweep, tolerance, BAT_POINTS_MAX, out, report);
+}
+
+bat_status bat_sweep_surface_within(const bat_sweep *sweep, double tolerance, size_t most, bat_surface **out,
+                                    bat_sweep_report *report) {
     if (!sweep || !out || !(tolerance > 0)) return BAT_ARGUMENT;
-    fitting f = {.sweep = sweep, .tolerance = tolerance, .closed = sweep->path->closed && meets(sweep)};
+    fitting f = {
+        .sweep = sweep, .tolerance = tolerance, .most = most, .closed = sweep->path->closed && meets(sweep)};
     f.degree = sweep->path->degree > 3 ? sweep->path->degree : 3;
     for (int j = 0; j < sweep->profile->count; j++)
         for (int k = 0; k < 2; k++)

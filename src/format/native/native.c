@@ -14,12 +14,14 @@
 
 #include <batten/format.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with paint beyond
- * styles, drawings that keep the file that they were read from, drawings with something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4 };
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with surfaces that are
+ * made from curves, drawings with paint beyond styles, drawings that keep the file that they were read from, drawings with
+ * something in space, and all others. */
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -140,7 +142,7 @@ static bat_status read_objects(const bat_fields *f, uint32_t list, bat_document 
         status = bat_document_follow(document);
         if (status != BAT_OK)
             bat_json_say(f->json, list, status,
-                         status == BAT_ARGUMENT ? "follows: expected an object with a curve, found none"
+                         status == BAT_ARGUMENT ? "follows, from: expected an object with a curve, found none"
                                                 : bat_status_message(status),
                          f->problem);
         if (status != BAT_OK) return status;
@@ -178,8 +180,8 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (number != PLAIN && number != SPATIAL && number != SOURCED && number != PAINTED)
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3 or 4",
+    if (!(number >= PLAIN && number <= MADE && number == floor(number)))
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4 or 5",
                                  f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
@@ -268,7 +270,8 @@ static uint64_t version_of(const bat_document *document, bool whole) {
     uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (bat_object_paint(object)) return PAINTED;
+        if (bat_object_sources(object, NULL) > 0) return MADE;
+        if (bat_object_paint(object)) version = PAINTED;
         if (bat_object_is(object, BAT_SPACE) && version < SPATIAL) version = SPATIAL;
     }
     return version;
