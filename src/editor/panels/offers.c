@@ -1,4 +1,5 @@
 /* Which commands the selection makes possible: the contents of a row of buttons. */
+#include "document/document.h"
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/surfaces.h"
@@ -73,7 +74,8 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_SURFACE_COONS:
     case BAT_COMMAND_SURFACE_CLOSE:
     case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
-    case BAT_COMMAND_SURFACE_FREE: return bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_FREE:
+        return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;

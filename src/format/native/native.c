@@ -138,7 +138,7 @@ static bat_status read_objects(const bat_fields *f, uint32_t list, bat_document 
     if (status != BAT_OK)
         while (count > 0) bat_object_release(objects[--count]);
     free(objects);
-    if (status == BAT_OK) {
+    if (status == BAT_OK && bat_document_has_followers(document)) {
         status = bat_document_follow(document);
         if (status != BAT_OK)
             bat_json_say(f->json, list, status,
