@@ -186,7 +186,7 @@ static strip *strips_of(int count, const bat_segment *segments) {
             all[i].low = fmin(all[i].low, s->b[k * s->size]),
             all[i].high = fmax(all[i].high, s->b[k * s->size]);
     }
-    if (all) qsort(all, (size_t)count, sizeof *all, by_low);
+    if (all) qsort(all, (size_t)count, sizeof *all, by_low); /* no ties: the segments are in one array */
     return all;
 }
 
@@ -216,8 +216,12 @@ bat_status bat_encounter_search(bat_encounter *m, int a_count, const bat_segment
 
 static int by_u(const void *a, const void *b) {
     const bat_candidate *x = a, *y = b;
-    if (x->u[0] != y->u[0]) return x->u[0] < y->u[0] ? -1 : 1;
-    return (x->v[0] > y->v[0]) - (x->v[0] < y->v[0]);
+    const double pairs[][2] = {{x->u[0], y->u[0]},        {x->v[0], y->v[0]}, {x->u[1], y->u[1]},
+                               {x->v[1], y->v[1]},        {x->at.u, y->at.u}, {x->at.v, y->at.v},
+                               {x->distance, y->distance}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (pairs[i][0] != pairs[i][1]) return pairs[i][0] < pairs[i][1] ? -1 : 1;
+    return 0;
 }
 
 /* Whether ranges of parameters touch, give or take what is nothing on the curve. */
@@ -297,7 +301,7 @@ static int by_crossing(const void *a, const void *b) {
 
 /* Joins candidates that are one place: each with those whose ranges in u it may touch. */
 static void gather(bat_encounter *m) {
-    if (m->count) qsort(m->candidates, m->count, sizeof *m->candidates, by_u);
+    if (m->count) qsort(m->candidates, m->count, sizeof *m->candidates, by_u); /* no ties but of equals */
     const double reach = 1e-3 * period_of(m->a);
     bool again = true;
     while (again) {
@@ -359,7 +363,7 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
             known = same_crossing(m, all + j, &at);
         if (!known) all[count++] = at;
     }
-    qsort(all, count, sizeof *all, by_crossing);
+    qsort(all, count, sizeof *all, by_crossing); /* no ties but of equals */
     *out = (bat_meeting){count, all, m->overlap_count, m->overlaps};
     m->overlaps = NULL;
     return BAT_OK;

@@ -59,7 +59,8 @@ static bat_status ends_on(const bat_curve *other, int count, const bat_segment *
 static int by_u(const void *a, const void *b) {
     const place *x = a, *y = b;
     if (x->u != y->u) return x->u < y->u ? -1 : 1;
-    return (x->v > y->v) - (x->v < y->v);
+    if (x->v != y->v) return x->v < y->v ? -1 : 1;
+    return x->a_ends - y->a_ends;
 }
 
 /* Places that are the same but for rounding become one, at the ends of spans in both. */
@@ -143,7 +144,10 @@ bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segme
     places at = {0};
     bat_status status = ends_on(m->b, a_count, a, m->gap, false, &at);
     if (status == BAT_OK) status = ends_on(m->a, b_count, b, m->gap, true, &at);
-    if (status == BAT_OK && at.count) qsort(at.all, at.count, sizeof *at.all, by_u), unite(m, &at);
+    if (status == BAT_OK && at.count) {
+        qsort(at.all, at.count, sizeof *at.all, by_u); /* no ties but of equals */
+        unite(m, &at);
+    }
     const int tries = a[0].degree * b[0].degree + 1;
     for (size_t i = 0; i < at.count && status == BAT_OK; i++) {
         const place x = at.all[i];
