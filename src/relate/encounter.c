@@ -262,7 +262,7 @@ static bool home(const bat_curve *curve, double gap, double *u) {
     if (!bat_curve_is_closed(curve)) return false;
     double domain[2];
     bat_curve_domain(curve, domain);
-    if (bat_encounter_at(curve, *u, domain[1], gap)) *u = domain[0];
+    if (bat_encounter_at(curve, *u, domain[1], gap / 16)) *u = domain[0];
     return bat_encounter_at(curve, *u, domain[0], gap);
 }
 
@@ -321,8 +321,8 @@ static void gather(bat_encounter *m) {
     }
 }
 
-/* Where the curves come nearest within a range that holds no crossing: golden section in u. */
-static void nearest_of(const bat_encounter *m, const bat_candidate *x, bat_crossing *at) {
+/* How near the curves come within a range that holds no crossing, and where: golden section in u. */
+static double nearest_of(const bat_encounter *m, const bat_candidate *x, bat_crossing *at) {
     const double golden = 0.6180339887498949;
     double low = x->u[0], high = x->u[1], best = x->distance, gap[3], point[3];
     for (int i = 0; i < GOLDEN_STEPS; i++) {
@@ -342,6 +342,7 @@ static void nearest_of(const bat_encounter *m, const bat_candidate *x, bat_cross
         else
             low = tried[0];
     }
+    return best;
 }
 
 bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
@@ -352,7 +353,9 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
     for (size_t i = 0; i < m->count; i++) {
         if (within(m, m->candidates + i) || trivial(m, m->candidates + i)) continue;
         bat_crossing at = m->candidates[i].at;
-        if (m->candidates[i].u[0] < m->candidates[i].u[1]) nearest_of(m, m->candidates + i, &at);
+        if (m->candidates[i].u[0] < m->candidates[i].u[1] &&
+            !(nearest_of(m, m->candidates + i, &at) <= m->gap))
+            continue;
         const bool a_seam = home(m->a, m->gap, &at.u), b_seam = home(m->b, m->gap, &at.v);
         if (m->a == m->b && at.u > at.v) {
             const double u = at.u;

@@ -107,13 +107,13 @@ static double between(const double *a, const double *b, int m) {
 /* Whether the curves are one between two places that each have in one span. */
 static bool together(const bat_encounter *m, place x, place y, int tries) {
     const int size = bat_curve_dimension(m->a);
-    double v = x.v, first[3], point[3], foot[3], run = 0;
+    double first[3], point[3], foot[3], run = 0;
     const double low = fmin(x.v, y.v), high = fmax(x.v, y.v);
     bat_curve_eval(m->a, x.u, 0, first);
     for (int i = 1; i <= tries; i++) {
         const double share = (double)i / (tries + 1);
         bat_curve_eval(m->a, x.u + (y.u - x.u) * share, 0, point);
-        v = bat_curve_project_near(m->b, point, x.v + (y.v - x.v) * share, 20);
+        const double v = bat_curve_project_near(m->b, point, x.v + (y.v - x.v) * share, 20);
         bat_curve_eval(m->b, v, 0, foot);
         if (!(between(point, foot, size) <= m->gap) || v < low || v > high) return false;
         run = fmax(run, between(point, first, size));

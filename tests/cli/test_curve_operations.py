@@ -1,0 +1,134 @@
+"""curve ...: against scipy's B-splines, quadrature, closed forms, and what the contract says of bad data."""
+import json
+import math
+import unittest
+
+import numpy
+from scipy.integrate import quad
+from scipy.interpolate import BSpline
+
+from program import CURVE, RING, ProgramTest
+
+SPACE = {"degree": 3, "closed": False, "knots": [0, 0, 0, 0, 1, 2, 2, 2, 2],
+         "points": [[0, 0, 0], [2, 3, 1], [5, 2, -1], [6, -1, 2], [9, 0, 4]]}
+AT = numpy.linspace(0, 2, 4001)
+
+
+def spline(curve):
+    return BSpline(curve["knots"], numpy.array(curve["points"], float), curve["degree"])
+
+
+def line(*points):
+    return {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": list(points)}
+
+
+class Operations(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.curve, self.ring, self.space = (self.file(f"{i}.json", c) for i, c in enumerate((CURVE, RING, SPACE)))
+
+    def test_length_and_bounds(self):
+        for name, curve in ((self.curve, CURVE), (self.space, SPACE)):
+            slope = spline(curve).derivative()
+            length = sum(quad(lambda u: numpy.linalg.norm(slope(u)), a, a + 1, epsabs=1e-13)[0] for a in (0, 1))
+            self.assertAlmostEqual(self.json("curve", "length", name)["length"], length, 11)
+            box, points = self.json("curve", "bounds", name), spline(curve)(AT)
+            self.assertLess(numpy.abs(box["low"] - points.min(0)).max(), 1e-5)
+            self.assertLess(numpy.abs(box["high"] - points.max(0)).max(), 1e-5)
+            self.assertTrue((points >= numpy.array(box["low"]) - 1e-12).all())
+
+    def test_curvature_and_torsion(self):
+        result = self.json("curve", "curvature", self.space, "--at", "0.3,1.7,0")
+        self.assertEqual(result["u"], [0.3, 1.7, 0])
+        for u, bend, turn in zip(result["u"], result["curvature"], result["torsion"]):
+            a, b, c = (spline(SPACE)(u, nu=k) for k in (1, 2, 3))
+            n = numpy.cross(a, b)
+            self.assertAlmostEqual(bend, numpy.linalg.norm(n) / numpy.linalg.norm(a) ** 3, 12)
+            self.assertAlmostEqual(turn, n @ c / (n @ n), 12)
+        plane = self.json("curve", "curvature", self.curve, "--samples", "4")
+        self.assertEqual(plane["torsion"], [0, 0, 0, 0])
+        self.assertLess(plane["curvature"][1], 0)
+
+    def test_the_same_curve_in_other_words(self):
+        points = spline(CURVE)(AT)
+        for words in (["elevate", "--degree", "5"], ["insert", "--at", "1.5,0.25,1.5"], ["reverse"]):
+            made = self.json("curve", words[0], self.curve, *words[1:])
+            expected = points[::-1] if words == ["reverse"] else points
+            self.assertLess(numpy.abs(spline(made)(AT) - expected).max(), 1e-12)
+        self.assertEqual(self.json("curve", "elevate", self.curve, "--degree", "5")["degree"], 5)
+        self.assertEqual(self.json("curve", "insert", self.curve, "--at", "1.5,.25,1.5")["knots"],
+                         [0, 0, 0, 0, 0.25, 1, 1.5, 1.5, 2, 2, 2, 2])
+
+    def test_split_and_join(self):
+        left, right = self.json("curve", "split", self.curve, "--at", "0.7")
+        self.assertEqual((left["knots"][-1], right["knots"][0]), (0.7, 0.7))
+        for piece, at in ((left, AT[AT <= 0.7]), (right, AT[AT >= 0.7])):
+            self.assertLess(numpy.abs(spline(piece)(at) - spline(CURVE)(at)).max(), 1e-12)
+        a, b = self.file("a.json", left), self.file("b.json", right)
+        whole = self.file("whole.json", self.json("curve", "join", a, b))
+        self.assertLess(self.json("curve", "distance", whole, self.curve)["distance"], 1e-8)
+        smooth = self.json("curve", "join", a, b, "--continuity", "C2")
+        self.assertEqual(smooth["knots"].count(0.7), 1)
+        self.assertIn("expected to begin within", self.refused(1, "curve", "join", b, a))
+        self.assertIn("closed", self.refused(1, "curve", "split", self.ring, "--at", "1"))
+        self.assertIn("closed", self.refused(1, "curve", "join", self.curve, self.ring))
+        self.assertIn("inside the domain", self.refused(1, "curve", "split", self.curve, "--at", "2"))
+
+    def test_flatten(self):
+        for tolerance in (0.1, 1e-3, 1e-6):
+            points = numpy.array(self.json("curve", "flatten", self.space, "--tolerance", tolerance)["points"])
+            sides = points[1:] - points[:-1]
+            worst = 0
+            for x in spline(SPACE)(AT):
+                along = numpy.clip(((x - points[:-1]) * sides).sum(1) / (sides ** 2).sum(1), 0, 1)
+                worst = max(worst, numpy.linalg.norm(points[:-1] + along[:, None] * sides - x, axis=1).min())
+            self.assertLessEqual(worst, tolerance)
+            self.assertLess(len(points), 12 / math.sqrt(tolerance))
+
+    def test_arcs(self):
+        result = self.json("curve", "arcs", self.curve, "--tolerance", "0.001")
+        self.assertLessEqual(result["max_error"], 0.001)
+        worst, last = 0, None
+        for arc in result["arcs"]:
+            for end in ("from", "to"):
+                if "radius" in arc:
+                    radius = math.dist(arc[end], arc["centre"])
+                    self.assertAlmostEqual(radius, arc["radius"], delta=1e-9 * radius)
+            if last:
+                self.assertEqual(arc["from"], last)
+            last = arc["to"]
+        for x in spline(CURVE)(AT[::20]):
+            worst = max(worst, min(abs(math.dist(x, arc["centre"]) - arc["radius"]) for arc in result["arcs"]))
+        self.assertLessEqual(worst, 0.001)
+        self.assertLess(len(result["arcs"]), 40)
+        self.assertIn("in the plane", self.refused(1, "curve", "arcs", self.space, "--tolerance", "1"))
+
+    def test_intersect(self):
+        parabola = {"degree": 2, "closed": False, "knots": [0, 0, 0, 1, 1, 1], "points": [[-1, 1], [0, -1], [1, 1]]}
+        a, b = self.file("p.json", parabola), self.file("l.json", line([-2, 0.25], [2, 0.25]))
+        result = self.json("curve", "intersect", a, b)
+        self.assertEqual(result["overlaps"], [])
+        for hit, x in zip(result["hits"], (-0.5, 0.5)):
+            self.assertAlmostEqual(hit["point"][0], x, 12)
+            self.assertAlmostEqual(hit["u"], (x + 1) / 2, 12)
+            self.assertAlmostEqual(hit["v"], (x + 2) / 4, 12)
+        c, d = self.file("c.json", line([0, 0], [4, 4])), self.file("d.json", line([6, 6], [2, 2]))
+        result = self.json("curve", "intersect", c, d)
+        self.assertEqual((result["hits"], result["overlaps"]), ([], [[0.5, 1, 1, 0.5]]))
+        loop = {"degree": 3, "closed": False, "knots": [0] * 4 + [1] * 4,
+                "points": [[4, -6], [-4 / 3, 26 / 3], [-4 / 3, -26 / 3], [4, 6]]}
+        hits = self.json("curve", "intersect", self.file("loop.json", loop))["hits"]
+        self.assertEqual(len(hits), 1)
+        self.assertLess(math.dist(hits[0]["point"], (1, 0)), 1e-12)
+        self.assertIn("expected 2 numbers", self.refused(1, "curve", "intersect", self.curve, self.space))
+
+    def test_distance(self):
+        a, b = self.file("a.json", line([0, 0], [10, 0])), self.file("b.json", line([2, 3], [4, 3]))
+        self.assertEqual(self.json("curve", "distance", a, b), {"distance": math.sqrt(45), "u": 1, "v": 1})
+        self.assertEqual(self.json("curve", "distance", self.curve, self.curve)["distance"], 0)
+        stdin = json.dumps(CURVE).encode()
+        self.assertEqual(json.loads(self.done("curve", "distance", "-", self.curve, stdin=stdin))["distance"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
