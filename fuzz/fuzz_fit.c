@@ -1,5 +1,5 @@
 /* Any samples, any options: a status; within the tolerance when it reports so; and in limited time. */
-#include <batten/fit.h>
+#include <batten/interpolate.h>
 #include <batten/nearest.h>
 
 #include <math.h>
@@ -7,6 +7,29 @@
 #include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* What has to pass through every point does; a fit that has to be within the tolerance is, or says so. */
+static void through(int dimension, size_t count, const double *x, const bat_fit_options *options) {
+    bat_curve *curve = NULL;
+    bat_fit_report report;
+    bat_status status = bat_fit_within(dimension, count, x, options, &curve, &report);
+    if (status == BAT_OK && !(report.max_error <= options->tolerance)) abort();
+    bat_curve_free(curve);
+    curve = NULL;
+    status = bat_interpolate(dimension, options->closed, count, x, NULL, &curve);
+    if (status != BAT_OK) {
+        if (curve) abort();
+        return;
+    }
+    double most = 0;
+    for (size_t i = 0; i < count * (size_t)dimension; i++) most = fmax(most, fabs(x[i]));
+    for (size_t i = 0; i < count && most < 1e60 && most > 1e-60; i++) {
+        bat_near near;
+        if (bat_curve_nearest(curve, x + i * (size_t)dimension, &near) != BAT_OK) abort();
+        if (!(near.distance <= 1e-6 * most)) abort();
+    }
+    bat_curve_free(curve);
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     enum { MOST = 120 };
@@ -28,6 +51,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     else
         for (; size >= 1 && numbers < MOST * 3; size--, data++) x[numbers++] = (double)*data - 128;
     const size_t count = numbers / (size_t)dimension;
+    through(dimension, count, x, &options);
     bat_curve *curve = NULL;
     bat_fit_report report;
     const bat_status status = bat_fit(dimension, count, x, &options, &curve, &report);

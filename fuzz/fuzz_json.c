@@ -101,5 +101,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         if (sum != sum) abort();
         bat_free(block);
     }
+    int dimension;
+    size_t count;
+    double *points;
+    if (bat_points_read(text, size, &dimension, &count, &points, &problem) == BAT_OK) {
+        if (dimension < 2 || dimension > 3) abort();
+        for (size_t i = 0; i < count * (size_t)dimension; i++)
+            if (!(points[i] <= 1e75 && points[i] >= -1e75)) abort();
+        bat_free(points);
+    }
     return 0;
 }

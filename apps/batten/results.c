@@ -155,6 +155,7 @@ int write_curve(const bat_curve *curve) {
 
 static void put_flag(bat_text *text, bool flag) { bat_text_string(text, flag ? "true" : "false"); }
 
+/* The members of a report, without the last brace. */
 static void put_report(bat_text *text, const bat_sketch_report *report) {
     bat_text_string(text, "{\"max_error\":");
     bat_text_number(text, report->max_error);
@@ -180,7 +181,6 @@ static void put_report(bat_text *text, const bat_sketch_report *report) {
     put_flag(text, report->extended[1]);
     bat_text_string(text, "],\"replaced\":");
     put_flag(text, report->replaced);
-    bat_text_string(text, "}");
 }
 
 /* Writes an object with the report as its last member (NULL: without one). Releases both. */
@@ -218,6 +218,16 @@ int write_curve_reported(const bat_curve *curve, bat_text *report) {
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report) {
     bat_text text = {0};
     put_report(&text, report);
+    bat_text_string(&text, "}");
+    return write_curve_reported(curve, &text);
+}
+
+int write_pen(const bat_curve *curve, const bat_sketch_report *report, double raw_error) {
+    bat_text text = {0};
+    put_report(&text, report);
+    bat_text_string(&text, ",\"raw_error\":");
+    bat_text_number(&text, raw_error);
+    bat_text_string(&text, "}");
     return write_curve_reported(curve, &text);
 }
 

@@ -37,6 +37,8 @@ int write_mesh(const bat_polymesh *mesh, bat_text *report);
 int write_curve_reported(const bat_curve *curve, bat_text *report);
 /* Writes the curve with its report to standard output. */
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
+/* The same, with the greatest distance of a raw sample. */
+int write_pen(const bat_curve *curve, const bat_sketch_report *report, double raw_error);
 /* Reports what a sketch's status means for the user; stroke: the name of the stroke file. */
 int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,
                 const bat_sketch_options *options);

@@ -111,6 +111,14 @@ typedef struct bat_wires_source {
 } bat_wires_source;
 BAT_API bat_status bat_wires_read(const char *text, size_t size, bat_wires_source *out, bat_problem *problem);
 BAT_API void bat_wires_source_clear(bat_wires_source *source);
+/*
+ * Points in order, of 2 or 3 numbers: a STROKE, a GeoJSON LineString (or a Feature that holds one), or columns of numbers
+ * with any header or none; the columns are those called x, y and z, in any case, else the first two or, where there are
+ * just three, three. Fields are separated by semicolons, else commas, else tabs, else blanks, as the first line shows;
+ * blank lines and lines that begin with # are skipped. *points: *count * *dimension doubles, the caller's (bat_free).
+ */
+BAT_API bat_status bat_points_read(const char *text, size_t size, int *dimension, size_t *count,
+                                   double **points, bat_problem *problem);
 /* *stroke's arrays lie in one block that starts at *block: bat_free(*block). */
 BAT_API bat_status bat_stroke_read(const char *text, size_t size, bat_stroke *stroke, void **block,
                                    bat_problem *problem);

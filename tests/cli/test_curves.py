@@ -24,12 +24,12 @@ def wave(first, last, bump=0.0):
             for x in range(first, last + 1)]
 
 
-def distance(points, curve):
+def distance(points, curve, count=20001):
     """Greatest distance of the points to the curve, by dense sampling."""
     spline, (low, high) = spline_of(curve), (curve["knots"][0], curve["knots"][-1])
     if not curve["closed"]:
         low, high = curve["knots"][curve["degree"]], curve["knots"][-curve["degree"] - 1]
-    samples = spline(numpy.linspace(low, high, 20001))
+    samples = spline(numpy.linspace(low, high, count))
     return max(numpy.min(numpy.hypot(*(samples - point).T)) for point in numpy.array(points))
 
 
@@ -122,12 +122,82 @@ class Nearest(ProgramTest):
         self.assertRegex(line, "expected 2 coordinates.*found 3")
 
 
+class FitPoints(ProgramTest):
+    """Points are fitted as they are: the report is true, and the tolerance kept."""
+
+    def test_the_tolerance_is_kept_to_every_point(self):
+        zigzag = [[x, 8 * (x % 2)] for x in range(60)]
+        noisy = [[x + 0.3 * math.sin(9.7 * x * x), 40 * math.sin(x / 30) + 0.3 * math.sin(7.1 * x * x)] for x in range(200)]
+        for points in (zigzag, noisy, wave(0, 200, 10), [[0, 0], [10, 5]], [[x, 0] for x in range(9)]):
+            for words in ([], ["--tolerance", "0.05"], ["--tolerance", "2", "--degree", "5"], ["--free-ends"]):
+                curve = self.json("fit", self.file("p.json", {"points": points}), *words)
+                size = numpy.linalg.norm(numpy.ptp(numpy.array(points, float), axis=0))
+                most = float(words[1]) if words[:1] == ["--tolerance"] else 1e-3 * size
+                self.assertLessEqual(curve["report"]["max_error"], most)
+                self.assertLessEqual(distance(points, curve, 400001), curve["report"]["max_error"] + 1e-3 * size)
+                self.assertEqual(curve["report"]["knots_after"], len(curve["knots"]))
+                if "--free-ends" not in words:
+                    self.assertEqual((curve["points"][0], curve["points"][-1]), (points[0], points[-1]))
+
+    def test_few_knots(self):
+        curve = self.json("fit", self.file("p.json", {"points": wave(0, 400)}), "--tolerance", "0.1")
+        self.assertLess(len(curve["points"]), 30)
+
+    def test_closed(self):
+        ring = [[50 * math.cos(a), 30 * math.sin(a)] for a in numpy.linspace(0, 2 * math.pi, 90, endpoint=False)]
+        curve = self.json("fit", self.file("p.json", {"points": ring}), "--closed", "--tolerance", "0.05")
+        self.assertTrue(curve["closed"])
+        self.assertLessEqual(distance(ring, curve), 0.051)
+
+    def test_corners(self):
+        roof = [[x, x] for x in range(51)] + [[x, 100 - x] for x in range(51, 101)]
+        name = self.file("p.json", {"points": roof})
+        plain, told, found = (self.json("fit", name, "--tolerance", "0.01", *words)
+                              for words in ([], ["--corners", "50"], ["--corners", "auto"]))
+        self.assertEqual(told, found)
+        self.assertEqual(len(told["points"]), 7)
+        self.assertLess(min(math.dist(point, (50, 50)) for point in told["points"]), 1e-6)
+        self.assertGreater(len(plain["points"]), 7)
+        for bad in ("101", "3,3", "5,2", "1.5", "-1"):
+            self.assertIn("expected ascending whole numbers", self.refused(1, "fit", name, f"--corners={bad}"))
+
+    def test_every_kind_of_file(self):
+        points, space = wave(0, 60), [[x, x * x / 60, 60 - x] for x in range(61)]
+        expected = self.done("fit", self.file("p.json", {"points": points}))
+        rows = [f"{x!r}#{y!r}" for x, y in points]
+        for text in (["x,y"] + rows, ["X;Y"] + rows, rows, ["east north"] + rows, ["#a track", ""] + rows,
+                     ['"X"\t"Y"'] + rows, ["y,name,x"] + [f"{y!r},{i} b,{x!r}" for i, (x, y) in enumerate(points)]):
+            between = next((c for c in text[0] if c in ",;\t"), " ")
+            csv = "\r\n".join(text[:1] + [row.replace("#", between) for row in text[1:]]) if text is not rows else \
+                "\n".join(rows).replace("#", " ")
+            with self.subTest(head=text[0]):
+                self.assertEqual(self.done("fit", "-", stdin=csv), expected)
+        geo = {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": points}}
+        for value in (geo, geo["geometry"]):
+            self.assertEqual(self.done("fit", "-", stdin=json.dumps(value)), expected)
+        as_json = self.done("fit", "-", stdin=json.dumps({"points": space}))
+        for text in ("\n".join("\t".join(map(repr, p)) for p in space), "a,b,c\n" + "\n".join(",".join(map(repr, p)) for p in space)):
+            self.assertEqual(self.done("fit", "-", stdin=text), as_json)
+        self.assertEqual(len(json.loads(as_json)["points"][0]), 3)
+
+    def test_what_is_refused(self):
+        for bad in ("", "{}", {"points": []}, {"points": [[0, 0], [1]]}, "x,y\n1,2\n3\n", "x,y\n1,2\n3,b\n", "x,y\n1,1e99\n", "5\n6\n",
+                    {"type": "LineString", "coordinates": [[1]]}, {"points": [[1, 1]] * 5}, "x,y\n1,2\n"):
+            with self.subTest(bad=bad):
+                self.assertIn("p.json: ", self.refused(1, "fit", self.file("p.json", bad)))
+        self.assertIn("line 3, field 2", self.refused(1, "fit", self.file("p.csv", "x,y\n1,2\n3,b\n")))
+        name = self.file("p.json", {"points": wave(0, 9)})
+        for words in (["--pixel", "1"], ["--pen", "--smooth", "3"], ["--pen", "--corners", "auto"], ["--pen", "--free-ends"],
+                      ["--degree", "8"], ["--tolerance", "0"], ["--corners", "x"]):
+            self.refused(2, "fit", name, *words)
+
+
 class Fit(ProgramTest):
     def test_closed_by_force(self):
         """Ends far apart stay where the pen put them: every sample is within the tolerance."""
         arc = [[200 * math.cos(a / 50), 200 * math.sin(a / 50)] for a in range(30, 280)]
         for stroke in (wave(0, 500), [[x, 0] for x in range(0, 501, 4)], arc):
-            result = self.json("fit", self.file("s.json", {"points": stroke}), "--closed")
+            result = self.json("fit", "--pen", self.file("s.json", {"points": stroke}), "--closed")
             self.assertTrue(result["closed"])
             self.assertLess(distance(stroke, result), 1)
             self.assertLess(result["report"]["max_error"], 1)
@@ -135,7 +205,7 @@ class Fit(ProgramTest):
     def test_within_tolerance(self):
         points = wave(0, 200)
         for tolerance in (2, 0.2, 0.05):
-            curve = self.json("fit", self.file("s.json", {"points": points}), "--tolerance", tolerance, "--pixel", "0.1")
+            curve = self.json("fit", "--pen", self.file("s.json", {"points": points}), "--tolerance", tolerance, "--pixel", "0.1")
             self.assertLessEqual(distance(points, curve), tolerance * 1.01)
             self.assertEqual(curve["report"]["knots_after"], len(curve["knots"]))
             self.assertLess(len(curve["points"]), 60)
@@ -143,36 +213,42 @@ class Fit(ProgramTest):
     def test_tolerance_that_cannot_be_met_is_bad_data(self):
         points = [[x + 3 * math.sin(9.7 * x * x), y + 3 * math.sin(7.1 * x * x)] for x, y in wave(0, 300)]
         name = self.file("s.json", {"points": points})
-        line = self.refused(1, "fit", name, "--tolerance", "0.001")
+        line = self.refused(1, "fit", "--pen", name, "--tolerance", "0.001")
         self.assertRegex(line, r"s\.json: points: expected a fit within 0\.001, the best found reaches \d")
         self.assertGreater(float(line.split()[-1]), 0.001)
 
     def test_csv_and_json_are_the_same(self):
         points = wave(0, 100)
-        as_json = self.done("fit", self.file("s.json", {"points": points, "pressure": [0.5] * 101}))
+        as_json = self.done("fit", "--pen", self.file("s.json", {"points": points, "pressure": [0.5] * 101}))
         csv = "x,y,pressure\n" + "".join(f"{x!r},{y!r},0.5\n" for x, y in points)
-        self.assertEqual(self.done("fit", self.file("s.csv", csv)), as_json)
-        self.assertEqual(self.done("fit", "-", stdin=csv), as_json)
+        self.assertEqual(self.done("fit", "--pen", self.file("s.csv", csv)), as_json)
+        self.assertEqual(self.done("fit", "--pen", "-", stdin=csv), as_json)
 
     def test_closed(self):
         arc = [[50 * math.cos(a), 50 * math.sin(a)] for a in numpy.linspace(0, 5.6, 150)]
         name = self.file("s.json", {"points": arc})
-        self.assertFalse(self.json("fit", name)["closed"])
-        self.assertTrue(self.json("fit", name, "--closed")["closed"])
+        self.assertFalse(self.json("fit", "--pen", name)["closed"])
+        self.assertTrue(self.json("fit", "--pen", name, "--closed")["closed"])
 
     def test_dots_and_bad_strokes(self):
-        self.assertIn("too short", self.refused(1, "fit", self.file("s.json", {"points": [[1, 1]] * 9})))
-        self.assertIn("too short", self.refused(1, "fit", self.file("s.json", {"points": [[1, 1], [1.2, 1]]})))
+        self.assertIn("too short", self.refused(1, "fit", "--pen", self.file("s.json", {"points": [[1, 1]] * 9})))
+        self.assertIn("too short", self.refused(1, "fit", "--pen", self.file("s.json", {"points": [[1, 1], [1.2, 1]]})))
         for bad in ("", "{}", {"points": []}, {"points": [[0, 0], [1]]}, {"points": "no"},
                     {"points": wave(0, 9), "pressure": [1]}, "x,y\n1,2\n3\n", "a,b\n1,2\n"):
             with self.subTest(bad=bad):
-                self.assertIn("s.json: ", self.refused(1, "fit", self.file("s.json", bad)))
+                self.assertIn("s.json: ", self.refused(1, "fit", "--pen", self.file("s.json", bad)))
+
+    def test_raw_error_counts_what_was_left_out(self):
+        hook = [[-3, 3], [-2, 1]] + wave(0, 200)
+        report = self.json("fit", "--pen", self.file("s.json", {"points": hook}))["report"]
+        self.assertGreaterEqual(report["raw_error"], report["max_error"])
+        self.assertGreater(report["raw_error"], 1)
 
 
 class Sketch(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.roof_text = self.done("fit", self.file("s.json", {"points": wave(0, 200)}), "--tolerance", "0.5")
+        self.roof_text = self.done("fit", "--pen", self.file("s.json", {"points": wave(0, 200)}), "--tolerance", "0.5")
         self.roof = self.file("roof.json", self.roof_text)
 
     def redraw(self, points, *words):

@@ -44,7 +44,7 @@ class Usage(ProgramTest):
             ["nearest", curve], ["nearest", curve, "--point", "1"], ["nearest", curve, "--point", "1,2,3,4"],
             ["nearest", curve, "--point", "1,b"],
             ["fit"], ["fit", curve, "--tolerance", "0"], ["fit", curve, "--tolerance", "-1"], ["fit", curve, "--closed=1"],
-            ["fit", curve, "--pixel", "zero"], ["fit", curve, "--tolerance", "1e-4"],
+            ["fit", "--pen", curve, "--pixel", "zero"], ["fit", "--pen", curve, "--tolerance", "1e-4"],
             ["sketch", curve, curve, "--tolerance", "1", "--pixel", "1e5"],
             ["sketch", curve], ["sketch", "-", "-"], ["sketch", curve, curve, "--pins", "4"],
             ["sketch", curve, curve, "--pins", "2.5"],

@@ -127,6 +127,15 @@ static bat_status as_stroke(const file *from, bat_problem *said) {
     return status;
 }
 
+static bat_status as_points(const file *from, bat_problem *said) {
+    int dimension;
+    size_t count;
+    double *points = NULL;
+    bat_status status = bat_points_read(from->text, from->size, &dimension, &count, &points, said);
+    if (status == BAT_OK) bat_free(points);
+    return status;
+}
+
 static bat_status as_journal(const file *from, bat_problem *said) {
     bat_editor *editor = NULL;
     bat_status status = bat_editor_create(&editor);
@@ -196,8 +205,8 @@ static void drawings(void **state) {
 
 static void values(void **state) {
     (void)state;
-    static work *const readers[] = {as_curve, as_shape, as_surface, as_spline, as_stroke};
-    for (int i = 0; i < 5; i++) {
+    static work *const readers[] = {as_curve, as_shape, as_surface, as_spline, as_stroke, as_points};
+    for (int i = 0; i < 6; i++) {
         each("fuzz/corpus/json/*", readers[i]);
         each("fuzz/corpus/shape/*", readers[i]);
         each("fuzz/corpus/surface/*", readers[i]);

@@ -324,6 +324,13 @@ static void read_stroke(const char *text, size_t size) {
     if (bat_stroke_read(text, size, &made, &block, NULL) != BAT_OK) abort();
     bat_free(block);
 }
+static void read_points(const char *text, size_t size) {
+    int dimension;
+    size_t count;
+    double *points = NULL;
+    if (bat_points_read(text, size, &dimension, &count, &points, NULL) != BAT_OK) abort();
+    bat_free(points);
+}
 static void read_spline(const char *text, size_t size) {
     bat_spline made;
     void *block = NULL;
@@ -417,6 +424,8 @@ static const kind kinds[] = {
     {"a curve of n points", curve, read_curve, 800},
     {"a stroke of n samples", stroke, read_stroke, 800},
     {"a stroke of n samples as CSV", table, read_stroke, 800},
+    {"n points", stroke, read_points, 800},
+    {"n points as columns", table, read_points, 800},
     {"a spline of n points", spline, read_spline, 400},
     {"a shape of n points", shape, read_shape, 400},
     {"n edits of a shape", edits, read_edits, 100},
