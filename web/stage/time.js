@@ -20,6 +20,7 @@ import { word } from '../page/words.js';
  */
 
 const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0 });
+const THUMB = 16; // px
 const PICTURES = {
   'move-play': '<path d="M7 4l13 8-13 8z" fill="currentColor"/><path class="on" d="M6 4h4v16H6zM14 4h4v16h-4z" fill="currentColor"/>',
   'move-loop': '<path d="M17 3l4 4-4 4M21 7H8a5 5 0 0 0-5 5M7 21l-4-4 4-4M3 17h13a5 5 0 0 0 5-5"/>',
@@ -42,6 +43,8 @@ export class TimeStrip {
     this.told = document.createElement('output');
     this.box.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('look-through'));
     this.slider.addEventListener('input', () => this.#seek(this.slider.valueAsNumber));
+    this.slider.addEventListener('pointerdown', (event) => this.#grasp(event));
+    this.slider.addEventListener('pointermove', (event) => this.#scrub(event));
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {
         shell.engine.command('cancel');
@@ -66,6 +69,28 @@ export class TimeStrip {
     });
     this.buttons[command] = button;
     return button;
+  }
+
+  /** Browsers differ in what a pen or a finger does to a slider; here it goes where it is pressed. @param {PointerEvent} event */
+  #grasp(event) {
+    if (event.pointerType === 'mouse') {
+      return;
+    }
+    event.preventDefault();
+    this.slider.focus();
+    this.slider.setPointerCapture(event.pointerId);
+    this.#scrub(event);
+  }
+
+  /** @param {PointerEvent} event */
+  #scrub(event) {
+    if (!this.slider.hasPointerCapture(event.pointerId) || event.pointerType === 'mouse') {
+      return;
+    }
+    const { left, width } = this.slider.getBoundingClientRect();
+    const share = Math.min(Math.max((event.clientX - left - THUMB / 2) / (width - THUMB), 0), 1);
+    const frame = (document.dir === 'rtl' ? 1 - share : share) * this.move.duration * this.move.rate;
+    this.#seek(Math.min(Math.round(frame) / this.move.rate, this.move.duration));
   }
 
   /** @param {number} seconds */
