@@ -52,8 +52,9 @@ for (const colorScheme of ['light', 'dark']) {
   test(`a camera along a curve: made, played, looked through, undone, ${colorScheme}`, async (t) => {
     const { page, hand, first } = await begin(t, { colorScheme });
     const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `moves-${name}-${colorScheme}.png`) });
-    await page.evaluate(() => globalThis.batten.engine.command('camera-along'));
-    await page.evaluate(() => globalThis.batten.wake());
+    await page.waitForSelector('#actions [data-name="camera-along"]:not([hidden]), #actions [data-command="camera-along"]:not([hidden])');
+    await shot('offered');
+    await page.click('#actions [data-name="camera-along"], #actions [data-command="camera-along"]');
     await page.waitForSelector('.time:not([hidden])');
     await quiet(page);
     await shot('made');
