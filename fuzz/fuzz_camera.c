@@ -67,6 +67,33 @@ static void check_edits(const bat_camera *from) {
     bat_camera_free(camera);
 }
 
+/* Keys that are added change nothing, and can be taken away. */
+static void check_amended(const bat_camera *from) {
+    static const double up[3] = {0, 0, 1};
+    bat_camera *camera = NULL, *other = NULL;
+    double domain[2], change = -1;
+    size_t key = 0, count = 0;
+    bat_camera_pose before, after;
+    if (bat_camera_copy(from, &camera) != BAT_OK) abort();
+    bat_camera_domain(camera, domain);
+    const double u = domain[0] + 0.37 * (domain[1] - domain[0]);
+    bat_camera_at(camera, u, &before);
+    if (bat_camera_add_key(camera, u, &key) == BAT_OK) {
+        double along = 0;
+        bat_camera_at(camera, u, &after);
+        for (int k = 0; k < 4; k++) along += before.rotation[k] * after.rotation[k];
+        if (!(fabs(along) > 1 - 1e-9)) abort();
+        if (!(bat_camera_key_place(camera, key) >= domain[0])) abort();
+    }
+    bat_camera_base(camera, &count);
+    if (bat_camera_remove_key(camera, count / 2, &change) == BAT_OK && !(change >= 0)) abort();
+    if (bat_camera_set_fov(camera, u, 50) != BAT_OK) abort();
+    if (bat_camera_aim(camera, before.position, up, &other) == BAT_OK) check_samples(other);
+    bat_camera_free(other), other = NULL;
+    if (bat_camera_let_go(camera, up, &other) == BAT_OK) check_samples(other);
+    bat_camera_free(camera), bat_camera_free(other);
+}
+
 static void check_keys(const bat_camera *camera) {
     bat_camera_key *keys = NULL;
     size_t count = 0, size = 0;
@@ -135,7 +162,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static bool begun;
     if (!begun) check_defaults(), begun = true;
     if (bat_camera_read((const char *)data, size, &camera, &problem) != BAT_OK) return 0;
-    check_samples(camera), check_edits(camera), check_keys(camera), check_text(camera);
+    check_samples(camera), check_edits(camera), check_amended(camera);
+    check_keys(camera), check_text(camera);
     bat_camera_free(camera);
     return 0;
 }

@@ -16,6 +16,7 @@ extern "C" {
 
 enum {
     BAT_CAMERA_LEVELS_MAX = 24,
+    BAT_CAMERA_KEYS_MAX = 4096,       /* that are added by hand */
     BAT_CAMERA_SAMPLES_MAX = 10000000 /* the most that a host should ask for at once */
 };
 
@@ -35,6 +36,8 @@ typedef struct bat_rotation_curve {
     const double *points;
     size_t knot_count;
     const double *knots;
+    const double *
+        weights; /* above 0, `count` of them: how much each key counts, which is then given with its sign; NULL: 1 */
 } bat_rotation_curve;
 
 typedef struct bat_camera_options {
@@ -101,6 +104,30 @@ BAT_API bat_status bat_camera_turn(bat_camera *camera, int level, double u, cons
 BAT_API bat_status bat_camera_turn_base(bat_camera *camera, const double rotation[4]);
 /* The quaternions of the base, made unit, 4 numbers each; owned by the camera. *count: how many. NULL: none. */
 BAT_API const double *bat_camera_base(const bat_camera *camera, size_t *count);
+
+/* The parameter u at which a key of the base counts most: its Greville abscissa. NAN: there is no such key. */
+BAT_API double bat_camera_key_place(const bat_camera *camera, size_t key);
+/*
+ * Adds a key to the base at u: its spline gets a knot more, and the keys get weights, so that the move stays what it was but
+ * for rounding (docs/math/camera.md). A camera along its path that has no base gets one first, of four keys (six on a closed
+ * path) that turn nothing. *key, which may be NULL: the one of the keys whose place is nearest to u. BAT_UNSUPPORTED: the
+ * camera looks at something; BAT_COUNT: there are as many knots at u as can be, or BAT_CAMERA_KEYS_MAX keys; BAT_TOLERANCE: keys so
+ * far apart that they can not be told from their opposites. On failure the camera is as it was, here and below.
+ */
+BAT_API bat_status bat_camera_add_key(bat_camera *camera, double u, size_t *key);
+/* Takes away a key, and with it the knot nearest to its place; *change, which may be NULL: how far the gaze turns for that,
+ * at most, in radians, at 32 places of each span. BAT_ARGUMENT: no such key; BAT_COUNT: no key can be missed; BAT_SINGULAR: the
+ * others would cancel. */
+BAT_API bat_status bat_camera_remove_key(bat_camera *camera, size_t key, double *change);
+/* Makes the field of view at u so many degrees, within 1 to 170, by the least change of its spline's values; a constant one
+ * stays constant. */
+BAT_API bat_status bat_camera_set_fov(bat_camera *camera, double u, double degrees);
+/* A copy that looks at a target instead, with levels as they are; up: as in the options. BAT_UNSUPPORTED: there are levels, and
+ * the base differs from the path in degree or in being closed. */
+BAT_API bat_status bat_camera_aim(const bat_camera *camera, const double target[3], const double up[3],
+                                  bat_camera **out);
+/* A copy that goes along its path, with no base; first: as in the options, or NULL. BAT_UNSUPPORTED: as bat_camera_aim. */
+BAT_API bat_status bat_camera_let_go(const bat_camera *camera, const double first[3], bat_camera **out);
 
 /* How the camera is turned. */
 BAT_API bat_camera_mode bat_camera_mode_of(const bat_camera *camera);

@@ -8,6 +8,7 @@
 #include "base/real.h"
 #include "editor/input/samples.h"
 #include "editor/pick/pivot.h"
+#include "editor/tools/gazes/gazes.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/modes/guides.h"
 #include <math.h>
@@ -102,6 +103,9 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
         return BAT_DUTY_TOOL;
     }
     if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && bat_guides_take(c, event))
+        return BAT_DUTY_TOOL;
+    if (c->moves->camera && event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan &&
+        bat_gazes_take(c, event))
         return BAT_DUTY_TOOL;
     if (c->input->holding_pan || middle || barrel_is(c, event, BARREL_PANS) ||
         bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)

@@ -8,6 +8,7 @@
 #include "editor/editor.h"
 #include "editor/commands/calm.h"
 #include "editor/show/ruler.h"
+#include "editor/tools/gazes/find.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/modes/guides.h"
 #include "editor/tools/sketch/sketching.h"
@@ -127,7 +128,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     show_pivot(c, overlay);
-    if (c->moves->camera) bat_flight_show(c, overlay);
+    if (c->moves->camera) bat_flight_show(c, overlay), bat_gazes_show(c, overlay);
     bat_three_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }

@@ -484,6 +484,14 @@ static bat_editor *flight(int n) {
                      (const char *const[]){"tool-select", "select-all", "camera-along", "move-next", NULL});
 }
 
+/* The same, with a key in the middle that is chosen. */
+static bat_editor *gaze(int n) {
+    bat_editor *editor = flight(n);
+    bat_editor_seek(editor, 1.7);
+    bat_editor_command(editor, "gaze-add");
+    return editor;
+}
+
 /* n curves with a camera each. */
 static bat_editor *cameras(int n) {
     bat_document *made = document();
@@ -516,6 +524,7 @@ const growth_scene growth_scenes[] = {
     {"n rings, ids from the front, half chosen", reversed},
     {"a group of n", group},
     {"a camera along a curve of n points", flight},
+    {"a camera along a curve of n points, a key chosen", gaze},
     {"n cameras", cameras},
     {"n/4 groups", groups},
     {"n/8 layers", layers},

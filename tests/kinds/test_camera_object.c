@@ -28,8 +28,12 @@ static bat_camera *some_camera(const bat_curve *path, int number) {
     double keys[4 * KEYS] = {0}, details[3 * KEYS];
     for (int i = 0; i < 4 * KEYS; i++) keys[i] = i % 4 == 3 ? 1 : random_between(&r, -.5, .5);
     for (int i = 0; i < 3 * KEYS; i++) details[i] = random_between(&r, -.3, .3);
-    const bat_rotation_curve base = {
-        3, closed, KEYS, keys, closed ? KEYS + 1 : KEYS + 4, closed ? PERIOD : KNOTS};
+    const bat_rotation_curve base = {.degree = 3,
+                                     .closed = closed,
+                                     .count = KEYS,
+                                     .points = keys,
+                                     .knot_count = closed ? KEYS + 1 : KEYS + 4,
+                                     .knots = closed ? PERIOD : KNOTS};
     const double rise[8] = {0, 0, .1, 0, .8, 0, 1, 0};
     bat_curve *timing = NULL;
     assert_int_equal(bat_curve_create(2, 3, false, 4, rise, 8, (double[]){0, 0, 0, 0, 1, 1, 1, 1}, &timing),

@@ -157,6 +157,13 @@ static uint64_t look_through(const void *shared, int seed) {
     d = bat_digest_double(d, bat_camera_duration(camera) + bat_camera_least_norm(camera) +
                                  bat_camera_gain(camera, 1));
     d = add(add(d, bat_camera_held(camera, 1, held)), (uint64_t)bat_camera_levels(camera));
+    d = bat_digest_double(d, bat_camera_key_place(camera, 0));
+    bat_camera *aimed[2] = {NULL};
+    const double far[3] = {1e3, 2, 3}, up[3] = {0, 0, 1};
+    d = add(d, (uint64_t)bat_camera_aim(camera, far, up, &aimed[0]));
+    d = add(d, (uint64_t)bat_camera_let_go(camera, up, &aimed[1]));
+    for (int k = 0; k < 2; k++) d = aimed[k] ? bat_digest_double(d, bat_camera_length(aimed[k])) : d;
+    bat_camera_free(aimed[0]), bat_camera_free(aimed[1]);
     const double *keys = bat_camera_base(camera, &count);
     d = add_doubles(d, keys, 4 * (int)count);
     if (bat_camera_details(camera, 1)) d = bat_digest_curve(d, bat_camera_details(camera, 1));
@@ -237,7 +244,8 @@ static void const_calls_on_a_camera(void **state) {
                  keys[8] = {0, 0, 0, 1, 0, 1, 0, 1}, details[6] = {0.1, 0, 0, 0, 0.2, 0};
     bat_curve *path = NULL;
     bat_camera *camera = NULL;
-    const bat_rotation_curve base = {1, false, 2, keys, 4, knots};
+    const bat_rotation_curve base = {
+        .degree = 1, .count = 2, .points = keys, .knot_count = 4, .knots = knots};
     bat_camera_options options = bat_camera_defaults();
     options.mode = BAT_CAMERA_ALONG, options.base = &base;
     assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &path), BAT_OK);

@@ -98,7 +98,8 @@ bat_status bat_command_camera_here(bat_context *c, bat_command_id id) {
     pose_of(c, points, keys, &fov);
     for (int i = 0; i < 3; i++) points[3 + i] = points[i];
     for (int i = 0; i < 4; i++) keys[4 + i] = keys[i];
-    const bat_rotation_curve base = {1, false, 2, keys, 4, knots};
+    const bat_rotation_curve base = {
+        .degree = 1, .count = 2, .points = keys, .knot_count = 4, .knots = knots};
     bat_camera_options options = bat_camera_defaults();
     options.base = &base;
     options.fov = bat_function_of(fov);

@@ -7,6 +7,7 @@
 #include "editor/edit/arrange.h"
 #include "editor/input/orbit.h"
 #include "editor/session/notice.h"
+#include "editor/tools/gazes/find.h"
 #include "editor/tools/toolbox.h"
 
 bat_status bat_command_tool(bat_context *c, bat_command_id id) {
@@ -34,7 +35,8 @@ bat_status bat_command_accept(bat_context *c, bat_command_id id) {
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
     if (bat_moves_leave(c) || bat_orbit_cancel(c) || bat_three_cancel(c) || bat_toolbox_drop(c) ||
-        bat_simplify_cancel(c) || bat_isolate_end(c) || bat_arrange_leave(c))
+        (c->moves->camera && bat_gazes_leave(c)) || bat_simplify_cancel(c) || bat_isolate_end(c) ||
+        bat_arrange_leave(c))
         return BAT_OK;
     return bat_command_deselect(c, id);
 }

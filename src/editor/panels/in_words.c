@@ -13,6 +13,9 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
+#include "editor/show/moves.h"
+#include "editor/tools/gazes/find.h"
+#include "editor/tools/gazes/words.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/keyed/waypoints.h"
 #include "editor/tools/points/state.h"
@@ -50,6 +53,8 @@ static void fill_number(const bat_context *c, bat_text *text, bat_string words, 
 /* ---- points: of a spline, else the control points of all curves in sequence ---- */
 
 static int points_of(const bat_object *object) {
+    const bat_camera *camera = bat_object_camera(object); /* its keys */
+    if (camera) return (int)bat_gazing_keys(camera);
     const bat_spline *spline = bat_object_spline(object);
     int count = spline ? bat_spline_count(spline) : 0;
     for (int i = 0; !spline && i < bat_object_curve_count(object); i++)
@@ -70,7 +75,7 @@ static const bat_curve *curve_of(const bat_object *object, int *index, int *curv
 
 static bool place_of(const bat_object *object, int index, double out[2]) {
     const bat_spline *spline = bat_object_spline(object);
-    if (index < 0 || index >= points_of(object)) return false;
+    if (index < 0 || index >= points_of(object) || bat_object_camera(object)) return false;
     if (spline) {
         memcpy(out, spline->points + (size_t)index * (size_t)spline->dimension, 2 * sizeof *out);
         return true;
@@ -95,6 +100,12 @@ static void place_words(const bat_context *c, bat_text *text, bat_string words, 
 
 static void point_words(const bat_context *c, bat_text *text, const bat_object *object, int index) {
     double at[2];
+    if (bat_object_camera(object)) {
+        char words[BAT_KEY_ROOM];
+        bat_key_in_words(c, bat_object_camera(object), (size_t)index, words);
+        bat_text_string(text, words);
+        return;
+    }
     if (place_of(object, index, at))
         place_words(c, text, BAT_STRING_OUTLINE_POINT, index, points_of(object), at);
 }
@@ -108,7 +119,8 @@ static void add(const bat_context *c, bat_text *text, bat_string words) {
 
 void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
     const char *name = bat_object_name(object);
-    int curves = bat_object_curve_count(object), points = points_of(object);
+    const bool camera = bat_object_camera(object) != NULL;
+    int curves = camera ? 0 : bat_object_curve_count(object), points = points_of(object);
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");
     if (!*name || curves < 2) bat_text_string(text, bat_word(c, bat_kind_word(bat_object_type(object))));
@@ -126,7 +138,7 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
     }
     if (points) {
         bat_text_string(text, ", ");
-        fill_number(c, text, BAT_STRING_OUTLINE_POINTS, points);
+        fill_number(c, text, camera ? BAT_STRING_OUTLINE_KEYS : BAT_STRING_OUTLINE_POINTS, points);
     }
     if (bat_object_is_hidden(object)) add(c, text, BAT_STRING_OUTLINE_HIDDEN);
     if (bat_object_is_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
@@ -191,6 +203,7 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
 static int chosen_of(const bat_context *c, const bat_object *object) {
     const bat_pointing *p = bat_pointing_of(c);
     bat_id id = bat_object_id(object);
+    if (bat_object_camera(object)) return id == c->moves->camera ? (int)bat_gazing_chosen(c) : -1;
     if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_object_spline(object))
         return bat_splining_of(c)->object == id ? bat_splining_of(c)->point : -1;
     if (!(bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) || p->object != id ||
@@ -222,6 +235,7 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
     const bat_object *object = bat_document_at(c->session->document,
                                                bat_document_find(c->session->document, id));
     double at[2];
+    if (object && bat_object_camera(object)) return bat_key_choose(c, id, point);
     if (!object || !place_of(object, point, at)) return BAT_ARGUMENT;
     bool spline = bat_object_spline(object) != NULL;
     bat_tool_id tool = bat_tool_that(spline ? BAT_EDITS_SPLINES : BAT_EDITS_POINTS);

@@ -16,7 +16,8 @@ bool bat_camera_base_curve(const bat_camera *camera, bat_rotation_curve *out) {
                                 .points = base->keys,
                                 .knot_count = (size_t)bat_curve_knot_count(spline) -
                                               (base->antiperiodic ? base->count : 0),
-                                .knots = bat_curve_knots(spline)};
+                                .knots = bat_curve_knots(spline),
+                                .weights = base->weights};
     return true;
 }
 

@@ -32,6 +32,15 @@ double bat_camera_share(const bat_camera *camera, double u);
 quat bat_camera_ground(const bat_camera *camera, double u);
 /* The base as it would be given; false: there is none. Borrows from the camera. */
 bool bat_camera_base_curve(const bat_camera *camera, bat_rotation_curve *out);
+/* How many keys, and where, an along camera without a base gets as its first ones; gives it those. Nothing happens to one that
+ * has a base. BAT_UNSUPPORTED: it looks at something. */
+size_t bat_camera_first_keys(const bat_camera *camera);
+double bat_camera_first_place(const bat_camera *camera, size_t key);
+bat_status bat_camera_give_base(bat_camera *camera);
+/* The point that it looks at; false: it looks at none. */
+bool bat_camera_target(const bat_camera *camera, double target[3]);
+/* The time at which it reaches a parameter. */
+double bat_camera_time_of(const bat_camera *camera, double u);
 /* Another camera of these parts. NULL in `options`: as in bat_camera_create. Copies the levels of `from`. */
 bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const bat_camera_options *options,
                             bat_camera **out);

@@ -104,8 +104,7 @@ static bat_status add_span(keys *k, double to) {
     return status == BAT_OK ? add_span(k, to) : status;
 }
 
-/* The time at which the move reaches a parameter. */
-static double time_of(const bat_camera *camera, double u) {
+double bat_camera_time_of(const bat_camera *camera, double u) {
     double low = 0, high = camera->options.duration;
     for (int i = 0; i < 60; i++) {
         bat_camera_pose pose;
@@ -128,9 +127,10 @@ static size_t knots_of(const bat_camera *camera, const bat_curve *curve, bool in
         double share = (t[i] - start) / width;
         if (curve == base && camera->base.antiperiodic) share *= 2;
         if (t[i] == t[i - 1] || !(share > 0 && share < 1)) continue;
-        out[count++] = in_time ? camera->options.duration * share
-                               : time_of(camera,
-                                         camera->domain[0] + (camera->domain[1] - camera->domain[0]) * share);
+        out[count++] = in_time
+                           ? camera->options.duration * share
+                           : bat_camera_time_of(camera, camera->domain[0] +
+                                                            (camera->domain[1] - camera->domain[0]) * share);
     }
     return count;
 }
@@ -152,7 +152,8 @@ static bat_status find_times(const bat_camera *camera, double **out, size_t *cou
     if (!times) return BAT_MEMORY;
     for (int i = 0; i < all; i++)
         if (curves[i]) made += knots_of(camera, curves[i], i == 1, times + made);
-    for (size_t i = 0; i < camera->gaze.parts; i++) times[made++] = time_of(camera, camera->gaze.part[i].a);
+    for (size_t i = 0; i < camera->gaze.parts; i++)
+        times[made++] = bat_camera_time_of(camera, camera->gaze.part[i].a);
     times[made++] = camera->options.duration;
     qsort(times, made, sizeof *times, compare); /* no ties */
     *out = times, *count = made;

@@ -7,11 +7,12 @@
 
 static const double rounding = 2e-15; /* of the square of a length */
 static const double cancelled = 1e-6; /* a spline that becomes shorter has no direction there */
+static const double lightest = 1e-6;  /* of all weights; its inverse is the heaviest */
 enum { TERMS = 2 * BAT_DEGREE_MAX + 1, DEPTH = 48 };
 
 void bat_rotation_clear(bat_rotation *rotation) {
     bat_curve_free(rotation->xyz), bat_curve_free(rotation->w);
-    free(rotation->keys);
+    free(rotation->keys), free(rotation->weights);
     *rotation = (bat_rotation){.least = 1};
 }
 
@@ -68,7 +69,7 @@ static double least_norm(const bat_rotation *r) {
 /* ---- making one ---- */
 
 static void align(bat_rotation *r, bool closed) {
-    for (size_t i = 1; i < r->count; i++)
+    for (size_t i = 1; i < r->count && !r->weights; i++)
         quat_store(quat_near(quat_load(r->keys + 4 * i), quat_load(r->keys + 4 * (i - 1))), r->keys + 4 * i);
     r->antiperiodic = closed && quat_dot(quat_load(r->keys), quat_load(r->keys + 4 * (r->count - 1))) < 0;
 }
@@ -82,7 +83,8 @@ static bat_status make_curve(const bat_rotation *r, int degree, bool closed, int
     bat_status status = points && t ? BAT_OK : BAT_MEMORY;
     for (size_t i = 0; i < count && status == BAT_OK; i++)
         for (int c = 0; c < size; c++) {
-            const double key = r->keys[4 * (i % r->count) + (size_t)(first + c)];
+            const size_t at = i % r->count;
+            const double key = r->keys[4 * at + (size_t)(first + c)] * (r->weights ? r->weights[at] : 1);
             points[i * m + (size_t)c] = i < r->count ? key : -key;
         }
     for (size_t i = 0; i < all && status == BAT_OK; i++)
@@ -100,6 +102,15 @@ static bat_status make_curves(bat_rotation *r, int degree, bool closed, int knot
     return r->least >= cancelled ? BAT_OK : BAT_SINGULAR;
 }
 
+static bat_status take_weights(const bat_rotation_curve *given, bat_rotation *out) {
+    for (size_t i = 0; i < given->count; i++)
+        if (!(given->weights[i] >= lightest && given->weights[i] <= 1 / lightest)) return BAT_NUMBER;
+    out->weights = malloc(given->count * sizeof *out->weights);
+    if (!out->weights) return BAT_MEMORY;
+    memcpy(out->weights, given->weights, given->count * sizeof *out->weights);
+    return BAT_OK;
+}
+
 static bat_status take_keys(const bat_rotation_curve *given, bat_rotation *out) {
     if (!given->points || !given->knots || given->count < 1) return BAT_ARGUMENT;
     if (given->count > BAT_POINTS_MAX / 2) return BAT_COUNT;
@@ -115,8 +126,9 @@ static bat_status take_keys(const bat_rotation_curve *given, bat_rotation *out) 
                           rounding; /* so that what was made unit keeps its bits */
         quat_store(unit ? q : quat_unit(q), out->keys + 4 * i);
     }
-    align(out, given->closed);
-    return BAT_OK;
+    const bat_status status = given->weights ? take_weights(given, out) : BAT_OK;
+    if (status == BAT_OK) align(out, given->closed);
+    return status;
 }
 
 bat_status bat_rotation_make(const bat_rotation_curve *given, bat_rotation *out) {
@@ -151,11 +163,16 @@ bat_status bat_rotation_remake(bat_rotation *r) {
 
 bat_status bat_rotation_copy(const bat_rotation *from, bat_rotation *out) {
     *out = *from;
-    out->xyz = out->w = NULL, out->keys = NULL;
+    out->xyz = out->w = NULL, out->keys = out->weights = NULL;
     if (!from->keys) return BAT_OK;
     out->keys = malloc(4 * from->count * sizeof *out->keys);
     if (!out->keys) return BAT_MEMORY;
     memcpy(out->keys, from->keys, 4 * from->count * sizeof *out->keys);
+    if (from->weights) {
+        out->weights = malloc(from->count * sizeof *out->weights);
+        if (!out->weights) return BAT_MEMORY;
+        memcpy(out->weights, from->weights, from->count * sizeof *out->weights);
+    }
     const bat_status status = bat_curve_copy(from->xyz, &out->xyz);
     return status == BAT_OK ? bat_curve_copy(from->w, &out->w) : status;
 }

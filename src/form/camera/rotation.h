@@ -11,7 +11,8 @@
  * stored over two of them: the keys, and the keys opposed. */
 typedef struct bat_rotation {
     size_t count;
-    double *keys; /* count * 4 */
+    double *keys;    /* count * 4 */
+    double *weights; /* of the keys; NULL: all are 1 */
     bool antiperiodic;
     bat_curve *xyz, *w; /* w: the first coordinate */
     double domain[2];   /* of one period */

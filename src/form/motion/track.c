@@ -167,12 +167,11 @@ static bat_status base_on(track *t, const bat_knots *knots, double duration) {
     if (status == BAT_OK) status = bat_spline_fit(knots, t->frames, 4, data, keys);
     if (status == BAT_OK) status = bat_curve_create(2, 1, false, 2, still, 4, ends, &path);
     if (status == BAT_OK) {
-        const bat_rotation_curve base = {knots->degree,
-                                         false,
-                                         (size_t)knots->count,
-                                         keys,
-                                         (size_t)knots->count + (size_t)knots->degree + 1,
-                                         knots->t};
+        const bat_rotation_curve base = {.degree = knots->degree,
+                                         .count = (size_t)knots->count,
+                                         .points = keys,
+                                         .knot_count = (size_t)knots->count + (size_t)knots->degree + 1,
+                                         .knots = knots->t};
         bat_camera_options options = bat_camera_defaults();
         options.base = &base, options.duration = duration;
         status = bat_camera_create(path, &options, &t->camera);

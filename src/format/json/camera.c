@@ -18,7 +18,7 @@ static const char *const MODES[] = {"free", "along", "look-at", NULL};
 /* What has been read of a move, besides the levels. */
 typedef struct move {
     bat_curve *path, *target;
-    double *knots, *points; /* of the base */
+    double *knots, *points, *weights; /* of the base */
     bat_rotation_curve base;
     bat_camera_options options;
     uint32_t node, orientation;
@@ -26,7 +26,7 @@ typedef struct move {
 
 static void clear(move *m) {
     bat_curve_free(m->path), bat_curve_free(m->target);
-    free(m->knots), free(m->points);
+    free(m->knots), free(m->points), free(m->weights);
     bat_function_clear(&m->options.fov), bat_function_clear(&m->options.timing);
 }
 
@@ -69,6 +69,19 @@ static bat_status read_rows(const bat_fields *f, uint32_t list, const char *name
     return BAT_OK;
 }
 
+static bat_status read_weights(const bat_fields *f, uint32_t node, move *m) {
+    size_t count = 0;
+    if (!node) return BAT_OK;
+    bat_status status = bat_numbers_from_json(f->json, node, "weights", &m->weights, &count, f->problem);
+    if (status == BAT_OK && count != m->base.count)
+        status = bat_fields_complain(f, node, "weights", "as many numbers as there are points");
+    for (size_t i = 0; i < count && status == BAT_OK; i++)
+        if (!(m->weights[i] >= 1e-6 && m->weights[i] <= 1e6))
+            status = bat_fields_complain(f, node, "weights", "numbers from 1e-6 to 1e6");
+    m->base.weights = m->weights;
+    return status;
+}
+
 static bat_status read_base(const bat_fields *f, uint32_t node, move *m) {
     const uint32_t degree = bat_json_member(f->json, node, "degree"),
                    knots = bat_json_member(f->json, node, "knots"),
@@ -88,10 +101,15 @@ static bat_status read_base(const bat_fields *f, uint32_t node, move *m) {
     axis.knots = m->knots;
     if (status == BAT_OK) status = bat_axis_check(f->json, &axis, f->problem);
     if (status != BAT_OK) return status;
-    m->base = (bat_rotation_curve){(int)axis.degree, axis.closed,     axis.count,
-                                   m->points,        axis.knot_count, m->knots};
+    m->base = (bat_rotation_curve){.degree = (int)axis.degree,
+                                   .closed = axis.closed,
+                                   .count = axis.count,
+                                   .points = m->points,
+                                   .knot_count = axis.knot_count,
+                                   .knots = m->knots};
+    status = read_weights(f, bat_json_member(f->json, node, "weights"), m);
     m->options.base = &m->base;
-    return BAT_OK;
+    return status;
 }
 
 static bat_status read_target(const bat_fields *f, uint32_t object, move *m) {

@@ -20,6 +20,10 @@ static void put_base(const bat_rotation_curve *base, bat_text *text) {
     bat_numbers_to_json(base->knots, base->knot_count, text);
     bat_text_string(text, ",\"points\":");
     bat_points_to_json(base->points, base->count, 4, text);
+    if (base->weights) {
+        bat_text_string(text, ",\"weights\":");
+        bat_numbers_to_json(base->weights, base->count, text);
+    }
     bat_text_string(text, "}");
 }
 

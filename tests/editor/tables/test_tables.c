@@ -57,7 +57,8 @@ static void shortcuts_do_not_clash(void **state) {
                            i != BAT_COMMAND_READING_PREVIOUS && i != BAT_COMMAND_LEVEL_DOWN &&
                            i != BAT_COMMAND_LEVEL_UP && i != BAT_COMMAND_DRAW_ON_PAGE &&
                            i != BAT_COMMAND_LOOK_NEXT && i != BAT_COMMAND_REACH_DOWN &&
-                           i != BAT_COMMAND_REACH_UP;
+                           i != BAT_COMMAND_REACH_UP &&
+                           !(i >= BAT_COMMAND_GAZE_NEXT && i <= BAT_COMMAND_GAZE_ALONG);
             assert_true(answers <= 1);
         }
 }

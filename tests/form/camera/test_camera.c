@@ -39,8 +39,12 @@ static bat_camera *random_camera(random_source *r, bat_camera_mode mode, bool cl
     bat_curve *path = random_curve(r, 3, 3, closed ? 2 : 0, 8);
     bat_camera *camera = NULL;
     random_keys(r, keys);
-    const bat_rotation_curve base = {
-        3, closed, KEYS, keys, closed ? KEYS + 1 : KEYS + 4, closed ? period : KNOTS};
+    const bat_rotation_curve base = {.degree = 3,
+                                     .closed = closed,
+                                     .count = KEYS,
+                                     .points = keys,
+                                     .knot_count = closed ? KEYS + 1 : KEYS + 4,
+                                     .knots = closed ? period : KNOTS};
     bat_camera_options options = bat_camera_defaults();
     options.mode = mode;
     options.base = &base;
@@ -168,7 +172,8 @@ static void how_short(void **state) {
     for (int i = 1; i < 60; i++) { /* two keys at half an angle: as short as its cosine */
         const double half = 0.5 * 3.14159265358979323846 * i / 60;
         const double keys[8] = {0, 0, 0, 1, 2 * sin(half), 0, 0, 2 * cos(half)};
-        const bat_rotation_curve base = {1, false, 2, keys, 4, line};
+        const bat_rotation_curve base = {
+            .degree = 1, .count = 2, .points = keys, .knot_count = 4, .knots = line};
         bat_camera_options options = bat_camera_defaults();
         bat_camera *camera = NULL;
         options.base = &base;
