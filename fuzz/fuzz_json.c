@@ -3,6 +3,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,6 +26,18 @@ static void add_plane(bat_document *document, const double *numbers) {
     if (!bat_object_plane(plane)) abort();
     bat_document_insert(document, 0, plane);
     bat_object_release(plane);
+}
+
+/* A view made of any numbers. */
+static void add_view(bat_document *document, const double *numbers) {
+    bat_viewpoint view = {.height = numbers[9], .size = {fabs(numbers[0]), 30}};
+    bat_object *object;
+    for (int k = 0; k < 3; k++)
+        view.eye[k] = numbers[k], view.target[k] = numbers[3 + k], view.up[k] = numbers[6 + k];
+    if (bat_object_create_view(bat_document_new_id(document), "view", &view, &object) != BAT_OK) return;
+    if (!bat_object_view(object)) abort();
+    bat_document_insert(document, 0, object);
+    bat_object_release(object);
 }
 
 /* What a surface is made into can be made again. */
@@ -56,9 +69,10 @@ static void check_document(const char *text, size_t size) {
     look_at_surfaces(document);
     add_guide(document, bat_document_new_id(document));
     add_guide(document, bat_document_digest(document) >> (bat_document_digest(document) & 63));
-    double numbers[9] = {0};
+    double numbers[10] = {0};
     memcpy(numbers, text, before < sizeof numbers ? before : sizeof numbers);
     add_plane(document, numbers);
+    add_view(document, numbers);
     if (bat_document_check(document)) abort();
     if (bat_document_write(document, &written, &size) == BAT_OK) {
         if (bat_document_read(written, size, &back, &problem) != BAT_OK) abort();

@@ -9,6 +9,7 @@
 #include "views.h"
 
 #include "document/document.h"
+#include "format/seen/seen.h"
 #include "text/number.h"
 #include "text/text.h"
 
@@ -133,12 +134,15 @@ static int look_of(const cli_arguments *arguments, bat_look *out) {
                 : EXIT_DONE;
 }
 
-/* The view that is asked for, or of all; in the size that is asked for, in whole pixels. */
+/* The view that is asked for, or the saved one, or of all; in the size that is asked for, in whole pixels. */
 static int view_of(const cli_arguments *arguments, const bat_document *document, const long size[2],
                    bat_viewpoint *out) {
     const char *name = arguments_value(arguments, "--view");
     int failed = EXIT_DONE;
-    if (!name)
+    const bat_viewpoint *saved = name ? NULL : bat_seen_view(document);
+    if (saved)
+        *out = *saved;
+    else if (!name)
         space_view_of(document, (int)size[0], (int)size[1], out);
     else if (is_shot(document, name))
         failed = shot_view(arguments->operands[0], document, name, size, out);
@@ -207,7 +211,7 @@ static int run(const cli_arguments *arguments) {
     unsigned char *data = NULL;
     size_t size = 0;
     if (!failed) {
-        const bool space = arguments_value(arguments, "--view") || space_is_needed(drawing.document);
+        const bool space = arguments_value(arguments, "--view") || bat_seen_in_space(drawing.document);
         failed = (space ? space_picture : flat_picture)(arguments, drawing.document, &w, &data, &size);
     }
     if (!failed) failed = io_write(arguments->operands[1], data, size);
@@ -228,8 +232,9 @@ const cli_command command_render = {
         "to\n"
         "trace are in an SVG, not in a PNG or PDF.\n"
         "\n"
-        "A drawing with anything outside its page is seen in space: from --view, or in a three-quarter\n"
-        "view of all of it. --view NAME@SECONDS looks through the camera of that name in the drawing, at "
+        "A drawing with anything outside its page is seen in space: from --view, else from its saved view\n"
+        "(the last in its list that is not hidden), else in a three-quarter view of all of it. --view "
+        "NAME@SECONDS looks through the camera of that name in the drawing, at "
         "that\n"
         "time of its move, in 960x540 pixels without --size.\n"
         "As PNG surfaces are shaded, and what is hidden "

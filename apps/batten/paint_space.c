@@ -4,6 +4,8 @@
 #include "paint_lines.h"
 #include "shade_shown.h"
 
+#include "format/seen/seen.h"
+
 #include <batten/trace.h>
 
 #include <cairo.h>
@@ -15,40 +17,16 @@ enum { LONGER = 1000, LINES_MAX = 63 /* in a direction */ };
 
 /* ---- What is shown ---- */
 
-static bool lies_in_page(const bat_curve *curve) {
-    const double *points = bat_curve_points(curve);
-    if (bat_curve_dimension(curve) == 2) return true;
-    for (size_t i = 0; i < bat_curve_count(curve); i++)
-        if (points[3 * i + 2] != 0) return false;
-    return true;
-}
-
-static bool is_in_page(const bat_object *object) {
-    if (bat_object_surface(object)) return false;
-    for (int i = 0; i < bat_object_curve_count(object); i++)
-        if (!lies_in_page(bat_object_curve(object, i))) return false;
-    return true;
-}
-
-static bat_status stop_in_space(const bat_object *object, void *user) {
-    (void)user;
-    return is_in_page(object) ? BAT_OK : BAT_FAR;
-}
-
-bool space_is_needed(const bat_document *document) {
-    return each_shown(document, stop_in_space, NULL) != BAT_OK;
-}
-
 static bat_status stop_in_page(const bat_object *object, void *user) {
     (void)user;
-    return is_in_page(object) ? BAT_FAR : BAT_OK;
+    return bat_seen_in_page(object) ? BAT_FAR : BAT_OK;
 }
 
 /* The outline of the page as a closed polyline in space; false: there is none, or nothing lies in it. */
 static bool page_of(const bat_document *document, double corners[15]) {
     double page[4];
     bat_document_page(document, page);
-    if (!(page[2] > 0 && page[3] > 0) || each_shown(document, stop_in_page, NULL) == BAT_OK) return false;
+    if (!(page[2] > 0 && page[3] > 0) || bat_seen_each(document, stop_in_page, NULL) == BAT_OK) return false;
     const double x = page[0], y = page[1], right = x + page[2], low = y + page[3];
     memcpy(corners, (const double[15]){x, y, 0, right, y, 0, right, low, 0, x, low, 0, x, y, 0},
            15 * sizeof *corners);
@@ -88,7 +66,7 @@ void space_view_of(const bat_document *document, int width, int height, bat_view
     const double s = sin(turn), c = cos(turn), up = sin(rise), level = cos(rise);
     extent e = {.axis = {{c, -s, 0}, {s * up, c * up, level}, {s * level, c * level, -up}}};
     for (int d = 0; d < 3; d++) e.low[d] = INFINITY, e.high[d] = -INFINITY;
-    each_shown(document, grow_object, &e);
+    bat_seen_each(document, grow_object, &e);
     double corners[15];
     if (page_of(document, corners)) grow(&e, corners, 3, 5);
     double middle[3], side[3], most = 0;
@@ -239,7 +217,7 @@ static const char *paint(cairo_t *cairo, const bat_document *document, picture *
     for (int pass = 0; pass < 2; pass++) {
         p->sheet.second = pass == 1;
         bat_status status = draw_page(p, document);
-        if (status == BAT_OK) status = each_shown(document, draw_object, p);
+        if (status == BAT_OK) status = bat_seen_each(document, draw_object, p);
         if (status != BAT_OK) return bat_status_message(status);
     }
     paint_legend(cairo, p->view, p->look, shading->range);

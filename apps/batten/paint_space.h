@@ -6,8 +6,6 @@
 
 #include <batten/document.h>
 
-/* Whether anything that is shown does not lie in the page, z = 0. */
-bool space_is_needed(const bat_document *document);
 /* A three-quarter view of all: parallel, from the front right and 30 degrees above the page, which lies flat. width 0:
  * 1000 pixels on the longer side. */
 void space_view_of(const bat_document *document, int width, int height, bat_viewpoint *out);

@@ -1,27 +1,12 @@
 #include "shade_shown.h"
 
-#include "document/kind.h"
-#include "document/nesting.h"
 #include "form/shade/colour.h"
+#include "format/seen/seen.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-bat_status each_shown(const bat_document *document, bat_status (*visit)(const bat_object *object, void *user),
-                      void *user) {
-    bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_nesting_level level = {0};
-        bat_nesting_next(&nesting, object, &level);
-        if (level.hidden || !bat_object_is_painted(object)) continue;
-        bat_status status = visit(object, user);
-        if (status != BAT_OK) return status;
-    }
-    return BAT_OK;
-}
 
 typedef struct shown_surfaces {
     bat_shaded *surfaces;
@@ -41,7 +26,7 @@ const char *shade_shown(const bat_document *document, const bat_viewpoint *view,
     shown_surfaces shown = {.count = 0};
     shown.surfaces = calloc((size_t)bat_document_count(document) + 1, sizeof *shown.surfaces);
     if (!shown.surfaces) return bat_status_message(BAT_MEMORY);
-    each_shown(document, add_surface, &shown);
+    bat_seen_each(document, add_surface, &shown);
     const bat_status status = bat_shade(view, shown.count, shown.surfaces, look, out);
     free(shown.surfaces);
     if (status == BAT_COUNT) return "the picture has too many pixels, or a surface too many spans";

@@ -7,9 +7,6 @@
 #include <batten/document.h>
 #include <cairo.h>
 
-/* Calls `visit` for each object that is shown, until it does not return BAT_OK. */
-bat_status each_shown(const bat_document *document, bat_status (*visit)(const bat_object *object, void *user),
-                      void *user);
 /* What lines and letters are measured in, pixels. */
 double picture_unit(const bat_viewpoint *view);
 

@@ -1,9 +1,9 @@
 #include "shot.h"
 
 #include "program.h"
-#include "shade_shown.h"
 
 #include "format/model/model.h"
+#include "format/seen/seen.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -67,5 +67,5 @@ static bat_status add_to_model(const bat_object *object, void *user) {
 }
 
 bat_status model_shown(const bat_document *document, bat_model *out) {
-    return each_shown(document, add_to_model, out);
+    return bat_seen_each(document, add_to_model, out);
 }

@@ -41,7 +41,8 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * some of whose curves are taken apart into levels, of which the finest is the curve; a container without curves,
  * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
  * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
- * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it. */
+ * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it; a view that
+ * was saved, which paints nothing. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -52,7 +53,8 @@ typedef enum bat_kind {
     BAT_KIND_GUIDE = 7,
     BAT_KIND_PLANE = 8,
     BAT_KIND_SURFACE = 9,
-    BAT_KIND_CAMERA = 10
+    BAT_KIND_CAMERA = 10,
+    BAT_KIND_VIEW = 11
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -99,6 +101,9 @@ BAT_API bat_status bat_object_with_guide(const bat_object *object, double at, ba
  * span no plane. */
 BAT_API bat_status bat_object_create_plane(bat_id id, const char *name, const double origin[3],
                                            const double axes[6], bat_object **out);
+/* A view that was saved. Statuses of bat_viewpoint_check, whose rules it keeps. */
+BAT_API bat_status bat_object_create_view(bat_id id, const char *name, const bat_viewpoint *view,
+                                          bat_object **out);
 /* Copies the surface. Its curves are its lines at u and then at v, at the ends and at inner knots, of which at most 63
  * in each direction have one. */
 BAT_API bat_status bat_object_create_surface(bat_id id, const char *name, const bat_style *style,
@@ -187,6 +192,8 @@ BAT_API const bat_camera *bat_object_camera(const bat_object *object);
 BAT_API bat_id bat_object_followed(const bat_object *object);
 /* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */
 BAT_API const double *bat_object_plane(const bat_object *object);
+/* The view that was saved, owned by the object; NULL when it is not one. */
+BAT_API const bat_viewpoint *bat_object_view(const bat_object *object);
 BAT_API bat_id bat_object_parent(const bat_object *object); /* of the group it is in, 0: in none */
 /* The object's own state; objects in a hidden or locked group count as hidden or locked, too. */
 BAT_API bool bat_object_is_hidden(const bat_object *object);

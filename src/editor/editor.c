@@ -1,5 +1,6 @@
 /* The editor as a whole: creating, opening, saving, freeing it; and the public calls, passed on to the rooms. */
 #include "editor/editor.h"
+#include "format/seen/seen.h"
 #include "editor/commands/dispatch.h"
 #include "editor/edit/pictures.h"
 #include "editor/edit/symmetry.h"
@@ -93,6 +94,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     *c->views = (bat_views){.jumps = c->views->jumps};
     c->stage->ground = bat_ground_page();
     c->stage->view.fit_wanted = !bat_seen_fit(c);
+    if (bat_seen_view(document)) bat_notice_saved_view(c);
     bat_toolbox_settle(c);
     return BAT_OK;
 }

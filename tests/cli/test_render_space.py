@@ -36,6 +36,29 @@ class RenderSpace(ProgramTest):
     def view(self, **changes):
         return self.file("view.json", {**VIEW, **changes})
 
+    def test_the_saved_view(self):
+        """Without --view the last saved view is shown, as it would be with it; SVG files made by convert show its lines, and
+        hold the drawing."""
+        parts = sheet(), line([[0, 50, -20], [100, 50, -20]])
+        views = [{"id": 3 + k, "kind": "view", "name": f"v{k}", "view": view} for k, view in enumerate([
+            {**VIEW, "eye": [90, -300, -200]}, {**VIEW, "eye": [-60, 80, -300], "size": [220, 140]}])]
+        asked = self.png(document(*parts), "--view", self.file("view.json", views[1]["view"]))
+        saved = self.png(document(*parts, *views))
+        self.assertEqual((asked == saved) if isinstance(asked, tuple) else (asked == saved).all(), True)
+        first = self.png(document(*parts, views[0], {**views[1], "hidden": True}))
+        self.assertFalse((first[:2] == saved[:2]) if isinstance(first, tuple) else first.shape == saved.shape)
+        self.done("convert", self.file("in.batten", document(*parts, *views)), "out.svg")
+        self.done("render", "in.batten", "lines.svg", "--look", "lines")
+        paths = [re.findall("<path[^>]*>", (self.folder / name).read_text()) for name in ("out.svg", "lines.svg")]
+        self.assertEqual(*paths)
+        self.assertGreater(len(paths[0]), 4)
+        self.assertIn('viewBox="0 0 220 140"', (self.folder / "out.svg").read_text())
+        self.done("convert", "in.batten", "straight.batten")
+        self.done("convert", "out.svg", "back.batten")
+        self.assertEqual((self.folder / "back.batten").read_text(), (self.folder / "straight.batten").read_text())
+        self.done("convert", self.file("flat.batten", document(line([[0, 50], [100, 50]]), views[0])), "flat.svg")
+        self.assertNotIn("viewBox="0 0 200 160"", (self.folder / "flat.svg").read_text())
+
     def test_a_camera_of_the_drawing(self):
         """NAME@SECONDS is the view that batten camera says, and the camera itself is in no picture."""
         move = {"path": {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[20, 90, -200], [150, 10, -100]]},

@@ -18,7 +18,7 @@
 enum { ID = 12, PARENT = 3 };
 static const bat_kind kinds[] = {BAT_KIND_PATH,    BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
                                  BAT_KIND_SHAPE,   BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE,
-                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA};
+                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA, BAT_KIND_VIEW};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -71,6 +71,14 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     case BAT_KIND_PLANE:
         assert_int_equal(
             bat_object_create_plane(id, "", (double[]){1, 2, 3}, (double[]){1, 0, 0, 1, 1, 1}, &object),
+            BAT_OK);
+        break;
+    case BAT_KIND_VIEW:
+        assert_int_equal(
+            bat_object_create_view(
+                id, "",
+                &(bat_viewpoint){.eye = {3, -4, -5}, .up = {0, 0, -1}, .size = {400, 300}, .height = 50},
+                &object),
             BAT_OK);
         break;
     case BAT_KIND_SURFACE:

@@ -55,6 +55,11 @@ static void write_one(random_source *r, int objects) {
         abort();
     if (bat_document_insert(document, 0, made)) abort();
     bat_object_release(made);
+    const bat_viewpoint view = {
+        .eye = {matrix[4], 3, -7}, .up = {0, 1, 0}, .size = {40, 30}, .height = matrix[0]};
+    if (bat_object_create_view(bat_document_new_id(document), "v", &view, &made)) abort();
+    if (bat_document_insert(document, 0, made)) abort();
+    bat_object_release(made);
     bat_surface *surface = some_surface(r, objects);
     const bat_style style = bat_style_defaults();
     if (bat_object_create_surface(bat_document_new_id(document), "s", &style, surface, &made)) abort();

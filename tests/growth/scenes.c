@@ -324,7 +324,7 @@ static bat_editor *over_a_sheet(int n) {
     return open(made, (const char *const[]){"tool-select", "select-all", "orbit-up", NULL});
 }
 
-/* Behind them are two planes; the pen draws on the first. */
+/* Behind them are two planes and a saved view; the pen draws on the first. */
 static bat_editor *planes(int n) {
     bat_document *made = in_space(n);
     for (int i = 0; i < 2; i++) {
@@ -334,6 +334,10 @@ static bat_editor *planes(int n) {
             abort();
         append(made, plane, 0);
     }
+    const bat_viewpoint above = {.eye = {0, 0, -9}, .up = {0, -1, 0}, .size = {1000, 800}, .height = 900};
+    bat_object *view = NULL;
+    if (bat_object_create_view(bat_document_new_id(made), "", &above, &view) != BAT_OK) abort();
+    append(made, view, 0);
     return open(made, (const char *const[]){"tool-sketch", "draw-on-plane", NULL});
 }
 

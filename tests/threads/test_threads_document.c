@@ -85,6 +85,7 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     if (bat_object_spline(object)) d = add(d, (uint64_t)bat_object_spline_options(object)->mode);
     if (bat_object_matrix(object)) d = add_doubles(d, bat_object_matrix(object), 6);
     if (bat_object_plane(object)) d = add_doubles(d, bat_object_plane(object), 9);
+    if (bat_object_view(object)) d = add_doubles(d, bat_object_view(object)->eye, 3);
     const bat_surface *surface = bat_object_surface(object);
     if (surface) d = add_doubles(d, bat_surface_row(surface, 0), 3);
     const bat_id *ids = NULL;

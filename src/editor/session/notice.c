@@ -30,6 +30,11 @@ void bat_notice_tilted(bat_context *c) {
     c->notices->offer = BAT_COMMAND_VIEW_UPRIGHT;
 }
 
+void bat_notice_saved_view(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_VIEW_HELD);
+    c->notices->offer = BAT_COMMAND_VIEW_SAVED;
+}
+
 void bat_notice_edge_on(bat_context *c) {
     bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
     c->notices->offer = BAT_COMMAND_VIEW_GROUND;

@@ -24,6 +24,8 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value);
 void bat_notice_tilted(bat_context *c);
 /* Refuses a stroke on a ground that is seen edge-on, and offers to turn to it. */
 void bat_notice_edge_on(bat_context *c);
+/* Tells that the drawing holds a view, and offers to turn to it. */
+void bat_notice_saved_view(bat_context *c);
 void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif

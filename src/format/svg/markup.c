@@ -1,6 +1,9 @@
 #include "format/svg/markup.h"
 
 #include "base/matrix.h"
+#include "document/document.h"
+#include "format/svg/digest.h"
+#include "format/svg/svg.h"
 #include "text/base64.h"
 
 #include <batten/bezier.h>
@@ -301,4 +304,70 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
     }
     declare(text, "opacity:", style->opacity);
     bat_text_string(text, "\"");
+}
+
+/* ---- what is seen from a view ---- */
+
+static double hundredths(double value) { return floor(value * 100 + 0.5) / 100 + 0.0; }
+
+/* A line that is shorter than the digits written: nothing of it would be seen. */
+static bool is_dot(const bat_seen_line *line) {
+    for (int k = 2; k < 2 * (3 * line->segments + 1); k++)
+        if (hundredths(line->points[k]) != hundredths(line->points[k % 2])) return false;
+    return true;
+}
+
+static bat_status add_digest(uint64_t *digest, const bat_text *text, size_t start, const bat_seen_pen *p,
+                             bool dashed, bat_outline *outline) {
+    const double dashes[] = {BAT_SEEN_DASH, BAT_SEEN_GAP};
+    bat_style style = bat_style_defaults();
+    const bat_paint paint = {.dashes = dashes, .dash_count = dashed ? 2 : 0};
+    style.stroke = p->colour, style.width = p->width;
+    if (dashed) style.cap = BAT_CAP_BUTT;
+    bat_outline_clear(outline);
+    bat_svg_path(text->data + start, text->size - start, outline);
+    if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
+    *digest = bat_svg_digest(*digest, outline, &style, &paint);
+    return BAT_OK;
+}
+
+static bat_status write_line(bat_text *text, const bat_seen_line *line, const bat_seen_pen *p,
+                             bat_outline *outline, uint64_t *digest) {
+    char colour[40];
+    snprintf(colour, sizeof colour, "<path stroke=\"#%06lx\"", (unsigned long)(p->colour >> 8));
+    bat_text_string(text, colour);
+    if ((p->colour & 255) != 255)
+        bat_svg_write_number(text, " stroke-opacity=\"", floor((p->colour & 255) / 0.255 + 0.5) / 1000);
+    bat_svg_write_number(text, " stroke-width=\"", p->width);
+    if (line->hidden) bat_text_string(text, " stroke-linecap=\"butt\" stroke-dasharray=\"4 3\"");
+    bat_text_string(text, " d=\"");
+    const size_t start = text->size;
+    for (int k = 0; k < 3 * line->segments + 1; k++) {
+        const double at[2] = {hundredths(line->points[2 * k]), hundredths(line->points[2 * k + 1])};
+        bat_text_string(text, k == 0 ? "M" : k % 3 == 1 ? "C" : " ");
+        bat_svg_write_pair(text, at);
+    }
+    const bat_status status = text->failed ? BAT_MEMORY
+                              : digest     ? add_digest(digest, text, start, p, line->hidden, outline)
+                                           : BAT_OK;
+    bat_text_string(text, "\"/>\n");
+    return status;
+}
+
+bat_status bat_svg_write_seen(bat_text *text, const bat_seen_content *c, bool dashed, uint64_t *digest) {
+    bat_outline outline = {0};
+    bat_status status = BAT_OK;
+    bat_text_string(text, "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
+    for (int pass = dashed ? 0 : 1; pass < 2; pass++)
+        for (size_t i = 0; status == BAT_OK && i < bat_line_drawing_count(c->lines); i++) {
+            bat_seen_line line;
+            bat_line_drawing_at(c->lines, i, &line);
+            if (line.hidden == (pass == 1) || is_dot(&line)) continue;
+            bat_seen_pen p = bat_seen_pen_of(c, &line);
+            p.width = hundredths(p.width);
+            status = write_line(text, &line, &p, &outline, digest);
+        }
+    bat_text_string(text, "</g>\n");
+    bat_outline_free(&outline);
+    return status;
 }

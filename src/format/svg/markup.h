@@ -3,6 +3,7 @@
 #define BATTEN_FORMAT_SVG_MARKUP_H
 
 #include "document/paint.h"
+#include "format/seen/seen.h"
 #include "text/text.h"
 
 bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
@@ -38,5 +39,8 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
 /* The rest of an image element after its name: placed by m, and ended. */
 void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity);
 void bat_svg_write_state(bat_text *text, const bat_object *object); /* hidden, locked */
+/* Writes the lines as paths of a group, hidden ones, dashed and below the others, when `dashed`. digest (may be NULL): of
+ * what a reader will find, is added to. */
+bat_status bat_svg_write_seen(bat_text *text, const bat_seen_content *content, bool dashed, uint64_t *digest);
 
 #endif

@@ -5,6 +5,7 @@
 #include "format/native/native.h"
 #include "format/svg/digest.h"
 #include "format/svg/reader.h"
+#include "format/seen/seen.h"
 
 #include <string.h>
 
@@ -21,11 +22,12 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
                                                reader->native.size, pictures, &native, NULL);
     if (status != BAT_OK) return;
-    /* The page alone may have been changed. */
+    /* The page alone may have been changed; what a saved view shows is not the page. */
     double page[4], written[4];
     bat_document_page(*document, page);
     bat_svg_page(native, written);
-    if (memcmp(page, written, sizeof page) != 0) bat_document_set_page(native, page);
+    if (memcmp(page, written, sizeof page) != 0 && !bat_seen_shown(native))
+        bat_document_set_page(native, page);
     report->edited = false;
     report->native = true;
     report->lost.count[BAT_LOSS_NATIVE] = 0;

@@ -9,6 +9,7 @@
 #include "format/svg/digest.h"
 #include "format/svg/markup.h"
 #include "format/svg/patch.h"
+#include "format/seen/seen.h"
 #include "format/svg/tree.h"
 #include "text/text.h"
 #include "document/kind.h"
@@ -165,10 +166,11 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
     return status;
 }
 
-static void write_native(const bat_document *document, uint64_t digest, bat_text *text) {
+/* pictures: the drawing does not hold them. */
+static void write_native(const bat_document *document, uint64_t digest, bool pictures, bat_text *text) {
     char noted[17];
     bat_text json = {0};
-    bat_document_to_json(document, false, &json); /* without pictures: the drawing holds them */
+    bat_document_to_json(document, pictures, &json);
     bat_digest_print(digest, noted);
     bat_text_string(text,
                     "<metadata><batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"");
@@ -186,11 +188,56 @@ static bool has_layers(const bat_document *document) {
     return false;
 }
 
+/* The root's start tag; box: of the view, x, y, width, height. */
+static void open_root(bat_text *text, const double box[4], bool layers) {
+    bat_text_string(text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
+    if (layers) bat_text_string(text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
+    bat_svg_write_number(text, " width=\"", box[2]);
+    bat_svg_write_number(text, " height=\"", box[3]);
+    bat_text_string(text, " viewBox=\"");
+    bat_svg_write_pair(text, box);
+    bat_text_string(text, " ");
+    bat_svg_write_pair(text, box + 2);
+    bat_text_string(text, "\">\n");
+}
+
+/* The picture of the saved view. */
+static bat_status write_seen(const bat_document *document, const bat_viewpoint *view, bat_text *text,
+                             uint64_t *digest) {
+    bat_seen_content content;
+    *digest = bat_digest_begin();
+    bat_status status = bat_seen_draw(document, view, &content);
+    if (status == BAT_OK) status = bat_svg_write_seen(text, &content, true, digest);
+    bat_seen_clear(&content);
+    return status;
+}
+
+/* The whole file, made anew. view: what it shows; NULL: the page. */
+static bat_status write_anew(const bat_document *document, const bat_viewpoint *view, bool with_native,
+                             bat_text *text) {
+    bat_text objects = {0};
+    uint64_t digest;
+    double box[4] = {0, 0};
+    const bat_status status = view ? write_seen(document, view, &objects, &digest)
+                                   : write_objects(document, &objects, &digest);
+    if (status == BAT_OK) {
+        if (view)
+            box[2] = view->size[0], box[3] = view->size[1];
+        else
+            bat_svg_page(document, box);
+        open_root(text, box, !view && has_layers(document));
+        if (with_native) write_native(document, digest, view != NULL, text);
+        if (objects.data) bat_text_add(text, objects.data, objects.size);
+        text->failed = text->failed || objects.failed;
+        bat_text_string(text, "</svg>\n");
+    }
+    bat_text_free(&objects);
+    return status;
+}
+
 bat_status bat_svg_write(const bat_document *document, bool with_native, char **out, size_t *size) {
     if (!document || !out || !size) return BAT_ARGUMENT;
-    bat_text text = {0}, objects = {0};
-    uint64_t digest;
-    double page[4];
+    bat_text text = {0};
     if (bat_document_origin(document)) {
         const bat_status kept = bat_svg_patch_write(document, with_native, &text);
         if (kept == BAT_OK) return bat_text_finish(&text, out, size);
@@ -198,29 +245,13 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
         if (kept == BAT_MEMORY) return kept;
         text = (bat_text){0};
     }
-    bat_svg_page(document, page);
-    bat_status status = write_objects(document, &objects, &digest);
-    if (status != BAT_OK) {
-        bat_text_free(&objects);
-        return status;
-    }
-    bat_text_string(&text,
-                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
-    if (has_layers(document))
-        bat_text_string(&text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
-    bat_svg_write_number(&text, " width=\"", page[2]);
-    bat_svg_write_number(&text, " height=\"", page[3]);
-    bat_text_string(&text, " viewBox=\"");
-    bat_svg_write_pair(&text, page);
-    bat_text_string(&text, " ");
-    bat_svg_write_pair(&text, page + 2);
-    bat_text_string(&text, "\">\n");
-    if (with_native) write_native(document, digest, &text);
-    if (objects.data) bat_text_add(&text, objects.data, objects.size);
-    text.failed = text.failed || objects.failed;
-    bat_text_free(&objects);
-    bat_text_string(&text, "</svg>\n");
-    return bat_text_finish(&text, out, size);
+    const bat_viewpoint *view = bat_seen_shown(document);
+    bat_status status = write_anew(document, view, with_native, &text);
+    if (view && status != BAT_OK && status != BAT_MEMORY) /* more than can be drawn: the page */
+        status = write_anew(document, NULL, with_native, &text);
+    if (status == BAT_OK) return bat_text_finish(&text, out, size);
+    bat_text_free(&text);
+    return status;
 }
 
 bool bat_svg_is_kept(const bat_document *document) { return document && bat_document_origin(document); }
