@@ -57,7 +57,7 @@ class RenderSpace(ProgramTest):
         self.done("convert", "out.svg", "back.batten")
         self.assertEqual((self.folder / "back.batten").read_text(), (self.folder / "straight.batten").read_text())
         self.done("convert", self.file("flat.batten", document(line([[0, 50], [100, 50]]), views[0])), "flat.svg")
-        self.assertNotIn("viewBox="0 0 200 160"", (self.folder / "flat.svg").read_text())
+        self.assertNotIn('viewBox="0 0 200 160"', (self.folder / "flat.svg").read_text())
 
     def test_a_camera_of_the_drawing(self):
         """NAME@SECONDS is the view that batten camera says, and the camera itself is in no picture."""
