@@ -136,13 +136,52 @@ static bat_status made_of(source *s, const bat_document *document, const bat_obj
     return BAT_OK;
 }
 
+/* A mesh of a few vertices; faces use any of them. */
+static bat_status mesh(source *s, bat_id id, bat_object **out) {
+    double vertices[24];
+    int sizes[4], corners[16];
+    const bat_style own = style(s);
+    const size_t count = (size_t)byte(s) % 9, faces = (size_t)byte(s) % 5;
+    for (int i = 0; i < 24; i++) vertices[i] = number(s);
+    for (int i = 0; i < 4; i++) sizes[i] = 3 + i % 2;
+    for (int i = 0; i < 16; i++) corners[i] = byte(s) % 9;
+    bat_polymesh *made = NULL;
+    bat_status status = bat_polymesh_create(count, vertices, faces, sizes, corners, &made, NULL);
+    if (status == BAT_OK) status = bat_object_create_mesh(id, name(s), &own, made, out);
+    if (status == BAT_OK) demand(bat_polymesh_is_equal(bat_object_mesh(*out), made));
+    bat_polymesh_free(made);
+    return status;
+}
+
+/* Bound to neighbours in the document, or free again. */
+static bat_status bind(source *s, const bat_document *document, const bat_object *object, bat_object **out) {
+    const bat_object *curves[3];
+    bat_wire wires[3];
+    const int way = byte(s), all = bat_document_count(document), first = byte(s);
+    const size_t count = (size_t)(way / 4 % 4);
+    bat_wire_options options = bat_wire_defaults();
+    if (way & 1) return bat_object_unbind(object, way & 2, out);
+    options.blend = (bat_blend)(way / 16 % 4);
+    for (size_t i = 0; i < 3; i++) {
+        curves[i] = bat_document_at(document, (first + (int)i) % all);
+        wires[i] = (bat_wire){.reference = bat_object_curve(curves[i], 0),
+                              .radius = bat_function_of(number(s)),
+                              .scale = bat_function_of(way & 64 ? number(s) / 50 : 1),
+                              .domain = way & 128 ? bat_object_curve(object, 0) : NULL};
+    }
+    const bat_status status = bat_object_bind(object, count, wires, curves, way & 2 ? &options : NULL, out);
+    if (status == BAT_OK) demand((size_t)bat_object_wires(*out, NULL, NULL) == count);
+    return status;
+}
+
 static bat_status make(source *s, bat_document *document, bat_object **out) {
     double points[16], tangents[16];
     int kind = byte(s);
     bat_id id = kind & 128 ? (bat_id)byte(s) : bat_document_new_id(document);
     bat_style own = style(s);
     bat_spline made;
-    switch (kind % 6) {
+    switch (kind % 7) {
+    case 6: return mesh(s, id, out);
     case 0: return bat_object_create_group(id, name(s), kind & 8, out);
     case 1: return bat_object_create_guide(id, kind / 8 % 3, number(s), out);
     case 2: return image(s, id, out);
@@ -187,7 +226,9 @@ static bat_status alter(source *s, const bat_document *document, const bat_objec
     bat_curve *one;
     bat_shape *shape;
     int index = byte(s) % 5 - 1;
-    switch (byte(s) % 14) {
+    switch (byte(s) % 16) {
+    case 14:
+    case 15: return bind(s, document, object, out);
     case 0:
         for (int i = 0; i < 6; i++) matrix[i] = number(s);
         return bat_object_with_matrix(object, matrix, out);
@@ -223,11 +264,18 @@ static void ask(const bat_object *object) {
     demand((bat_object_spline(object) != NULL) == (kind == BAT_KIND_SPLINE));
     demand(!bat_object_spline(object) || bat_object_spline_options(object));
     demand(bat_object_is_made_of_curves(object) ==
-           (bat_object_curve_count(object) > 0 && kind != BAT_KIND_SURFACE));
+           (bat_object_curve_count(object) > 0 && kind != BAT_KIND_SURFACE && kind != BAT_KIND_MESH));
+    const bat_wire *wires;
+    const bat_wire_options *options;
+    const int bound = bat_object_wires(object, &wires, &options);
+    demand((bound > 0) == (wires != NULL) && (bound > 0) == (options != NULL));
+    demand(kind != BAT_KIND_BOUND || bound > 0);
+    demand((bat_object_mesh(object) != NULL) == (kind == BAT_KIND_MESH));
     const bat_id *from = NULL;
     const bat_recipe *recipe = bat_object_recipe(object);
     const int sources = bat_object_sources(object, &from);
-    demand((recipe != NULL) == (sources > 0) && (!recipe || kind == BAT_KIND_SURFACE));
+    demand((recipe != NULL || bound > 0) == (sources > 0) && (!recipe || kind == BAT_KIND_SURFACE));
+    demand(!recipe || bound == 0);
     demand(!recipe || bat_recipe_check(recipe, (size_t)sources) == BAT_OK);
     for (int i = 0; i < sources; i++) demand(from[i] > 0 && from[i] != bat_object_id(object));
     bat_object_bounds(object, box);

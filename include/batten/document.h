@@ -9,9 +9,11 @@
 
 #include <batten/camera.h>
 #include <batten/levels.h>
+#include <batten/mesh.h>
 #include <batten/recipe.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
+#include <batten/wires.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -42,7 +44,7 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
  * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
  * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it; a view that
- * was saved, which paints nothing. */
+ * was saved, which paints nothing; curves that are bound to wires; a mesh, whose curves are strips of its edges. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -54,7 +56,9 @@ typedef enum bat_kind {
     BAT_KIND_PLANE = 8,
     BAT_KIND_SURFACE = 9,
     BAT_KIND_CAMERA = 10,
-    BAT_KIND_VIEW = 11
+    BAT_KIND_VIEW = 11,
+    BAT_KIND_MESH = 12,
+    BAT_KIND_BOUND = 13
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -120,6 +124,26 @@ BAT_API bat_status bat_object_with_recipe(const bat_object *object, const bat_re
 /* A copy with another surface, which is free. BAT_ARGUMENT: the object is not a surface. */
 BAT_API bat_status bat_object_with_surface(const bat_object *object, const bat_surface *surface,
                                            bat_object **out);
+/* Copies the mesh, which is kept bit for bit. Its curves show it: strips of its edges, up to 256 of them. */
+BAT_API bat_status bat_object_create_mesh(bat_id id, const char *name, const bat_style *style,
+                                          const bat_polymesh *mesh, bat_object **out);
+enum { BAT_BOUND_WIRES = 16 }; /* of one object, at most */
+/* A copy that is bound to wires (bat_wires_bind, whose statuses it has): the first curve of curves[i] is what wires[i] has
+ * become, its domain mapped to the reference's. What is bound: the vertices of a mesh, the control points of a surface or of
+ * curves, as they are, or, of an object that is bound already, as they were then. Copies wires. A document keeps it so: when
+ * one of the curves changes, the points follow; when one goes, or can't be followed, the object is free and keeps its shape.
+ * It is free of what it was made from. BAT_ARGUMENT: an object is not made of curves, follows others itself, is given twice
+ * or is this one; a curve is closed and its reference is not, or the reverse; BAT_COUNT: none, or too many;
+ * BAT_UNSUPPORTED: this kind can't be bound (a spline can as a path). */
+BAT_API bat_status bat_object_bind(const bat_object *object, size_t count, const bat_wire *wires,
+                                   const bat_object *const *curves, const bat_wire_options *options,
+                                   bat_object **out);
+/* A copy that is free, as it is, or (revert) as it was bound, bit for bit. BAT_ARGUMENT: it is not bound. */
+BAT_API bat_status bat_object_unbind(const bat_object *object, bool revert, bat_object **out);
+/* What it is bound to: how many wires, 0 when it is free; *wires, *options (may be NULL): owned by the object. The objects
+ * that shape them: bat_object_sources. */
+BAT_API int bat_object_wires(const bat_object *object, const bat_wire **wires,
+                             const bat_wire_options **options);
 /* Copies the move. follows: the object whose first curve is the path, which a document keeps so: when that curve changes,
  * the path is the curve as it then is, and when it goes, the camera goes with it; 0: the path is the camera's own. Its
  * curves show where it starts, and its own path. BAT_ARGUMENT: it follows itself. */
@@ -182,6 +206,8 @@ bat_object_is_drawn(const bat_object *object); /* no group, guide or plane: it c
 BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis of a guide, -1: is none */
 /* Owned by the object; NULL when it is not a surface. */
 BAT_API const bat_surface *bat_object_surface(const bat_object *object);
+/* Owned by the object; NULL when it is not a mesh. */
+BAT_API const bat_polymesh *bat_object_mesh(const bat_object *object);
 /* How it is made, owned by the object; NULL when it is not a surface, or is free. */
 BAT_API const bat_recipe *bat_object_recipe(const bat_object *object);
 /* What it is made from: how many objects; *ids (may be NULL): theirs, owned by the object. 0 when it is free. */

@@ -220,7 +220,7 @@ bool bat_document_fits(const bat_document *document, int index) {
 const bat_object *bat_document_source(const bat_document *document, const bat_object *object) {
     const bat_id id = bat_object_followed(object);
     const bat_object *source = id ? bat_document_at(document, bat_document_find(document, id)) : NULL;
-    return bat_object_is_made_of_curves(source) ? source : NULL;
+    return source && bat_object_leads(source) ? source : NULL;
 }
 
 bool bat_document_is_left(const bat_document *document, int index) {
@@ -234,7 +234,7 @@ bool bat_document_sources(const bat_document *document, const bat_object *object
     for (int i = 0; i < count; i++) {
         const int at = bat_document_find(document, ids[i]);
         out[i] = bat_document_at(document, at);
-        if (!bat_object_is_made_of_curves(out[i])) return false;
+        if (!out[i] || !bat_object_leads(out[i])) return false;
     }
     return true;
 }

@@ -22,7 +22,8 @@ typedef enum bat_trait {
     BAT_FIXED = 32, /* its curves only show what it is: no other curves can take their place */
     BAT_SPACE = 64, /* lies in space: files that hold one are of version 2, which older programs refuse */
     BAT_AID = 128,  /* seen while drawing; pictures leave it out */
-    BAT_MOVES = 256 /* a camera, whose move can be played */
+    BAT_MOVES = 256, /* a camera, whose move can be played */
+    BAT_NEW = 512    /* files that hold one are of the newest version */
 } bat_trait;
 
 typedef struct bat_kind_type {
@@ -59,6 +60,13 @@ typedef struct bat_kind_type {
     const bat_id *(*sources)(const bat_object *object, int *count);
     bat_status (*remake)(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                          bat_object **out);
+    /* For objects that can be bound to wires (bound.h). points: how many it has; with out, where they are, 3 numbers each.
+     * hold: what it is bound to, NULL if its kind is only bound as another. put: a copy with its points there and that hold,
+     * of which it is one more user (NULL: none). NULL: it can't be bound. */
+    size_t (*points)(const bat_object *object, double *out);
+    const struct bat_hold *(*hold)(const void *own);
+    bat_status (*put)(const bat_object *object, const double *points, const struct bat_hold *hold,
+                      bat_object **out);
     /* JSON. write: writes the kind's own members, each with a comma before it. read: makes an object with this
      * id and name from the members of a node. NULL: it has no members. */
     void (*write)(const bat_object *object, struct bat_text *text);
@@ -78,6 +86,8 @@ static inline bool bat_object_is_painted(const bat_object *object) {
 static inline bool bat_object_is_mere_group(const bat_object *object) {
     return bat_object_is(object, BAT_HOLDS) && !bat_object_is(object, BAT_LAYER);
 }
+/* Whether others can follow its curves: it has nothing else, and follows none itself (one level, no graph). */
+bool bat_object_leads(const bat_object *object);
 /* NULL when the object is of another kind. */
 const void *bat_object_own(const bat_object *object, const bat_kind_type *type);
 

@@ -315,6 +315,10 @@ bool bat_object_is_made_of_curves(const bat_object *object) {
     return object && bat_object_is(object, BAT_CURVES) && !bat_object_is(object, BAT_FIXED);
 }
 
+bool bat_object_leads(const bat_object *object) {
+    return bat_object_is_made_of_curves(object) && bat_object_sources(object, NULL) == 0;
+}
+
 int bat_object_curve_count(const bat_object *object) { return object->count; }
 
 const bat_curve *bat_object_curve(const bat_object *object, int index) {

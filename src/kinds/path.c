@@ -1,7 +1,10 @@
 /* A path: one or more curves of one dimension that share a style. A shape: the same, but some of its curves
- * are the finest ones of shapes with levels. */
+ * are the finest ones of shapes with levels. Bound curves: the same, but wires take them along. */
 #include "base/matrix.h"
+#include "document/bound.h"
+#include "document/digest.h"
 #include "document/levelled.h"
+#include "format/json/bound.h"
 #include "format/json/curve.h"
 #include "format/json/shape.h"
 #include "format/json/style.h"
@@ -9,6 +12,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* On failure, frees curves that were taken over and have not become part of an object. */
 static bat_status dropped(bat_status status, int count, bat_curve *const *curves) {
@@ -274,11 +278,104 @@ static void write(const bat_object *object, bat_text *text) {
     bat_text_string(text, "]");
 }
 
+/* ---- bound to wires: as another kind, which is a path again when it is free ---- */
+
+static const bat_hold *hold(const void *own) { return own; }
+
+static void share(const void *own) {
+    if (hold(own)->bound) bat_bound_retain(hold(own)->bound);
+}
+static void end(void *own) { bat_bound_release(hold(own)->bound); }
+
+static size_t curve_points(const bat_object *object, double *out) {
+    size_t total = 0;
+    for (int i = 0; i < bat_object_curve_count(object); i++) {
+        const bat_curve *curve = bat_object_curve(object, i);
+        const size_t count = bat_curve_count(curve), width = (size_t)bat_curve_dimension(curve);
+        for (size_t k = 0; k < count && out; k++, out += 3) {
+            out[2] = 0;
+            memcpy(out, bat_curve_points(curve) + width * k, width * sizeof *out);
+        }
+        total += count;
+    }
+    return total;
+}
+
+/* A copy of the curve with its points there, in the plane or in space. */
+static bat_status with_points(const bat_curve *curve, const double *points, int width, bat_curve **out) {
+    const size_t count = bat_curve_count(curve);
+    double *plane = malloc(2 * count * sizeof *plane);
+    if (!plane) return BAT_MEMORY;
+    for (size_t i = 0; i < count; i++) plane[2 * i] = points[3 * i], plane[2 * i + 1] = points[3 * i + 1];
+    const bat_status status = bat_curve_create(width, bat_curve_degree(curve), bat_curve_is_closed(curve),
+                                               count, width == 2 ? plane : points,
+                                               bat_curve_knot_count(curve), bat_curve_knots(curve), out);
+    free(plane);
+    return status;
+}
+
+/* They stay in the plane while no point leaves it. */
+static int width_of(const bat_object *object, const double *points, const bat_hold *held) {
+    const bat_hold *was = bat_object_hold(object);
+    const bool flat = held->bound ? held->bound->flat
+                      : was       ? was->bound->flat
+                                  : bat_curve_dimension(bat_object_curve(object, 0)) == 2;
+    const size_t count = curve_points(object, NULL);
+    for (size_t i = 0; i < count && flat; i++)
+        if (points[3 * i + 2] != 0) return 3;
+    return flat ? 2 : 3;
+}
+
+static bat_status put_curves(const bat_object *object, const double *points, const bat_hold *held,
+                             bat_object **out) {
+    const int count = bat_object_curve_count(object), width = width_of(object, points, held);
+    const bat_kind_type *type = held->bound ? &bat_kind_of_bound : &bat_kind_of_path;
+    bat_curve **curves = calloc((size_t)count + 1, sizeof *curves);
+    bat_status status = curves ? BAT_OK : BAT_MEMORY;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        status = with_points(bat_object_curve(object, i), points, width, &curves[i]);
+        points += 3 * bat_curve_count(bat_object_curve(object, i));
+    }
+    if (status == BAT_OK)
+        status = bat_object_remake(object, type, held->bound ? held : NULL, count, curves, out);
+    if (status == BAT_OK && held->bound) bat_bound_retain(held->bound);
+    for (int i = 0; i < count && status != BAT_OK && curves; i++) bat_curve_free(curves[i]);
+    free(curves);
+    return status;
+}
+
+static const bat_id *sources(const bat_object *object, int *count) {
+    const bat_hold *held = bat_object_hold(object);
+    *count = held ? held->bound->count : 0;
+    return held ? held->bound->ids : NULL;
+}
+
+static uint64_t digest(uint64_t digest, const void *own) {
+    return bat_digest_number(digest, hold(own)->bound->digest);
+}
+
+static void write_bound(const bat_object *object, bat_text *text) {
+    write(object, text);
+    bat_bound_write(object, text);
+}
+
+static bat_status read_bound(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                             bat_object **out) {
+    if (!bat_json_member(f->json, node, "bound")) return bat_fields_complain(f, node, "bound", "an object");
+    bat_object *object = NULL;
+    bat_status status = read_path(f, node, id, name, &object);
+    if (status == BAT_OK) status = bat_bound_read(f, node, &object);
+    if (status == BAT_OK) *out = object;
+    return status;
+}
+
 const bat_kind_type bat_kind_of_path = {.number = BAT_KIND_PATH,
                                         .name = "path",
                                         .traits = BAT_DRAWN | BAT_CURVES,
                                         .check = check,
                                         .transform = transform,
+                                        .points = curve_points,
+                                        .put = put_curves,
                                         .write = write,
                                         .read = read_path};
 
@@ -287,5 +384,23 @@ const bat_kind_type bat_kind_of_shape = {.number = BAT_KIND_SHAPE,
                                          .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE,
                                          .check = check,
                                          .transform = transform,
+                                         .points = curve_points,
+                                         .put = put_curves,
                                          .write = write,
                                          .read = read_shape};
+
+const bat_kind_type bat_kind_of_bound = {.number = BAT_KIND_BOUND,
+                                         .name = "bound",
+                                         .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE | BAT_NEW,
+                                         .size = sizeof(bat_hold),
+                                         .share = share,
+                                         .end = end,
+                                         .digest = digest,
+                                         .transform = bat_bound_transform,
+                                         .sources = sources,
+                                         .remake = bat_bound_remake,
+                                         .points = curve_points,
+                                         .hold = hold,
+                                         .put = put_curves,
+                                         .write = write_bound,
+                                         .read = read_bound};

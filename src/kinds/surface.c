@@ -1,8 +1,10 @@
 /* A surface in space. Its curves are its lines at the knots: they show it, and change only with it. It can be made from
- * curves of the drawing by a recipe: when they change, it is made again. */
+ * curves of the drawing by a recipe: when they change, it is made again. Or its control points are bound to wires. */
 #include "base/matrix.h"
 #include "base/users.h"
+#include "document/bound.h"
 #include "document/digest.h"
+#include "format/json/bound.h"
 #include "format/json/fields.h"
 #include "format/json/recipe.h"
 #include "format/json/style.h"
@@ -34,11 +36,13 @@ typedef struct kept_recipe {
 
 typedef struct own_part {
     kept_surface *kept;
-    kept_recipe *made; /* NULL: it is free */
+    kept_recipe *made; /* NULL: it is not made of curves */
+    bat_hold hold;     /* one of these at most */
 } own_part;
 
 static kept_surface *kept_of(const void *own) { return ((const own_part *)own)->kept; }
 static kept_recipe *made_of(const void *own) { return ((const own_part *)own)->made; }
+static const bat_hold *hold_of(const void *own) { return &((const own_part *)own)->hold; }
 
 static void release(kept_surface *kept) {
     if (!kept || !bat_users_drop(&kept->users)) return;
@@ -53,8 +57,12 @@ static void drop(kept_recipe *made) {
 static void share(const void *own) {
     bat_users_add(&kept_of(own)->users);
     if (made_of(own)) bat_users_add(&made_of(own)->users);
+    if (hold_of(own)->bound) bat_bound_retain(hold_of(own)->bound);
 }
-static void end(void *own) { release(kept_of(own)), drop(made_of(own)); }
+static void end(void *own) {
+    release(kept_of(own)), drop(made_of(own));
+    bat_bound_release(hold_of(own)->bound);
+}
 
 /* ---- lines ---- */
 
@@ -100,14 +108,16 @@ static bat_status lines_of(const bat_surface *surface, bat_curve *curves[2 * LIN
 
 /* ---- making ---- */
 
-/* Makes a new object, or a copy of `object` with another surface, which is taken over on success, as is `made`. */
-static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
-                       bat_surface *surface, kept_recipe *made, bat_object **out) {
+/* Makes a new object, or a copy of `object` with another surface, which is taken over on success, as are `made` and what
+ * `hold` refers to (NULL: nothing). */
+static bat_status make_held(const bat_object *object, bat_id id, const char *name, const bat_style *style,
+                            bat_surface *surface, kept_recipe *made, const bat_hold *hold, bat_object **out) {
     bat_curve *curves[2 * LINES];
     int count;
     bat_status status = lines_of(surface, curves, &count);
     if (status != BAT_OK) return status;
-    own_part own = {malloc(sizeof *own.kept), made};
+    own_part own = {.kept = malloc(sizeof *own.kept), .made = made};
+    if (hold) own.hold = *hold;
     if (own.kept) *own.kept = (kept_surface){BAT_USERS_ONE, surface};
     status = !own.kept ? BAT_MEMORY
              : object  ? bat_object_remake(object, &bat_kind_of_surface, &own, count, curves, out)
@@ -116,6 +126,11 @@ static bat_status make(const bat_object *object, bat_id id, const char *name, co
     for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
     free(own.kept);
     return status;
+}
+
+static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
+                       bat_surface *surface, kept_recipe *made, bat_object **out) {
+    return make_held(object, id, name, style, surface, made, NULL, out);
 }
 
 static bat_status make_of_copy(const bat_object *object, bat_id id, const char *name, const bat_style *style,
@@ -219,7 +234,12 @@ const bat_recipe *bat_object_recipe(const bat_object *object) {
 }
 
 static const bat_id *sources(const bat_object *object, int *count) {
+    const bat_hold *hold = bat_object_hold(object);
     const kept_recipe *made = made_of(bat_object_own(object, &bat_kind_of_surface));
+    if (hold) {
+        *count = hold->bound->count;
+        return hold->bound->ids;
+    }
     *count = made ? made->count : 0;
     return made ? made->ids : NULL;
 }
@@ -244,7 +264,7 @@ static bat_status remake(const bat_object *object, const bat_id *ids, const bat_
                          bat_object **out) {
     const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
     *out = NULL;
-    if (!now) return BAT_OK;
+    if (!now) return bat_bound_remake(object, ids, from, out);
     if (!ids && from && is_up_to_date(now, from)) {
         if (!now->moved) return BAT_OK;
         from = NULL; /* it was moved away from its curves */
@@ -259,6 +279,45 @@ static bat_status remake(const bat_object *object, const bat_id *ids, const bat_
     bat_surface_free(surface);
     drop(made);
     return status == BAT_MEMORY ? status : with_note(object, NULL, out);
+}
+
+/* ---- what it is bound to ---- */
+
+static const bat_hold *hold(const void *own) { return hold_of(own); }
+
+static size_t points(const bat_object *object, double *out) {
+    const bat_surface *surface = bat_object_surface(object);
+    const size_t rows = bat_surface_count(surface, BAT_U), width = 3 * bat_surface_count(surface, BAT_V);
+    for (size_t i = 0; i < rows && out; i++)
+        memcpy(out + i * width, bat_surface_row(surface, (int)i), width * sizeof *out);
+    return rows * width / 3;
+}
+
+static bat_status with_points(const bat_surface *surface, const double *points, bat_surface **out) {
+    int degree[2], knots[2];
+    bool closed[2];
+    size_t count[2];
+    for (int d = 0; d < 2; d++) {
+        degree[d] = bat_surface_degree(surface, (bat_direction)d);
+        knots[d] = bat_surface_knot_count(surface, (bat_direction)d);
+        closed[d] = bat_surface_is_closed(surface, (bat_direction)d);
+        count[d] = bat_surface_count(surface, (bat_direction)d);
+    }
+    return bat_surface_create(degree, closed, count, points, knots, bat_surface_knots(surface, BAT_U),
+                              bat_surface_knots(surface, BAT_V), out);
+}
+
+static bat_status put(const bat_object *object, const double *points, const bat_hold *hold,
+                      bat_object **out) {
+    bat_surface *surface = NULL;
+    bat_status status = with_points(bat_object_surface(object), points, &surface);
+    if (status != BAT_OK) return status;
+    status = make_held(object, 0, NULL, NULL, surface, NULL, hold, out);
+    if (status != BAT_OK)
+        bat_surface_free(surface);
+    else if (hold->bound)
+        bat_bound_retain(hold->bound);
+    return status;
 }
 
 /* ---- what the document asks ---- */
@@ -279,6 +338,7 @@ static uint64_t digest_surface(uint64_t digest, const void *own) {
         for (size_t k = 0; k < width; k++) digest = bat_digest_double(digest, row[k]);
     }
     const kept_recipe *made = made_of(own);
+    if (hold_of(own)->bound) digest = bat_digest_number(digest, hold_of(own)->bound->digest);
     if (!made) return digest;
     digest = bat_digest_number(digest, (uint64_t)made->recipe.kind);
     digest = bat_digest_number(digest, (uint64_t)made->recipe.stand);
@@ -307,6 +367,7 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     double rows[12];
     bat_surface *image = NULL;
     kept_recipe *made = NULL;
+    if (bat_object_hold(object)) return bat_bound_transform(object, m, out);
     bat_matrix_rows(m, 3, rows);
     bat_status status = bat_surface_transform(bat_object_surface(object), rows, &image);
     if (status == BAT_OK && now) {
@@ -340,7 +401,7 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     if (status != BAT_OK) return status;
     if (from && !(made = note(&recipe, count, ids))) status = BAT_MEMORY;
     if (status == BAT_OK) status = make(NULL, id, name, &style, surface, made, out);
-    if (status == BAT_OK) return BAT_OK;
+    if (status == BAT_OK) return made ? BAT_OK : bat_bound_read(f, node, out);
     bat_surface_free(surface), drop(made);
     return bat_fields_say(f, node, status);
 }
@@ -355,6 +416,7 @@ static void write(const bat_object *object, bat_text *text) {
     }
     bat_text_string(text, ",\n  \"surface\":");
     bat_surface_to_json(bat_object_surface(object), text);
+    bat_bound_write(object, text);
 }
 
 const bat_kind_type bat_kind_of_surface = {.number = BAT_KIND_SURFACE,
@@ -369,5 +431,8 @@ const bat_kind_type bat_kind_of_surface = {.number = BAT_KIND_SURFACE,
                                            .transform = transform,
                                            .sources = sources,
                                            .remake = remake,
+                                           .points = points,
+                                           .hold = hold,
+                                           .put = put,
                                            .write = write,
                                            .read = read};

@@ -15,10 +15,11 @@
 #include "support/random_surface.h"
 #include "support/xml.h"
 
-enum { ID = 12, PARENT = 3 };
+enum { ID = 12, PARENT = 3, WIRE = 9 };
 static const bat_kind kinds[] = {BAT_KIND_PATH,    BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
                                  BAT_KIND_SHAPE,   BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE,
-                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA, BAT_KIND_VIEW};
+                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA, BAT_KIND_VIEW,  BAT_KIND_MESH,
+                                 BAT_KIND_BOUND};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -49,6 +50,9 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     bat_picture *picture = NULL;
     bat_shape *shape = NULL;
     bat_surface *sheet = NULL;
+    bat_polymesh *mesh = NULL;
+    bat_object *wire = NULL;
+    bat_wire bound = {.radius = bat_function_of(30), .scale = bat_function_of(1)};
     bat_camera *camera = NULL;
     bat_camera_options along = bat_camera_defaults();
     bat_shape_options options = bat_shape_defaults();
@@ -91,6 +95,23 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         assert_int_equal(bat_camera_create(curve, &along, &camera), BAT_OK);
         assert_int_equal(bat_object_create_camera(id, "", &style, camera, 0, &object), BAT_OK);
         bat_camera_free(camera);
+        break;
+    case BAT_KIND_MESH:
+        assert_int_equal(bat_polymesh_create(4, (double[]){0, 0, 0, 9, 0, 0, 9, 9, 4, 0, 9, 0}, 1, (int[]){4},
+                                             (int[]){0, 1, 2, 3}, &mesh, NULL),
+                         BAT_OK);
+        assert_int_equal(bat_object_create_mesh(id, "", &style, mesh, &object), BAT_OK);
+        bat_polymesh_free(mesh);
+        break;
+    case BAT_KIND_BOUND:
+        assert_int_equal(bat_object_create_path(WIRE, "", &style, 1, &curve, &wire), BAT_OK);
+        curve = pen_curve(10, 20, 10, 3, 12);
+        assert_int_equal(bat_object_create_path(id, "", &style, 1, &curve, &made), BAT_OK);
+        curve = NULL;
+        bound.reference = bat_object_curve(wire, 0);
+        assert_int_equal(bat_object_bind(made, 1, &bound, (const bat_object *const *)&wire, NULL, &object),
+                         BAT_OK);
+        bat_object_release(wire), bat_object_release(made);
         break;
     case BAT_KIND_PATH:
     case BAT_KIND_SHAPE:
@@ -208,6 +229,9 @@ static void both_formats_keep_it(void **state) {
     bat_object *layer = make(BAT_KIND_LAYER, PARENT, 0);
     assert_int_equal(bat_document_insert(document, count++, layer), BAT_OK);
     become(&layer, NULL);
+    bat_object *wire = make(BAT_KIND_PATH, WIRE, PARENT); /* of the bound one */
+    assert_int_equal(bat_document_insert(document, count++, wire), BAT_OK);
+    become(&wire, NULL);
     for (int k = 0; k < KINDS; k++) {
         bat_object *object = make(kinds[k], ID + (bat_id)k, PARENT);
         assert_int_equal(bat_document_insert(document, count++, object), BAT_OK);

@@ -306,7 +306,7 @@ static void bad_documents_are_told(void **state) {
         bat_status status;
     } cases[] = {
         {"{}", "version", BAT_SYNTAX},
-        {"{\"batten\":6,\"objects\":[]}", "version 1, 2, 3, 4 or 5, found number 6", BAT_UNSUPPORTED},
+        {"{\"batten\":7,\"objects\":[]}", "version 1, 2, 3, 4, 5 or 6, found number 7", BAT_UNSUPPORTED},
         {"{\"batten\":1}", "objects", BAT_SYNTAX},
         {"{\"batten\":1,\"objects\":[{\"id\":1,\"kind\":\"blob\"}]}", "\"path\"", BAT_UNSUPPORTED},
         {"{\"batten\":1,\"objects\":[{\"id\":1.5,\"kind\":\"path\",\"curves\":[" CURVE "]}]}", "whole",

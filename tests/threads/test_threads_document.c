@@ -56,6 +56,19 @@ static bat_document *rich_document(void) {
     const bat_recipe recipe = bat_recipe_of(BAT_RECIPE_RULED);
     assert_int_equal(bat_object_create_made(14, "made", &style, &recipe, 2, from, &object), BAT_OK);
     put(document, object);
+    bat_polymesh *mesh = NULL;
+    bat_object *bound = NULL;
+    assert_int_equal(bat_polymesh_create(4, (double[]){0, 0, 0, 9, 0, 0, 9, 9, 4, 0, 9, 0}, 1, (int[]){4},
+                                         (int[]){0, 1, 2, 3}, &mesh, NULL),
+                     BAT_OK);
+    assert_int_equal(bat_object_create_mesh(15, "mesh", &style, mesh, &object), BAT_OK);
+    bat_polymesh_free(mesh);
+    const bat_wire wire = {.reference = bat_object_curve(from[0], 0),
+                           .radius = bat_function_of(900),
+                           .scale = bat_function_of(1)};
+    assert_int_equal(bat_object_bind(object, 1, &wire, from, NULL, &bound), BAT_OK);
+    bat_object_release(object);
+    put(document, bound);
     bat_camera *camera = NULL;
     bat_camera_options options = bat_camera_defaults();
     options.mode = BAT_CAMERA_ALONG;
@@ -91,6 +104,10 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     const bat_id *ids = NULL;
     d = add(add(d, bat_object_followed(object)), (uint64_t)bat_object_sources(object, &ids));
     if (bat_object_recipe(object)) d = add(d, (uint64_t)bat_object_recipe(object)->kind + ids[0]);
+    const bat_wire *wires = NULL;
+    if (bat_object_wires(object, &wires, NULL)) d = bat_digest_double(d, wires[0].radius.constant);
+    const bat_polymesh *mesh = bat_object_mesh(object);
+    if (mesh) d = add_doubles(d, bat_polymesh_vertices(mesh), 3);
     if (bat_object_camera(object)) d = bat_digest_double(d, bat_camera_length(bat_object_camera(object)));
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
@@ -165,6 +182,14 @@ static uint64_t make_of(uint64_t d, const bat_object *a, const bat_object *b, in
     if (!made) return d;
     recipe.kind = BAT_RECIPE_LOFT;
     d = add_object(d, bat_object_with_recipe(made, &recipe, 2, from, &m), &m);
+    const bat_wire wire = {.reference = bat_object_curve(a, 0),
+                           .radius = bat_function_of(300 + seed),
+                           .scale = bat_function_of(1)};
+    bat_object *bound = NULL, *unbound = NULL;
+    if (bat_object_bind(made, 1, &wire, from, NULL, &bound) == BAT_OK) {
+        d = add_object(d, bat_object_unbind(bound, seed & 1, &unbound), &unbound);
+        d = add_object(d, BAT_OK, &bound);
+    }
     return add_object(d, BAT_OK, &made);
 }
 

@@ -3,6 +3,7 @@
 #include "editor/edit/arrange.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/surfaces.h"
+#include "editor/commands/wires.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
@@ -76,6 +77,10 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
     case BAT_COMMAND_SURFACE_FREE:
         return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_WIRE_BIND: return f->roots > 1 && bat_wire_command_fits(c, id);
+    case BAT_COMMAND_WIRE_BAKE:
+    case BAT_COMMAND_WIRE_REVERT:
+        return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;

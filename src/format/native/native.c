@@ -18,10 +18,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with surfaces that are
- * made from curves, drawings with paint beyond styles, drawings that keep the file that they were read from, drawings with
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with meshes or with
+ * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that keep the file that they were read from, drawings with
  * something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5 };
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -180,8 +180,8 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= MADE && number == floor(number)))
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4 or 5",
+    if (!(number >= PLAIN && number <= BOUND && number == floor(number)))
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4, 5 or 6",
                                  f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
@@ -266,12 +266,20 @@ static void write_pictures(const bat_document *document, bat_text *text) {
     bat_pictures_free(&written);
 }
 
+/* Whether it came with the last version. */
+static bool is_new(const bat_object *object) {
+    return bat_object_wires(object, NULL, NULL) > 0 || bat_object_is(object, BAT_NEW);
+}
+
 static uint64_t version_of(const bat_document *document, bool whole) {
     uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (bat_object_sources(object, NULL) > 0) return MADE;
-        if (bat_object_paint(object)) version = PAINTED;
+        if (is_new(object)) return BOUND;
+        if (bat_object_sources(object, NULL) > 0)
+            version = MADE;
+        else if (bat_object_paint(object) && version < PAINTED)
+            version = PAINTED;
         if (bat_object_is(object, BAT_SPACE) && version < SPATIAL) version = SPATIAL;
     }
     return version;

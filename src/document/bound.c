@@ -1,0 +1,308 @@
+#include "document/bound.h"
+#include "base/matrix.h"
+#include "curve/curve.h"
+#include "document/digest.h"
+#include "document/kind.h"
+#include "form/wire/match.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- a bound ---- */
+
+static bat_status copy_function(const bat_function *from, bat_function *to) {
+    *to = (bat_function){from->constant, NULL};
+    return from->curve ? bat_curve_copy(from->curve, &to->curve) : BAT_OK;
+}
+
+static bat_status copy_wire(const bat_wire *from, bat_wire *to) {
+    bat_curve *reference = NULL, *domain = NULL;
+    bat_status status = from->reference ? bat_curve_copy(from->reference, &reference) : BAT_ARGUMENT;
+    to->reference = reference;
+    if (status == BAT_OK && from->domain) status = bat_curve_copy(from->domain, &domain);
+    to->domain = domain;
+    if (status == BAT_OK) status = copy_function(&from->radius, &to->radius);
+    if (status == BAT_OK) status = copy_function(&from->scale, &to->scale);
+    return status;
+}
+
+bat_bound *bat_bound_retain(bat_bound *bound) {
+    bat_users_add(&bound->users);
+    return bound;
+}
+
+void bat_bound_release(bat_bound *bound) {
+    if (!bound || !bat_users_drop(&bound->users)) return;
+    for (int i = 0; i < bound->count; i++) {
+        bat_curve_free((bat_curve *)bound->wires[i].reference); /* its own */
+        bat_curve_free((bat_curve *)bound->wires[i].domain);
+        bat_function_clear(&bound->wires[i].radius), bat_function_clear(&bound->wires[i].scale);
+    }
+    bat_binding_free(bound->binding);
+    free(bound->rest);
+    free(bound);
+}
+
+static uint64_t digest_function(uint64_t digest, const bat_function *f) {
+    return f->curve ? bat_digest_curve(digest, f->curve) : bat_digest_double(digest, f->constant);
+}
+
+static uint64_t digest_of(const bat_bound *bound) {
+    uint64_t digest = bat_digest_number(bat_digest_begin(), (uint64_t)bound->count);
+    for (int i = 0; i < bound->count; i++) {
+        const bat_wire *wire = &bound->wires[i];
+        digest = bat_digest_number(digest, bound->ids[i]);
+        digest = bat_digest_curve(digest, wire->reference);
+        digest = digest_function(digest_function(digest, &wire->radius), &wire->scale);
+        digest = wire->domain ? bat_digest_curve(digest, wire->domain) : bat_digest_number(digest, 0);
+    }
+    digest = bat_digest_number(digest, (uint64_t)bound->options.blend);
+    digest = bat_digest_double(digest, bound->options.exponent);
+    digest = bat_digest_number(digest, bound->flat);
+    for (size_t k = 0; k < 3 * bound->point_count; k++) digest = bat_digest_double(digest, bound->rest[k]);
+    return digest;
+}
+
+bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *ids,
+                            const bat_wire_options *options, size_t point_count, const double *rest,
+                            bool flat, bat_bound **out, size_t *wrong) {
+    if (count < 1 || count > BAT_BOUND_WIRES) return BAT_COUNT;
+    bat_bound *bound = calloc(1, sizeof *bound);
+    if (!bound) return BAT_MEMORY;
+    *bound = (bat_bound){.users = BAT_USERS_ONE, .flat = flat, .point_count = point_count};
+    bound->options = options ? *options : bat_wire_defaults();
+    bound->rest = malloc((3 * point_count + 1) * sizeof *rest);
+    bat_status status = bound->rest ? BAT_OK : BAT_MEMORY;
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        bound->count++;
+        bound->ids[i] = ids[i];
+        status = copy_wire(&wires[i], &bound->wires[i]);
+    }
+    if (status == BAT_OK) {
+        memcpy(bound->rest, rest, 3 * point_count * sizeof *rest);
+        status = bat_wires_bind(count, bound->wires, point_count, bound->rest, &bound->options,
+                                &bound->binding, wrong);
+    }
+    if (status == BAT_OK)
+        bound->digest = digest_of(bound), *out = bound;
+    else
+        bat_bound_release(bound);
+    return status;
+}
+
+/* ---- applying ---- */
+
+bat_status bat_bound_apply(const bat_bound *bound, const bat_curve *const *curves, double *points,
+                           bat_wire_report *report) {
+    const bat_curve *mapped[BAT_BOUND_WIRES];
+    bat_curve *own[BAT_BOUND_WIRES] = {NULL};
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bound->count && status == BAT_OK; i++) {
+        status = bat_wire_match(bound->wires[i].reference, curves[i], &own[i]);
+        mapped[i] = own[i] ? own[i] : curves[i];
+    }
+    memcpy(points, bound->rest, 3 * bound->point_count * sizeof *points);
+    if (status == BAT_OK) status = bat_binding_apply(bound->binding, mapped, points, report, NULL);
+    for (int i = 0; i < bound->count; i++) bat_curve_free(own[i]);
+    return status;
+}
+
+/* ---- objects ---- */
+
+const bat_hold *bat_object_hold(const bat_object *object) {
+    const bat_kind_type *type = bat_object_type(object);
+    const bat_hold *hold = type->hold ? type->hold(bat_object_own(object, type)) : NULL;
+    return hold && hold->bound ? hold : NULL;
+}
+
+int bat_object_wires(const bat_object *object, const bat_wire **wires, const bat_wire_options **options) {
+    const bat_hold *hold = bat_object_hold(object);
+    if (wires) *wires = hold ? hold->bound->wires : NULL;
+    if (options) *options = hold ? &hold->bound->options : NULL;
+    return hold ? hold->bound->count : 0;
+}
+
+/* The object where the bound takes it. */
+static bat_status pull(const bat_object *object, bat_bound *bound, const bat_object *const *from,
+                       bat_object **out) {
+    const bat_curve *curves[BAT_BOUND_WIRES];
+    bat_hold hold = {.bound = bound, .known = true};
+    double *points = malloc((3 * bound->point_count + 1) * sizeof *points);
+    if (!points) return BAT_MEMORY;
+    for (int i = 0; i < bound->count; i++) {
+        curves[i] = bat_object_curve(from[i], 0);
+        hold.digests[i] = bat_object_curve_digest(from[i], 0);
+    }
+    bat_status status = bat_bound_apply(bound, curves, points, NULL);
+    if (status == BAT_OK) status = bat_object_type(object)->put(object, points, &hold, out);
+    free(points);
+    return status;
+}
+
+/* Where its points are; the caller frees them. */
+static double *points_of(const bat_object *object, size_t *count) {
+    const bat_kind_type *type = bat_object_type(object);
+    *count = type->points(object, NULL);
+    double *points = malloc((3 * *count + 1) * sizeof *points);
+    if (points) type->points(object, points);
+    return points;
+}
+
+static bool is_flat(const bat_object *object) {
+    return bat_object_is_made_of_curves(object) && bat_curve_dimension(bat_object_curve(object, 0)) == 2;
+}
+
+static bat_status take_ids(const bat_object *object, size_t count, const bat_object *const *curves,
+                           bat_id *ids) {
+    for (size_t i = 0; i < count; i++) {
+        if (!bat_object_leads(curves[i])) return BAT_ARGUMENT;
+        ids[i] = bat_object_id(curves[i]);
+        if (ids[i] == bat_object_id(object)) return BAT_ARGUMENT;
+        for (size_t k = 0; k < i; k++)
+            if (ids[k] == ids[i]) return BAT_ARGUMENT;
+    }
+    return BAT_OK;
+}
+
+bat_status bat_object_bind(const bat_object *object, size_t count, const bat_wire *wires,
+                           const bat_object *const *curves, const bat_wire_options *options,
+                           bat_object **out) {
+    bat_id ids[BAT_BOUND_WIRES];
+    if (!object || !wires || !curves || !out) return BAT_ARGUMENT;
+    if (!bat_object_type(object)->put) return BAT_UNSUPPORTED;
+    if (count < 1 || count > BAT_BOUND_WIRES) return BAT_COUNT;
+    bat_status status = take_ids(object, count, curves, ids);
+    if (status != BAT_OK) return status;
+    const bat_hold *was = bat_object_hold(object);
+    size_t points;
+    double *now = points_of(object, &points);
+    bat_bound *bound = NULL;
+    status = now ? bat_bound_create(count, wires, ids, options, points, was ? was->bound->rest : now,
+                                    was ? was->bound->flat : is_flat(object), &bound, NULL)
+                 : BAT_MEMORY;
+    free(now);
+    if (status == BAT_OK) status = pull(object, bound, curves, out);
+    bat_bound_release(bound);
+    return status;
+}
+
+bat_status bat_object_unbind(const bat_object *object, bool revert, bat_object **out) {
+    const bat_hold *hold = object ? bat_object_hold(object) : NULL;
+    if (!hold || !out) return BAT_ARGUMENT;
+    const bat_kind_type *type = bat_object_type(object);
+    const bat_hold none = {.bound = NULL};
+    size_t count;
+    double *now = revert ? NULL : points_of(object, &count);
+    if (!revert && !now) return BAT_MEMORY;
+    const bat_status status = type->put(object, revert ? hold->bound->rest : now, &none, out);
+    free(now);
+    return status;
+}
+
+/* ---- following ---- */
+
+static bat_status renumbered(const bat_object *object, const bat_hold *hold, const bat_id *ids,
+                             bat_object **out) {
+    const bat_bound *bound = hold->bound;
+    bat_hold next = {.bound = NULL};
+    size_t count;
+    double *now = points_of(object, &count);
+    if (!now) return BAT_MEMORY;
+    bat_status status = bat_bound_create((size_t)bound->count, bound->wires, ids, &bound->options, count,
+                                         bound->rest, bound->flat, &next.bound, NULL);
+    if (status == BAT_OK) status = bat_object_type(object)->put(object, now, &next, out);
+    bat_bound_release(next.bound);
+    free(now);
+    return status;
+}
+
+static bool is_up_to_date(const bat_hold *hold, const bat_object *const *from) {
+    bool same = hold->known;
+    for (int i = 0; i < hold->bound->count && same; i++)
+        same = hold->digests[i] == bat_object_curve_digest(from[i], 0);
+    return same;
+}
+
+bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
+                            bat_object **out) {
+    const bat_hold *hold = bat_object_hold(object);
+    *out = NULL;
+    if (!hold) return BAT_OK;
+    if (ids) return renumbered(object, hold, ids, out);
+    if (from && is_up_to_date(hold, from)) {
+        if (!hold->moved) return BAT_OK;
+        from = NULL; /* it was moved away from its wires */
+    }
+    bat_status status = from ? pull(object, hold->bound, from, out) : BAT_STATE;
+    return status == BAT_OK || status == BAT_MEMORY ? status : bat_object_unbind(object, false, out);
+}
+
+/* ---- affine images ---- */
+
+static void image_points(size_t count, const double *from, const double m[6], double *to) {
+    for (size_t i = 0; i < 3 * count; i += 3) {
+        const double x = from[i], y = from[i + 1];
+        to[i] = m[0] * x + m[2] * y + m[4];
+        to[i + 1] = m[1] * x + m[3] * y + m[5];
+        to[i + 2] = from[i + 2];
+    }
+}
+
+static bat_status image_curve(const bat_curve *curve, const double m[6], bat_curve **out) {
+    double rows[12];
+    *out = NULL;
+    if (!curve) return BAT_OK;
+    bat_matrix_rows(m, bat_curve_dimension(curve), rows);
+    return bat_curve_transform(curve, rows, out);
+}
+
+static bat_status image_radius(const bat_function *radius, double factor, bat_function *out) {
+    const double rows[6] = {factor, 0, 0, 0, 1, 0};
+    *out = (bat_function){radius->constant * factor, NULL};
+    return radius->curve ? bat_curve_transform(radius->curve, rows, &out->curve) : BAT_OK;
+}
+
+/* A hold on the image, with a bound of its own. */
+static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_hold *out) {
+    const bat_bound *bound = hold->bound;
+    const double area = bat_matrix_area(matrix), factor = area > 0 ? sqrt(area) : 1;
+    bat_wire wires[BAT_BOUND_WIRES] = {{.reference = NULL}};
+    double *rest = malloc((3 * bound->point_count + 1) * sizeof *rest);
+    bat_status status = rest ? BAT_OK : BAT_MEMORY;
+    if (status == BAT_OK) image_points(bound->point_count, bound->rest, matrix, rest);
+    for (int i = 0; i < bound->count && status == BAT_OK; i++) {
+        bat_curve *reference = NULL, *domain = NULL;
+        status = image_curve(bound->wires[i].reference, matrix, &reference);
+        wires[i].scale = bound->wires[i].scale; /* borrowed */
+        wires[i].reference = reference;
+        if (status == BAT_OK) status = image_curve(bound->wires[i].domain, matrix, &domain);
+        wires[i].domain = domain;
+        if (status == BAT_OK) status = image_radius(&bound->wires[i].radius, factor, &wires[i].radius);
+    }
+    *out = *hold;
+    out->bound = NULL, out->moved = true;
+    if (status == BAT_OK)
+        status = bat_bound_create((size_t)bound->count, wires, bound->ids, &bound->options,
+                                  bound->point_count, rest, bound->flat, &out->bound, NULL);
+    for (int i = 0; i < bound->count; i++) {
+        bat_curve_free((bat_curve *)wires[i].reference), bat_curve_free((bat_curve *)wires[i].domain);
+        bat_function_clear(&wires[i].radius);
+    }
+    free(rest);
+    return status;
+}
+
+bat_status bat_bound_transform(const bat_object *object, const double matrix[6], bat_object **out) {
+    const bat_hold *hold = bat_object_hold(object);
+    bat_hold next = {.bound = NULL};
+    size_t count;
+    double *points = points_of(object, &count);
+    if (!points) return BAT_MEMORY;
+    image_points(count, points, matrix, points);
+    bat_status status = hold ? image_hold(hold, matrix, &next) : BAT_OK;
+    if (status == BAT_OK) status = bat_object_type(object)->put(object, points, &next, out);
+    bat_bound_release(next.bound);
+    free(points);
+    return status;
+}
