@@ -179,7 +179,9 @@ static double width_of(const picture *p, const bat_style *style) {
 static bat_status draw_object(const bat_object *object, void *user) {
     const picture *p = user;
     const bat_surface *surface = bat_object_surface(object);
+    const bat_polymesh *mesh = bat_object_mesh(object);
     if (surface) return draw_surface(p, surface);
+    if (mesh && bat_polymesh_face_count(mesh) > 0 && p->look != BAT_LOOK_LINES) return BAT_OK;
     const bat_style *style = bat_object_style(object);
     uint32_t colour = style->stroked ? style->stroke : style->fill;
     if (!style->stroked && !style->filled) return BAT_OK;

@@ -17,7 +17,9 @@ static bat_status add_surface(const bat_object *object, void *user) {
     shown_surfaces *s = user;
     const bat_surface *surface = bat_object_surface(object);
     const bat_style *style = bat_object_style(object);
-    if (surface) s->surfaces[s->count++] = (bat_shaded){surface, style->filled ? style->fill | 255 : 0};
+    const bat_polymesh *mesh = bat_object_mesh(object);
+    if (surface || mesh)
+        s->surfaces[s->count++] = (bat_shaded){surface, style->filled ? style->fill | 255 : 0, mesh};
     return BAT_OK;
 }
 

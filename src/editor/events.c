@@ -1,4 +1,5 @@
 /* Entry point of events: invalid numbers are rejected, and every contact is given its duty. */
+#include "document/document.h"
 #include "editor/commands/three.h"
 #include "editor/tables/keys.h"
 #include "editor/commands/dispatch.h"
@@ -11,6 +12,7 @@
 #include "editor/tools/gazes/gazes.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/modes/guides.h"
+#include "editor/tools/modes/reach.h"
 #include <math.h>
 #include <string.h>
 
@@ -106,6 +108,9 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
         return BAT_DUTY_TOOL;
     if (c->moves->camera && event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan &&
         bat_gazes_take(c, event))
+        return BAT_DUTY_TOOL;
+    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan &&
+        bat_document_has_followers(c->session->document) && bat_reach_take(c, event))
         return BAT_DUTY_TOOL;
     if (c->input->holding_pan || middle || barrel_is(c, event, BARREL_PANS) ||
         bat_tool_at(c->choice->tool)->traits & BAT_NAVIGATES)

@@ -1,4 +1,5 @@
 /* The frame: what the host paints and says. */
+#include "document/document.h"
 #include "editor/show/axis.h"
 #include "editor/show/disc.h"
 #include "editor/show/flight.h"
@@ -11,6 +12,7 @@
 #include "editor/tools/gazes/find.h"
 #include "editor/tools/levels/state.h"
 #include "editor/tools/modes/guides.h"
+#include "editor/tools/modes/reach.h"
 #include "editor/tools/sketch/sketching.h"
 #include <stdio.h>
 #include <string.h>
@@ -119,6 +121,8 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_guides_show(c, overlay);
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
     if (bat_toolbox_has(c, BAT_LANDS)) bat_plane_show(c->stage, overlay);
+    if (c->choice->selection.count && bat_document_has_followers(c->session->document))
+        bat_reach_show(c, overlay);
     show_selection(c, overlay);
     if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);

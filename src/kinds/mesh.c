@@ -270,7 +270,8 @@ static void write(const bat_object *object, bat_text *text) {
 
 const bat_kind_type bat_kind_of_mesh = {.number = BAT_KIND_MESH,
                                         .name = "mesh",
-                                        .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE | BAT_FIXED | BAT_SPACE | BAT_NEW,
+                                        .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE | BAT_FIXED | BAT_SPACE |
+                                                  BAT_NEW,
                                         .size = sizeof(own_part),
                                         .share = share,
                                         .end = end,

@@ -62,7 +62,8 @@ static bat_status lines(int which, bool *made) {
 }
 
 static bat_status picture(int which, bool *made) {
-    const bat_shaded all[SURFACES] = {{surfaces[0], 0}, {surfaces[1], 0x336699ff}, {surfaces[2], 0}};
+    const bat_shaded all[SURFACES] = {
+        {.surface = surfaces[0]}, {.surface = surfaces[1], .colour = 0x336699ff}, {.surface = surfaces[2]}};
     bat_shading *shading = NULL;
     const bat_status status = bat_shade(which & 1 ? &near : &parallel, SURFACES, all, (bat_look)(which / 2),
                                         &shading);

@@ -441,6 +441,71 @@ static bat_editor *bounds_apart(int n) { return among(n, 4, four_apart, NULL); }
 static double two_lines[4][4] = {{300, 300, 400, 500}, {250, 600, 250, 200}};
 static bat_editor *with_axis(int n) { return among(n, 2, two_lines, NULL); }
 static bat_editor *sections(int n) { return among(n, 3, side_by_side, NULL); }
+/* A mesh of n vertices in a row of squares, and a wire along it; both are chosen. */
+static bat_editor *mesh_and_wire(int n, const char *then, bool wire_too) {
+    bat_document *made = document();
+    const bat_style style = bat_style_defaults();
+    const int squares = n / 2 - 1;
+    double *vertices = calloc((size_t)3 * (size_t)n, sizeof *vertices);
+    int *sizes = calloc((size_t)n, sizeof *sizes), *corners = calloc((size_t)4 * (size_t)n, sizeof *corners);
+    bat_polymesh *mesh = NULL;
+    bat_object *object = NULL;
+    if (!vertices || !sizes || !corners) abort();
+    for (int i = 0; i < n; i++)
+        vertices[3 * i] = 200 + 400.0 * (i / 2) / n, vertices[3 * i + 1] = 300 + 50 * (i % 2);
+    for (int i = 0; i < squares; i++) {
+        const int face[4] = {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1};
+        memcpy(corners + (ptrdiff_t)4 * i, face, sizeof face);
+        sizes[i] = 4;
+    }
+    if (bat_polymesh_create((size_t)n / 2 * 2, vertices, (size_t)squares, sizes, corners, &mesh, NULL) !=
+            BAT_OK ||
+        bat_object_create_mesh(bat_document_new_id(made), "mesh", &style, mesh, &object) != BAT_OK ||
+        bat_document_insert(made, 0, object) != BAT_OK)
+        abort();
+    bat_object_release(object);
+    bat_polymesh_free(mesh);
+    free(vertices), free(sizes), free(corners);
+    const bat_id wire = add_curve(made, segment(200, 320, 400, 320), 0);
+    const bat_id other = add_curve(made, segment(200, 340, 400, 340), 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, 1, false);
+    bat_editor_select(editor, wire, true);
+    if (then && bat_editor_command(editor, then) != BAT_OK) abort();
+    if (wire_too) bat_editor_select(editor, other, true);
+    bat_editor_frame(editor);
+    return editor;
+}
+static bat_editor *to_be_bound(int n) { return mesh_and_wire(n, NULL, false); }
+static bat_editor *bound_mesh(int n) { return mesh_and_wire(n, "wire-bind", false); }
+static bat_editor *bound_and_beside(int n) { return mesh_and_wire(n, "wire-bind", true); }
+
+static void add_sheet(bat_document *made, const double points[12]) {
+    const double knots[4] = {0, 0, 1, 1};
+    const bat_style style = bat_style_defaults();
+    bat_surface *sheet = NULL;
+    bat_object *object = NULL;
+    if (bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false}, (const size_t[2]){2, 2},
+                           points, (const int[2]){4, 4}, knots, knots, &sheet) != BAT_OK ||
+        bat_object_create_surface(bat_document_new_id(made), "sheet", &style, sheet, &object) != BAT_OK ||
+        bat_document_insert(made, bat_document_count(made), object) != BAT_OK)
+        abort();
+    bat_object_release(object);
+    bat_surface_free(sheet);
+}
+
+/* Two surfaces that cross, chosen, with n curves beside them. */
+static bat_editor *crossing_sheets(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    add_sheet(made, (const double[]){300, 300, 0, 300, 500, 0, 500, 300, 0, 500, 500, 0});
+    add_sheet(made, (const double[]){400, 250, -99, 400, 250, 99, 410, 550, -99, 410, 550, 99});
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, (bat_id)n + 1, false);
+    bat_editor_select(editor, (bat_id)n + 2, true);
+    bat_editor_frame(editor);
+    return editor;
+}
 static bat_editor *made_surface(int n) { return among(n, 3, side_by_side, "surface-loft"); }
 
 /* A straight one, chosen, with n beside it. */
@@ -567,6 +632,10 @@ const growth_scene growth_scenes[] = {
     {"a profile and an axis, of n", with_axis},
     {"three side by side, of n", sections},
     {"a surface that follows three of n", made_surface},
+    {"a mesh of n vertices and a curve", to_be_bound},
+    {"a mesh of n vertices, bound to a wire", bound_mesh},
+    {"a mesh of n vertices, bound to a wire, and a curve", bound_and_beside},
+    {"two surfaces that cross, and n curves", crossing_sheets},
     {"a straight line beside n", straight},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},

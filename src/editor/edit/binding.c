@@ -153,6 +153,13 @@ static bat_status bind_one(bat_context *c, int index, const chosen *of, size_t *
     return status;
 }
 
+bat_status bat_bind_to(bat_context *c, int index, bat_id curve) {
+    const bat_document *document = c->session->document;
+    chosen of = {.wire_count = 1, .wires = {bat_document_at(document, bat_document_find(document, curve))}};
+    size_t reached = 0;
+    return of.wires[0] ? bind_one(c, index, &of, &reached) : BAT_ARGUMENT;
+}
+
 static void select_wires(bat_context *c, const chosen *of) {
     bat_selection_clear(&c->choice->selection);
     for (int i = 0; i < of->wire_count; i++) /* out of memory: not selected */

@@ -1,9 +1,11 @@
+#include "document/document.h"
 #include "editor/panels/numbers.h"
 #include "hands/tangents/spline.h"
 #include "base/real.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/making.h"
+#include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
 #include "editor/panels/panels.h"
@@ -54,6 +56,10 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
     }
     case BAT_NUMBER_SURFACE_TWIST: return bat_making_get(c, BAT_MAKING_TWIST, value);
     case BAT_NUMBER_SURFACE_SCALE: return bat_making_get(c, BAT_MAKING_SCALE, value);
+    case BAT_NUMBER_WIRE_RADIUS:
+    case BAT_NUMBER_WIRE_RADIUS_END:
+        return bat_document_has_followers(c->session->document) &&
+               bat_bind_radius(c, id == BAT_NUMBER_WIRE_RADIUS_END, value);
     case BAT_NUMBER_SURFACE_ANGLE: return bat_making_get(c, BAT_MAKING_ANGLE, value);
     default: break;
     }
@@ -104,6 +110,8 @@ static bat_status change(bat_context *c, bat_number_id id, double from, double t
     if (id == BAT_NUMBER_SURFACE_TWIST) return bat_making_set(c, BAT_MAKING_TWIST, to);
     if (id == BAT_NUMBER_SURFACE_SCALE) return bat_making_set(c, BAT_MAKING_SCALE, to);
     if (id == BAT_NUMBER_SURFACE_ANGLE) return bat_making_set(c, BAT_MAKING_ANGLE, to);
+    if (id == BAT_NUMBER_WIRE_RADIUS || id == BAT_NUMBER_WIRE_RADIUS_END)
+        return bat_bind_set_radius(c, id == BAT_NUMBER_WIRE_RADIUS_END, to);
     if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
         return change_point(c, id == BAT_NUMBER_POINT_Y, to - from);
     if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);

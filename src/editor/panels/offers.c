@@ -77,6 +77,11 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
     case BAT_COMMAND_SURFACE_FREE:
         return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_MEET:
+    case BAT_COMMAND_WIRE_MEET:
+        return f->roots == 2 && f->open + f->closed == 0 && bat_wire_command_fits(c, id);
+    case BAT_COMMAND_WIRE_DOMAIN:
+        return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
     case BAT_COMMAND_WIRE_BIND: return f->roots > 1 && bat_wire_command_fits(c, id);
     case BAT_COMMAND_WIRE_BAKE:
     case BAT_COMMAND_WIRE_REVERT:

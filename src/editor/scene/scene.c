@@ -293,7 +293,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
-        scene->surfaces = scene->surfaces || bat_object_surface(entry->object);
+        scene->surfaces = scene->surfaces || bat_object_surface(entry->object) ||
+                          bat_object_mesh(entry->object);
         if (!entry->path) {
             if (make_path(scene, entry))
                 bat_box_add(scene->dirty, entry->item.bounds);

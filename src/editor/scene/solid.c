@@ -16,6 +16,7 @@ static const double too_bent = 0.9;                 /* cosine: 26 degrees */
 
 void bat_solid_clear(bat_solid *solid) {
     bat_tessellation_free(solid->mesh);
+    if (solid->facets.points) bat_facets_clear(&solid->facets);
     free(solid->corners), free(solid->points);
     *solid = (bat_solid){.version = 0};
 }
@@ -99,6 +100,23 @@ static bat_status make_triangles(bat_solid *s, const bat_surface *surface) {
     return BAT_OK;
 }
 
+/* The triangles of a polygon mesh, which are made anew with it. */
+static bat_status make_facets(bat_solid *s, const bat_polymesh *mesh) {
+    bat_status status = bat_polymesh_facets(mesh, &s->facets);
+    if (status != BAT_OK) return status;
+    const size_t count = s->facets.corner_count;
+    s->corners = calloc(count * BAT_SOLID_CORNER, sizeof *s->corners);
+    if (!s->corners) return BAT_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        float *to = s->corners + BAT_SOLID_CORNER * i;
+        for (size_t d = 0; d < 3; d++) {
+            to[d] = (float)(s->facets.points[3 * i + d] - s->grain.origin[d]);
+            to[d + 3] = (float)s->facets.normals[3 * i + d];
+        }
+    }
+    return BAT_OK;
+}
+
 /* Moves the triangles to a surface that differs only there. */
 static bat_status move_triangles(bat_solid *s, const bat_surface *surface, bat_direction direction,
                                  const double differs[2]) {
@@ -147,7 +165,7 @@ static void measure(bat_solid *s) {
     bat_mesh mesh = {.rows = 0};
     for (int d = 0; d < 3; d++) s->low[d] = INFINITY, s->high[d] = -INFINITY;
     if (s->mesh) bat_tessellation_mesh(s->mesh, &mesh);
-    grow(s, s->corners, mesh.rows * mesh.columns, BAT_SOLID_CORNER);
+    grow(s, s->corners, s->mesh ? mesh.rows * mesh.columns : s->facets.corner_count, BAT_SOLID_CORNER);
     grow(s, s->points, s->point_count, BAT_SOLID_POINT);
 }
 
@@ -157,7 +175,8 @@ static bat_status make(bat_solid *s, const bat_object *object, const bat_grain *
     const bat_surface *surface = bat_object_surface(object);
     bat_solid_clear(s);
     s->grain = *grain;
-    bat_status status = surface ? make_triangles(s, surface) : BAT_OK;
+    const bat_polymesh *mesh = bat_object_mesh(object);
+    bat_status status = surface ? make_triangles(s, surface) : mesh ? make_facets(s, mesh) : BAT_OK;
     if (status == BAT_OK) status = bat_solid_lines(s, object, NULL);
     s->version = s->line_version = ++*versions;
     return status == BAT_OK && guise ? follow(s, object, guise, versions) : status;

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_SCENE_SOLID_H
 #define BATTEN_EDITOR_SCENE_SOLID_H
 
+#include "form/mesh/facets.h"
 #include "form/shade/shade.h"
 #include <batten/document.h>
 #include <batten/frame.h>
@@ -29,7 +30,8 @@ typedef struct bat_solid {
     bat_grain grain;
     uint32_t version; /* 0: nothing has been made */
     bat_tessellation *mesh;
-    float *corners; /* of the triangles */
+    bat_facets facets; /* of a polygon mesh, in its place */
+    float *corners;    /* of the triangles */
     uint32_t moved
         [4]; /* first row, end of the rows, first column, end of the columns that the last update moved */
     uint32_t line_version;

@@ -103,7 +103,8 @@ bat_status bat_solid_lines(bat_solid *solid, const bat_object *object, const bat
     bat_status status = BAT_OK;
     if (own && solid->grain.look != BAT_LOOK_LINES)
         status = add_edges(&p, surface ? surface : own);
-    else
+    else if (!bat_object_mesh(object) || solid->grain.look == BAT_LOOK_LINES ||
+             bat_polymesh_face_count(bat_object_mesh(object)) == 0)
         for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++)
             status = add_curve(&p, bat_object_curve(object, i));
     if (status != BAT_OK) {

@@ -114,8 +114,11 @@ static void settle_origin(bat_space_kept *kept, const bat_stage *stage, const ba
 static void add_triangles(bat_space *space, bat_space_item *to, const bat_scene_entry *entry) {
     const bat_solid *s = entry->solid;
     const bat_style *style = bat_object_style(entry->object);
-    bat_mesh mesh;
-    bat_tessellation_mesh(s->mesh, &mesh);
+    bat_mesh mesh = {.rows = s->facets.corner_count,
+                     .columns = 1,
+                     .triangle_count = s->facets.triangle_count,
+                     .triangles = s->facets.triangles};
+    if (s->mesh) bat_tessellation_mesh(s->mesh, &mesh);
     *to = (bat_space_item){.id = (uint32_t)bat_object_id(entry->object),
                            .version = s->version,
                            .kind = BAT_SPACE_TRIANGLES,
@@ -232,7 +235,8 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const ba
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || !entry->solid || !bat_object_is_drawn(entry->object)) continue;
         if (through && bat_object_is(entry->object, BAT_AID)) continue; /* a camera sees no cameras */
-        if (entry->solid->mesh) add_triangles(space, items + space->count, entry);
+        if (entry->solid->mesh || entry->solid->facets.triangle_count)
+            add_triangles(space, items + space->count, entry);
         add_lines(space, items + space->count, scene, entry);
     }
     return space;

@@ -63,6 +63,7 @@ bool bat_toolbox_has(const bat_context *c, unsigned trait) {
 bool bat_toolbox_faces(const bat_context *c) {
     const ptrdiff_t at = bat_toolbox_tool(c) - c->toolbox->slots; /* modes come after the tools */
     return !bat_stage_tilted(c->stage) || at == BAT_TOOL_COUNT + BAT_MODE_GAZES ||
+           at == BAT_TOOL_COUNT + BAT_MODE_REACH ||
            (at < BAT_TOOL_COUNT && bat_tool_at((bat_tool_id)at)->traits & BAT_TILTS);
 }
 

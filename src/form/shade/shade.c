@@ -226,7 +226,8 @@ bat_status bat_shade(const bat_viewpoint *view, size_t count, const bat_shaded *
     bat_shading *made = NULL;
     status = create(view, &made);
     for (size_t k = 0; k < count && status == BAT_OK; k++)
-        status = bat_soup_add(&soup, view, surfaces[k].surface, (int)k, look);
+        status = surfaces[k].mesh ? bat_soup_add_mesh(&soup, view, surfaces[k].mesh, (int)k)
+                                  : bat_soup_add(&soup, view, surfaces[k].surface, (int)k, look);
     if (status == BAT_OK && (look == BAT_LOOK_GAUSS || look == BAT_LOOK_MEAN))
         status = range_of(&soup, &made->range);
     if (status == BAT_OK) status = paint(&(palette){&soup, surfaces, look, made->range}, made);

@@ -3,6 +3,7 @@
 #ifndef BATTEN_FORM_SHADE_H
 #define BATTEN_FORM_SHADE_H
 
+#include <batten/mesh.h>
 #include <batten/view.h>
 
 enum {
@@ -21,7 +22,8 @@ typedef enum bat_look {
 
 typedef struct bat_shaded {
     const bat_surface *surface;
-    uint32_t colour; /* 0xRRGGBBAA, without alpha; 0: that of clay */
+    uint32_t colour;          /* 0xRRGGBBAA, without alpha; 0: that of clay */
+    const bat_polymesh *mesh; /* not NULL: in place of the surface; it has no curvature */
 } bat_shaded;
 
 typedef struct bat_shading {

@@ -1,5 +1,6 @@
 /* Triangles as they are seen: surfaces divided finely enough for the picture, in pixels, cut off at the near plane. */
 #include "form/shade/soup.h"
+#include "form/mesh/facets.h"
 #include "form/shade/curving.h"
 
 #include <limits.h>
@@ -113,7 +114,8 @@ static bat_status put_mesh(bat_soup *soup, const bat_surface *surface, const bat
         for (size_t j = 0; j < m->columns; j++) {
             const size_t k = 3 * (i * m->columns + j);
             soup->corner[soup->corners++] = corner_of(&soup->gaze, m->points + k, m->normals + k,
-                                                      bat_curving_value(surface, m, i, j, look));
+                                                      surface ? bat_curving_value(surface, m, i, j, look)
+                                                              : 0);
         }
     for (size_t k = 0; status == BAT_OK && k < m->triangle_count; k++) {
         const int corner[3] = {(int)first + m->triangles[3 * k], (int)first + m->triangles[3 * k + 1],
@@ -143,5 +145,20 @@ bat_status bat_soup_add(bat_soup *soup, const bat_viewpoint *view, const bat_sur
     bat_tessellation_mesh(t, &mesh);
     status = put_mesh(soup, surface, &mesh, near_plane(view, &soup->gaze), owner, look);
     bat_tessellation_free(t);
+    return status;
+}
+
+bat_status bat_soup_add_mesh(bat_soup *soup, const bat_viewpoint *view, const bat_polymesh *mesh, int owner) {
+    bat_facets facets;
+    bat_status status = bat_polymesh_facets(mesh, &facets);
+    if (status != BAT_OK) return status;
+    const bat_mesh m = {.rows = facets.corner_count,
+                        .columns = 1,
+                        .points = facets.points,
+                        .normals = facets.normals,
+                        .triangle_count = facets.triangle_count,
+                        .triangles = facets.triangles};
+    status = put_mesh(soup, NULL, &m, near_plane(view, &soup->gaze), owner, BAT_LOOK_SHADED);
+    bat_facets_clear(&facets);
     return status;
 }

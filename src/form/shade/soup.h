@@ -24,6 +24,7 @@ typedef struct bat_soup {
 /* Adds the triangles of a surface, cut off at the near plane. */
 bat_status bat_soup_add(bat_soup *soup, const bat_viewpoint *view, const bat_surface *surface, int owner,
                         bat_look look);
+bat_status bat_soup_add_mesh(bat_soup *soup, const bat_viewpoint *view, const bat_polymesh *mesh, int owner);
 void bat_soup_clear(bat_soup *soup);
 
 #endif

@@ -1,5 +1,5 @@
-/* Wavefront OBJ as a format of drawings: B-spline curves and surfaces with their names. Faces, points and everything else
- * in a file are counted and left out. */
+/* Wavefront OBJ as a format of drawings: B-spline curves and surfaces with their names, and what faces and vertices there are
+ * as one mesh. Everything else in a file is counted and left out. */
 #include "document/format.h"
 #include "format/obj/obj.h"
 #include "kinds/kinds.h"
@@ -17,6 +17,15 @@ static bat_status insert_surface(bat_document *document, const char *name, const
     return status;
 }
 
+static bat_status insert_mesh(bat_document *document, const bat_polymesh *mesh) {
+    const bat_style style = bat_style_defaults();
+    bat_object *object = NULL;
+    bat_status status = bat_object_create_mesh(bat_document_new_id(document), "", &style, mesh, &object);
+    if (status == BAT_OK) status = bat_document_insert(document, bat_document_count(document), object);
+    bat_object_release(object);
+    return status;
+}
+
 static bat_status document_of(bat_obj *obj, bat_document **out) {
     bat_document *document = NULL;
     const size_t count = obj->model.curve_count;
@@ -26,6 +35,7 @@ static bat_status document_of(bat_obj *obj, bat_document **out) {
     for (size_t i = 0; i < count; i++) free(obj->curve_names[i]);
     for (size_t i = 0; i < obj->model.surface_count && status == BAT_OK; i++)
         status = insert_surface(document, obj->surface_names[i], obj->model.surfaces[i]);
+    if (status == BAT_OK && obj->model.mesh) status = insert_mesh(document, obj->model.mesh);
     if (status == BAT_OK)
         *out = document;
     else
@@ -39,12 +49,10 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
     bat_obj obj;
     bat_status status = bat_obj_parse(text, size, &obj, problem);
     if (status != BAT_OK) return status;
-    const size_t faces = obj.model.mesh ? bat_polymesh_face_count(obj.model.mesh) : 0;
-    const int cloud = obj.model.mesh && faces == 0;
-    report->lost.count[BAT_LOSS_UNKNOWN] += obj.model.left_out + (int)faces + cloud;
-    if (obj.model.curve_count + obj.model.surface_count == 0) {
+    report->lost.count[BAT_LOSS_UNKNOWN] += obj.model.left_out;
+    if (obj.model.curve_count + obj.model.surface_count == 0 && !obj.model.mesh) {
         status = bat_problem_set(problem, BAT_UNSUPPORTED, "",
-                                 "expected a curve or a surface (cstype bspline), found none");
+                                 "expected a curve, a surface (cstype bspline) or a vertex, found none");
     } else {
         status = document_of(&obj, out);
         if (status != BAT_OK)
@@ -78,15 +86,21 @@ static bat_status write(const bat_document *document, char **out, size_t *size, 
             put_name(&text, bat_object_name(object));
             vertices = bat_obj_put_surface(&text, surface, vertices);
         }
-        for (int k = 0; !surface && k < bat_object_curve_count(object); k++) {
+        const bat_polymesh *mesh = bat_object_mesh(object);
+        if (mesh) {
+            put_name(&text, bat_object_name(object));
+            vertices = bat_obj_put_mesh(&text, mesh, vertices);
+        }
+        for (int k = 0; !surface && !mesh && k < bat_object_curve_count(object); k++) {
             put_name(&text, bat_object_name(object));
             vertices = bat_obj_put_curve(&text, bat_object_curve(object, k), vertices);
         }
     }
     if (!vertices) {
         bat_text_free(&text);
-        return bat_problem_set(problem, BAT_COUNT, "",
-                               "an .obj file holds curves and surfaces, expected 1 at least, found none");
+        return bat_problem_set(
+            problem, BAT_COUNT, "",
+            "an .obj file holds curves, surfaces and meshes, expected 1 at least, found none");
     }
     bat_status status = bat_text_finish(&text, out, size);
     return status == BAT_OK ? status : bat_problem_set(problem, status, "", bat_status_message(status));

@@ -17,6 +17,7 @@ int bat_obj_sniff(const char *text, size_t size);
 
 /* vertices: how many were written before. Return how many are written then. */
 uint64_t bat_obj_put_curve(bat_text *text, const bat_curve *curve, uint64_t vertices);
+uint64_t bat_obj_put_mesh(bat_text *text, const bat_polymesh *mesh, uint64_t vertices);
 uint64_t bat_obj_put_surface(bat_text *text, const bat_surface *surface, uint64_t vertices);
 
 #endif

@@ -66,28 +66,28 @@ uint64_t bat_obj_put_surface(bat_text *text, const bat_surface *surface, uint64_
     return vertices + count;
 }
 
-static uint64_t put_mesh(bat_text *text, const bat_polymesh *mesh) {
+uint64_t bat_obj_put_mesh(bat_text *text, const bat_polymesh *mesh, uint64_t vertices) {
     const size_t count = bat_polymesh_vertex_count(mesh), faces = bat_polymesh_face_count(mesh);
     for (size_t i = 0; i < count; i++) put_vertex(text, bat_polymesh_vertices(mesh) + 3 * i, 3);
     if (faces == 0) { /* a cloud: also beside curves */
         bat_text_string(text, "p");
-        for (size_t i = 0; i < count; i++) put(text, i, ROW, (double)(i + 1));
+        for (size_t i = 0; i < count; i++) put(text, i, ROW, (double)(vertices + i + 1));
         bat_text_string(text, "\n");
     }
     for (size_t f = 0; f < faces; f++) {
         size_t size;
         const int *corners = bat_polymesh_face(mesh, f, &size);
         bat_text_string(text, "f");
-        for (size_t k = 0; k < size; k++) put(text, k, 2 * ROW, (double)corners[k] + 1);
+        for (size_t k = 0; k < size; k++) put(text, k, 2 * ROW, (double)vertices + corners[k] + 1);
         bat_text_string(text, "\n");
     }
-    return count;
+    return vertices + count;
 }
 
 bat_status bat_obj_write(const bat_model *model, char **out, size_t *size) {
     if (!model || !out || !size) return BAT_ARGUMENT;
     bat_text text = {0};
-    uint64_t vertices = model->mesh ? put_mesh(&text, model->mesh) : 0;
+    uint64_t vertices = model->mesh ? bat_obj_put_mesh(&text, model->mesh, 0) : 0;
     for (size_t i = 0; i < model->surface_count; i++)
         vertices = bat_obj_put_surface(&text, model->surfaces[i], vertices);
     for (size_t i = 0; i < model->curve_count; i++)

@@ -33,7 +33,7 @@ static bool lies_in_page(const bat_curve *curve) {
 }
 
 bool bat_seen_in_page(const bat_object *object) {
-    if (bat_object_surface(object)) return false;
+    if (bat_object_surface(object) || bat_object_mesh(object)) return false;
     for (int i = 0; i < bat_object_curve_count(object); i++)
         if (!lies_in_page(bat_object_curve(object, i))) return false;
     return true;

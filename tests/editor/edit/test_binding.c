@@ -345,11 +345,176 @@ static void only_what_fits_is_bound(void **state) {
     bat_editor_free(editor);
 }
 
+static double radius_at(const bat_editor *editor, double at) {
+    const bat_wire *wires;
+    double jet[3];
+    assert_true(bat_object_wires(found(editor, SHEET), &wires, NULL) > 0);
+    bat_function_eval(&wires[0].radius, at, jet);
+    return jet[0];
+}
+
+/* The wall of the tube, at a stop and between stops, by pen, mouse and finger; in every frame it is bound again. */
+static void the_wall_of_the_tube_is_dragged(void **state) {
+    (void)state;
+    const bat_device devices[] = {BAT_DEVICE_PEN, BAT_DEVICE_MOUSE, BAT_DEVICE_TOUCH};
+    for (int k = 0; k < 3; k++) {
+        bat_editor *editor = open(A_SHEET, 1);
+        double *rest = rest_of(editor);
+        const uint64_t first = digest(editor);
+        bat_editor_command(editor, "wire-bind"); /* radius 75; the wire is selected */
+        pen p = pen_for(editor);
+        p.device = devices[k];
+        drag(&p, 475, 325, 520, 325);
+        assert_true(fabs(radius_at(editor, 0.25) - 120) < 1e-9 && fabs(radius_at(editor, 0) - 120) < 1e-9);
+        assert_true(fabs(radius_at(editor, 0.75) - 75) < 1e-9 && fabs(radius_at(editor, 1) - 75) < 1e-9);
+        drag(&p, 475, 475, 440, 475); /* the other stop: narrower */
+        assert_true(fabs(radius_at(editor, 0.75) - 40) < 1e-9);
+        for (int i = 0; i <= 100; i++) { /* it never leaves the range of the stops */
+            const double r = radius_at(editor, i / 100.0);
+            assert_true(r >= 40 - 1e-9 && r <= 120 + 1e-9);
+        }
+        drag(&p, 320, 400, 310, 400); /* between them, on the left wall: another stop */
+        assert_true(fabs(radius_at(editor, 0.5) - 90) < 3);
+        assert_true(fabs(radius_at(editor, 0.25) - 120) < 1e-9);
+        is_fresh(editor, rest);
+        assert_true(farthest(editor, rest) == 0);
+        redraw(editor, rest);
+        assert_int_equal(round_trip(editor, first), 5);
+        free(rest);
+        bat_editor_free(editor);
+    }
+}
+
+static void a_drag_is_cancelled(void **state) {
+    (void)state;
+    bat_editor *editor = open(A_MESH, 1);
+    bat_editor_command(editor, "wire-bind");
+    const uint64_t bound = digest(editor);
+    pen p = mouse(editor);
+    drag_to(&p, 475, 325, 520, 325);
+    assert_true(digest(editor) != bound); /* it shows already */
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+    assert_true(digest(editor) == bound);
+    check(editor);
+    bat_editor_free(editor);
+}
+
+static void radii_are_numbers(void **state) {
+    (void)state;
+    bat_editor *editor = open(A_SHEET, 1);
+    const uint64_t first = digest(editor);
+    bat_editor_command(editor, "wire-bind");
+    assert_int_equal(bat_editor_enter(editor, "wire-radius", "50"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "wire-radius-end", "110"), BAT_OK);
+    assert_true(fabs(radius_at(editor, 0.1) - 50) < 1e-9 && fabs(radius_at(editor, 0.9) - 110) < 1e-9);
+    assert_int_equal(bat_editor_enter(editor, "wire-radius", "0"), BAT_NUMBER);
+    assert_string_equal(bat_editor_frame(editor)->notice, "The radius has to be above 0");
+    assert_int_equal(bat_editor_enter(editor, "wire-radius", "-3"), BAT_NUMBER);
+    assert_int_equal(round_trip(editor, first), 3);
+    assert_int_equal(bat_editor_select(editor, SHEET, false), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "wire-radius", "50"), BAT_STATE); /* no wire */
+    bat_editor_free(editor);
+}
+
+/* A curve on the right of the wire bounds its reach there, and only there. */
+static void a_curve_bounds_the_reach(void **state) {
+    (void)state;
+    bat_editor *editor = open(A_MESH, 1);
+    double *rest = rest_of(editor), now[3];
+    bat_editor_command(editor, "wire-bind");
+    bat_document *document = NULL;
+    assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
+    add_line(document, OTHER, 420);
+    bat_editor_free(editor);
+    editor = editor_of(document);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, WIRE, false);
+    bat_editor_select(editor, OTHER, true);
+    bat_editor_frame(editor);
+    assert_true(offers(editor, "wire-domain"));
+    const uint64_t before = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "wire-domain"), BAT_OK);
+    const bat_wire *wires;
+    bat_object_wires(found(editor, SHEET), &wires, NULL);
+    assert_true(bat_curve_is_equal(wires[0].domain, bat_object_curve(found(editor, OTHER), 0)));
+    const uint64_t bounded = digest(editor);
+    bat_editor_command(editor, "select-none");
+    redraw(editor, rest);
+    bool left = false;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        point_at(editor, i, now);
+        if (rest[3 * i] > 421) assert_true(now[0] == rest[3 * i]);
+        left = left || (rest[3 * i] < 379 && now[0] != rest[3 * i]);
+    }
+    assert_true(left);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == bounded);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, WIRE, false);
+    assert_int_equal(bat_editor_command(editor, "wire-domain"), BAT_OK); /* off again */
+    assert_true(digest(editor) == before);
+    replays(editor, 1);
+    free(rest);
+    bat_editor_free(editor);
+}
+
+/* Two sheets that cross: the curve lies on both, and as a wire it has the one behind bound to it. */
+static void surfaces_meet(void **state) {
+    (void)state;
+    for (int bind = 0; bind < 2; bind++) {
+        const bat_style style = bat_style_defaults();
+        bat_editor *editor = open(A_SHEET, 0);
+        bat_document *document = NULL;
+        bat_surface *wall = NULL;
+        bat_object *object = NULL;
+        const double knots[] = {0, 0, 1, 1},
+                     corners[] = {380, 150, -90, 380, 150, 90, 420, 650, -90, 420, 650, 90};
+        assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
+        bat_editor_free(editor);
+        assert_int_equal(bat_surface_create((int[]){1, 1}, (bool[]){false, false}, (size_t[]){2, 2}, corners,
+                                            (int[]){4, 4}, knots, knots, &wall),
+                         BAT_OK);
+        assert_int_equal(bat_object_create_surface(WIRE, "", &style, wall, &object), BAT_OK);
+        add(document, object);
+        editor = editor_of(document);
+        bat_editor_command(editor, "tool-select");
+        bat_editor_command(editor, "select-all");
+        bat_editor_frame(editor);
+        assert_true(offers(editor, "surface-meet") && offers(editor, "wire-meet"));
+        const uint64_t first = digest(editor);
+        assert_int_equal(bat_editor_command(editor, bind ? "wire-meet" : "surface-meet"), BAT_OK);
+        const bat_object *met = found(editor, OTHER);
+        assert_non_null(met);
+        const bat_curve *curve = bat_object_curve(met, 0);
+        for (int i = 0; i <= 20; i++) {
+            double domain[2], at[3];
+            bat_curve_domain(curve, domain);
+            bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * i / 20, 0, at);
+            assert_true(fabs(at[2]) < 0.06 && fabs(at[0] - 380 - 0.08 * (at[1] - 150)) < 0.06);
+            assert_true(at[1] > 199 && at[1] < 601);
+        }
+        assert_int_equal(bat_object_wires(found(editor, SHEET), NULL, NULL), bind);
+        assert_int_equal(bat_editor_frame(editor)->selected, 1);
+        check(editor);
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_surface_free(wall);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(follows_the_sketch_hand), cmocka_unit_test(unbinds_as_it_is_or_as_it_was),
-        cmocka_unit_test(two_wires_are_both_met),  cmocka_unit_test(a_deleted_wire_lets_go),
-        cmocka_unit_test(moves_with_its_wire),     cmocka_unit_test(only_what_fits_is_bound),
+        cmocka_unit_test(follows_the_sketch_hand),
+        cmocka_unit_test(unbinds_as_it_is_or_as_it_was),
+        cmocka_unit_test(two_wires_are_both_met),
+        cmocka_unit_test(a_deleted_wire_lets_go),
+        cmocka_unit_test(moves_with_its_wire),
+        cmocka_unit_test(only_what_fits_is_bound),
+        cmocka_unit_test(the_wall_of_the_tube_is_dragged),
+        cmocka_unit_test(a_drag_is_cancelled),
+        cmocka_unit_test(radii_are_numbers),
+        cmocka_unit_test(a_curve_bounds_the_reach),
+        cmocka_unit_test(surfaces_meet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static bat_viewpoint view_of_sphere(double fov) {
 }
 
 static bat_shading *shade(const bat_viewpoint *view, bat_surface *surface, bat_look look) {
-    const bat_shaded one = {surface, 0};
+    const bat_shaded one = {.surface = surface};
     bat_shading *out = NULL;
     assert_int_equal(bat_shade(view, 1, &one, look, &out), BAT_OK);
     assert_true(out->width == (int)view->size[0] && out->height == (int)view->size[1]);
@@ -192,7 +192,7 @@ static void failing_allocations(void **state) {
     (void)state;
     bat_surface *tube = round_tube(1);
     const bat_viewpoint view = {.eye = {0.5, 0, 0.5}, .up = {0, 0, 1}, .size = {20, 20}, .fov = 120};
-    const bat_shaded one = {tube, 0xff0000ff};
+    const bat_shaded one = {.surface = tube, .colour = 0xff0000ff};
     const long before = alloc_live();
     for (long n = 1;; n++) {
         bat_shading *s = NULL;

@@ -74,8 +74,38 @@ static void from_others(void **unused) {
     assert_true(domain[0] == 0.25 && domain[1] == 1);
     bat_curve_eval(curve, 1, 0, at);
     assert_true(at[0] == 2 && at[1] == 1);
-    assert_int_equal(report.lost.count[BAT_LOSS_UNKNOWN], 1);
+    assert_int_equal(report.lost.count[BAT_LOSS_UNKNOWN], 0);
+    const bat_polymesh *mesh = bat_object_mesh(bat_document_at(document, 1));
+    assert_true(bat_document_count(document) == 2 && bat_polymesh_face_count(mesh) == 1);
+    assert_true(bat_polymesh_vertices(mesh)[0] == -2.3);
     bat_document_free(document);
+}
+
+/* Bit for bit, in the order of the file: isolated vertices, an edge with three faces, two meshes after each other. */
+static void meshes_are_kept(void **unused) {
+    (void)unused;
+    static const char text[] =
+        "v 0.1 0.2 0.3\nv 1 0 0\nv 0 1 0\nv 0 -1 0.30000000000000004\nv 0 0 1\nv 9 9 9\n"
+        "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2 3\n";
+    bat_document *document = NULL, *again = NULL;
+    bat_svg_report report;
+    bat_problem problem;
+    char *out = NULL;
+    size_t size = 0;
+    assert_int_equal(read(text, &document, &report, &problem), BAT_OK);
+    const bat_polymesh *mesh = bat_object_mesh(bat_document_at(document, 0));
+    assert_int_equal(bat_polymesh_vertex_count(mesh), 6);
+    assert_int_equal(bat_polymesh_face_count(mesh), 4);
+    assert_true(bat_polymesh_vertices(mesh)[11] == 0.30000000000000004);
+    assert_null(bat_document_check(document));
+    assert_int_equal(bat_format_named("OBJ")->write(document, &out, &size, &problem), BAT_OK);
+    char *ended = calloc(size + 1, 1);
+    memcpy(ended, out, size);
+    assert_int_equal(read(ended, &again, &report, &problem), BAT_OK);
+    assert_true(bat_polymesh_is_equal(mesh, bat_object_mesh(bat_document_at(again, 0))));
+    free(ended);
+    bat_free(out);
+    bat_document_free(document), bat_document_free(again);
 }
 
 static void refusals(void **unused) {
@@ -85,7 +115,7 @@ static void refusals(void **unused) {
         bat_status status;
     } cases[] = {
         {"v 1 2\n", "line 1", BAT_SYNTAX},
-        {"v 0 0 0\nv 1 0 0\nf 1 2\n", "", BAT_UNSUPPORTED},
+        {"# nothing\no name\n", "", BAT_UNSUPPORTED},
         {"cstype bspline\ndeg 9\n", "line 2", BAT_DEGREE},
         {"v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 3\n", "line 5", BAT_SYNTAX},
         {"v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1\nend\n", "line 7", BAT_KNOTS},
@@ -122,6 +152,6 @@ static void refusals(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(there_and_back), cmocka_unit_test(from_others),
-                                       cmocka_unit_test(refusals)};
+                                       cmocka_unit_test(meshes_are_kept), cmocka_unit_test(refusals)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
