@@ -82,6 +82,24 @@ static void make(const bat_curve *curve, double size) {
     bat_free(arcs);
 }
 
+/* Parallels are finite and nowhere nearer to the curve, or further, than they say. */
+static void beside(const bat_curve *curve, double distance, double size) {
+    size_t count;
+    bat_curve **all;
+    double error;
+    const bat_status status = bat_curve_offset(curve, distance, 1e-3 * size, 0.1, &count, &all, &error);
+    if (status == BAT_COUNT || (status == BAT_DIMENSION && bat_curve_dimension(curve) == 3)) return;
+    if (status != BAT_OK || !isfinite(error)) abort();
+    for (size_t i = 0; i < count; i++) {
+        double domain[2], x[2];
+        bat_near near;
+        bat_curve_domain(all[i], domain), bat_curve_eval(all[i], domain[0], 0, x);
+        if (bat_curve_nearest(curve, x, &near) != BAT_OK) abort();
+        if (fabs(near.distance - fabs(distance)) > error + 1e-9 * size) abort();
+    }
+    bat_curves_free(count, all);
+}
+
 static void check(const bat_meeting *meeting, const bat_curve *a, const bat_curve *b, double gap) {
     for (size_t i = 0; i < meeting->count; i++) {
         double x[3], y[3];
@@ -120,6 +138,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const double scale = fmax(greatest(a), b ? greatest(b) : 0);
         if (scale > 0 && scale < 1e60 && scale > 1e-60) {
             make(a, scale);
+            beside(a, ((int)(size % 64) - 32) * 0.02 * scale, scale);
             if (b) relate(a, b, scale);
         }
     }

@@ -30,6 +30,7 @@ static const cli_command *const commands[] = {
     &command_curve_elevate,
     &command_curve_insert,
     &command_curve_flatten,
+    &command_curve_offset,
     &command_curve_arcs,
     &command_curve_intersect,
     &command_curve_distance,

@@ -89,6 +89,20 @@ typedef struct bat_arc {
 BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, double corner, size_t *count,
                                   bat_arc **arcs, double *max_error);
 
+/*
+ * The parallels of a planar curve at a distance in document units, above 0 to the left of its direction (where y points
+ * up): cubics by least squares (Levien 2022), within tolerance (> 0), smooth where the curve is. Corners (tangents that
+ * turn by more than `corner` radians) that open are rounded; what would be nearer to the curve than the distance, as the
+ * loops at tight bends, is cut off. So there may be several curves, or none: *count of them, in order along the curve,
+ * in an array that the caller frees (bat_curves_free). *max_error (may be NULL): how far points of the result are from
+ * being at the distance, measured at 16 places a span. Distance 0: a copy. BAT_DIMENSION: a space curve; BAT_NUMBER: a
+ * distance that is not finite or too large; BAT_COUNT: more than 2^18 cubics. docs/math/relate.md 5.
+ */
+BAT_API bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
+                                    size_t *count, bat_curve ***out, double *max_error);
+/* The curves and their array; NULL is fine. */
+BAT_API void bat_curves_free(size_t count, bat_curve **curves);
+
 #ifdef __cplusplus
 }
 #endif

@@ -103,6 +103,30 @@ class Operations(ProgramTest):
         self.assertLess(len(result["arcs"]), 40)
         self.assertIn("in the plane", self.refused(1, "curve", "arcs", self.space, "--tolerance", "1"))
 
+    def test_offset(self):
+        for name, curve in ((self.curve, CURVE), (self.ring, RING)):
+            near = spline(curve)(AT) if curve is CURVE else None
+            for distance in (0.5, -0.5):
+                made = self.json("curve", "offset", name, "--distance", str(distance), "--tolerance", "0.001")
+                self.assertGreater(len(made), 0)
+                for one in made:
+                    self.assertLessEqual(one["report"]["max_error"], 0.001)
+                    if near is None:
+                        continue
+                    for x in spline(one)(numpy.linspace(one["knots"][0], one["knots"][-1], 200)):
+                        far = numpy.linalg.norm(near - x, axis=1).min()
+                        self.assertLess(abs(far - 0.5), 0.0011)
+        turned = self.file("344.json", {"degree": 3, "closed": False, "knots": [0] * 4 + [1] * 4,
+                                        "points": [[51, 0], [-0.0859375, 161.640625], [0, 164], [0, 164]]})
+        self.assertEqual(len(self.json("curve", "offset", turned, "--distance", "-8", "--tolerance", "0.01")), 1)
+        short = self.file("short.json", line([0, 0], [3, 4]))
+        made = self.json("curve", "offset", short, "--distance", "5", "--tolerance", "1e-6")
+        self.assertLess(numpy.abs(numpy.array([made[0]["points"][0], made[0]["points"][-1]]) -
+                                  [[-4, 3], [-1, 7]]).max(), 1e-12)
+        self.assertEqual(self.json("curve", "offset", short, "--distance", "0")[0]["points"], [[0, 0], [3, 4]])
+        self.assertIn("--distance", self.refused(2, "curve", "offset", self.curve))
+        self.assertIn("in the plane", self.refused(1, "curve", "offset", self.space, "--distance", "1"))
+
     def test_intersect(self):
         parabola = {"degree": 2, "closed": False, "knots": [0, 0, 0, 1, 1, 1], "points": [[-1, 1], [0, -1], [1, 1]]}
         a, b = self.file("p.json", parabola), self.file("l.json", line([-2, 0.25], [2, 0.25]))

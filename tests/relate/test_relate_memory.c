@@ -57,9 +57,21 @@ static bat_status biarcs(const bat_curve *a, const bat_curve *b) {
     return status;
 }
 
+static bat_status parallels(const bat_curve *a, const bat_curve *b) {
+    (void)b;
+    size_t count;
+    bat_curve **all = NULL;
+    const bat_status status = bat_curve_offset(a, 1, 1e-2, 0.1, &count, &all, NULL);
+    if (status != BAT_OK)
+        assert_null(all);
+    else
+        assert_true(count > 1), bat_curves_free(count, all);
+    return status;
+}
+
 static void every_allocation_may_fail(void **state) {
     (void)state;
-    static work *const all[] = {distance, crossings, overlaps, loops, polyline, biarcs};
+    static work *const all[] = {distance, crossings, overlaps, loops, polyline, biarcs, parallels};
     const double x[] = {0, 0, 10, 9, -3, 9, 7, 0}, y[] = {0, 5, 3, 1, 5, 8, 9, 2};
     bat_curve *a, *b;
     assert_int_equal(bat_curve_create_clamped(2, 3, 4, x, &a), BAT_OK);

@@ -74,7 +74,12 @@ static uint64_t relate_curve(const void *shared, int seed) {
     d = add(d, (uint64_t)count), bat_free(points);
     d = add(d, (uint64_t)bat_curve_arcs(curve, 0.1, 0.1, &count, &arcs, NULL));
     bat_free(arcs), bat_curve_free(other);
-    return add(d, (uint64_t)count);
+    size_t parallels = 0;
+    bat_curve **all = NULL;
+    d = add(d, (uint64_t)count);
+    d = add(d, (uint64_t)bat_curve_offset(curve, 0.2, 0.01, 0.1, &parallels, &all, NULL));
+    bat_curves_free(parallels, all);
+    return add(d, (uint64_t)parallels);
 }
 
 /* Other curves made of one. */

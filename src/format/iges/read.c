@@ -326,7 +326,7 @@ static bat_status skip(parser *p, int count) {
 }
 
 static bat_status mark_list(parser *p, int type) {
-    int count, curves;
+    int count = 0, curves = 0;
     bat_status status = whole(p, 0, 1e9, "expected a count, found something else", &count);
     for (int i = 0; i < count && status == BAT_OK && !p->at.ended; i++) {
         status = mark(p);
