@@ -15,6 +15,37 @@ static int option_index(const cli_command *command, const char *name, size_t siz
     return -1;
 }
 
+/* Options that are in no command's table: 1: one of them, 0: none, else an exit status. */
+static int common_option(const cli_command *command, int count, char **words, int *at, cli_arguments *out) {
+    if (command->lines && strcmp(words[*at], OPTION_LINES) == 0) {
+        out->lines = true;
+        return 1;
+    }
+    if (!command->puts_back || strcmp(words[*at], OPTION_OUTPUT) != 0) return 0;
+    if (out->output) return fail_usage(command, "%s is given twice", OPTION_OUTPUT);
+    if (*at + 1 == count || !words[*at + 1][0]) return fail_usage(command, "%s needs FILE", OPTION_OUTPUT);
+    out->output = words[++*at];
+    return 1;
+}
+
+/* With --lines the first operand is standard input, which may be left out. */
+static int place_lines(cli_arguments *out, int operands) {
+    if (!out->lines) return operands;
+    if (out->output) {
+        fail_usage(out->command, "%s goes with one curve, not with %s", OPTION_OUTPUT, OPTION_LINES);
+        return -1;
+    }
+    if (operands && strcmp(out->operands[0], "-") == 0) return operands;
+    if (operands >= out->command->operands) {
+        fail_usage(out->command, "with %s the data are lines of standard input, found %s", OPTION_LINES,
+                   out->operands[0]);
+        return -1;
+    }
+    for (int i = operands; i > 0; i--) out->operands[i] = out->operands[i - 1];
+    out->operands[0] = "-";
+    return operands + 1;
+}
+
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out) {
     *out = (cli_arguments){.command = command};
     int operands = 0;
@@ -32,6 +63,9 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
             out->operands[operands++] = word;
             continue;
         }
+        const int common = common_option(command, count, words, &i, out);
+        if (common == 1) continue;
+        if (common) return common;
         const char *equals = strchr(word, '=');
         size_t size = equals ? (size_t)(equals - word) : strlen(word);
         int index = option_index(command, word, size);
@@ -48,6 +82,8 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
             out->values[index] = words[++i];
         }
     }
+    operands = place_lines(out, operands);
+    if (operands < 0) return EXIT_USAGE;
     if (operands < command->operands) return fail_usage(command, "expected: %s", command->usage);
     return EXIT_DONE;
 }

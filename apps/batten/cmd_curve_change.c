@@ -125,6 +125,7 @@ const cli_command command_curve_split = {
     .example = "batten curve split curve.json --at 0.5",
     .operands = 1,
     .options = {{"--at", "U", "a parameter inside the domain"}},
+    .lines = true,
     .run = run_split,
 };
 
@@ -138,6 +139,7 @@ const cli_command command_curve_join = {
     .options = {{"--continuity", "C0|C1|C2",
                  "C0, by default: only the ends move; C1, C2: smooth, points next to them move, too"},
                 {"--gap", "G", "how far apart the ends may be, a millionth of the size by default"}},
+    .puts_back = true,
     .run = run_join,
 };
 
@@ -147,6 +149,8 @@ const cli_command command_curve_reverse = {
     .summary = "The same curve, run the other way.",
     .example = "batten curve reverse curve.json",
     .operands = 1,
+    .lines = true,
+    .puts_back = true,
     .run = run_reverse,
 };
 
@@ -157,6 +161,8 @@ const cli_command command_curve_elevate = {
     .example = "batten curve elevate curve.json --degree 5",
     .operands = 1,
     .options = {{"--degree", "P", "the degree of the result, up to 7"}},
+    .lines = true,
+    .puts_back = true,
     .run = run_elevate,
 };
 
@@ -167,5 +173,7 @@ const cli_command command_curve_insert = {
     .example = "batten curve insert curve.json --at 0.5,0.5,1.25",
     .operands = 1,
     .options = {{"--at", "U,U,...", "the new knots, in any order; one may be given several times"}},
+    .lines = true,
+    .puts_back = true,
     .run = run_insert,
 };

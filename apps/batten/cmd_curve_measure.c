@@ -83,6 +83,7 @@ const cli_command command_curve_length = {
     .details = "The result is {\"length\"}, to 14 digits.",
     .example = "batten curve length curve.json",
     .operands = 1,
+    .lines = true,
     .run = run_length,
 };
 
@@ -95,6 +96,7 @@ const cli_command command_curve_bounds = {
                "control\npoints.",
     .example = "batten curve bounds curve.json",
     .operands = 1,
+    .lines = true,
     .run = run_bounds,
 };
 
@@ -109,5 +111,6 @@ const cli_command command_curve_curvature = {
     .operands = 1,
     .options = {{"--at", "U,U,...", "parameters, in any order; of a closed curve in any period"},
                 {"--samples", "N", "N parameters spread evenly over the domain"}},
+    .lines = true,
     .run = run_curvature,
 };

@@ -77,5 +77,6 @@ const cli_command command_curve_offset = {
     .options = {{"--distance", "D", "document units; above 0 to the left of the curve where y points up"},
                 {"--tolerance", "T",
                  "greatest error of the distance, a ten-thousandth of the size by default"}},
+    .lines = true,
     .run = run_offset,
 };

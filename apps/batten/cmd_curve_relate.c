@@ -147,6 +147,7 @@ const cli_command command_curve_flatten = {
     .example = "batten curve flatten curve.json --tolerance 0.01",
     .operands = 1,
     .options = {{"--tolerance", "T", "greatest distance of the curve from the polyline, document units"}},
+    .lines = true,
     .run = run_flatten,
 };
 
@@ -160,6 +161,7 @@ const cli_command command_curve_arcs = {
     .example = "batten curve arcs curve.json --tolerance 0.01",
     .operands = 1,
     .options = {{"--tolerance", "T", "greatest distance of the curve from them, document units"}},
+    .lines = true,
     .run = run_arcs,
 };
 

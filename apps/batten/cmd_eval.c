@@ -59,5 +59,6 @@ const cli_command command_eval = {
     .options = {{"--at", "U,U,...", "parameters, in any order; of a closed curve in any period"},
                 {"--samples", "N", "N parameters spread evenly over the domain"},
                 {"--derivatives", "K", "derivatives up to the K-th, 0 by default"}},
+    .lines = true,
     .run = run,
 };

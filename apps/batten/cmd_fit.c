@@ -217,5 +217,6 @@ const cli_command command_fit = {
                 {"--free-ends", NULL, "the ends of an open curve need not be those of the points"},
                 {"--pen", NULL, "the points are what a pen drew: hooks and noise are no part of it"},
                 {"--pixel", "P", "with --pen: a pen pixel in document units, 1 by default"}},
+    .lines = true,
     .run = run,
 };

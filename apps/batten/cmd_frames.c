@@ -98,5 +98,6 @@ const cli_command command_frames = {
                 {"--kind", "KIND", "rmf (the default), frenet or fixed"},
                 {"--first", "SX,SY,SZ", "s at the start, projected on the normal plane there"},
                 {"--substeps", "N", "steps of the chain a span; at least 8 by default"}},
+    .lines = true,
     .run = run,
 };

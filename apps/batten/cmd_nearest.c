@@ -52,5 +52,6 @@ const cli_command command_nearest = {
     .example = "batten nearest curve.json --point 3,4",
     .operands = 1,
     .options = {{"--point", "X,Y[,Z]", "the point, with as many coordinates as the curve has"}},
+    .lines = true,
     .run = run,
 };

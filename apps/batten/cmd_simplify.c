@@ -1,4 +1,5 @@
 /* batten simplify: a curve, or every curve of a drawing, with few points. */
+#include "address.h"
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
@@ -133,7 +134,9 @@ static int run(const cli_arguments *arguments) {
     tally sum = {.tolerance = -1};
     int failed = arguments_number(arguments, "--tolerance", 0, 1e30, &sum.tolerance);
     if (!failed) failed = arguments_choice(arguments, "--continuity", words, 2, &sum.continuity);
-    if (!failed) failed = drawing_read(name, &options, &drawing);
+    if (!failed)
+        failed = is_address(name) ? address_read_drawing(name, &drawing)
+                                  : drawing_read(name, &options, &drawing);
     if (failed) return failed;
     if (sum.tolerance < 0) sum.tolerance = SHARE * size_of(drawing.document);
     progress_begin("simplify");
@@ -164,5 +167,7 @@ const cli_command command_simplify = {
           "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"},
          {"--continuity", "C2|G1",
           "C2, by default: fewest points; G1: fewest cubics, which meet with one tangent, for path editors"}},
+    .lines = true,
+    .puts_back = true,
     .run = run,
 };

@@ -44,5 +44,6 @@ const cli_command command_sketch = {
     .options = {OPTION_TOLERANCE,
                 OPTION_PIXEL,
                 {"--pins", "2|3", "control points kept on either side, 3 by default"}},
+    .puts_back = true,
     .run = run,
 };

@@ -14,8 +14,17 @@ enum {
     CLEANED_ROOM = 8 * LINE_ROOM
 }; /* a line has room for any path, but not for more than two */
 
+static char *kept; /* where lines go instead */
+static size_t kept_room;
+
+void fail_into(char *line, size_t room) { kept = line, kept_room = room; }
+
 /* Written in one piece, so that lines of several processes do not mix. */
 static void put_line(const char *line) {
+    if (kept) {
+        kept[clean_text(line, kept, kept_room - 1)] = '\0';
+        return;
+    }
     char cleaned[CLEANED_ROOM];
     size_t size = clean_text(line, cleaned, sizeof cleaned - 1);
     cleaned[size] = '\n';
@@ -56,8 +65,7 @@ int fail_problem(const char *file, bat_status status, const bat_problem *problem
 }
 
 int fail_memory(void) {
-    progress_end();
-    fputs("batten: out of memory\n", stderr);
+    put_line("batten: out of memory");
     return EXIT_DATA;
 }
 

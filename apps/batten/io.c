@@ -100,8 +100,28 @@ io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp) 
     return result;
 }
 
+static struct {
+    const char *data;
+    size_t size;
+    bat_text *output;
+} stand_in;
+
+void io_stand_in(const char *data, size_t size, bat_text *output) {
+    stand_in.data = data, stand_in.size = size, stand_in.output = output;
+}
+
+static int read_stand_in(char **data, size_t *size) {
+    *data = malloc(stand_in.size + 1);
+    if (!*data) return fail_memory();
+    memcpy(*data, stand_in.data, stand_in.size);
+    (*data)[stand_in.size] = '\0';
+    *size = stand_in.size;
+    return EXIT_DONE;
+}
+
 int io_read(const char *name, char **data, size_t *size) {
     bool standard = strcmp(name, "-") == 0;
+    if (standard && stand_in.data) return read_stand_in(data, size);
     int file = standard ? STDIN_FILENO : open(name, O_RDONLY | O_CLOEXEC);
     struct stat status;
     bool done = file >= 0 && fstat(file, &status) == 0 && read_whole(file, &status, data, size);
@@ -148,6 +168,10 @@ static int write_standard(const void *data, size_t size) {
 }
 
 int io_write(const char *name, const void *data, size_t size) {
+    if (strcmp(name, "-") == 0 && stand_in.output) {
+        bat_text_add(stand_in.output, data, size);
+        return EXIT_DONE;
+    }
     if (strcmp(name, "-") == 0) return write_standard(data, size);
     io_place place;
     if (!io_place_open(&place, name)) return fail_output(name);

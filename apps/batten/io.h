@@ -2,6 +2,8 @@
 #ifndef BATTEN_APPS_IO_H
 #define BATTEN_APPS_IO_H
 
+#include "text/text.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <sys/stat.h>
@@ -40,6 +42,9 @@ bool io_read_only(const char *path);
 /* Returns how many bytes were written; when fewer than size, errno says why. */
 size_t io_put(int file, const void *data, size_t size);
 
+/* While one input of many is at work: standard input is `data`, and what goes to standard output is added to
+ * *output. data NULL: the real streams again. */
+void io_stand_in(const char *data, size_t size, bat_text *output);
 /* Reads a whole file of any type, or standard input ("-"): malloc'ed, zero-terminated. Returns 0, or an exit
  * status after reporting the failure. */
 int io_read(const char *name, char **data, size_t *size);

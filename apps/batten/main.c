@@ -1,6 +1,9 @@
 /* The batten program: finds the subcommand and passes its arguments to it. */
+#include "address.h"
+#include "lines.h"
 #include "program.h"
 #include "progress.h"
+#include "results.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -35,6 +38,7 @@ static const cli_command *const commands[] = {
     &command_curve_intersect,
     &command_curve_distance,
     &command_info,
+    &command_completion,
     &command_replay,
     &command_surface_eval,
     &command_surface_isocurve,
@@ -57,6 +61,11 @@ static const cli_command *const commands[] = {
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 /* The command named by the first words; *used: how many words the name has. */
+const cli_command *const *all_commands(size_t *count) {
+    *count = COMMAND_COUNT;
+    return commands;
+}
+
 static const cli_command *command_find(int count, char **words, int *used) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         const char *name = commands[i]->name, *second = strchr(name, ' ');
@@ -96,7 +105,7 @@ static void print_indented(const char *lines) {
 static void print_command_help(const cli_command *command) {
     printf("Usage: batten %s %s\n\n%s\n", command->name, command->usage, command->summary);
     if (command->details) printf("\n%s\n", command->details);
-    if (command->options[0].name) printf("\nOptions:\n");
+    if (command->options[0].name || command->lines || command->puts_back) printf("\nOptions:\n");
     for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
         const cli_option *option = &command->options[i];
         char left[64];
@@ -104,6 +113,11 @@ static void print_command_help(const cli_command *command) {
                  option->value ? option->value : "");
         printf("  %-22s %s\n", left, option->help);
     }
+    if (command->lines)
+        printf("  %-22s %s\n", OPTION_LINES, "an input a line of standard input, a result a line, in order");
+    if (command->puts_back)
+        printf("  %-22s %s\n", OPTION_OUTPUT " FILE",
+               "the curve goes back to its place in the drawing, FILE#NAME, which is written to FILE");
     printf("\nExample:\n");
     print_indented(command->example);
 }
@@ -174,7 +188,9 @@ int main(int count, char **words) {
     int status = arguments_parse(command, count - from, words + from, &arguments);
     if (status) return status;
     if (command != &command_edit) progress_begin(command->name); /* the server waits, it is not at work */
-    status = command->run(&arguments);
+    write_back_to(arguments.output);
+    status = arguments.lines ? run_lines(&arguments) : command->run(&arguments);
     progress_end();
+    address_release();
     return finish(status);
 }

@@ -24,6 +24,8 @@ typedef struct cli_command {
     const char *example; /* lines */
     int operands;        /* how many are needed */
     int more;            /* how many more may follow */
+    bool lines;          /* its first operand may be many: --lines */
+    bool puts_back;      /* its result is a curve, which may go back to its place in a drawing: -o FILE */
     cli_option options[OPTIONS_MAX];
     int (*run)(const cli_arguments *arguments);
 } cli_command;
@@ -32,6 +34,8 @@ struct cli_arguments {
     const cli_command *command;
     const char *operands[OPERANDS_MAX]; /* NULL: left out */
     const char *values[OPTIONS_MAX];    /* parallel to command->options; NULL: not given; flags: "" */
+    bool lines;                         /* --lines */
+    const char *output;                 /* -o FILE, or NULL */
 };
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
@@ -42,9 +46,15 @@ extern const cli_command command_edit, command_eval, command_nearest, command_fr
     command_loft, command_sweep, command_camera, command_motion, command_curve_length, command_curve_bounds,
     command_curve_curvature, command_curve_split, command_curve_join, command_curve_reverse,
     command_curve_elevate, command_curve_insert, command_curve_flatten, command_curve_arcs,
-    command_curve_intersect, command_curve_distance, command_curve_offset;
+    command_curve_intersect, command_curve_distance, command_curve_offset, command_completion;
+
+/* All of them, in the order of the help. */
+const cli_command *const *all_commands(size_t *count);
 
 /* ---- arguments ---- */
+
+#define OPTION_LINES "--lines"
+#define OPTION_OUTPUT "-o"
 
 /* EXIT_DONE, or EXIT_USAGE after reporting what is wrong. */
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);
@@ -78,6 +88,8 @@ int fail_data(const char *file, const char *place, const char *format, ...)
 /* The same for a problem that a reader reported. */
 int fail_problem(const char *file, bat_status status, const bat_problem *problem);
 int fail_memory(void);
+/* From now on lines are kept here, the last one, instead of on standard error; NULL: there again. */
+void fail_into(char *line, size_t room);
 /* A result cannot be written; errno says why. A reader that has gone, as in "| head -1", wants no more: the
  * program then ends like others, by SIGPIPE and without a message. */
 int fail_output(const char *name);

@@ -2,6 +2,7 @@
 
 #include "text/number.h"
 
+#include "address.h"
 #include "io.h"
 #include "program.h"
 
@@ -76,6 +77,7 @@ static bat_status curve_of(const char *data, size_t size, void *out, bat_problem
 int read_curve(const char *name, bat_curve **out) {
     bat_problem problem;
     bat_model model;
+    if (is_address(name)) return address_read(name, out);
     if (!reader_of(name)) return read_data(name, curve_of, out, &problem);
     int failed = read_only_one(name, "curve", &model);
     if (failed) return failed;
@@ -144,7 +146,12 @@ int write_text(bat_text *text) {
     return failed;
 }
 
+static const char *back_to;
+
+void write_back_to(const char *file) { back_to = file; }
+
 int write_curve(const bat_curve *curve) {
+    if (back_to) return address_write(curve, back_to);
     char *data;
     size_t size;
     if (bat_curve_write(curve, &data, &size) != BAT_OK) return fail_memory();
@@ -207,7 +214,19 @@ static int write_reported(char *data, size_t size, bat_text *report) {
     return write_text(&text);
 }
 
+static int write_back(const bat_curve *curve, bat_text *report) {
+    int failed = address_write(curve, back_to);
+    char *line = NULL;
+    size_t size;
+    if (!report) return failed;
+    if (bat_text_finish(report, &line, &size) != BAT_OK) return fail_memory();
+    if (!failed) remark("{\"report\":%s}", line);
+    bat_free(line);
+    return failed;
+}
+
 int write_curve_reported(const bat_curve *curve, bat_text *report) {
+    if (back_to) return write_back(curve, report);
     char *data;
     size_t size;
     if (bat_curve_write(curve, &data, &size) == BAT_OK) return write_reported(data, size, report);

@@ -28,6 +28,9 @@ void put_numbers(bat_text *text, const double *numbers, size_t count);
 void put_points(bat_text *text, const double *numbers, size_t count, int dimension, size_t stride);
 /* Adds a line end to the text, writes it to standard output, and releases it. */
 int write_text(bat_text *text);
+/* From now on a curve goes back to its place in a drawing (address.h), which is written to this file; its report is a
+ * remark. NULL: to standard output. */
+void write_back_to(const char *file);
 int write_curve(const bat_curve *curve);
 /* Writes the surface with its report (JSON), which is released; NULL: without one. */
 int write_surface(const bat_surface *surface, bat_text *report);

@@ -10,7 +10,7 @@ from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "info", "replay",
             "surface eval", "surface isocurve", "surface closest", "surface hit", "surface pick", "surface redraw", "surface sketch", "surface intersect", "surface convert", "cast", "wire", "sweep", "revolve",
-            "coons", "loft", "motion", "curve length", "curve bounds", "curve curvature", "curve split", "curve join", "curve reverse", "curve elevate", "curve insert", "curve flatten", "curve offset", "curve arcs", "curve intersect", "curve distance"]
+            "coons", "loft", "motion", "curve length", "curve bounds", "curve curvature", "curve split", "curve join", "curve reverse", "curve elevate", "curve insert", "curve flatten", "curve offset", "curve arcs", "curve intersect", "curve distance", "completion"]
 
 
 class Usage(ProgramTest):
@@ -56,6 +56,8 @@ class Usage(ProgramTest):
             ["simplify"], ["simplify", curve, "--tolerance", "-1"], ["simplify", curve, "--tolerance", "nan"],
             ["simplify", curve, "--continuity", "C1"], ["simplify", curve, "--continuity"],
             ["simplify", curve, curve], ["info"], ["info", curve, "--xml"], ["replay"], ["replay", curve, "--output", "x.doc"],
+            ["completion"], ["completion", "csh"], ["curve", "length", "--lines", curve], ["eval", "--lines", "-o", curve],
+            ["curve", "reverse", "--lines", "-o", curve], ["curve", "reverse", curve, "-o"], ["tangents", "--lines"],
             ["curve"], ["curve", "frobnicate"], ["curve", "length"], ["curve", "curvature", curve], ["curve", "split", curve],
             ["curve", "split", curve, "--at", "1,2"], ["curve", "join", curve], ["curve", "join", curve, curve, "--continuity", "G1"],
             ["curve", "elevate", curve], ["curve", "elevate", curve, "--degree", "8"], ["curve", "insert", curve],

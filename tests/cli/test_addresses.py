@@ -1,0 +1,126 @@
+"""Curves inside drawings (FILE#NAME/N, -o), many inputs in one run (--lines), and completions of the shells."""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from program import CURVE, PROGRAM, ROOT, ProgramTest
+from test_usage import COMMANDS
+
+OUTLINE = re.compile(r'd="([^"]*)"')
+DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" xmlns:x="urn:x" viewBox="0 0 100 100">
+  <!-- kept -->
+  <path id="roof" class="a" x:y="1" d="M0 0C10 20 20 20 30 0" stroke="red" fill="none"/>
+  <path id="twin" d="M0 50H10"/><path id="twin" d="M0 60H10"/>
+  <path id="two" d="M0 80H10M20 80H40" stroke="#00f" fill="none"/>
+  <text x="3" y="4">words</text>
+</svg>
+"""
+
+
+class Addresses(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.drawing = self.file("d#1.svg", DRAWING)  # a name that has a hash itself
+
+    def test_names_ids_and_numbers(self):
+        self.assertEqual(self.json("curve", "length", f"{self.drawing}#two/1")["length"], 20)
+        self.assertEqual(self.json("curve", "length", f"{self.drawing}#two")["length"], 10)
+        objects = json.loads(self.done("info", self.drawing, "--json"))["objects"]
+        ids = {o["id"]: o["name"] for o in objects}
+        two = next(i for i, name in ids.items() if name == "two")
+        self.assertEqual(self.json("curve", "length", f"{self.drawing}#{two}/1")["length"], 20)
+        twins = [str(i) for i, name in ids.items() if name == "twin"]
+        line = self.refused(1, "curve", "length", f"{self.drawing}#twin")
+        self.assertTrue(all(i in line for i in twins), line)
+        self.assertIn("found none", self.refused(1, "curve", "length", f"{self.drawing}#nothing"))
+        self.assertIn("2 curves", self.refused(1, "curve", "length", f"{self.drawing}#two/2"))
+        self.refused(1, "curve", "length", "missing.svg#roof")
+
+    def test_a_result_goes_back_to_its_place(self):
+        before = self.json("eval", f"{self.drawing}#roof", "--samples", "9")["points"]
+        self.assertEqual(self.done("curve", "reverse", f"{self.drawing}#roof", "-o", "out.svg"), b"")
+        self.assertEqual(pathlib.Path(self.drawing).read_text(encoding="utf-8"), DRAWING)
+        made = pathlib.Path(f"{self.folder}/out.svg").read_text(encoding="utf-8")
+        for kept in ("<!-- kept -->", 'id="roof"', 'class="a"', 'x:y="1"', "words", 'd="M0 80H10M20 80H40"'):
+            self.assertIn(kept, made)
+        after = self.json("eval", f"{self.folder}/out.svg#roof", "--samples", "9")["points"]
+        for x, y in zip(before, reversed(after)):
+            self.assertLess(abs(x[0] - y[0]) + abs(x[1] - y[1]), 1e-9)
+        self.done("curve", "insert", f"{self.drawing}#roof", "--at", "0.5", "-o", self.drawing)  # over the input
+        self.assertIn("words", pathlib.Path(self.drawing).read_text(encoding="utf-8"))
+        stroke = self.file("s.csv", "x,y\n" + "".join(f"{x},{15 - abs(x - 15) * .2}\n" for x in range(6, 25)))
+        result = self.run_program("sketch", f"{self.drawing}#roof", stroke, "-o", "n.batten")
+        self.assertEqual((result.returncode, result.stdout), (0, b""))
+        self.assertIn(b'{"report":{', result.stderr)
+        curve = self.json("eval", f"{self.folder}/n.batten#roof", "--samples", "101")["points"]
+        self.assertLess(min(abs(x - 15) + abs(y - 15) for x, y in curve), 0.6)
+        plain = self.file("c.json", CURVE)
+        self.assertIn("FILE#NAME", self.refused(1, "curve", "reverse", plain, "-o", "x.svg"))
+
+    def test_simplify_takes_one_curve_of_a_drawing(self):
+        many = self.json("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8")
+        self.done("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8", "-o", "many.batten")
+        few = self.json("simplify", f"{self.folder}/many.batten#roof", "--tolerance", "1e-6")
+        self.assertEqual(len(many["points"]), 8)
+        self.assertEqual(few["report"], {"max_error": few["report"]["max_error"], "points_before": 8, "points_after": 4})
+
+
+class Lines(ProgramTest):
+    def test_a_line_in_a_line_out(self):
+        curves = [dict(CURVE, points=[[x * s, y * s] for x, y in CURVE["points"]]) for s in (1, 2, 3)]
+        text = "\n".join(map(json.dumps, curves[:2])) + "\n{]\n\n" + json.dumps(curves[2])
+        result = self.run_program("curve", "length", "--lines", stdin=text)
+        self.assertEqual((result.returncode, result.stderr), (1, b""))
+        lines = [json.loads(line) for line in result.stdout.decode().splitlines()]
+        one = self.json("curve", "length", "-", stdin=json.dumps(CURVE))["length"]
+        self.assertEqual(len(lines), 5)
+        for i, scale in ((0, 1), (1, 2), (4, 3)):
+            self.assertAlmostEqual(lines[i]["length"], one * scale, 9)
+        self.assertEqual([list(lines[2]), list(lines[3])], [["error"], ["error"]])
+
+    def test_results_of_several_lines_are_joined(self):
+        made = self.done("curve", "offset", "--lines", "--distance", "0.25", stdin=(json.dumps(CURVE) + "\n") * 2)
+        one, two = map(json.loads, made.decode().splitlines())
+        self.assertEqual(one, two)
+        self.assertEqual(one, self.json("curve", "offset", "-", "--distance", "0.25", stdin=json.dumps(CURVE)))
+
+    def test_nothing_and_wrong_usage(self):
+        self.assertEqual(self.done("eval", "--lines", "--samples", "3", stdin=""), b"")
+        self.refused(2, "curve", "elevate", "--lines", "--degree", "99", stdin=json.dumps(CURVE))
+        self.assertEqual(self.done("curve", "length", "--lines", "-", stdin="").decode(), "")
+
+
+class Completions(ProgramTest):
+    def complete(self, *words):
+        script = self.file("c.bash", self.done("completion", "bash").decode())
+        run = 'source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _batten; printf "%s\\n" "${COMPREPLY[@]}"'
+        result = subprocess.run(["bash", "-c", run, script, "batten", *words], capture_output=True, check=True, timeout=60)
+        self.assertEqual(result.stderr, b"")
+        return set(result.stdout.decode().split())
+
+    def test_bash_proposes_what_the_program_takes(self):
+        self.assertEqual(self.complete(""), {name.split()[0] for name in COMMANDS} | {"camera", "--help", "--version"})
+        seconds = {name.split()[1] for name in COMMANDS if name.startswith("curve ")}
+        self.assertEqual(self.complete("curve", ""), seconds)
+        for name in COMMANDS:
+            text = self.done(*name.split(), "--help").decode()
+            options = set(re.findall(r"(?m)^  (--?[a-z-]+)", text.split("Example:")[0]))
+            self.assertEqual(self.complete(*name.split(), "-"), options | {"--help"}, name)
+        self.assertEqual(self.complete("curve", "join", "a", "b", "--continuity", ""), {"C0", "C1", "C2"})
+        self.assertEqual(self.complete("sketch", "car.svg"), set())
+
+    def test_zsh_and_fish_have_every_command(self):
+        for shell in ("zsh", "fish"):
+            text = self.done("completion", shell).decode()
+            for name in COMMANDS:
+                self.assertIn(name.split()[-1], text)
+            if shutil.which(shell):
+                script = self.file(shell, text)
+                subprocess.run([shell, "-n", script], check=True, timeout=60)
+
+
+if __name__ == "__main__":
+    unittest.main()
